@@ -1,0 +1,55 @@
+# How every folder of the project is built: one place for flags, layers and tests.
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# Third parties. Which folder may use which is in scripts/check_layers.
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(PNG REQUIRED)
+find_package(assimp REQUIRED)
+find_package(pugixml REQUIRED)
+if(RASTERPROOF_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+
+# The code generator of every target. Contraction would change signs; debug information costs build time.
+add_library(rasterproof_flags INTERFACE)
+target_compile_options(rasterproof_flags INTERFACE
+  -Wall -Wextra -Wconversion -Werror -ffp-contract=off
+  $<$<CONFIG:Release>:-O2>)
+target_include_directories(rasterproof_flags INTERFACE ${CMAKE_SOURCE_DIR})
+if(RASTERPROOF_SANITIZE)
+  target_compile_options(rasterproof_flags INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
+  target_link_options(rasterproof_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(RASTERPROOF_FUZZ)
+  target_compile_options(rasterproof_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# rasterproof_library(NAME SOURCES a.cc ... [LINK target ...] [PRIVATE_LINK target ...])
+# makes the static library rasterproof_NAME. LINK names other folders without the prefix, or full targets.
+function(rasterproof_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(rasterproof_${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(rasterproof_${name} PUBLIC ${ARG_LINK} PRIVATE rasterproof_flags ${ARG_PRIVATE_LINK})
+  target_include_directories(rasterproof_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+endfunction()
+
+# rasterproof_test(NAME SOURCES a_test.cc ... LINK target ... [LABELS label ...] [TIMEOUT s])
+# makes one GoogleTest program per folder; ctest runs every test case of it as one ctest test "NAME".
+function(rasterproof_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 600)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE rasterproof_flags ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,26 @@
+// What a property is asked about: a value that can be saved, replayed and shrunk.
+#ifndef RASTERPROOF_CORE_CASE_H_
+#define RASTERPROOF_CORE_CASE_H_
+
+#include <string>
+
+#include "core/draw_options.h"
+#include "core/profile.h"
+#include "core/scene.h"
+
+namespace rasterproof {
+
+/// A scene (which holds its target's size), the profile it is judged by, and how it is to be drawn.
+struct Case {
+  Scene scene;
+  Profile profile;
+  DrawOptions options;
+  /// Where it came from: "domain needles, seed 1, case 17", a file. For the reader only.
+  std::string origin;
+
+  friend bool operator==(const Case&, const Case&) = default;
+};
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_CASE_H_

@@ -1,0 +1,33 @@
+#include "core/fill_rule.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rasterproof {
+
+// A sample shifted right (+x) falls into the triangle whose *left* edge it lay on, and one shifted
+// down into the one whose *top* edge it lay on: sign +1 names left and top.
+std::string FillRuleName(const FillRule& rule) {
+  if (rule.inclusive) return "inclusive";
+  std::string name = rule.sign_y > 0 ? "top" : "bottom";
+  name += rule.sign_x > 0 ? "-left" : "-right";
+  if (rule.y_first) name += "-y";
+  return name;
+}
+
+std::optional<FillRule> FillRuleFromName(std::string_view name) {
+  if (name == "inclusive") return FillRule{.inclusive = true};
+  for (const bool y_first : {false, true}) {
+    for (const int sign_x : {+1, -1}) {
+      for (const int sign_y : {+1, -1}) {
+        const FillRule rule{static_cast<std::int8_t>(sign_x), static_cast<std::int8_t>(sign_y),
+                            y_first, false};
+        if (FillRuleName(rule) == name) return rule;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rasterproof

@@ -1,0 +1,40 @@
+// Who owns a sample that lies exactly on an edge.
+#ifndef RASTERPROOF_CORE_FILL_RULE_H_
+#define RASTERPROOF_CORE_FILL_RULE_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rasterproof {
+
+/// A consistent tie rule, written as the infinitesimal shift of the sample that decides it.
+///
+/// With e -> 0+ the sample moves by (sign_x * e, sign_y * e^2), or by (sign_x * e^2, sign_y * e) if
+/// `y_first`. The shifted sample lies on no edge, so a planar subdivision owns it exactly once.
+/// Axes are those of the screen: x right, y down. Top-left is (+e, +e^2).
+struct FillRule {
+  std::int8_t sign_x = +1;
+  std::int8_t sign_y = +1;
+  bool y_first = false;
+  /// True for "a sample on any edge is inside" (`>=` on all edges). It is not a consistent rule:
+  /// shared edges are covered twice. Only the profile of a subject that does this uses it.
+  bool inclusive = false;
+
+  friend bool operator==(const FillRule&, const FillRule&) = default;
+};
+
+inline constexpr FillRule kTopLeft{};
+
+/// Returns the rule's name: "top-left", "top-right", "bottom-left", "bottom-right", the same four
+/// with
+/// "-y" appended when y moves first ("top-left-y"), or "inclusive".
+std::string FillRuleName(const FillRule& rule);
+
+/// Returns the rule of a name that FillRuleName gives, or nothing.
+std::optional<FillRule> FillRuleFromName(std::string_view name);
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_FILL_RULE_H_

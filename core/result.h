@@ -1,0 +1,60 @@
+// What a run found: measured by props and tool, rendered by report.
+#ifndef RASTERPROOF_CORE_RESULT_H_
+#define RASTERPROOF_CORE_RESULT_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/coverage.h"
+#include "core/verdict.h"
+
+namespace rasterproof {
+
+/// How near to edges the samples of a run lay, measured on the lattice in use.
+struct NearEdgeCounts {
+  std::uint64_t samples = 0;  ///< (edge, sample) pairs looked at
+  std::uint64_t on_edge = 0;
+  std::uint64_t within_1 = 0;  ///< not on the edge, within 1 ulp (or subpixel step) of it
+  std::uint64_t within_16 = 0;
+  std::uint64_t within_256 = 0;
+};
+
+/// One property on one subject over a campaign. "tested" is the word for it: k cases of a seed.
+struct PropertyResult {
+  std::string property;
+  std::string subject;
+  std::string clause;     ///< what it enforces, with its source
+  std::string tolerance;  ///< the named bound, or "none: exact"
+  Outcome outcome = Outcome::kNotExercised;
+  std::uint64_t cases = 0;            ///< cases run
+  std::uint64_t cases_exercised = 0;  ///< cases in which the claim was put to the test
+  std::uint64_t exercised = 0;        ///< times the claim was put to the test
+  double worst_ratio = 0;
+  NearEdgeCounts near_edge;
+  std::uint64_t seed = 0;
+  double seconds = 0;
+  std::string message;
+  /// The first counterexample, shrunken, with what was said of it.
+  std::optional<Case> counterexample;
+  std::optional<Verdict> verdict;
+  std::uint64_t failing_case = 0;  ///< index of the case that failed first
+};
+
+/// One subject on one real scene.
+struct SceneResult {
+  std::string scene;
+  std::string subject;
+  std::string profile;
+  std::uint64_t triangles = 0;
+  CoverageDifference difference;
+  bool applicable = true;
+  std::string message;
+  double seconds = 0;
+};
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_RESULT_H_

@@ -1,0 +1,61 @@
+// What a property says of a subject on one case.
+#ifndef RASTERPROOF_CORE_VERDICT_H_
+#define RASTERPROOF_CORE_VERDICT_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rasterproof {
+
+enum class Outcome : std::uint8_t {
+  kHolds,
+  kViolated,
+  kNotExercised,  ///< the case met the precondition nowhere: neither good nor bad
+  kNotApplicable  ///< the subject or the profile does not promise this at all
+};
+
+/// Where a claim failed. Entries that do not apply are -1 or empty.
+struct Witness {
+  int triangle = -1;
+  int edge = -1;  ///< edge i is opposite vertex i
+  int x = -1;     ///< pixel column
+  int y = -1;     ///< pixel row from the top
+  int sample = 0;
+  std::string observed;
+  std::string expected;
+};
+
+struct Verdict {
+  Outcome outcome = Outcome::kNotExercised;
+  /// How many times the claim was really put to the test (samples, edges, steps).
+  std::uint64_t exercised = 0;
+  /// Largest observed error / bound, for claims with a bound; 0 otherwise.
+  double worst_ratio = 0;
+  /// Why it does not apply, or what failed, in one line.
+  std::string message;
+  std::optional<Witness> witness;
+
+  static Verdict NotApplicable(std::string why) {
+    return {Outcome::kNotApplicable, 0, 0, std::move(why), std::nullopt};
+  }
+  /// Holds if exercised at least once.
+  static Verdict Held(std::uint64_t exercised, double worst_ratio = 0) {
+    return {exercised != 0 ? Outcome::kHolds : Outcome::kNotExercised,
+            exercised,
+            worst_ratio,
+            {},
+            std::nullopt};
+  }
+  static Verdict Violated(std::uint64_t exercised, std::string message, Witness witness) {
+    return {Outcome::kViolated, exercised, 0, std::move(message), std::move(witness)};
+  }
+};
+
+/// "holds", "violated", "not exercised", "not applicable".
+std::string_view OutcomeName(Outcome outcome);
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_VERDICT_H_

@@ -1,0 +1,40 @@
+// Exact coverage: what every sample of a scene must count.
+#ifndef RASTERPROOF_EXACT_COVERAGE_H_
+#define RASTERPROOF_EXACT_COVERAGE_H_
+
+#include <array>
+
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/vertex.h"
+#include "exact/edge.h"
+
+namespace rasterproof::exact {
+
+/// Returns the counts of the profile's canonical model for the scene, under the options' culling
+/// and scissor.
+///
+/// Domain:     any scene. Triangles with a non-finite x, y or w, or with zero area after snapping,
+/// cover
+///             nothing. Clip space with a snapped profile: every w of a triangle must be positive
+///             (snapping follows the division, and what clipping does is not the profile's to say).
+/// Error:      none; throws InputError where the domain is left.
+/// Cost:       kFast: spans, about one integer decision per edge and row. The other deciders: one
+/// sign per
+///             edge and sample of the triangle's box, for cross-checking.
+CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options = {},
+                        Decider decider = Decider::kFast);
+
+/// Returns whether the triangle (window space, already snapped, finite) covers the point p under
+/// the rule; either winding.
+bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule,
+            Decider decider = Decider::kFast);
+
+/// Sign of E(v0, v1; v2): +1 front (counter-clockwise on screen), -1 back, 0 covers nothing.
+int Facing(const std::array<Point2, 3>& v, Decider decider = Decider::kFast);
+
+}  // namespace rasterproof::exact
+
+#endif  // RASTERPROOF_EXACT_COVERAGE_H_

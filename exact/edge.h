@@ -1,0 +1,55 @@
+// Exact signs of edge functions: the oracle's root.
+#ifndef RASTERPROOF_EXACT_EDGE_H_
+#define RASTERPROOF_EXACT_EDGE_H_
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/fill_rule.h"
+#include "core/vertex.h"
+#include "exact/rational.h"
+
+namespace rasterproof::exact {
+
+/// Three deciders, independent of each other.
+enum class Decider : std::uint8_t {
+  kFast,      ///< filter, stable, 128-bit and wide integers: the daily work
+  kIntegers,  ///< Boost.Multiprecision checked fixed-width integers; no floating point in it
+  kCgal       ///< CGAL's kernels
+};
+std::string_view DeciderName(Decider decider);
+
+/// How often each tier of the fast path decided, in this thread since the last reset.
+struct TierCounts {
+  std::uint64_t filter = 0;  ///< branch-free floating-point filter
+  std::uint64_t stable =
+      0;  ///< comparison of two products with their rounding errors, or 128-bit integers
+  std::uint64_t exact = 0;     ///< wide integers
+  std::uint64_t symbolic = 0;  ///< E == 0: the tie rule's shift decided
+};
+TierCounts Tiers();
+void ResetTiers();
+
+/// Returns the sign of E(a, b; p) = (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x).
+///
+/// Domain:     every finite double, subnormals and the largest included.
+/// Returns:    +1 if a, b, p turn counter-clockwise on screen (y down), -1 if clockwise, 0 if
+/// collinear. Error:      none. Properties: EdgeSign(b, a, p) == -EdgeSign(a, b, p) == -EdgeSign(a,
+/// p, b).
+int EdgeSign(Point2 a, Point2 b, Point2 p, Decider decider = Decider::kFast);
+
+/// The sign of E(a, b; p) at p shifted as the fill rule says. 0 only if a == b (or rule.inclusive
+/// and E == 0).
+int ShiftedEdgeSign(Point2 a, Point2 b, Point2 p, const FillRule& rule,
+                    Decider decider = Decider::kFast);
+
+/// E(a, b; p) itself.
+Rational EdgeValue(Point2 a, Point2 b, Point2 p);
+
+/// Throws std::logic_error naming the reason if rounding mode, FTZ/DAZ, contraction or valgrind
+/// would make the oracle lie. Called by every entry point of the command; cheap.
+void RequireHonestEnvironment();
+
+}  // namespace rasterproof::exact
+
+#endif  // RASTERPROOF_EXACT_EDGE_H_

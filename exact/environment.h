@@ -1,0 +1,29 @@
+// The floating-point environment that the oracle needs, and what was found.
+#ifndef RASTERPROOF_EXACT_ENVIRONMENT_H_
+#define RASTERPROOF_EXACT_ENVIRONMENT_H_
+
+#include <string>
+
+namespace rasterproof::exact {
+
+struct Environment {
+  bool round_to_nearest = false;
+  bool subnormals_kept = false;  ///< neither FTZ nor DAZ
+  bool contraction_off = false;  ///< a * b + c is not fused by the compiler
+  bool under_valgrind = false;
+  std::string compiler;  ///< name and version
+  std::string flags;     ///< optimisation and floating-point flags of this build
+
+  bool Honest() const {
+    return round_to_nearest && subnormals_kept && contraction_off && !under_valgrind;
+  }
+  /// What is wrong and how to mend it; empty if Honest().
+  std::string Complaint() const;
+};
+
+/// Looks at the environment of the calling thread.
+Environment InspectEnvironment();
+
+}  // namespace rasterproof::exact
+
+#endif  // RASTERPROOF_EXACT_ENVIRONMENT_H_

@@ -1,0 +1,34 @@
+// Winding numbers of a mesh's boundary: the check of signed coverage that needs no coverage oracle.
+#ifndef RASTERPROOF_EXACT_WINDING_H_
+#define RASTERPROOF_EXACT_WINDING_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "core/profile.h"
+#include "core/scene.h"
+
+namespace rasterproof::exact {
+
+/// The winding number of the mesh's boundary around each (shifted) sample, counter-clockwise on
+/// screen positive.
+///
+/// The boundary is what is left of the directed edges (keyed by position bits, not by index) after
+/// opposite pairs cancel. Window space; the scene is snapped by the profile first; triangles with a
+/// non-finite vertex are left out. Shape:      as CoverageCounts. Source:     signed coverage =
+/// winding number, docs/mathematics.md.
+std::vector<std::int64_t> BoundaryWinding(const Scene& scene, const Profile& profile);
+
+/// What is known of a snapped mesh as a subdivision of the plane.
+struct MeshShape {
+  bool closed = false;           ///< no boundary edge is left
+  bool folded = false;           ///< triangles of both facings
+  bool balanced = false;         ///< no directed edge (by position) occurs twice
+  std::uint64_t degenerate = 0;  ///< triangles of zero area
+  std::uint64_t boundary_edges = 0;
+};
+MeshShape ShapeOf(const Scene& scene, const Profile& profile);
+
+}  // namespace rasterproof::exact
+
+#endif  // RASTERPROOF_EXACT_WINDING_H_

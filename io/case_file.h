@@ -1,0 +1,32 @@
+// Case files: a scene, the profile it is judged by, how it is drawn, and what was said of it.
+#ifndef RASTERPROOF_IO_CASE_FILE_H_
+#define RASTERPROOF_IO_CASE_FILE_H_
+
+#include <string>
+#include <string_view>
+
+#include "core/case.h"
+
+namespace rasterproof::io {
+
+/// A case and what it is a counterexample to; `subject` and `property` may be empty.
+struct CaseFile {
+  Case value;
+  std::string subject;
+  std::string property;
+};
+
+/// Reads {"rasterproof_case": 1, "scene": {...}, "profile": "real" | {...}, "options": {...},
+/// "subject", "property", "origin"}, or a bare scene file (then the profile is "real" and the
+/// options are the defaults). "-": standard input.
+CaseFile ReadCase(const std::string& path);
+CaseFile ParseCase(std::string_view text, const std::string& place);
+std::string CaseToJson(const CaseFile& file);
+
+/// A profile file: a preset's name, or an object whose keys are those that CaseToJson writes under
+/// "profile".
+Profile ReadProfile(const std::string& path_or_preset);
+
+}  // namespace rasterproof::io
+
+#endif  // RASTERPROOF_IO_CASE_FILE_H_

@@ -1,0 +1,35 @@
+// Images of pixels.
+#ifndef RASTERPROOF_IO_IMAGE_H_
+#define RASTERPROOF_IO_IMAGE_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rasterproof::io {
+
+/// 8-bit RGB, row-major [height][width], top row first.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::array<std::uint8_t, 3>> pixels;
+
+  Image() = default;
+  Image(int w, int h, std::array<std::uint8_t, 3> fill = {255, 255, 255})
+      : width(w),
+        height(h),
+        pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+  std::array<std::uint8_t, 3>& At(int x, int y) {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
+  }
+};
+
+/// The image as the bytes of a PNG file (libpng).
+std::string EncodePng(const Image& image);
+
+}  // namespace rasterproof::io
+
+#endif  // RASTERPROOF_IO_IMAGE_H_

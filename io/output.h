@@ -1,0 +1,26 @@
+// Output that is whole or absent.
+#ifndef RASTERPROOF_IO_OUTPUT_H_
+#define RASTERPROOF_IO_OUTPUT_H_
+
+#include <string>
+#include <string_view>
+
+namespace rasterproof::io {
+
+/// Reads a whole file ("-": standard input). InputError names the file and the reason.
+std::string ReadFile(const std::string& path);
+
+/// Writes a file so that it is either complete or as it was: temporary beside it, fsync, rename. A
+/// path that exists and is no regular file (/dev/full, a pipe) is written directly. InputError
+/// names file and reason; no rest is left behind.
+void WriteFile(const std::string& path, std::string_view content);
+
+/// Writes to standard output and flushes; InputError if that fails (a full device, a closed pipe).
+void WriteStandardOutput(std::string_view content);
+
+/// Creates the folder and its parents; InputError if that fails.
+void MakeFolder(const std::string& path);
+
+}  // namespace rasterproof::io
+
+#endif  // RASTERPROOF_IO_OUTPUT_H_

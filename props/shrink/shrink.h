@@ -1,0 +1,31 @@
+// Shrinking works on the case's value, so it serves every engine.
+#ifndef RASTERPROOF_PROPS_SHRINK_SHRINK_H_
+#define RASTERPROOF_PROPS_SHRINK_SHRINK_H_
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/case.h"
+
+namespace rasterproof::props {
+
+/// Smaller cases to try, boldest first: fewer triangles, smaller target, default options, whole
+/// pixels, shorter mantissas, powers of two, zeros. Every candidate is a valid case and strictly
+/// simpler in a well-founded order.
+std::vector<Case> ShrinkCandidates(const Case& c);
+
+/// Shrinks greedily while `fails` says that the candidate still fails.
+///
+/// Returns:    a locally minimal failing case, and the number of evaluations spent (at most
+/// `budget`).
+struct Shrunk {
+  Case minimal;
+  std::uint64_t evaluations = 0;
+};
+Shrunk Shrink(const Case& failing, const std::function<bool(const Case&)>& fails,
+              std::uint64_t budget = 2000);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_SHRINK_SHRINK_H_

@@ -1,0 +1,41 @@
+// The table of methods: every way of evaluating edge functions that the field uses.
+#ifndef RASTERPROOF_REFERENCE_METHOD_H_
+#define RASTERPROOF_REFERENCE_METHOD_H_
+
+#include <span>
+#include <string_view>
+
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/scene.h"
+#include "core/subject.h"
+
+namespace rasterproof::reference {
+
+/// Drawing options and the one choice that belongs to the method, not to the caller of a subject.
+struct RasterOptions : DrawOptions {
+  /// Evaluate every edge from its lexicographically smaller end, so that both triangles of a shared
+  /// edge see the same number. Float methods only; exact ones have no use for it.
+  bool canonical_edges = false;
+};
+
+/// One row of the table.
+struct Method {
+  std::string_view name;     ///< "f32-direct"
+  std::string_view summary;  ///< one line
+  SubjectInfo info;          ///< number format, profile (its own), window or clip space
+  bool exact =
+      false;  ///< claims 0 wrong samples against its own profile (inside its proven domain)
+  bool can_be_canonical = false;
+  void (*draw)(const Scene&, const RasterOptions&, CoverageCounts&) = nullptr;
+  const EdgeEvaluator* edges = nullptr;
+};
+
+/// Every method, cheapest arithmetic first.
+std::span<const Method> Methods();
+/// nullptr if there is none of that name.
+const Method* FindMethod(std::string_view name);
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_METHOD_H_

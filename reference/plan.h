@@ -1,0 +1,37 @@
+// Leave out what a scene does not need: the cheapest arithmetic that is proved exact for it.
+#ifndef RASTERPROOF_REFERENCE_PLAN_H_
+#define RASTERPROOF_REFERENCE_PLAN_H_
+
+#include <string>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "reference/rasterize.h"
+
+namespace rasterproof::reference {
+
+/// One decision of the plan, with the number that it rests on.
+struct PlanReason {
+  std::string
+      stage;  ///< "edge arithmetic", "snap", "tie rule", "clip", "cull", "weights", "depth", ...
+  std::string choice;  ///< "float32 direct", "left out"
+  std::string why;     ///< "box side * 2^s = 2048 <= 4096 (docs/mathematics.md, exactness table)"
+};
+
+struct Plan {
+  std::string arithmetic;  ///< name of the kernel that runs
+  std::vector<PlanReason> reasons;
+  /// Draws the scene by the planned kernel. Bit-identical to the full exact pipeline.
+  void (*draw)(const Scene&, const Profile&, const DrawOptions&, CoverageCounts&) = nullptr;
+};
+
+/// Domain:     any scene, any profile of core/. Clip space gets the homogeneous kernel.
+Plan MakePlan(const Scene& scene, const Profile& profile, const DrawOptions& options,
+              const Needs& needs);
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_PLAN_H_

@@ -1,0 +1,36 @@
+// The reference rasterizer's front door.
+#ifndef RASTERPROOF_REFERENCE_RASTERIZE_H_
+#define RASTERPROOF_REFERENCE_RASTERIZE_H_
+
+#include "core/coverage.h"
+#include "core/fragments.h"
+#include "core/scene.h"
+#include "reference/method.h"
+
+namespace rasterproof::reference {
+
+/// Adds the scene's coverage by `method` to `counts`.
+///
+/// Domain:     a scene that Takes(method.info, scene); counts of the scene's size and the profile's
+/// samples. Error:      InputError if the scene is not one the method takes.
+void Rasterize(const Scene& scene, const Method& method, const RasterOptions& options,
+               CoverageCounts& counts);
+
+/// What else a caller may ask for. What is not asked for is compiled out of the kernel that runs.
+struct Needs {
+  bool weights = false;
+  bool depth = false;
+  bool edge_distance = false;
+};
+
+/// Draws the nearest triangle at each pixel centre (smallest interpolated z; no blending), coverage
+/// by `method`.
+///
+/// Returns:    buffers of the scene's size; those not needed are empty (`triangle` is always
+/// filled).
+FragmentBuffers RasterizeFragments(const Scene& scene, const Method& method,
+                                   const RasterOptions& options, const Needs& needs);
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_RASTERIZE_H_

@@ -1,0 +1,51 @@
+// Pictures of pixels: what explain and render show.
+#ifndef RASTERPROOF_REPORT_PICTURE_H_
+#define RASTERPROOF_REPORT_PICTURE_H_
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/fragments.h"
+#include "core/scene.h"
+#include "io/image.h"
+
+namespace rasterproof::report {
+
+/// What explain knows of a failing place. Exact numbers come as text: report computes nothing.
+struct Explanation {
+  Scene scene;  ///< window space (snapped, if the profile snaps)
+  CoverageCounts expected;
+  CoverageCounts observed;
+  PixelRect view;    ///< the pixels to show
+  int focus_x = -1;  ///< the failing pixel
+  int focus_y = -1;
+  std::vector<int> triangles;  ///< the triangles that matter there
+  /// Lines such as "triangle 0, edge 1: E = -3/65536".
+  std::vector<std::string> edge_values;
+  std::string headline;
+  std::string replay;  ///< the command that shows this again
+};
+
+/// The pixel grid in characters: expected, actual and difference side by side, with a legend.
+/// Colour only if asked.
+std::string ExplanationToText(const Explanation& explanation, bool colour);
+/// The grid with the exact triangles over it: expected, actual, difference as three panels.
+std::string ExplanationToSvg(const Explanation& explanation);
+io::Image ExplanationToImage(const Explanation& explanation);
+
+io::Image PaintFlat(const FragmentBuffers& fragments);
+io::Image PaintWeights(const FragmentBuffers& fragments);
+io::Image PaintDepth(const FragmentBuffers& fragments);
+io::Image PaintWireframe(const FragmentBuffers& fragments, double width_pixels);
+/// 0 white, 1 grey, more than one in a growing scale of red; sample 0.
+io::Image PaintCounts(const CoverageCounts& counts);
+/// Right samples muted, gaps and overlaps in two loud colours.
+io::Image PaintDifference(const CoverageCounts& observed, const CoverageCounts& expected);
+
+}  // namespace rasterproof::report
+
+#endif  // RASTERPROOF_REPORT_PICTURE_H_

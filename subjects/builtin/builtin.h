@@ -1,0 +1,25 @@
+// The reference's methods as subjects.
+#ifndef RASTERPROOF_SUBJECTS_BUILTIN_BUILTIN_H_
+#define RASTERPROOF_SUBJECTS_BUILTIN_BUILTIN_H_
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/subject.h"
+
+namespace rasterproof::subjects {
+
+/// Names of every built-in subject: each method, and "METHOD:canonical" where the method can be.
+std::vector<std::string> BuiltinNames();
+
+/// Returns the subject of that name, or nullptr.
+std::unique_ptr<Subject> MakeBuiltin(std::string_view name);
+
+/// Returns whether the subject claims 0 wrong samples against its own profile.
+bool ClaimsExact(std::string_view name);
+
+}  // namespace rasterproof::subjects
+
+#endif  // RASTERPROOF_SUBJECTS_BUILTIN_BUILTIN_H_

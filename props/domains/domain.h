@@ -17,6 +17,12 @@ struct Domain {
   /// True if cases of this domain always have samples on an edge or within a few lattice steps of
   /// one.
   bool near_edge = false;
+  /// True if its scenes are clip space with w other than 1: nothing for a subject of window space.
+  bool clip = false;
+  /// True if some of its cases go beyond the profile's coordinate limit, or are not finite.
+  bool beyond_limits = false;
+  /// True if its scenes are meshes: they are drawn without culling and without a scissor.
+  bool mesh = false;
   /// Draws a case on the input lattice of `info` (its precision, snap, sample lattice, window or
   /// clip space). The case's profile is info.profile. Total: every bit string gives a valid scene.
   Case (*draw)(BitSource&, const SubjectInfo& info);
@@ -25,6 +31,10 @@ struct Domain {
 std::span<const Domain> Domains();
 /// nullptr if there is none of that name.
 const Domain* FindDomain(std::string_view name);
+
+/// Returns whether the subject takes scenes of the domain. (Window-space domains give clip-space
+/// scenes with a power of two as w to a subject that takes nothing else.)
+bool Suits(const Domain& domain, const SubjectInfo& info);
 
 }  // namespace rasterproof::props
 

@@ -1,5 +1,7 @@
 # How every folder of the project is built: one place for flags, layers and tests.
 
+# A compiler cache, where there is one. The sloppiness is what precompiled headers need: ccache then
+# hashes the header's text in place of its time stamp.
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
@@ -17,7 +19,8 @@ if(RASTERPROOF_TESTS)
   find_package(GTest REQUIRED)
 endif()
 
-# The code generator of every target. Contraction would change signs; debug information costs build time.
+# The code generator of every target. Contraction would change signs; debug information costs build
+# time.
 add_library(rasterproof_flags INTERFACE)
 target_compile_options(rasterproof_flags INTERFACE
   -Wall -Wextra -Wconversion -Werror -ffp-contract=off
@@ -33,23 +36,27 @@ if(RASTERPROOF_FUZZ)
 endif()
 
 # rasterproof_library(NAME SOURCES a.cc ... [LINK target ...] [PRIVATE_LINK target ...])
-# makes the static library rasterproof_NAME. LINK names other folders without the prefix, or full targets.
+# makes the static library rasterproof_NAME. LINK is for what its headers include, PRIVATE_LINK for
+# what only its sources do; both name whole targets (rasterproof_core, fmt::fmt).
 function(rasterproof_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(rasterproof_${name} STATIC ${ARG_SOURCES})
-  target_link_libraries(rasterproof_${name} PUBLIC ${ARG_LINK} PRIVATE rasterproof_flags ${ARG_PRIVATE_LINK})
+  target_link_libraries(rasterproof_${name}
+    PUBLIC ${ARG_LINK} PRIVATE rasterproof_flags ${ARG_PRIVATE_LINK})
   target_include_directories(rasterproof_${name} PUBLIC ${CMAKE_SOURCE_DIR})
 endfunction()
 
 # rasterproof_test(NAME SOURCES a_test.cc ... LINK target ... [LABELS label ...] [TIMEOUT s])
-# makes one GoogleTest program per folder; ctest runs every test case of it as one ctest test "NAME".
+# makes one GoogleTest program per folder; ctest runs every test case of it as one ctest test
+# "NAME". Where sanitizers slow it down it runs a share of its cases: see tests/share.h.
 function(rasterproof_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 600)
   endif()
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE rasterproof_flags ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  target_link_libraries(${name}
+    PRIVATE rasterproof_flags ${ARG_LINK} GTest::gtest GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()

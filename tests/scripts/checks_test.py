@@ -1,0 +1,116 @@
+"""Tests that scripts/check_layers and scripts/check_text see what they are there to see."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+
+GUARDED = """#ifndef RASTERPROOF_CORE_SCENE_H_
+#define RASTERPROOF_CORE_SCENE_H_
+#endif  // RASTERPROOF_CORE_SCENE_H_
+"""
+
+
+def run_check(name, files):
+    """Returns the status and the output of a check on a tree that holds these files."""
+    with tempfile.TemporaryDirectory() as root:
+        for path, text in {"core/scene.h": GUARDED, **files}.items():
+            file = pathlib.Path(root) / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+        command = [sys.executable, "-B", SCRIPTS / name, root]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout + done.stderr
+
+
+class LayersTest(unittest.TestCase):
+    def expect(self, path, line, said=None):
+        """A file of this one line is a violation of which `said` is reported, or fine if None."""
+        files = {path: line + "\n", "exact/edge.h": "", "reference/plan.h": "",
+                 "props/rapidcheck/gen.h": "", "subjects/gl/gl.h": ""}  # fmt: skip
+        status, output = run_check("check_layers", files)
+        if said is None:
+            self.assertEqual((status, output.count("\n")), (0, 1), output)
+        else:
+            self.assertEqual(status, 1, output)
+            self.assertIn(said, output)
+
+    def test_a_lower_layer_may_be_included(self):
+        self.expect("exact/edge.cc", '#include "core/scene.h"')
+
+    def test_a_higher_layer_may_not(self):
+        self.expect("core/scene.cc", '#include "exact/edge.h"', "core/ may not see exact/")
+
+    def test_reference_and_oracle_never_see_each_other(self):
+        self.expect("exact/edge.cc", '#include "reference/plan.h"', "may not see reference/")
+        self.expect("reference/plan.cc", '#include "exact/edge.h"', "may not see exact/")
+
+    def test_only_the_builtin_subjects_see_the_reference(self):
+        self.expect("subjects/builtin/b.cc", '#include "reference/plan.h"')
+        self.expect("subjects/plugin/p.cc", '#include "reference/plan.h"', "may not see reference/")
+
+    def test_subjects_do_not_see_each_other(self):
+        self.expect("subjects/gl/gl.cc", '#include "subjects/gl/gl.h"')
+        self.expect("subjects/plugin/p.cc", '#include "subjects/gl/gl.h"', "may not see subjects/")
+
+    def test_third_parties_stay_in_their_folder(self):
+        self.expect("exact/backend_cgal.cc", "#include <CGAL/Epick.h>")
+        self.expect("exact/coverage.cc", "#include <CGAL/Epick.h>", "cgal is not for this file")
+        self.expect("props/rapidcheck/gen.cc", "#include <rapidcheck.h>")
+        self.expect("props/catalog/sum.cc", "#include <rapidcheck.h>", "rapidcheck is not")
+        self.expect("tool/main.cc", '#include "CLI/CLI.hpp"')
+        self.expect("report/page.cc", '#include "CLI/CLI.hpp"', "cli11 is not for this file")
+
+    def test_rapidcheck_stays_behind_its_folder(self):
+        self.expect("props/catalog/sum.cc", '#include "props/rapidcheck/gen.h"', "is not for")
+        self.expect("fuzz/edge.cc", '#include "props/rapidcheck/gen.h"', "is not for this file")
+
+    def test_what_is_unknown_is_a_violation(self):
+        self.expect("core/scene.cc", "#include <vector>")
+        self.expect("core/scene.cc", "#include <eigen3/Eigen/Core>", "nor a third party")
+        self.expect("core/scene.cc", '#include "core/absent.h"', "neither a file")
+        self.expect("core/scene.cc", '#include "scene.h"', "neither a file")
+
+    def test_links_follow_the_layers(self):
+        core = "rasterproof_library(core SOURCES a.cc)\n"
+        files = {"core/CMakeLists.txt": core}
+        good = "rasterproof_library(exact SOURCES a.cc LINK rasterproof_core PRIVATE_LINK gmp)\n"
+        status, output = run_check("check_layers", {**files, "exact/CMakeLists.txt": good})
+        self.assertEqual(status, 0, output)
+        for bad in (
+            "rasterproof_library(core SOURCES a.cc LINK fmt::fmt)\n",
+            "rasterproof_library(core SOURCES a.cc PRIVATE_LINK rasterproof_io)\n",
+            core + "target_link_libraries(rasterproof_core PRIVATE rasterproof_io)\n",
+            core + "target_link_libraries(rasterproof_core PUBLIC Qt5::Core)\n",
+        ):
+            io = "rasterproof_library(io SOURCES a.cc LINK rasterproof_core)\n"
+            files = {"core/CMakeLists.txt": bad, "io/CMakeLists.txt": io}
+            self.assertEqual(run_check("check_layers", files)[0], 1, bad)
+
+
+class TextTest(unittest.TestCase):
+    def expect(self, path, text, said=None):
+        status, output = run_check("check_text", {path: text})
+        self.assertEqual(status, 0 if said is None else 1, output)
+        self.assertIn(said or "0 violations", output)
+
+    def test_plain_text_passes(self):
+        self.expect("core/scene.cc", "int width;\n")
+
+    def test_each_kind_of_violation_is_seen(self):
+        self.expect("core/scene.cc", "int\twidth;\n", "a tab")
+        self.expect("core/scene.cc", "int width; \n", "blanks at the end")
+        self.expect("core/scene.cc", "int width;", "no newline")
+        self.expect("core/scene.cc", "// " + "x" * 98 + "\n", "101 columns")
+        self.expect("core/scene.cc", "int i;\n" * 501, "501 lines")
+        self.expect("core/scene.cc", "// TO" + "DO: all of it\n", "unfinished")
+        self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
+        self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
+        self.expect("core/scene_utils.cc", "int width;\n", "says nothing")
+
+
+if __name__ == "__main__":
+    unittest.main()

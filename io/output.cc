@@ -179,8 +179,9 @@ void WriteFile(const std::string& path, std::string_view content) {
 
 void WriteStandardOutput(std::string_view content) {
   // What was written through the streams comes first.
-  int error = std::cout.flush() ? 0 : EIO;
-  if (std::fflush(stdout) != 0) error = errno;
+  errno = 0;
+  const bool flushed = std::cout.flush() && std::fflush(stdout) == 0;
+  int error = flushed ? 0 : (errno != 0 ? errno : EIO);
   if (error == 0) error = WriteAll(STDOUT_FILENO, content);
   if (error != 0) throw CannotWrite("standard output", error);
 }

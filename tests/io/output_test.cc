@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -53,7 +54,10 @@ class OutputTest : public testing::Test {
 // Standard output goes to `fd` while this lives.
 class StandardOutputTo {
  public:
-  explicit StandardOutputTo(int fd) : before_(::dup(STDOUT_FILENO)) { ::dup2(fd, STDOUT_FILENO); }
+  explicit StandardOutputTo(int fd) : before_(::dup(STDOUT_FILENO)) {
+    std::fflush(stdout);  // what the test program itself has said goes where it belongs
+    ::dup2(fd, STDOUT_FILENO);
+  }
   ~StandardOutputTo() {
     ::dup2(before_, STDOUT_FILENO);
     ::close(before_);

@@ -1,0 +1,70 @@
+#include "exact/coverage.h"
+
+#include <array>
+#include <optional>
+
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/edge.h"
+#include "exact/homogeneous.h"
+#include "exact/sample_frame.h"
+#include "exact/sample_scan.h"
+#include "exact/snap_clip.h"
+#include "exact/spans.h"
+
+namespace rasterproof::exact {
+namespace {
+
+std::array<Point2, 3> WindowPoints(const std::array<Vertex, 3>& v) {
+  return {WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
+}
+
+bool IsCulled(int facing, Cull cull) {
+  return facing == 0 || (facing > 0 && cull == Cull::kFront) || (facing < 0 && cull == Cull::kBack);
+}
+
+}  // namespace
+
+int Facing(const std::array<Point2, 3>& v, Decider decider) {
+  return EdgeSign(v[0], v[1], v[2], decider);
+}
+
+bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule, Decider decider) {
+  const int facing = Facing(v, decider);
+  if (facing == 0) return false;
+  for (unsigned k = 0; k < 3; ++k) {
+    const int side = facing * ShiftedEdgeSign(v[k], v[(k + 1) % 3], p, rule, decider);
+    if (side < 0 || (side == 0 && !rule.inclusive)) return false;
+  }
+  return true;
+}
+
+CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options,
+                        Decider decider) {
+  const Scene snapped = scene.clip_space && !profile.snap.IsNone() ? SnapClipScene(scene, profile)
+                                                                   : SnapScene(scene, profile);
+  const SampleFrame frame(scene, profile, options);
+  CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
+  SpanTarget target(counts);
+  if (frame.clip.x0 >= frame.clip.x1 || frame.clip.y0 >= frame.clip.y1) return counts;
+  for (const Triangle& t : snapped.triangles) {
+    const std::optional<std::array<Vertex, 3>> v = ScreenTriangle(snapped, t, frame);
+    if (!v) continue;
+    const int facing =
+        snapped.clip_space ? HomogeneousFacing(*v, decider) : Facing(WindowPoints(*v), decider);
+    if (IsCulled(facing, options.cull)) continue;
+    if (decider != Decider::kFast) {
+      ScanSamples(*v, snapped.clip_space, facing, frame, decider, counts);
+    } else if (snapped.clip_space) {
+      AddHomogeneousSpans(*v, facing, frame, target);
+    } else {
+      AddWindowSpans(WindowPoints(*v), facing, frame, target);
+    }
+  }
+  if (decider == Decider::kFast) target.Sum();
+  return counts;
+}
+
+}  // namespace rasterproof::exact

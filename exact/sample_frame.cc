@@ -1,0 +1,62 @@
+#include "exact/sample_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+
+namespace rasterproof::exact {
+namespace {
+
+// Pixel indices and H - 1 are below 2^17: with 20 fractional bits every position has at most 38.
+constexpr double kLocationsPerPixel = 0x1p20;
+
+bool IsLocation(double c) {
+  const double scaled = c * kLocationsPerPixel;
+  return c >= 0 && c < 1 && scaled == std::floor(scaled);
+}
+
+}  // namespace
+
+SampleFrame::SampleFrame(const Scene& scene, const Profile& profile, const DrawOptions& options)
+    : clip{0, 0, scene.width, scene.height},
+      rule(profile.fill_rule),
+      y_up(profile.y_axis == YAxis::kUp) {
+  for (const Point2& l : profile.lattice.locations) {
+    if (!IsLocation(l.x) || !IsLocation(l.y)) {
+      throw InputError("profile \"" + profile.name + "\"",
+                       "a sample location is not a multiple of 2^-20 in [0, 1)",
+                       "state the locations as fractions of a pixel on a power-of-two grid");
+    }
+    offsets.push_back(y_up ? Point2{l.x, -(scene.height - 1) - l.y} : l);
+  }
+  if (options.scissor) {
+    const PixelRect& s = *options.scissor;
+    clip = {std::max(clip.x0, s.x0), std::max(clip.y0, s.y0), std::min(clip.x1, s.x1),
+            std::min(clip.y1, s.y1)};
+  }
+}
+
+std::optional<std::array<Vertex, 3>> ScreenTriangle(const Scene& scene, const Triangle& t,
+                                                    const SampleFrame& frame) {
+  std::array<Vertex, 3> v = Corners(scene, t);
+  for (Vertex& corner : v) {
+    if (!IsFinite(corner)) return std::nullopt;
+    corner = frame.ToScreen(corner);
+  }
+  return v;
+}
+
+int FirstRowAtOrBelow(double y, bool strict, double offset, int begin, int end) {
+  // The difference is rounded: by less than one row where it is near the target, and a huge y stays
+  // huge. So the guess is at most one row late, and none is missed by starting two rows early.
+  const double guess = std::floor(y - offset) - 2;
+  if (guess >= end) return end;
+  int row = guess <= begin ? begin : static_cast<int>(guess);
+  while (row < end && (strict ? row + offset <= y : row + offset < y)) ++row;
+  return row;
+}
+
+}  // namespace rasterproof::exact

@@ -1,0 +1,48 @@
+// Where the samples of a target lie, in screen axes: x right, y down, whatever the profile's y
+// axis.
+#ifndef RASTERPROOF_EXACT_SAMPLE_FRAME_H_
+#define RASTERPROOF_EXACT_SAMPLE_FRAME_H_
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/draw_options.h"
+#include "core/fill_rule.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/vertex.h"
+
+namespace rasterproof::exact {
+
+/// Sample s of column i and row r (from the top) lies at (i + offsets[s].x, r + offsets[s].y).
+///
+/// With y up, row r holds the pixels j = H - 1 - r and their samples lie at y = j + l.y. Turning
+/// the axis over (y -> -y, the only change ever made to a vertex) puts them at r - (H - 1) - l.y.
+struct SampleFrame {
+  std::vector<Point2> offsets;
+  PixelRect clip;  ///< target and scissor
+  FillRule rule;
+  bool y_up = false;
+
+  /// Error: InputError if a location is not a multiple of 2^-20 in [0, 1), as then pixel + location
+  ///        could round.
+  SampleFrame(const Scene& scene, const Profile& profile, const DrawOptions& options);
+
+  Point2 At(int i, int row, std::size_t s) const { return {i + offsets[s].x, row + offsets[s].y}; }
+  /// The vertex in screen axes.
+  Point2 ToScreen(Point2 p) const { return y_up ? Point2{p.x, -p.y} : p; }
+  Vertex ToScreen(const Vertex& v) const { return y_up ? Vertex{v.x, -v.y, v.z, v.w} : v; }
+};
+
+/// The scene's triangle in screen axes, or nothing if an x, y or w is not finite.
+std::optional<std::array<Vertex, 3>> ScreenTriangle(const Scene& scene, const Triangle& t,
+                                                    const SampleFrame& frame);
+
+/// The first row in [begin, end] whose samples at row + offset lie at or below y (strictly below if
+/// `strict`); `end` if there is none. Exact.
+int FirstRowAtOrBelow(double y, bool strict, double offset, int begin, int end);
+
+}  // namespace rasterproof::exact
+
+#endif  // RASTERPROOF_EXACT_SAMPLE_FRAME_H_

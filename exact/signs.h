@@ -1,0 +1,34 @@
+// The tiers of the fast path: filter, stable, exact. (The symbolic tier is in edge.cc.)
+#ifndef RASTERPROOF_EXACT_SIGNS_H_
+#define RASTERPROOF_EXACT_SIGNS_H_
+
+#include <array>
+#include <cstdint>
+
+#include "core/vertex.h"
+#include "exact/edge.h"
+
+namespace rasterproof::exact {
+
+/// A sign and the tier that decided it.
+struct TieredSign {
+  int sign = 0;
+  std::uint64_t TierCounts::* tier = &TierCounts::filter;
+};
+
+/// This thread's counters.
+TierCounts& ThreadTiers();
+
+/// Sign of E(a, b; p).
+TieredSign FastEdgeSign(Point2 a, Point2 b, Point2 p);
+
+/// Sign of the determinant with the given rows.
+using Rows3 = std::array<std::array<double, 3>, 3>;
+TieredSign FastDeterminantSign(const Rows3& rows);
+
+/// Sign of a b - c d, for every finite factor.
+int ProductDifferenceSign(double a, double b, double c, double d);
+
+}  // namespace rasterproof::exact
+
+#endif  // RASTERPROOF_EXACT_SIGNS_H_

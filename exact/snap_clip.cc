@@ -1,0 +1,66 @@
+#include "exact/snap_clip.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "exact/signs.h"
+
+namespace rasterproof::exact {
+namespace {
+
+// Grid steps beyond which the halves and quarters below would no longer be doubles.
+constexpr double kMostSteps = 0x1p50;
+
+}  // namespace
+
+double SnapQuotient(double x, double w, const Snap& snap) {
+  const double steps = std::ldexp(x / w, snap.bits);
+  if (!(std::fabs(steps) < kMostSteps)) {
+    throw InputError("vertex", "its snapped position x / w does not fit 51 bits",
+                     "clip the scene, or use a profile without snapping");
+  }
+  // Every rule changes its answer only at multiples of half a step. The quotient is off by at most
+  // 2^-53 of itself: if no such multiple is that near, the truth lies on the same side of it.
+  const double boundary = std::nearbyint(2 * steps) / 2;
+  double representative = steps;
+  if (std::fabs(steps - boundary) <= 0x1p-52 * std::fabs(steps)) {
+    // x / w against boundary / 2^bits, w > 0: x 2^bits against boundary w. A quarter of a step
+    // stands for "between this multiple and the next".
+    const int side = ProductDifferenceSign(x, std::ldexp(1.0, snap.bits), boundary, w);
+    representative = boundary + 0.25 * side;
+  }
+  return SnapCoordinate(std::ldexp(representative, -snap.bits), snap);
+}
+
+Scene SnapClipScene(const Scene& scene, const Profile& profile) {
+  Scene snapped = scene;
+  snapped.precision = Precision::kFloat64;
+  snapped.clip_space = false;
+  std::vector<bool> used(scene.vertices.size(), false);
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
+    if (!IsFinite(v[0]) || !IsFinite(v[1]) || !IsFinite(v[2])) continue;
+    for (unsigned k = 0; k < 3; ++k) {
+      if (v[k].w <= 0) {
+        throw InputError("triangles[" + std::to_string(t) + "]",
+                         "a vertex with w <= 0 has no position to snap",
+                         "use a profile without snapping, or clip the scene in front of the eye");
+      }
+      used[static_cast<std::size_t>(scene.triangles[t][k])] = true;
+    }
+  }
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < scene.vertices.size(); ++k) {
+    const Vertex& v = scene.vertices[k];
+    // A vertex that only non-finite triangles use keeps them from covering anything.
+    snapped.vertices[k] = used[k] ? Vertex{SnapQuotient(v.x, v.w, profile.snap),
+                                           SnapQuotient(v.y, v.w, profile.snap), v.z, 1}
+                                  : Vertex{kNowhere, kNowhere, v.z, 1};
+  }
+  return snapped;
+}
+
+}  // namespace rasterproof::exact

@@ -1,0 +1,25 @@
+// Snapping of clip-space vertices: after the division, and without its rounding.
+#ifndef RASTERPROOF_EXACT_SNAP_CLIP_H_
+#define RASTERPROOF_EXACT_SNAP_CLIP_H_
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/snap.h"
+
+namespace rasterproof::exact {
+
+/// Returns the grid point of `snap` that the rational x / w rounds to.
+///
+/// Domain:     finite; w > 0; a snap (not kNone); |x / w| < 2^(50 - snap.bits).
+/// Error:      none: the quotient is never rounded on its way to the grid. InputError outside.
+double SnapQuotient(double x, double w, const Snap& snap);
+
+/// Returns the window-space scene of the snapped vertices.
+///
+/// Domain:     clip space, a profile that snaps. Throws InputError if a finite triangle has a w <=
+/// 0.
+Scene SnapClipScene(const Scene& scene, const Profile& profile);
+
+}  // namespace rasterproof::exact
+
+#endif  // RASTERPROOF_EXACT_SNAP_CLIP_H_

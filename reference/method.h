@@ -29,6 +29,8 @@ struct Method {
   bool can_be_canonical = false;
   void (*draw)(const Scene&, const RasterOptions&, CoverageCounts&) = nullptr;
   const EdgeEvaluator* edges = nullptr;
+  /// The same with canonical edges; nullptr unless can_be_canonical.
+  const EdgeEvaluator* canonical_edges = nullptr;
 };
 
 /// Every method, cheapest arithmetic first.

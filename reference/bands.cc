@@ -1,0 +1,37 @@
+#include "reference/bands.h"
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+#include "reference/box.h"
+
+namespace rasterproof::reference {
+namespace {
+
+int ThreadsFor(const DrawOptions& options, int tile_rows) {
+  const int wanted =
+      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(wanted, 1, std::min(tile_rows, kMaxThreads));
+}
+
+}  // namespace
+
+void ForEachBand(const PixelRect& area, const DrawOptions& options,
+                 const std::function<void(const PixelRect&)>& draw) {
+  if (IsEmpty(area)) return;
+  const int height = std::max(1, TileSide(options));
+  const int first_tile = area.y0 / height;
+  const int tile_rows = (area.y1 - 1) / height + 1 - first_tile;
+  const int threads = ThreadsFor(options, tile_rows);
+  const auto band = [&](int n) {
+    // At most 2^16 tile rows times 2^8 threads: no product leaves int.
+    const auto start = [&](int k) { return (first_tile + tile_rows * k / threads) * height; };
+    return Intersection(area, {area.x0, start(n), area.x1, start(n + 1)});
+  };
+  std::vector<std::jthread> others;
+  for (int n = 1; n < threads; ++n) others.emplace_back([&, n] { draw(band(n)); });
+  draw(band(0));
+}
+
+}  // namespace rasterproof::reference

@@ -1,0 +1,31 @@
+// A row of the table for one floating-point walk.
+#ifndef RASTERPROOF_REFERENCE_FLOAT_ROWS_H_
+#define RASTERPROOF_REFERENCE_FLOAT_ROWS_H_
+
+#include <string_view>
+#include <type_traits>
+
+#include "reference/draw.h"
+#include "reference/edge_forms.h"
+#include "reference/edge_values.h"
+#include "reference/edge_walks.h"
+#include "reference/method_rows.h"
+
+namespace rasterproof::reference {
+
+template <class Walk, EdgeArithmetic kArithmetic, TieRule kTies = TieRule::kTopLeft>
+Method FloatMethod(std::string_view name, std::string_view summary) {
+  static const FloatEdgeValues<Walk, kArithmetic, false> own_direction;
+  static const FloatEdgeValues<Walk, kArithmetic, true> canonical;
+  constexpr bool kSingle = std::is_same_v<typename Walk::T, float>;
+  Method method = WindowMethod(name, summary, kSingle ? Precision::kFloat32 : Precision::kFloat64);
+  method.can_be_canonical = true;
+  method.draw = &DrawScene<Walk, kTies>;
+  method.edges = &own_direction;
+  method.canonical_edges = &canonical;
+  return method;
+}
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_FLOAT_ROWS_H_

@@ -1,0 +1,67 @@
+// Fixed point: E of snapped vertices in integers, exact inside a stated domain.
+#ifndef RASTERPROOF_REFERENCE_INTEGER_FORM_H_
+#define RASTERPROOF_REFERENCE_INTEGER_FORM_H_
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "core/snap.h"
+#include "core/vertex.h"
+#include "reference/edge_forms.h"
+
+namespace rasterproof::reference {
+
+/// Largest coordinate, in pixels, whose integer rows are proved not to overflow.
+///
+/// The direct form sees differences only: with all vertices and every evaluated point in a box of
+/// side W, |E| and both its products are at most (W 2^s)^2 (E is affine in each coordinate, so its
+/// extremes lie at the box's corners). A row steps at most one pixel past the box.
+///   int64, s = 8: W = 2 * 2^22 + 1: W 2^8 = 2147483904 <= 3037000499 = floor(sqrt(2^63 - 1)).
+///   int32, s = 4: W = 2 * 1440 + 1: W 2^4 = 46096 <= 46340 = floor(sqrt(2^31 - 1)).
+template <class I>
+inline constexpr double kIntegerCoordinateLimit = 0;
+template <>
+inline constexpr double kIntegerCoordinateLimit<std::int64_t> = 0x1p22;
+template <>
+inline constexpr double kIntegerCoordinateLimit<std::int32_t> = 1440;
+
+/// E in units of (2^-kBits px)^2. Points are snapped by the caller; samples lie on the grid.
+template <class I, int kBits>
+class IntegerForm {
+ public:
+  using Scalar = I;
+  using Point = PointOf<I>;
+  static constexpr Snap kSnap{kBits, SnapRule::kNearestEven};
+  static constexpr I kOne = I{1} << kBits;  ///< one pixel
+
+  IntegerForm(Point a, Point b, bool reversed)
+      : x_(a.x),
+        y_(a.y),
+        dx_(reversed ? a.x - b.x : b.x - a.x),
+        dy_(reversed ? a.y - b.y : b.y - a.y) {}
+
+  static Point2 Snapped(Point2 p) {
+    return {SnapCoordinate(p.x, kSnap), SnapCoordinate(p.y, kSnap)};
+  }
+  static bool Fits(Point2 p) {
+    return std::fabs(p.x) <= kIntegerCoordinateLimit<I> &&
+           std::fabs(p.y) <= kIntegerCoordinateLimit<I>;
+  }
+  /// Domain:     p on the grid, Fits(p).
+  static Point Convert(Point2 p) {
+    return {static_cast<I>(p.x * double{kOne}), static_cast<I>(p.y * double{kOne})};
+  }
+  static I Centre(int n) { return static_cast<I>(n) * kOne + kOne / 2; }
+  I At(I x, I y) const { return (x - x_) * dy_ - (y - y_) * dx_; }
+  I StepX() const { return dy_ * kOne; }
+  I StepY() const { return -dx_ * kOne; }
+
+ private:
+  I x_, y_, dx_, dy_;
+};
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_INTEGER_FORM_H_

@@ -1,0 +1,26 @@
+// The rows of the table of methods, one function per kind of arithmetic. method.cc joins them.
+#ifndef RASTERPROOF_REFERENCE_METHOD_ROWS_H_
+#define RASTERPROOF_REFERENCE_METHOD_ROWS_H_
+
+#include <string_view>
+#include <vector>
+
+#include "core/scene.h"
+#include "core/snap.h"
+#include "reference/method.h"
+
+namespace rasterproof::reference {
+
+/// A row for window space: name, summary, input format and its own profile (real geometry, or
+/// snapped with the coordinates limited to what is proved).
+Method WindowMethod(std::string_view name, std::string_view summary, Precision input,
+                    Snap snap = {}, double coordinate_limit = 0);
+
+std::vector<Method> Float32Methods();
+std::vector<Method> Float64Methods();
+std::vector<Method> IntegerMethods();
+std::vector<Method> ExactMethods();
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_METHOD_ROWS_H_

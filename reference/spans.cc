@@ -1,0 +1,79 @@
+#include "reference/spans.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "reference/box.h"
+
+namespace rasterproof::reference {
+namespace {
+
+/// Adds one to the span [x0, x1) of each row in [row0, row1) between two edges.
+void FillRows(const RowCrossing& one, const RowCrossing& other, int row0, int row1,
+              const PixelRect& clip, std::uint32_t* counts, int width) {
+  for (int j = row0; j < row1; ++j) {
+    const int at_one = one.At(j, clip.x0, clip.x1);
+    const int at_other = other.At(j, clip.x0, clip.x1);
+    std::uint32_t* const row = counts + static_cast<std::ptrdiff_t>(j) * width;
+    const int end = std::max(at_one, at_other);
+    for (int i = std::min(at_one, at_other); i < end; ++i) ++row[i];
+  }
+}
+
+/// Rows whose samples lie in [from, to), inside `clip`; empty if first >= second.
+std::pair<int, int> RowsBetween(double from, double to, const PixelRect& clip) {
+  return {FirstCentreFrom(from, clip.y0, clip.y1), FirstCentreFrom(to, clip.y0, clip.y1)};
+}
+
+}  // namespace
+
+RowCrossing::RowCrossing(Point2 upper, Point2 lower) : upper_(upper), lower_(lower) {
+  const double dy = lower.y - upper.y;
+  slope_ = (lower.x - upper.x) / dy;
+  guess_is_proved_ = std::fabs(upper.x) <= kGuessDomain && std::fabs(lower.x) <= kGuessDomain &&
+                     std::isfinite(dy) && std::isfinite(slope_);
+}
+
+int RowCrossing::SearchCrossing(int j, int low, int high) const {
+  while (low < high) {
+    const int middle = low + (high - low) / 2;
+    if (IsAtOrRightOf(middle, j)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return low;
+}
+
+int RowCrossing::ResolveAt(int j, int column) const {
+  return IsAtOrRightOf(column, j) ? column : column + 1;
+}
+
+void DrawSpans(const std::array<Point2, 3>& v, const PixelRect& clip, Cull cull,
+               CoverageCounts& counts) {
+  if (IsEmpty(clip)) return;
+  std::array<Point2, 3> by_y = v;
+  std::ranges::sort(by_y, {}, &Point2::y);
+  const auto& [top, middle, bottom] = by_y;
+  const auto [first, last] = RowsBetween(top.y, bottom.y, clip);
+  if (first >= last) return;
+  const int facing = EdgeSign(v[0], v[1], v[2]);
+  if (facing == 0 || cull == (facing > 0 ? Cull::kFront : Cull::kBack)) return;
+
+  std::uint32_t* const buffer = (facing > 0 ? counts.front : counts.back).data();
+  const RowCrossing whole(top, bottom);
+  const int bend = FirstCentreFrom(middle.y, first, last);
+  if (first < bend) {
+    FillRows(whole, RowCrossing(top, middle), first, bend, clip, buffer, counts.width);
+  }
+  if (bend < last) {
+    FillRows(whole, RowCrossing(middle, bottom), bend, last, clip, buffer, counts.width);
+  }
+}
+
+}  // namespace rasterproof::reference

@@ -1,0 +1,45 @@
+// The tie rule: who owns a sample that lies exactly on an edge.
+#ifndef RASTERPROOF_REFERENCE_TIE_RULE_H_
+#define RASTERPROOF_REFERENCE_TIE_RULE_H_
+
+#include <limits>
+#include <type_traits>
+
+namespace rasterproof::reference {
+
+enum class TieRule {
+  kTopLeft,
+  kInclusive  ///< `>=` on all edges, as textbooks print it: shared edges are covered twice
+};
+
+/// Returns whether the edge a -> b of a triangle of positive area is a left or a top edge.
+///
+/// The sample moves by (+e, +e^2), e -> 0+, and E with it by e dY - e^2 dX: it goes inside if
+/// dY > 0 (left edge), or dY = 0 and dX < 0 (top edge). Comparing the ends needs no subtraction, so
+/// the answer is right even where dX or dY would round or overflow.
+template <class P>
+bool IsTopLeft(const P& a, const P& b) {
+  return a.y < b.y || (a.y == b.y && b.x < a.x);
+}
+
+/// The smallest E that counts as inside: 0 where ties are owned, else the smallest positive value.
+///
+/// E >= smallest positive subnormal is E > 0, so one comparison serves both kinds of edge.
+template <class T>
+constexpr T InsideFrom(bool owns_ties) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return owns_ties ? T{0} : std::numeric_limits<T>::denorm_min();
+  } else {
+    return owns_ties ? T{0} : T{1};
+  }
+}
+
+/// Returns whether the edge value is inside. NaN and infinity never are.
+template <class T>
+constexpr bool IsInside(T e, T from) {
+  return (e >= from) & (e <= std::numeric_limits<T>::max());
+}
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_TIE_RULE_H_

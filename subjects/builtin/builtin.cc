@@ -1,0 +1,84 @@
+#include "subjects/builtin/builtin.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/rasterize.h"
+#include "reference/weights.h"
+
+namespace rasterproof::subjects {
+namespace {
+
+constexpr std::string_view kCanonicalSuffix = ":canonical";
+
+/// One method, with or without canonical edges. Holds no state: threads may share it.
+class BuiltinSubject final : public Subject {
+ public:
+  BuiltinSubject(const reference::Method& method, bool canonical)
+      : method_(method), canonical_(canonical), info_(method.info) {
+    if (canonical) {
+      info_.name += kCanonicalSuffix;
+      info_.summary += "; each edge from its lexicographically smaller end";
+    }
+  }
+
+  const SubjectInfo& Info() const override { return info_; }
+
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    reference::Rasterize(scene, method_, {options, canonical_}, counts);
+  }
+
+  const EdgeEvaluator* Edges() const override {
+    return canonical_ ? method_.canonical_edges : method_.edges;
+  }
+
+  const WeightEvaluator* Weights() const override {
+    // The reference's weights take window-space vertices as they are: not snapped, not divided.
+    const bool unsnapped_window = info_.takes_window && info_.profile.snap.IsNone();
+    return unsnapped_window ? &reference::ReferenceWeights(info_.input) : nullptr;
+  }
+
+ private:
+  const reference::Method& method_;
+  bool canonical_;
+  SubjectInfo info_;
+};
+
+struct NamedMethod {
+  const reference::Method* method;
+  bool canonical;
+};
+
+NamedMethod Find(std::string_view name) {
+  const bool canonical = name.ends_with(kCanonicalSuffix);
+  if (canonical) name.remove_suffix(kCanonicalSuffix.size());
+  const reference::Method* method = reference::FindMethod(name);
+  if (method != nullptr && canonical && !method->can_be_canonical) method = nullptr;
+  return {method, canonical};
+}
+
+}  // namespace
+
+std::vector<std::string> BuiltinNames() {
+  std::vector<std::string> names;
+  for (const reference::Method& method : reference::Methods()) {
+    names.emplace_back(method.name);
+    if (method.can_be_canonical) names.push_back(names.back() + std::string(kCanonicalSuffix));
+  }
+  return names;
+}
+
+std::unique_ptr<Subject> MakeBuiltin(std::string_view name) {
+  const NamedMethod found = Find(name);
+  if (found.method == nullptr) return nullptr;
+  return std::make_unique<BuiltinSubject>(*found.method, found.canonical);
+}
+
+bool ClaimsExact(std::string_view name) {
+  const NamedMethod found = Find(name);
+  return found.method != nullptr && found.method->exact;
+}
+
+}  // namespace rasterproof::subjects

@@ -1,5 +1,6 @@
 #include "exact/environment.h"
 
+#include <array>
 #include <cfenv>
 #include <fstream>
 #include <string>
@@ -30,6 +31,22 @@ bool ContractionIsOff() {
   const double a = Opaque(1 + 0x1p-27);
   const double c = Opaque(-(1 + 0x1p-26));
   return a * a + c == 0;
+}
+
+// Two neighbouring values at once, as g++ 12's vectoriser takes them: at -O2 it drops the rounding of
+// double -> float -> double from such a pair. Not inlined: known values would be folded.
+[[gnu::noinline]] void RoundPairToFloat(const double* values, double* rounded) {
+  const auto first = static_cast<float>(values[0] * values[2]);
+  const auto second = static_cast<float>(values[1] * values[2]);
+  rounded[0] = first;
+  rounded[1] = second;
+}
+
+bool KeepsFloatRounding() {
+  const std::array<double, 3> values{Opaque(1), Opaque(2), Opaque(1.0 / 3)};
+  std::array<double, 2> rounded{};
+  RoundPairToFloat(values.data(), rounded.data());
+  return rounded[0] == 0x1.555556p-2 && rounded[1] == 0x1.555556p-1;
 }
 
 // valgrind maps its own tool into the process. Its emulation ignores the rounding modes that
@@ -63,6 +80,7 @@ Environment InspectEnvironment() {
   environment.round_to_nearest = RoundsToNearest();
   environment.subnormals_kept = KeepsSubnormals();
   environment.contraction_off = ContractionIsOff();
+  environment.float_rounding_kept = KeepsFloatRounding();
   environment.under_valgrind = under_valgrind;
   environment.compiler = CompilerName();
   environment.flags = std::string(RASTERPROOF_BUILD_FLAGS);
@@ -81,6 +99,9 @@ std::string Environment::Complaint() const {
       "subnormals are flushed to zero (do not link with -ffast-math; clear FTZ and DAZ in MXCSR)");
   add(!contraction_off,
       "the compiler fuses a * b + c (build with -ffp-contract=off and without -ffast-math)");
+  add(!float_rounding_kept,
+      "the compiler drops the rounding of a double to float32 (build with "
+      "-fno-tree-slp-vectorize)");
   add(under_valgrind, "valgrind does not honour rounding modes (run outside valgrind)");
   return complaint;
 }

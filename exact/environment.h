@@ -8,14 +8,16 @@ namespace rasterproof::exact {
 
 struct Environment {
   bool round_to_nearest = false;
-  bool subnormals_kept = false;  ///< neither FTZ nor DAZ
-  bool contraction_off = false;  ///< a * b + c is not fused by the compiler
+  bool subnormals_kept = false;      ///< neither FTZ nor DAZ
+  bool contraction_off = false;      ///< a * b + c is not fused by the compiler
+  bool float_rounding_kept = false;  ///< double -> float -> double is not optimised away
   bool under_valgrind = false;
   std::string compiler;  ///< name and version
   std::string flags;     ///< optimisation and floating-point flags of this build
 
   bool Honest() const {
-    return round_to_nearest && subnormals_kept && contraction_off && !under_valgrind;
+    return round_to_nearest && subnormals_kept && contraction_off && float_rounding_kept &&
+           !under_valgrind;
   }
   /// What is wrong and how to mend it; empty if Honest().
   std::string Complaint() const;

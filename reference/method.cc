@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/homogeneous.h"
 #include "reference/method_rows.h"
 
 namespace rasterproof::reference {
@@ -17,6 +18,7 @@ std::vector<Method> AllMethods() {
   for (const auto rows : {Float32Methods, IntegerMethods, Float64Methods, ExactMethods}) {
     for (Method& method : rows()) methods.push_back(std::move(method));
   }
+  for (const Method& method : HomogeneousMethods()) methods.push_back(method);
   return methods;
 }
 

@@ -1,0 +1,42 @@
+// An embedded triangle mesh that grows by splitting.
+#ifndef RASTERPROOF_PROPS_DOMAINS_PLANAR_MESH_H_
+#define RASTERPROOF_PROPS_DOMAINS_PLANAR_MESH_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/vertex.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+
+/// Triangles of one facing that overlap nowhere. Splits keep it so, by exact signs.
+///
+/// Domain:     vertices on the lattice of the sketch that it is added to, so that nothing moves.
+struct PlanarMesh {
+  std::vector<Point2> vertices;
+  std::vector<Triangle> triangles;
+
+  std::int32_t AddVertex(Point2 p);
+  /// Splits the triangles that contain p, in their inside (three parts) or on an edge (two parts of
+  /// each side). Does nothing if p is a vertex or outside.
+  void Insert(Point2 p);
+  /// As Insert, but only the first triangle that contains p is split: a T-junction if p is on an
+  /// inner edge.
+  void InsertIntoOne(Point2 p);
+  /// Whether every triangle has the same facing as the first, and none has zero area.
+  bool IsFacingOneWay() const;
+  void AddTo(Sketch& sketch) const;
+
+ private:
+  // Signs of p against the edges 12, 20, 01 of triangle t, positive inside.
+  std::array<int, 3> Sides(std::size_t t, Point2 p) const;
+  void Split(std::size_t t, const std::array<int, 3>& sides, std::int32_t p);
+  void Insert(Point2 p, bool into_one);
+};
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_DOMAINS_PLANAR_MESH_H_

@@ -1,0 +1,62 @@
+// The recipes behind the table of domains. Each is total: every bit string gives a valid case.
+#ifndef RASTERPROOF_PROPS_DOMAINS_RECIPES_H_
+#define RASTERPROOF_PROPS_DOMAINS_RECIPES_H_
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "props/domains/bit_source.h"
+
+namespace rasterproof::props {
+
+// recipes_ordinary.cc
+Case UniformSubpixel(BitSource& bits, const SubjectInfo& info);
+Case Centres(BitSource& bits, const SubjectInfo& info);
+Case AxisAligned(BitSource& bits, const SubjectInfo& info);
+Case Windings(BitSource& bits, const SubjectInfo& info);
+Case SizeLadder(BitSource& bits, const SubjectInfo& info);
+
+// recipes_near_edge.cc
+Case EdgesThroughCentres(BitSource& bits, const SubjectInfo& info);
+Case NearEdge(BitSource& bits, const SubjectInfo& info);
+Case HardestPixels(BitSource& bits, const SubjectInfo& info);
+Case HardestVertices(BitSource& bits, const SubjectInfo& info);
+Case F64Killer(BitSource& bits, const SubjectInfo& info);
+Case Caps(BitSource& bits, const SubjectInfo& info);
+Case LongWalk(BitSource& bits, const SubjectInfo& info);
+
+// recipes_magnitudes.cc
+Case Needles(BitSource& bits, const SubjectInfo& info);
+Case Sliver1e30(BitSource& bits, const SubjectInfo& info);
+Case OffsetCancellation(BitSource& bits, const SubjectInfo& info);
+Case Subnormal(BitSource& bits, const SubjectInfo& info);
+Case OverflowProducts(BitSource& bits, const SubjectInfo& info);
+Case BothEnds(BitSource& bits, const SubjectInfo& info);
+Case MixedMagnitude(BitSource& bits, const SubjectInfo& info);
+Case GuardBand(BitSource& bits, const SubjectInfo& info);
+
+// recipes_degenerate.cc
+Case SnapTies(BitSource& bits, const SubjectInfo& info);
+Case Degenerate(BitSource& bits, const SubjectInfo& info);
+Case SignedZeros(BitSource& bits, const SubjectInfo& info);
+Case NonFinite(BitSource& bits, const SubjectInfo& info);
+
+// recipes_meshes.cc
+Case SharedEdge(BitSource& bits, const SubjectInfo& info);
+Case Fans(BitSource& bits, const SubjectInfo& info);
+Case Strips(BitSource& bits, const SubjectInfo& info);
+Case Grids(BitSource& bits, const SubjectInfo& info);
+
+// recipes_subdivisions.cc
+Case Triangulations(BitSource& bits, const SubjectInfo& info);
+Case Subdivisions(BitSource& bits, const SubjectInfo& info);
+Case TJunctions(BitSource& bits, const SubjectInfo& info);
+
+// recipes_closed.cc
+Case ClosedMesh(BitSource& bits, const SubjectInfo& info);
+Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info);
+Case Perspective(BitSource& bits, const SubjectInfo& info);
+Case MixedW(BitSource& bits, const SubjectInfo& info);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_DOMAINS_RECIPES_H_

@@ -1,0 +1,159 @@
+// Closed surfaces, and clip space: in front of the eye, around it, behind it.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "props/domains/recipes.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+struct Surface {
+  std::int32_t vertices = 0;
+  std::vector<Triangle> triangles;
+};
+
+Surface Tetrahedron() { return {4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}}; }
+
+// Poles 0 and 1, n vertices around.
+Surface Bipyramid(std::int32_t n) {
+  Surface surface{n + 2, {}};
+  for (std::int32_t i = 0; i < n; ++i) {
+    const std::int32_t a = 2 + i;
+    const std::int32_t b = 2 + (i + 1) % n;
+    surface.triangles.push_back({0, a, b});
+    surface.triangles.push_back({1, b, a});
+  }
+  return surface;
+}
+
+Surface Torus(std::int32_t columns, std::int32_t rows) {
+  Surface surface{columns * rows, {}};
+  for (std::int32_t j = 0; j < rows; ++j) {
+    for (std::int32_t i = 0; i < columns; ++i) {
+      const std::int32_t right = (i + 1) % columns;
+      const std::int32_t below = (j + 1) % rows;
+      const std::int32_t a = j * columns + i;
+      const std::int32_t b = j * columns + right;
+      const std::int32_t c = below * columns + i;
+      const std::int32_t d = below * columns + right;
+      surface.triangles.push_back({a, b, c});
+      surface.triangles.push_back({b, d, c});
+    }
+  }
+  return surface;
+}
+
+Surface DrawSurface(BitSource& bits) {
+  const std::int64_t kind = bits.Int(0, 3);
+  if (kind == 0) return Tetrahedron();
+  if (kind == 1) return Torus(static_cast<std::int32_t>(bits.Int(3, 5)), 3);
+  return Bipyramid(static_cast<std::int32_t>(bits.Int(3, 8)));
+}
+
+void AddTriangles(Sketch& sketch, const Surface& surface) {
+  for (const Triangle& t : surface.triangles) sketch.AddTriangle(t[0], t[1], t[2]);
+}
+
+// A direction that lies inside no smaller cone: the place of vertex v on a surface around the
+// origin. Poles are opposite each other, the others go round between them.
+std::array<double, 3> AroundOrigin(std::int32_t v, const Surface& surface) {
+  if (v == 0) return {0, -1, 0.1};
+  if (v == 1) return {0, 1, 0.1};
+  const double turn = 2 * std::acos(-1.0) * (v - 2) / std::max(1, surface.vertices - 2);
+  return {std::cos(turn), 0.1 * std::sin(3 * turn), std::sin(turn)};
+}
+
+// The clip-space vertex that projects to the window place p, with this w.
+void AddProjected(Sketch& sketch, Point2 p, double w) {
+  if (w == 0) {
+    sketch.AddRaw({p.x, p.y, 0, w});  // a direction
+    return;
+  }
+  sketch.AddRaw({p.x * w, p.y * w, 0, w});
+}
+
+double DrawMixedW(Sketch& sketch) {
+  BitSource& bits = sketch.bits();
+  const bool is_float32 = sketch.lattice().precision() == Precision::kFloat32;
+  switch (bits.Int(0, 7)) {
+    case 0:
+      return 0.0;
+    case 1:
+      return -0.0;
+    case 2:  // w -> 0
+      return sketch.LogUniform(is_float32 ? -149 : -1074, -20);
+    case 3:  // just behind or before the eye
+      return sketch.Sign() * 0x1p-12;
+    case 4:
+      return sketch.Sign();
+    default:
+      return sketch.LogUniform(-12, 3);
+  }
+}
+
+}  // namespace
+
+Case ClosedMesh(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const Surface surface = DrawSurface(bits);
+  for (std::int32_t v = 0; v < surface.vertices; ++v) sketch.Add(sketch.Place());
+  AddTriangles(sketch, surface);
+  return sketch.Done(Finish::kMesh);
+}
+
+Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  sketch.UseClipSpace();
+  const Surface surface = DrawSurface(bits);
+  // Window = focal * (x, y) / depth + centre of the target: x and y of clip space carry both.
+  const double focal = std::ldexp(1.0, static_cast<int>(bits.Int(1, 5)));
+  const bool around = bits.Chance(160);
+  for (std::int32_t v = 0; v < surface.vertices; ++v) {
+    std::array<double, 3> p{sketch.Uniform(-1, 1), sketch.Uniform(-1, 1), sketch.Uniform(-1, 1)};
+    if (around) {
+      const std::array<double, 3> outward = AroundOrigin(v, surface);
+      for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = outward[axis] + 0.5 * p[axis];
+    }
+    const double w = bits.Chance(16) ? 0.0 : sketch.lattice().RoundToPrecision(p[2]);
+    sketch.AddRaw(
+        {focal * p[0] + w * sketch.width() / 2, focal * p[1] + w * sketch.height() / 2, 0, w});
+  }
+  AddTriangles(sketch, surface);
+  return sketch.Done(Finish::kMesh);
+}
+
+Case Perspective(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  sketch.UseClipSpace();
+  const std::int32_t triangles = static_cast<std::int32_t>(bits.Int(1, 4));
+  for (std::int32_t t = 0; t < triangles; ++t) {
+    for (int v = 0; v < 3; ++v) {
+      // Powers of two keep the window place exact: ties stay ties.
+      const double w = bits.Chance(128) ? std::ldexp(1.0, static_cast<int>(bits.Int(-4, 4)))
+                                        : std::fabs(sketch.LogUniform(-4, 4));
+      AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(w));
+    }
+    sketch.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case MixedW(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  sketch.UseClipSpace();
+  const std::int32_t triangles = static_cast<std::int32_t>(bits.Int(1, 4));
+  for (std::int32_t t = 0; t < triangles; ++t) {
+    for (int v = 0; v < 3; ++v) {
+      const double w = bits.Chance(96) ? 1.0 : DrawMixedW(sketch);
+      AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(w));
+    }
+    sketch.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+}  // namespace rasterproof::props

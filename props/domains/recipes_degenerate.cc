@@ -1,0 +1,132 @@
+// Ties of the snap, zero areas, signed zeros, and what is no number.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "core/ulp.h"
+#include "props/domains/lines.h"
+#include "props/domains/recipes.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+double MovedInPrecision(double x, std::int64_t n, Precision precision) {
+  if (precision == Precision::kFloat64) return MoveByUlps(x, n);
+  return MoveByUlps(static_cast<float>(x), n);
+}
+
+}  // namespace
+
+Case SnapTies(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const Snap& snap = sketch.profile().snap;
+  const int subpixel_bits = snap.IsNone() ? (bits.Chance(128) ? 8 : 4) : snap.bits;
+  const auto tie = [&](double near) {
+    const double cell = std::floor(std::ldexp(near, subpixel_bits));
+    const double x = std::ldexp(cell + 0.5, -subpixel_bits);
+    return MovedInPrecision(x, bits.Int(-1, 1), sketch.lattice().precision());
+  };
+  const std::int64_t triangles = bits.Int(1, 4);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    std::array<std::int32_t, 3> index{};
+    for (std::int32_t& i : index) {
+      const Point2 p = sketch.Place();
+      i = sketch.AddRaw({bits.Chance(192) ? tie(p.x) : p.x, bits.Chance(192) ? tie(p.y) : p.y});
+    }
+    sketch.AddTriangle(index[0], index[1], index[2]);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case Degenerate(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const std::int64_t triangles = bits.Int(1, 4);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    const Point2 p = bits.Chance(128) ? sketch.Sample() : GridPlace(sketch);
+    const Point2 q = GridPlace(sketch);
+    const Point2 d{q.x - p.x, q.y - p.y};
+    const auto times = static_cast<double>(bits.Int(-2, 3));
+    switch (bits.Int(0, 5)) {
+      case 0:
+        sketch.AddTriangle({p, p, p});
+        break;
+      case 1:
+        sketch.AddTriangle({p, q, p});
+        break;
+      case 2: {
+        const std::int32_t a = sketch.Add(p);
+        sketch.AddTriangle(a, sketch.Add(q), a);
+        break;
+      }
+      case 3:
+        sketch.AddTriangle({p, q, {p.x + times * d.x, p.y + times * d.y}});
+        break;
+      case 4:  // along an axis
+        sketch.AddTriangle({p, Point2{q.x, p.y}, Point2{p.x + times, p.y}});
+        break;
+      default:  // not quite
+        sketch.AddTriangle({p, q, Nudged(sketch, {p.x + times * d.x, p.y + times * d.y}, 1)});
+    }
+    // A neighbour that shares the degenerate one's first vertices: its samples stay its own.
+    if (bits.Chance(64)) sketch.AddTriangle({p, q, sketch.Place()});
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const auto coordinate = [&](int extent, bool along_y) {
+    switch (bits.Int(0, 4)) {
+      case 0:
+        return 0.0;
+      case 1:
+      case 2:
+        return -0.0;
+      case 3:
+        return sketch.Coordinate(extent, along_y);
+      default:
+        return static_cast<double>(bits.Int(-1, 1) * extent);
+    }
+  };
+  const std::int64_t triangles = bits.Int(1, 4);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    std::array<std::int32_t, 3> index{};
+    for (std::int32_t& i : index) {
+      const double x = coordinate(sketch.width(), false);
+      i = sketch.AddRaw({x, coordinate(sketch.height(), true)});
+    }
+    sketch.AddTriangle(index[0], index[1], index[2]);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case NonFinite(BitSource& bits, const SubjectInfo& info) {
+  constexpr std::array<double, 3> kNotNumbers{std::numeric_limits<double>::quiet_NaN(),
+                                              std::numeric_limits<double>::infinity(),
+                                              -std::numeric_limits<double>::infinity()};
+  Sketch sketch(bits, info);
+  const std::int64_t triangles = bits.Int(1, 4);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    std::array<Vertex, 3> v;
+    for (Vertex& vertex : v) {
+      const Point2 p = sketch.Place();
+      vertex = {p.x, p.y};
+    }
+    const std::int64_t replaced = t == 0 ? bits.Int(1, 3) : bits.Int(0, 2);
+    for (std::int64_t r = 0; r < replaced; ++r) {
+      Vertex& vertex = v[static_cast<std::size_t>(bits.Int(0, 2))];
+      double* const members[] = {&vertex.x, &vertex.y, &vertex.z};
+      *members[bits.Int(0, bits.Chance(32) ? 2 : 1)] =
+          bits.OneOf(std::span<const double>(kNotNumbers));
+    }
+    const std::int32_t a = sketch.AddRaw(v[0]);
+    const std::int32_t b = sketch.AddRaw(v[1]);
+    sketch.AddTriangle(a, b, sketch.AddRaw(v[2]));
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,174 @@
+// Embedded meshes: pairs, fans, strips and grids. Every sample inside belongs to one triangle.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "props/domains/lines.h"
+#include "props/domains/planar_mesh.h"
+#include "props/domains/recipes.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The diagonal of a quad: exactly through a sample, a step or some steps off it, or as near as the
+// lattice allows.
+Segment DrawDiagonal(Sketch& sketch) {
+  const Point2 p = sketch.Sample();
+  const Segment through = SegmentThrough(sketch, p);
+  const std::int64_t kind = sketch.bits().Int(0, 3);
+  if (kind == 0) return through;
+  if (kind == 1) return {through.a, Hardest(sketch, through.b, through.a, p)};
+  return {Nudged(sketch, through.a, kind == 2 ? 1 : 16), through.b};
+}
+
+// A square whose corners are the same small power of two off the samples, as in a 6-pixel gap found
+// along the shared diagonal of a quad at 0.49993896484375 = 1/2 - 2^-14 (DRTK pull request 9).
+Segment DrawOffsetDiagonal(Sketch& sketch) {
+  const Point2 p = sketch.Sample();
+  const double off = sketch.Sign() * std::ldexp(1.0, -static_cast<int>(sketch.bits().Int(6, 18)));
+  const auto side = static_cast<double>(sketch.bits().Int(1, 32)) * sketch.Sign();
+  const double skew = sketch.bits().Chance(64) ? 2 : 1;
+  return {{p.x + off, p.y + off}, {p.x + off + side, p.y + off + skew * side}};
+}
+
+Point2 OnLattice(const Sketch& sketch, Point2 p) {
+  return {sketch.lattice().RoundWithinLimit(p.x), sketch.lattice().RoundWithinLimit(p.y)};
+}
+
+// A node of a grid in units of its spacing, and where it goes.
+struct GridShape {
+  Point2 origin;
+  double spacing = 1;
+  int columns = 1;
+  int rows = 1;
+};
+
+// A grid one of whose nodes is a sample of the target.
+GridShape DrawGridShape(Sketch& sketch, int columns, int rows) {
+  const Point2 p = sketch.Sample();
+  const double spacing = static_cast<double>(sketch.bits().Int(2, 16)) / 2;
+  return {{p.x - spacing * static_cast<double>(sketch.bits().Int(0, columns)),
+           p.y - spacing * static_cast<double>(sketch.bits().Int(0, rows))},
+          spacing,
+          columns,
+          rows};
+}
+
+// Two nodes that are `spacing` apart may come 4 * jitter nearer in the determinant: below
+// spacing / 4 no triangle folds. Rounding to a coarse lattice can still fold one: see the caller.
+PlanarMesh MakeGrid(Sketch& sketch, const GridShape& shape, double jitter) {
+  PlanarMesh mesh;
+  const int across = shape.columns + 1;
+  for (int j = 0; j <= shape.rows; ++j) {
+    for (int i = 0; i < across; ++i) {
+      const double moved = sketch.bits().Chance(192) ? jitter : 0;
+      mesh.AddVertex(
+          OnLattice(sketch, {shape.origin.x + i * shape.spacing + sketch.Uniform(-moved, moved),
+                             shape.origin.y + j * shape.spacing + sketch.Uniform(-moved, moved)}));
+    }
+  }
+  for (int j = 0; j < shape.rows; ++j) {
+    for (int i = 0; i < shape.columns; ++i) {
+      const int a = j * across + i;
+      const int b = a + 1, c = a + across, d = c + 1;
+      const bool falling = sketch.bits().Chance(128);
+      mesh.triangles.push_back(falling ? Triangle{a, d, b} : Triangle{a, c, b});
+      mesh.triangles.push_back(falling ? Triangle{a, c, d} : Triangle{b, c, d});
+    }
+  }
+  return mesh;
+}
+
+Case DoneGrid(Sketch& sketch, const GridShape& shape) {
+  const double jitter = sketch.bits().Chance(128) ? 0 : 0.24 * shape.spacing;
+  PlanarMesh mesh = MakeGrid(sketch, shape, jitter);
+  if (!mesh.IsFacingOneWay()) mesh = MakeGrid(sketch, shape, 0);
+  mesh.AddTo(sketch);
+  return sketch.Done(Finish::kMesh);
+}
+
+// The place at distance t along the perimeter of a square of half side `radius` (t of [0, 8 radius)).
+Point2 OnSquare(Point2 centre, double radius, double t) {
+  const double side = 2 * radius;
+  const double along = std::fmod(t, side) - radius;
+  if (t < side) return {centre.x + along, centre.y - radius};
+  if (t < 2 * side) return {centre.x + radius, centre.y + along};
+  if (t < 3 * side) return {centre.x - along, centre.y + radius};
+  return {centre.x - radius, centre.y - along};
+}
+
+// The rim of a fan in order around its hub: the square's corners and places between them, so that
+// no wedge reaches half a turn.
+std::vector<double> DrawRim(Sketch& sketch, double radius, double grid_step) {
+  const std::int64_t places = static_cast<std::int64_t>(8 * radius / grid_step);
+  std::vector<double> rim;
+  for (int corner = 0; corner < 4; ++corner) rim.push_back(corner * 2 * radius);
+  const std::int64_t more =
+      sketch.bits().Chance(32) ? sketch.bits().Int(24, 124) : sketch.bits().Int(0, 12);
+  for (std::int64_t i = 0; i < more; ++i) {
+    rim.push_back(grid_step * static_cast<double>(sketch.bits().Int(0, places - 1)));
+  }
+  std::ranges::sort(rim);
+  rim.erase(std::ranges::unique(rim).begin(), rim.end());
+  return rim;
+}
+
+}  // namespace
+
+Case SharedEdge(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const Segment drawn = bits.Chance(64) ? DrawOffsetDiagonal(sketch) : DrawDiagonal(sketch);
+  const Point2 a = OnLattice(sketch, drawn.a);
+  const Point2 b = OnLattice(sketch, drawn.b);
+  const Point2 d{b.x - a.x, b.y - a.y};
+  // Two more corners, at least two pixels to either side of the diagonal.
+  const auto beside = [&](double sign) {
+    const double length = std::max(1.0, std::hypot(d.x, d.y));
+    const double off = sign * sketch.Uniform(2, 24) / length;
+    const double along = sketch.Uniform(-0.25, 1.25);
+    return OnLattice(sketch, {a.x + along * d.x - off * d.y, a.y + along * d.y + off * d.x});
+  };
+  const bool square = bits.Chance(64) && d.x != 0 && d.y != 0;
+  const std::int32_t ia = sketch.Add(a);
+  const std::int32_t ib = sketch.Add(b);
+  sketch.AddTriangle(ia, ib, sketch.Add(square ? Point2{a.x, b.y} : beside(+1)));
+  sketch.AddTriangle(ib, ia, sketch.Add(square ? Point2{b.x, a.y} : beside(-1)));
+  return sketch.Done(Finish::kMesh);
+}
+
+Case Fans(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const Point2 p = sketch.Sample();
+  const double radius = static_cast<double>(bits.Int(4, 48)) / 2;
+  const int grid_bits = std::max(0, std::min(8, sketch.lattice().GridBits(256)));
+  const Point2 centre = OnLattice(sketch, p);
+  const Point2 hub = bits.Chance(96) ? centre : OnLattice(sketch, Nudged(sketch, centre, 1));
+  PlanarMesh mesh;
+  const std::int32_t h = mesh.AddVertex(hub);
+  const std::vector<double> rim = DrawRim(sketch, radius, std::ldexp(1.0, -grid_bits));
+  for (const double t : rim) mesh.AddVertex(OnLattice(sketch, OnSquare(centre, radius, t)));
+  const auto n = static_cast<std::int32_t>(rim.size());
+  const std::int32_t left_out = bits.Chance(64) ? static_cast<std::int32_t>(bits.Int(1, n - 1)) : 0;
+  for (std::int32_t i = 0; i < n - left_out; ++i) {
+    mesh.triangles.push_back({h, h + 1 + i, h + 1 + (i + 1) % n});
+  }
+  mesh.AddTo(sketch);
+  return sketch.Done(Finish::kMesh);
+}
+
+Case Strips(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const int cells = static_cast<int>(bits.Int(2, 16));
+  const bool along_y = bits.Chance(128);
+  return DoneGrid(sketch, DrawGridShape(sketch, along_y ? 1 : cells, along_y ? cells : 1));
+}
+
+Case Grids(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const int columns = static_cast<int>(bits.Int(1, 6));
+  return DoneGrid(sketch, DrawGridShape(sketch, columns, static_cast<int>(bits.Int(1, 6))));
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,99 @@
+// Ordinary triangles at places that matter: samples, half pixels, axes, target sizes.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "props/domains/recipes.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+// Powers of two, where fixed-point set-up overflows or tiles change, and their neighbours.
+constexpr std::array<int, 28> kSides{1,   2,    3,    7,    8,    9,    15,   16,   17,  63,
+                                     64,  65,   127,  128,  129,  255,  256,  257,  511, 512,
+                                     513, 1024, 2047, 2048, 2049, 4096, 8192, 16384};
+constexpr int kMostSamples = 1 << 17;
+
+}  // namespace
+
+Case UniformSubpixel(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const std::int64_t triangles = bits.Int(1, 4);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    const Point2 a = sketch.Place();
+    const Point2 b = sketch.Place();
+    sketch.AddTriangle({a, b, sketch.Place()});
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case Centres(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const std::int64_t triangles = bits.Int(1, 4);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    std::array<Point2, 3> v;
+    for (Point2& p : v) {
+      p = sketch.Sample();
+      if (!bits.Chance(64)) continue;
+      p.x += static_cast<double>(bits.Int(-8, 8)) / 2;
+      p.y += static_cast<double>(bits.Int(-8, 8)) / 2;
+    }
+    v[0] = sketch.Sample();
+    sketch.AddTriangle(v);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case AxisAligned(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const std::int64_t rectangles = bits.Int(1, 3);
+  for (std::int64_t r = 0; r < rectangles; ++r) {
+    const Point2 corner = sketch.Sample();
+    const Point2 other = bits.Chance(160) ? sketch.Sample() : sketch.Place();
+    const std::int32_t a = sketch.Add(corner);
+    const std::int32_t b = sketch.Add({other.x, corner.y});
+    const std::int32_t c = sketch.Add(other);
+    const std::int32_t d = sketch.Add({corner.x, other.y});
+    sketch.AddTriangle(a, b, c);
+    if (bits.Chance(192)) sketch.AddTriangle(a, c, d);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case Windings(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const std::int32_t a = sketch.Add(sketch.Place());
+  const std::int32_t b = sketch.Add(sketch.Place());
+  const std::int32_t c = sketch.Add(sketch.Place());
+  std::array<std::int32_t, 3> order{a, b, c};
+  do {
+    sketch.AddTriangle(order[0], order[1], order[2]);
+  } while (std::next_permutation(order.begin(), order.end()));
+  return sketch.Done(Finish::kAsIs);
+}
+
+Case SizeLadder(BitSource& bits, const SubjectInfo& info) {
+  const int side = bits.OneOf(std::span<const int>(kSides));
+  const int most = std::min(side, kMostSamples / side);
+  const int other = static_cast<int>(bits.Chance(128) ? most : bits.Int(1, most));
+  const bool tall = bits.Chance(128);
+  Sketch sketch(bits, info, tall ? other : side, tall ? side : other);
+  const std::int64_t triangles = bits.Int(1, 3);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    // Boxes that are large both ways, even where the target is not.
+    std::array<Point2, 3> v;
+    for (Point2& p : v) {
+      if (bits.Chance(96)) {
+        p = sketch.Sample();
+      } else {
+        p = {sketch.Coordinate(side, false), sketch.Coordinate(side, true)};
+      }
+    }
+    sketch.AddTriangle(v);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,154 @@
+#include "props/run/near_edge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "core/snap.h"
+#include "exact/edge.h"
+#include "exact/homogeneous.h"
+#include "props/domains/input_lattice.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::size_t kMostTriangles = 64;
+constexpr long double kUnit = std::numeric_limits<long double>::epsilon();
+
+struct LongPoint {
+  long double x = 0;
+  long double y = 0;
+};
+
+// An edge as a float sees it, and as the oracle does.
+struct Edge {
+  LongPoint a;
+  LongPoint b;
+  Vertex exact_a;
+  Vertex exact_b;
+  bool clip_space = false;
+
+  bool Through(Point2 p) const {
+    if (clip_space) return exact::HomogeneousEdgeSign(exact_a, exact_b, p) == 0;
+    return exact::EdgeSign(WindowPoint(exact_a), WindowPoint(exact_b), p) == 0;
+  }
+};
+
+// Whether v has a place in the window; v is snapped if it has and the profile snaps.
+bool PutIntoWindow(Vertex& v, bool clip_space, const Snap& snap) {
+  if (!IsFinite(v)) return false;
+  if (clip_space && !(v.w > 0)) return false;
+  if (!snap.IsNone()) {
+    if (clip_space) v = {v.x / v.w, v.y / v.w, v.z, 1};
+    v.x = SnapCoordinate(v.x, snap);
+    v.y = SnapCoordinate(v.y, snap);
+  }
+  return std::isfinite(v.x) && std::isfinite(v.y);
+}
+
+LongPoint Projected(const Vertex& v) {
+  return {static_cast<long double>(v.x) / v.w, static_cast<long double>(v.y) / v.w};
+}
+
+class Counter {
+ public:
+  explicit Counter(const Case& c) : case_(c), lattice_(c.profile, c.scene.precision) {}
+
+  NearEdgeCounts Count() {
+    const std::vector<Triangle>& triangles = case_.scene.triangles;
+    for (std::size_t t = 0; t < std::min(kMostTriangles, triangles.size()); ++t) {
+      CountTriangle(Corners(case_.scene, triangles[t]));
+    }
+    return counts_;
+  }
+
+ private:
+  void CountTriangle(std::array<Vertex, 3> v) {
+    const bool clip_space = case_.scene.clip_space;
+    for (Vertex& vertex : v) {
+      if (!PutIntoWindow(vertex, clip_space, case_.profile.snap)) return;
+    }
+    const bool projected = clip_space && case_.profile.snap.IsNone();
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Vertex& a = v[(e + 1) % 3];
+      const Vertex& b = v[(e + 2) % 3];
+      const Edge edge{Projected(a), Projected(b), a, b, projected};
+      for (int s = 0; s < case_.profile.lattice.samples(); ++s) CountEdge(edge, s);
+    }
+  }
+
+  void CountEdge(const Edge& edge, int s) {
+    const long double dx = edge.b.x - edge.a.x;
+    const long double dy = edge.b.y - edge.a.y;
+    const bool steep = std::fabs(dy) >= std::fabs(dx);  // then walk down the rows
+    const long double major = steep ? dy : dx;
+    if (major == 0) return;
+    const Point2 location = case_.profile.lattice.locations[static_cast<std::size_t>(s)];
+    const double offset = steep ? location.y : location.x;
+    const long double from = steep ? edge.a.y : edge.a.x;
+    const long double to = steep ? edge.b.y : edge.b.x;
+    const int lines = steep ? case_.scene.height : case_.scene.width;
+    const auto clamped = [&](long double line) {
+      return static_cast<int>(std::clamp<long double>(line, -1, lines));
+    };
+    const int first = std::max(0, clamped(std::ceil(std::min(from, to) - offset)));
+    const int last = std::min(lines - 1, clamped(std::floor(std::max(from, to) - offset)));
+    for (int line = first; line <= last; ++line) CountLine(edge, s, steep, line);
+  }
+
+  // The two samples of one row or column between which the edge passes.
+  void CountLine(const Edge& edge, int s, bool steep, int line) {
+    const Point2 location = case_.profile.lattice.locations[static_cast<std::size_t>(s)];
+    const long double along = line + (steep ? location.y : location.x);
+    const long double offset = steep ? location.x : location.y;
+    const LongPoint a = steep ? edge.a : LongPoint{edge.a.y, edge.a.x};
+    const LongPoint b = steep ? edge.b : LongPoint{edge.b.y, edge.b.x};
+    // From the nearer end: four roundings of the way across from there, and the two ends' own.
+    const LongPoint& near = std::fabs(along - a.y) <= std::fabs(along - b.y) ? a : b;
+    const long double across = (along - near.y) * ((b.x - a.x) / (b.y - a.y));
+    const long double at = near.x + across;
+    const long double error = 4 * kUnit * (std::fabs(across) + std::fabs(a.x) + std::fabs(b.x));
+    const int places = steep ? case_.scene.width : case_.scene.height;
+    const auto before =
+        static_cast<int>(std::clamp<long double>(std::floor(at - offset), -2, places));
+    for (int place = std::max(0, before); place <= std::min(places - 1, before + 1); ++place) {
+      const Point2 p = steep ? case_.profile.lattice.At(place, line, s)
+                             : case_.profile.lattice.At(line, place, s);
+      CountPair(edge, p, std::fabs(place + offset - at), error, steep ? p.x : p.y);
+    }
+  }
+
+  void CountPair(const Edge& edge, Point2 p, long double distance, long double error,
+                 double coordinate) {
+    ++counts_.samples;
+    if (distance <= error && edge.Through(p)) {
+      ++counts_.on_edge;
+      return;
+    }
+    const long double step = lattice_.Step(coordinate);
+    if (distance + error <= step) ++counts_.within_1;
+    if (distance + error <= 16 * step) ++counts_.within_16;
+    if (distance + error <= 256 * step) ++counts_.within_256;
+  }
+
+  const Case& case_;
+  InputLattice lattice_;
+  NearEdgeCounts counts_;
+};
+
+}  // namespace
+
+NearEdgeCounts CountNearEdges(const Case& c) { return Counter(c).Count(); }
+
+void Add(NearEdgeCounts& counts, const NearEdgeCounts& more) {
+  counts.samples += more.samples;
+  counts.on_edge += more.on_edge;
+  counts.within_1 += more.within_1;
+  counts.within_16 += more.within_16;
+  counts.within_256 += more.within_256;
+}
+
+}  // namespace rasterproof::props

@@ -2,13 +2,61 @@
 #ifndef RASTERPROOF_REFERENCE_WEIGHTS_H_
 #define RASTERPROOF_REFERENCE_WEIGHTS_H_
 
+#include <array>
+
 #include "core/scene.h"
 #include "core/subject.h"
+#include "core/ulp.h"
+#include "core/vertex.h"
 
 namespace rasterproof::reference {
 
 /// The reference's weight evaluator in the arithmetic of `precision`, with its proven bounds.
+///
+/// Edge values are the direct form's; every operation is rounded once to the precision. Where the
+/// computed area (or, for kSum, the computed sum) is 0 or not finite the weights are NaN or
+/// infinite, as IEEE division gives them, and no bound is claimed.
+///
+/// Error:      every bound is a running bound: the error of each operation is bounded from the
+///             values computed, rounded up, and grown by the rules of reference/running_error.h.
+///             kUnsignedArea: NaN where the sample is proved to lie outside the triangle, where the
+///             form is wrong. kPerspective: NaN where the denominator may be 0.
 const WeightEvaluator& ReferenceWeights(Precision precision);
+
+/// |l0 + l1 + l2 - 1| <= multiplier u + 3 eta / 2 for kSum where the three edge values agree in
+/// sign.
+///
+/// The two sums s = ((e0 + e1)(1 + d) + e2)(1 + d') of values of one sign have a relative error of
+/// at most (1 + u)^2 - 1, so sum e_i / s is within 2u + 3u^2 + ... of 1; each quotient adds u of
+/// itself, together u (1 + 2u + ...). Proof: proofs/weights_sum.g.
+template <class T>
+inline constexpr double kNormalizedSumErrorMultiplier = 3 + 8.0 * rounding_epsilon<T>();
+
+/// |l0 + l1 + l2 - 1| <= kOneMinusSumError for kOneMinus inside the triangle.
+///
+/// 1 - l0 and then l2 itself lie in [0, 1]: each rounding is at most u / 2.
+/// Proof: proofs/weights_one_minus.g.
+template <class T>
+inline constexpr double kOneMinusSumError = rounding_epsilon<T>();
+
+/// kDerivative and kHeight divide by the area and multiply by it again; it cancels but for three
+/// roundings: the weight, the height (or derivative), their product (or quotient).
+/// Proof: proofs/weights_distance.g.
+template <class T>
+inline constexpr double kEdgeDistanceErrorMultiplier = 3 + 4.0 * rounding_epsilon<T>();
+
+/// Proven bounds on |EdgeDistances[i] - exact|: kWeight against lambda_i, kDerivative against
+/// sign(area) E_i / (|dX_i| + |dY_i|), kHeight against sign(area) E_i / sqrt(dX_i^2 + dY_i^2).
+///
+/// Returns:    NaN where none is claimed: over- or underflow, area not provably non-zero.
+std::array<double, 3> EdgeDistanceErrorBounds(Precision precision, WireframeForm form,
+                                              const std::array<Point2, 3>& v, Point2 p);
+
+/// The height of the triangle over each side: entry i is the distance of vertex i from the side
+/// opposite to it, |area| / |side i|.
+///
+/// Units:      pixels. Rounded in the precision.
+std::array<double, 3> Heights(Precision precision, const std::array<Point2, 3>& v);
 
 }  // namespace rasterproof::reference
 

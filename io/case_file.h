@@ -23,6 +23,9 @@ CaseFile ReadCase(const std::string& path);
 CaseFile ParseCase(std::string_view text, const std::string& place);
 std::string CaseToJson(const CaseFile& file);
 
+/// The profile as CaseToJson writes it: the name of a preset, or an object.
+std::string ProfileToJson(const Profile& profile);
+
 /// A profile file: a preset's name, or an object whose keys are those that CaseToJson writes under
 /// "profile".
 Profile ReadProfile(const std::string& path_or_preset);

@@ -34,10 +34,26 @@ struct Certificate {
       oracle_tiers;  ///< which tier of the oracle decided how often
   std::vector<Evidence>
       not_applicable;  ///< what was not asked of this subject, and why: never green
+  /// The command that replays a property's counterexample, by property. Without one the reader is
+  /// told to save the counterexample's case and to replay that file.
+  std::map<std::string, std::string> replay;
 };
 
-/// "holds", "violated" or "inconclusive" (nothing exercised).
+/// Returns whether the subject's profile answers for this measurement: a sample-exact contract (or
+/// the claim to be exact), the subject's own profile, a scene within its limits. Everything else is
+/// observed, never judged.
+bool IsJudged(const Certificate& certificate, const SceneResult& result);
+
+/// "violated" if a property is, or a judged scene has a wrong sample; "holds" if nothing is
+/// violated and something was exercised; else "inconclusive".
 std::string OverallVerdict(const Certificate& certificate);
+
+/// The properties that do not apply to the subject, with the reason, each once: those of
+/// `not_applicable` and those among `tested` that say so of themselves.
+std::vector<Evidence> NotApplicable(const Certificate& certificate);
+
+/// The command that replays the counterexample of a result.
+std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result);
 
 /// JSON as docs/certificate.schema.json describes; counterexamples inline as case files.
 std::string CertificateToJson(const Certificate& certificate);

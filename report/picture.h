@@ -10,6 +10,8 @@
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/fragments.h"
+#include "core/profile.h"
+#include "core/sample_lattice.h"
 #include "core/scene.h"
 #include "io/image.h"
 
@@ -28,18 +30,30 @@ struct Explanation {
   std::vector<std::string> edge_values;
   std::string headline;
   std::string replay;  ///< the command that shows this again
+  /// Where the samples lie. Dots are left out if it has another number of them than the counts.
+  SampleLattice lattice;
+  YAxis y_axis = YAxis::kDown;
 };
 
 /// The pixel grid in characters: expected, actual and difference side by side, with a legend.
 /// Colour only if asked.
+///
+/// Domain:     counts of one shape. A view that is empty or beyond what can be read is moved to the
+///             focus and cut; with several samples to a pixel the counts are sums over them.
 std::string ExplanationToText(const Explanation& explanation, bool colour);
 /// The grid with the exact triangles over it: expected, actual, difference as three panels.
 std::string ExplanationToSvg(const Explanation& explanation);
 io::Image ExplanationToImage(const Explanation& explanation);
 
+/// The nearest triangle at each pixel, each in a colour of its own, paper where there is none.
 io::Image PaintFlat(const FragmentBuffers& fragments);
+/// The three vertices in vermilion, green and blue, mixed by the weights; grey where they are NaN.
 io::Image PaintWeights(const FragmentBuffers& fragments);
+/// Near is light, far is dark, over the range of finite depths in the picture.
 io::Image PaintDepth(const FragmentBuffers& fragments);
+/// Lines of the given width along the edges, hidden ones hidden.
+///
+/// Units:      pixels.
 io::Image PaintWireframe(const FragmentBuffers& fragments, double width_pixels);
 /// 0 white, 1 grey, more than one in a growing scale of red; sample 0.
 io::Image PaintCounts(const CoverageCounts& counts);

@@ -1,0 +1,183 @@
+#include "report/certificate.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "report/json_writer.h"
+
+namespace rasterproof::report {
+namespace {
+
+void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evidence>& list) {
+  json.Key(key).BeginArray();
+  for (const Evidence& evidence : list) {
+    json.BeginObject();
+    json.Key("claim").Text(evidence.claim);
+    json.Key("by").Text(evidence.by);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+void WriteSubject(JsonWriter& json, const Certificate& certificate) {
+  const SubjectInfo& info = certificate.subject;
+  json.Key("subject").BeginObject();
+  json.Key("name").Text(info.name);
+  json.Key("summary").Text(info.summary);
+  json.Key("input").Text(info.input == Precision::kFloat32 ? "float32" : "float64");
+  json.Key("takes_window").Bool(info.takes_window);
+  json.Key("takes_clip").Bool(info.takes_clip);
+  json.Key("claims_exact").Bool(certificate.claims_exact);
+  json.Key("profile").Value(io::ProfileToJson(info.profile));
+  json.EndObject();
+}
+
+void WriteNearEdge(JsonWriter& json, const NearEdgeCounts& counts) {
+  json.Key("near_edge").BeginObject();
+  json.Key("samples").Integer(counts.samples);
+  json.Key("on_edge").Integer(counts.on_edge);
+  json.Key("within_1").Integer(counts.within_1);
+  json.Key("within_16").Integer(counts.within_16);
+  json.Key("within_256").Integer(counts.within_256);
+  json.EndObject();
+}
+
+void WriteWitness(JsonWriter& json, const Witness& witness) {
+  json.Key("witness").BeginObject();
+  json.Key("triangle").Integer(witness.triangle);
+  json.Key("edge").Integer(witness.edge);
+  json.Key("x").Integer(witness.x);
+  json.Key("y").Integer(witness.y);
+  json.Key("sample").Integer(witness.sample);
+  json.Key("observed").Text(witness.observed);
+  json.Key("expected").Text(witness.expected);
+  json.EndObject();
+}
+
+void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
+                         const PropertyResult& result) {
+  json.Key("counterexample").BeginObject();
+  json.Key("found_as_case").Integer(result.failing_case);
+  if (result.verdict) {
+    json.Key("message").Text(result.verdict->message);
+    if (result.verdict->witness) WriteWitness(json, *result.verdict->witness);
+  }
+  json.Key("replay").Text(ReplayCommand(certificate, result));
+  std::string file = io::CaseToJson({*result.counterexample, result.subject, result.property});
+  while (file.ends_with('\n')) file.pop_back();
+  json.Key("case").Value(file);
+  json.EndObject();
+}
+
+void WriteTested(JsonWriter& json, const Certificate& certificate, const PropertyResult& result) {
+  json.BeginObject();
+  json.Key("property").Text(result.property);
+  json.Key("clause").Text(result.clause);
+  json.Key("tolerance").Text(result.tolerance);
+  json.Key("outcome").Text(OutcomeName(result.outcome));
+  json.Key("message").Text(result.message);
+  json.Key("seed").Text(std::to_string(result.seed));
+  json.Key("cases").Integer(result.cases);
+  json.Key("cases_exercised").Integer(result.cases_exercised);
+  json.Key("exercised").Integer(result.exercised);
+  json.Key("worst_ratio").Exact(result.worst_ratio);
+  WriteNearEdge(json, result.near_edge);
+  json.Key("seconds").Rounded(result.seconds);
+  if (result.counterexample) WriteCounterexample(json, certificate, result);
+  json.EndObject();
+}
+
+void WriteMeasured(JsonWriter& json, const Certificate& certificate, const SceneResult& result) {
+  json.BeginObject();
+  json.Key("scene").Text(result.scene);
+  json.Key("profile").Text(result.profile);
+  json.Key("judged").Bool(IsJudged(certificate, result));
+  json.Key("applicable").Bool(result.applicable);
+  json.Key("message").Text(result.message);
+  json.Key("triangles").Integer(result.triangles);
+  if (result.applicable) {
+    json.Key("samples").Integer(result.difference.samples);
+    json.Key("covered").Integer(result.difference.covered);
+    json.Key("wrong").Integer(result.difference.wrong);
+    json.Key("gaps").Integer(result.difference.gaps);
+    json.Key("overlaps").Integer(result.difference.overlaps);
+    json.Key("seconds").Rounded(result.seconds);
+  }
+  json.EndObject();
+}
+
+}  // namespace
+
+bool IsJudged(const Certificate& certificate, const SceneResult& result) {
+  const Profile& own = certificate.subject.profile;
+  const bool answers = certificate.claims_exact || own.contract == Contract::kSampleExact;
+  return answers && result.applicable && result.message.empty() && result.profile == own.name;
+}
+
+std::string OverallVerdict(const Certificate& certificate) {
+  bool exercised = false;
+  for (const PropertyResult& result : certificate.tested) {
+    if (result.outcome == Outcome::kViolated) return "violated";
+    exercised = exercised || result.outcome == Outcome::kHolds;
+  }
+  for (const SceneResult& result : certificate.measured) {
+    if (!IsJudged(certificate, result)) continue;
+    if (result.difference.wrong != 0) return "violated";
+    exercised = exercised || result.difference.samples != 0;
+  }
+  return exercised ? "holds" : "inconclusive";
+}
+
+std::vector<Evidence> NotApplicable(const Certificate& certificate) {
+  std::vector<Evidence> list = certificate.not_applicable;
+  for (const PropertyResult& result : certificate.tested) {
+    const bool listed = std::ranges::any_of(
+        list, [&](const Evidence& evidence) { return evidence.claim == result.property; });
+    if (result.outcome == Outcome::kNotApplicable && !listed) {
+      list.push_back({result.property, result.message});
+    }
+  }
+  return list;
+}
+
+std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result) {
+  const auto found = certificate.replay.find(result.property);
+  if (found != certificate.replay.end()) return found->second;
+  return fmt::format("rasterproof replay {}.json", result.property);
+}
+
+std::string CertificateToJson(const Certificate& certificate) {
+  JsonWriter json;
+  json.BeginObject();
+  json.Key("rasterproof_certificate").Integer(1);
+  json.Key("tool_version").Text(certificate.tool_version);
+  json.Key("command").Text(certificate.command);
+  json.Key("verdict").Text(OverallVerdict(certificate));
+  WriteSubject(json, certificate);
+  json.Key("environment").BeginObject();
+  for (const auto& [name, value] : certificate.environment) json.Key(name).Text(value);
+  json.EndObject();
+  json.Key("seed").Text(std::to_string(certificate.seed));
+  WriteEvidence(json, "proved", certificate.proved);
+  WriteEvidence(json, "exhausted", certificate.exhausted);
+  json.Key("tested").BeginArray();
+  for (const PropertyResult& result : certificate.tested) {
+    if (result.outcome != Outcome::kNotApplicable) WriteTested(json, certificate, result);
+  }
+  json.EndArray();
+  json.Key("measured").BeginArray();
+  for (const SceneResult& result : certificate.measured) WriteMeasured(json, certificate, result);
+  json.EndArray();
+  json.Key("oracle_tiers").BeginObject();
+  for (const auto& [tier, count] : certificate.oracle_tiers) json.Key(tier).Integer(count);
+  json.EndObject();
+  WriteEvidence(json, "not_applicable", NotApplicable(certificate));
+  json.EndObject();
+  return json.Finish();
+}
+
+}  // namespace rasterproof::report

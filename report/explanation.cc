@@ -1,0 +1,298 @@
+// The failing place as a drawing: three panels with the exact triangles over the pixel grid.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fmt/format.h"
+#include "report/drawing.h"
+#include "report/picture.h"
+#include "report/pixel_state.h"
+#include "report/text.h"
+#include "report/view_geometry.h"
+
+namespace rasterproof::report {
+namespace {
+
+constexpr int kMostPixels = 48;
+constexpr std::size_t kMostLines = 24;  // of edge values
+constexpr double kMargin = 24;
+constexpr double kGap = 28;     // between panels
+constexpr double kGutter = 30;  // for row numbers
+constexpr double kText = 15;    // sizes whose dots are whole pixels at kImageScale
+constexpr double kLabel = 10;
+constexpr double kTitle = 20;
+constexpr double kLeading = 1.5;  // line height over text size
+constexpr double kImageScale = 2;
+constexpr std::array<std::string_view, 3> kPanels{"expected", "actual", "difference"};
+
+// Breaks at blanks, and inside words that are longer than a line.
+std::vector<std::string> Wrapped(std::string_view text, std::size_t columns) {
+  std::vector<std::string> lines;
+  while (text.size() > columns) {
+    std::size_t cut = text.rfind(' ', columns);
+    if (cut == std::string_view::npos || cut == 0) cut = columns;
+    lines.emplace_back(text.substr(0, cut));
+    text.remove_prefix(cut);
+    while (text.starts_with(' ')) text.remove_prefix(1);
+  }
+  lines.emplace_back(text);
+  return lines;
+}
+
+// The corners of a triangle as they lie in the window; nothing if one of them does not.
+std::optional<std::array<Point2, 3>> WindowCorners(const Scene& scene, int triangle) {
+  std::array<Point2, 3> window;
+  const auto v = Corners(scene, scene.triangles[static_cast<std::size_t>(triangle)]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(v[k].w > 0)) return std::nullopt;
+    window[k] = scene.clip_space ? Point2{v[k].x / v[k].w, v[k].y / v[k].w} : WindowPoint(v[k]);
+    if (!std::isfinite(window[k].x) || !std::isfinite(window[k].y)) return std::nullopt;
+  }
+  return window;
+}
+
+class Layout {
+ public:
+  explicit Layout(const Explanation& explanation)
+      : explanation_(explanation), view_(ReadableView(explanation, kMostPixels)) {
+    const int wide = view_.x1 - view_.x0;
+    const int high = view_.y1 - view_.y0;
+    cell_ = std::clamp(std::floor(352.0 / std::max({wide, high, 1})), 8.0, 56.0);
+    panel_width_ = std::max(cell_ * wide, kAdvance * kText * 10);
+    drawing_.width = std::max(2 * kMargin + kGutter + 3 * panel_width_ + 2 * kGap, 640.0);
+    columns_ = static_cast<std::size_t>((drawing_.width - 2 * kMargin) / (kAdvance * kText));
+  }
+
+  Drawing Take() {
+    y_ = kMargin;
+    Paragraph(explanation_.headline, kInk, kTitle);
+    if (!explanation_.headline.empty()) y_ += kText / 2;
+    const double top = y_ + kLeading * kText + kLabel * kLeading;
+    for (std::size_t panel = 0; panel < kPanels.size(); ++panel) DrawPanel(panel, top);
+    y_ = top + cell_ * (view_.y1 - view_.y0) + kText;
+    DrawLegend();
+    for (std::size_t k = 0; k < std::min(kMostLines, explanation_.edge_values.size()); ++k) {
+      Paragraph(explanation_.edge_values[k], kInk, kText);
+    }
+    if (explanation_.edge_values.size() > kMostLines) {
+      Paragraph(fmt::format("and {} more", explanation_.edge_values.size() - kMostLines), kFaintInk,
+                kText);
+    }
+    if (!explanation_.replay.empty()) {
+      y_ += kText / 2;
+      Paragraph(explanation_.replay, kFaintInk, kText);
+    }
+    drawing_.height = y_ + kMargin / 2;
+    return std::move(drawing_);
+  }
+
+ private:
+  double PanelLeft(std::size_t panel) const {
+    return kMargin + kGutter + static_cast<double>(panel) * (panel_width_ + kGap);
+  }
+
+  void Paragraph(const std::string& text, Colour colour, double size) {
+    if (text.empty()) return;
+    const auto columns = static_cast<std::size_t>(static_cast<double>(columns_) * kText / size);
+    for (const std::string& line : Wrapped(CleanText(text), columns)) {
+      drawing_.Text({kMargin, y_ + size}, line, colour, size);
+      y_ += kLeading * size;
+    }
+  }
+
+  void DrawPanel(std::size_t panel, double top) {
+    const double left = PanelLeft(panel);
+    drawing_.Text({left, top - kLeading * kLabel - kText / 2}, kPanels[panel], kInk, kText);
+    DrawLabels(panel, left, top);
+    for (int y = view_.y0; y < view_.y1; ++y) {
+      for (int x = view_.x0; x < view_.x1; ++x) {
+        DrawPixel(panel, x, y, left + cell_ * (x - view_.x0), top + cell_ * (y - view_.y0));
+      }
+    }
+    DrawGrid(left, top);
+    for (const int triangle : explanation_.triangles) DrawTriangle(triangle, left, top);
+    DrawSamples(panel, left, top);
+    DrawFocus(left, top);
+  }
+
+  // Numbers of every column and row, or of as many as have room.
+  void DrawLabels(std::size_t panel, double left, double top) {
+    const double digits = static_cast<double>(fmt::formatted_size("{}", view_.x1));
+    const int every_x = static_cast<int>(std::ceil((digits + 1) * kAdvance * kLabel / cell_));
+    for (int x = view_.x0; x < view_.x1; x += every_x) {
+      drawing_.CentredText({left + cell_ * (x - view_.x0 + 0.5), top - kLabel * 0.8},
+                           std::to_string(x), kFaintInk, kLabel);
+    }
+    if (panel != 0) return;
+    const int every_y = static_cast<int>(std::ceil(1.2 * kLabel / cell_));
+    for (int y = view_.y0; y < view_.y1; y += every_y) {
+      const std::string label = std::to_string(y);
+      const double wide = kAdvance * kLabel * static_cast<double>(label.size());
+      drawing_.Text({left - wide - 6, top + cell_ * (y - view_.y0 + 0.5) + 0.35 * kLabel}, label,
+                    kFaintInk, kLabel);
+    }
+  }
+
+  void DrawPixel(std::size_t panel, int x, int y, double left, double top) {
+    const Pixel pixel = PixelAt(explanation_.observed, explanation_.expected, x, y);
+    const std::uint64_t count = panel == 0 ? pixel.expected : pixel.observed;
+    Colour colour = kUncovered;
+    if (panel == 2) {
+      colour = StateColour(pixel.state, pixel.expected);
+    } else {
+      colour = CountColour(count);
+    }
+    drawing_.Rectangle(left, top, left + cell_, top + cell_, colour);
+    if (cell_ < 16) return;
+    // The samples' dots keep the middle; what the pixel says stands in its corner.
+    const double size = std::min(kText, cell_ / 2.2);
+    const Point2 corner{left + 0.26 * cell_, top + 0.28 * cell_};
+    if (panel == 2 && pixel.state != SampleState::kRight) {
+      const char* mark = pixel.state == SampleState::kGap       ? "-"
+                         : pixel.state == SampleState::kOverlap ? "+"
+                                                                : "!";
+      drawing_.CentredText(corner, mark, kPaper, size);
+    } else if (panel != 2 && count > 1) {
+      drawing_.CentredText(corner, count <= 9 ? std::to_string(count) : "#",
+                           count > 2 ? kPaper : kInk, size);
+    }
+  }
+
+  void DrawGrid(double left, double top) {
+    const double right = left + cell_ * (view_.x1 - view_.x0);
+    const double bottom = top + cell_ * (view_.y1 - view_.y0);
+    for (int x = view_.x0; x <= view_.x1; ++x) {
+      const double at = left + cell_ * (x - view_.x0);
+      drawing_.Line({at, top}, {at, bottom}, kGrid, 1);
+    }
+    for (int y = view_.y0; y <= view_.y1; ++y) {
+      const double at = top + cell_ * (y - view_.y0);
+      drawing_.Line({left, at}, {right, at}, kGrid, 1);
+    }
+  }
+
+  bool IsUp() const { return explanation_.y_axis == YAxis::kUp; }
+
+  // The view in the axes of the window; rows are counted from the top.
+  ViewBox WindowView() const {
+    const int height = explanation_.expected.height;
+    ViewBox box{static_cast<double>(view_.x0), static_cast<double>(view_.y0),
+                static_cast<double>(view_.x1), static_cast<double>(view_.y1)};
+    if (IsUp()) {
+      box.y0 = height - view_.y1;
+      box.y1 = height - view_.y0;
+    }
+    return box;
+  }
+
+  Point2 OnPaper(Point2 p, double left, double top) const {
+    const double row = IsUp() ? explanation_.expected.height - p.y : p.y;
+    return {left + cell_ * (p.x - view_.x0), top + cell_ * (row - view_.y0)};
+  }
+
+  void DrawTriangle(int triangle, double left, double top) {
+    const std::size_t known = explanation_.scene.triangles.size();
+    if (triangle < 0 || static_cast<std::size_t>(triangle) >= known) return;
+    const auto corners = WindowCorners(explanation_.scene, triangle);
+    if (!corners) return;
+    const ViewBox box = WindowView();
+    std::vector<Point2> outline = ClipTriangle(*corners, box);
+    for (Point2& p : outline) p = OnPaper(p, left, top);
+    drawing_.Polygon(std::move(outline), kYellow, 0.14);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto edge = ClipSegment((*corners)[k], (*corners)[(k + 1) % 3], box);
+      if (!edge) continue;
+      drawing_.Line(OnPaper((*edge)[0], left, top), OnPaper((*edge)[1], left, top), kInk, 1.5, 0.9);
+    }
+    for (const Point2& p : *corners) {
+      if (p.x < box.x0 || p.x > box.x1 || p.y < box.y0 || p.y > box.y1) continue;
+      drawing_.Dot(OnPaper(p, left, top), 3, kInk);
+    }
+  }
+
+  // A dot on each sample: dark where the panel's counts cover it, loud where it is wrong.
+  void DrawSamples(std::size_t panel, double left, double top) {
+    const SampleLattice& lattice = explanation_.lattice;
+    if (lattice.samples() != explanation_.expected.samples || cell_ < 8) return;
+    const double radius =
+        std::min(2.6, 0.12 * cell_) / std::sqrt(std::sqrt(static_cast<double>(lattice.samples())));
+    for (int y = view_.y0; y < view_.y1; ++y) {
+      for (int x = view_.x0; x < view_.x1; ++x) {
+        for (int s = 0; s < lattice.samples(); ++s) {
+          const int row = IsUp() ? explanation_.expected.height - 1 - y : y;
+          const Point2 at = OnPaper(lattice.At(x, row, s), left, top);
+          DrawSample(panel, explanation_.expected.Index(x, y, s), at, radius);
+        }
+      }
+    }
+  }
+
+  void DrawSample(std::size_t panel, std::size_t index, Point2 at, double radius) {
+    const CoverageCounts& expected = explanation_.expected;
+    const CoverageCounts& observed = explanation_.observed;
+    const SampleState state = StateOf(observed, expected, index);
+    const bool covered = (panel == 0 ? expected : observed).Count(index) != 0;
+    if (state != SampleState::kRight && panel != 0) {
+      drawing_.Dot(at, radius + 1.2, kPaper);
+      drawing_.Dot(at, radius, StateColour(state, 0));
+    } else {
+      drawing_.Dot(at, covered ? radius : 0.7 * radius, covered ? kInk : Mix(kGrid, kInk, 0.2));
+    }
+  }
+
+  void DrawFocus(double left, double top) {
+    const int x = explanation_.focus_x;
+    const int y = explanation_.focus_y;
+    if (x < view_.x0 || x >= view_.x1 || y < view_.y0 || y >= view_.y1) return;
+    const double x0 = left + cell_ * (x - view_.x0);
+    const double y0 = top + cell_ * (y - view_.y0);
+    drawing_.Frame(x0, y0, x0 + cell_, y0 + cell_, kInk, 4);
+    drawing_.Frame(x0, y0, x0 + cell_, y0 + cell_, kYellow, 2);
+  }
+
+  void DrawLegend() {
+    struct Entry {
+      Colour colour;
+      std::string_view text;
+    };
+    constexpr std::array<Entry, 6> kEntries{{{kCovered, "covered once"},
+                                             {kCoveredTwice, "twice"},
+                                             {kCoveredMore, "more often"},
+                                             {kVermilion, "gap"},
+                                             {kBlue, "overlap"},
+                                             {kPurple, "facing"}}};
+    double x = kMargin;
+    for (const Entry& entry : kEntries) {
+      drawing_.Rectangle(x, y_ + 1, x + 0.9 * kText, y_ + 1 + 0.9 * kText, entry.colour);
+      x += 1.4 * kText;
+      drawing_.Text({x, y_ + 0.85 * kText}, entry.text, kFaintInk, kText);
+      x += kAdvance * kText * static_cast<double>(entry.text.size()) + 1.6 * kText;
+    }
+    y_ += 2.2 * kText;
+  }
+
+  const Explanation& explanation_;
+  PixelRect view_;
+  Drawing drawing_;
+  double cell_ = 8;
+  double panel_width_ = 0;
+  std::size_t columns_ = 0;
+  double y_ = 0;
+};
+
+}  // namespace
+
+std::string ExplanationToSvg(const Explanation& explanation) {
+  return DrawingToSvg(Layout(explanation).Take());
+}
+
+io::Image ExplanationToImage(const Explanation& explanation) {
+  return DrawingToImage(Layout(explanation).Take(), kImageScale);
+}
+
+}  // namespace rasterproof::report

@@ -1,0 +1,131 @@
+// The failing place in characters, for a terminal.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "fmt/format.h"
+#include "report/picture.h"
+#include "report/pixel_state.h"
+#include "report/text.h"
+
+namespace rasterproof::report {
+namespace {
+
+// Three panels of 40 pixels, two characters each, fill a wide terminal.
+constexpr int kMostPixels = 40;
+constexpr std::array<std::string_view, 3> kPanels{"expected", "actual", "difference"};
+
+// Select-graphic-rendition codes of the 256-colour palette, nearest to the pictures' colours.
+constexpr std::string_view kPlain = "\x1b[0m";
+constexpr std::string_view kDim = "\x1b[2m";
+constexpr std::string_view kGapColour = "\x1b[1;38;5;202m";
+constexpr std::string_view kOverlapColour = "\x1b[1;38;5;33m";
+constexpr std::string_view kFacingColour = "\x1b[1;38;5;176m";
+
+char CountCharacter(std::uint64_t count) {
+  if (count == 0) return '.';
+  return count <= 9 ? static_cast<char>('0' + count) : '#';
+}
+
+char StateCharacter(SampleState state) {
+  switch (state) {
+    case SampleState::kRight:
+      return '.';
+    case SampleState::kGap:
+      return '-';
+    case SampleState::kOverlap:
+      return '+';
+    case SampleState::kFacing:
+      return '!';
+  }
+  return '?';
+}
+
+std::string_view StateCode(SampleState state) {
+  switch (state) {
+    case SampleState::kRight:
+      return kDim;
+    case SampleState::kGap:
+      return kGapColour;
+    case SampleState::kOverlap:
+      return kOverlapColour;
+    case SampleState::kFacing:
+      return kFacingColour;
+  }
+  return kPlain;
+}
+
+std::string Coloured(char c, std::string_view code) {
+  return fmt::format("{}{}{}", code, c, kPlain);
+}
+
+// One pixel in one of the panels.
+std::string Cell(const Pixel& pixel, std::size_t panel, bool colour) {
+  if (panel == 2) {
+    const char c = StateCharacter(pixel.state);
+    return colour ? Coloured(c, StateCode(pixel.state)) : std::string(1, c);
+  }
+  const char c = CountCharacter(panel == 0 ? pixel.expected : pixel.observed);
+  const bool loud = panel == 1 && pixel.state != SampleState::kRight;
+  if (!colour || (c != '.' && !loud)) return std::string(1, c);
+  return Coloured(c, loud ? StateCode(pixel.state) : kDim);
+}
+
+// One row of one panel: a cell and what stands before it for each pixel, and one character more.
+std::string Row(const Explanation& explanation, const PixelRect& view, int y, std::size_t panel,
+                bool colour) {
+  std::string row;
+  for (int x = view.x0; x <= view.x1; ++x) {
+    const bool here = y == explanation.focus_y;
+    const bool opens = here && x == explanation.focus_x && x < view.x1;
+    const bool closes = here && x == explanation.focus_x + 1 && x > view.x0;
+    row += opens ? '[' : closes ? ']' : ' ';
+    if (x == view.x1) break;
+    row += Cell(PixelAt(explanation.observed, explanation.expected, x, y), panel, colour);
+  }
+  return row;
+}
+
+std::string Legend(const Explanation& explanation) {
+  std::string legend = "counts: . none, 1 to 9, # more";
+  if (explanation.expected.samples > 1) {
+    legend += fmt::format(" (over {} samples)", explanation.expected.samples);
+  }
+  legend += "   difference: . right  - gap  + overlap  ! facing";
+  if (explanation.focus_x >= 0) legend += "   [ ] the failing pixel";
+  return legend;
+}
+
+}  // namespace
+
+std::string ExplanationToText(const Explanation& explanation, bool colour) {
+  const PixelRect view = ReadableView(explanation, kMostPixels);
+  const std::size_t gutter = fmt::formatted_size("{}", std::max(view.y1 - 1, 0)) + 1;
+  const auto panel_width = static_cast<std::size_t>(2 * (view.x1 - view.x0) + 1);
+  const std::size_t column = std::max(panel_width, kPanels[2].size() + 2) + 3;
+  std::string text;
+  if (!explanation.headline.empty()) text += CleanText(explanation.headline) + "\n";
+  text += fmt::format("{:>{}} columns {} to {}, rows {} to {}\n", "", gutter, view.x0, view.x1 - 1,
+                      view.y0, view.y1 - 1);
+  std::string titles = std::string(gutter, ' ');
+  for (const std::string_view panel : kPanels) titles += fmt::format(" {:<{}}", panel, column - 1);
+  titles.erase(titles.find_last_not_of(' ') + 1);
+  text += titles + "\n";
+  for (int y = view.y0; y < view.y1; ++y) {
+    text += fmt::format("{:>{}}", y, gutter);
+    for (std::size_t panel = 0; panel < kPanels.size(); ++panel) {
+      text += Row(explanation, view, y, panel, colour);
+      if (panel + 1 < kPanels.size()) text += std::string(column - panel_width, ' ');
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += "\n";
+  }
+  text += Legend(explanation) + "\n";
+  for (const std::string& line : explanation.edge_values) text += CleanText(line) + "\n";
+  if (!explanation.replay.empty()) text += "replay: " + CleanText(explanation.replay) + "\n";
+  return text;
+}
+
+}  // namespace rasterproof::report

@@ -1,0 +1,119 @@
+// The certificate for programs that read JUnit XML, as most build servers do.
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "fmt/format.h"
+#include "pugixml.hpp"
+#include "report/certificate.h"
+#include "report/text.h"
+
+namespace rasterproof::report {
+namespace {
+
+/// Totals that the format wants on the suite itself.
+struct Totals {
+  std::uint64_t tests = 0;
+  std::uint64_t failures = 0;
+  std::uint64_t skipped = 0;
+  double seconds = 0;
+};
+
+void Set(pugi::xml_node node, const char* attribute, std::string_view value) {
+  node.append_attribute(attribute).set_value(CleanText(value).c_str());
+}
+
+pugi::xml_node AppendCase(pugi::xml_node suite, const Certificate& certificate,
+                          const std::string& name, double seconds, Totals& totals) {
+  pugi::xml_node test = suite.append_child("testcase");
+  Set(test, "classname", certificate.subject.name);
+  Set(test, "name", name);
+  Set(test, "time", fmt::format("{:.3f}", seconds));
+  ++totals.tests;
+  totals.seconds += seconds;
+  return test;
+}
+
+void Fail(pugi::xml_node test, const std::string& message, const std::string& text,
+          Totals& totals) {
+  pugi::xml_node failure = test.append_child("failure");
+  Set(failure, "message", message);
+  failure.append_child(pugi::node_pcdata).set_value(CleanText(text).c_str());
+  ++totals.failures;
+}
+
+void Skip(pugi::xml_node test, const std::string& reason, Totals& totals) {
+  Set(test.append_child("skipped"), "message", reason);
+  ++totals.skipped;
+}
+
+void AppendProperty(pugi::xml_node suite, const Certificate& certificate,
+                    const PropertyResult& result, Totals& totals) {
+  pugi::xml_node test = AppendCase(suite, certificate, result.property, result.seconds, totals);
+  switch (result.outcome) {
+    case Outcome::kHolds:
+      break;
+    case Outcome::kViolated: {
+      std::string text = result.clause + "\n" + result.message + "\n";
+      if (result.verdict && result.verdict->witness) {
+        const Witness& w = *result.verdict->witness;
+        text += fmt::format(
+            "triangle {}, edge {}, pixel ({}, {}), sample {}: observed {}, "
+            "expected {}\n",
+            w.triangle, w.edge, w.x, w.y, w.sample, w.observed, w.expected);
+      }
+      text += "replay: " + ReplayCommand(certificate, result) + "\n";
+      Fail(test, result.message.empty() ? "violated" : result.message, text, totals);
+      break;
+    }
+    case Outcome::kNotExercised:
+    case Outcome::kNotApplicable: {
+      std::string reason(OutcomeName(result.outcome));
+      if (!result.message.empty()) reason += ": " + result.message;
+      Skip(test, reason, totals);
+      break;
+    }
+  }
+}
+
+// A judged scene is a test of its own: else the file could be green and the verdict not.
+void AppendScene(pugi::xml_node suite, const Certificate& certificate, const SceneResult& result,
+                 Totals& totals) {
+  if (!IsJudged(certificate, result)) return;
+  const std::string name = fmt::format("SceneMatchesModel: {}", result.scene);
+  pugi::xml_node test = AppendCase(suite, certificate, name, result.seconds, totals);
+  const CoverageDifference& difference = result.difference;
+  if (difference.wrong == 0) return;
+  const std::string message = fmt::format(
+      "{} of {} samples wrong, {} gaps, {} overlaps, against profile {}", difference.wrong,
+      difference.samples, difference.gaps, difference.overlaps, result.profile);
+  Fail(test, message, message + "\n", totals);
+}
+
+}  // namespace
+
+std::string JUnitXml(const Certificate& certificate) {
+  pugi::xml_document document;
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  Set(declaration, "version", "1.0");
+  Set(declaration, "encoding", "UTF-8");
+  pugi::xml_node suite = document.append_child("testsuites").append_child("testsuite");
+  Set(suite, "name", certificate.subject.name);
+  Totals totals;
+  for (const PropertyResult& result : certificate.tested) {
+    AppendProperty(suite, certificate, result, totals);
+  }
+  for (const SceneResult& result : certificate.measured) {
+    AppendScene(suite, certificate, result, totals);
+  }
+  Set(suite, "tests", std::to_string(totals.tests));
+  Set(suite, "failures", std::to_string(totals.failures));
+  Set(suite, "errors", "0");
+  Set(suite, "skipped", std::to_string(totals.skipped));
+  Set(suite, "time", fmt::format("{:.3f}", totals.seconds));
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
+}
+
+}  // namespace rasterproof::report

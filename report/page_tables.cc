@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fmt/format.h"
+#include "report/page_parts.h"
+#include "report/text.h"
+
+namespace rasterproof::report {
+namespace {
+
+constexpr std::string_view kRealProfile = "real";
+
+std::string Link(const Certificate& certificate) {
+  return fmt::format("<a class=\"name\" href=\"#{}\">{}</a>", AnchorOf(certificate),
+                     Escaped(certificate.subject.name));
+}
+
+// A right-aligned cell; `loud` is the class of a number that is not 0.
+std::string Number(std::uint64_t number, std::string_view loud = "") {
+  return fmt::format("<td class=\"number {}\">{}</td>", number == 0 ? "zero" : loud,
+                     Grouped(number));
+}
+
+std::string_view Mark(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kHolds:
+      return "<span class=\"mark holds\">✓</span>";
+    case Outcome::kViolated:
+      return "<span class=\"mark violated\">✗</span>";
+    case Outcome::kNotExercised:
+      return "<span class=\"mark idle\">○</span>";
+    case Outcome::kNotApplicable:
+      return "<span class=\"mark none\">–</span>";
+  }
+  return "";
+}
+
+// Wrong samples over all scenes that were measured against one profile.
+struct Total {
+  std::uint64_t wrong = 0;
+  std::uint64_t samples = 0;
+};
+
+Total TotalOf(const Certificate& certificate, std::string_view profile) {
+  Total total;
+  for (const SceneResult& result : certificate.measured) {
+    if (!result.applicable || result.profile != profile) continue;
+    total.wrong += result.difference.wrong;
+    total.samples += result.difference.samples;
+  }
+  return total;
+}
+
+std::string TotalCell(const Total& total) {
+  if (total.samples == 0) return "<td class=\"number none\">–</td>";
+  return fmt::format("<td class=\"number {}\">{} of {}</td>", total.wrong == 0 ? "zero" : "gap",
+                     Grouped(total.wrong), Grouped(total.samples));
+}
+
+std::string VerdictRow(const Certificate& certificate) {
+  std::array<std::uint64_t, 4> outcomes{};
+  for (const PropertyResult& result : certificate.tested) {
+    ++outcomes[static_cast<std::size_t>(result.outcome)];
+  }
+  const std::string verdict = OverallVerdict(certificate);
+  const std::string_view look = verdict == "inconclusive" ? "idle" : std::string_view(verdict);
+  std::string row = fmt::format(
+      "<tr><th scope=\"row\">{}</th><td><span class=\"chip {}\">{}</span></td><td>{}</td>",
+      Link(certificate), look, verdict, certificate.claims_exact ? "exact" : "");
+  row +=
+      Number(outcomes[0]) + Number(outcomes[1], "gap") + Number(outcomes[2]) + Number(outcomes[3]);
+  row += TotalCell(TotalOf(certificate, certificate.subject.profile.name));
+  return row + TotalCell(TotalOf(certificate, kRealProfile)) + "</tr>\n";
+}
+
+// What a subject did on a scene, if it was measured there against the profile.
+const SceneResult* Find(const Certificate& certificate, std::string_view scene,
+                        std::string_view profile) {
+  for (const SceneResult& result : certificate.measured) {
+    if (result.scene == scene && result.profile == profile) return &result;
+  }
+  return nullptr;
+}
+
+std::string DifferenceCells(const SceneResult* result) {
+  if (result == nullptr || !result->applicable) {
+    const std::string why = result == nullptr ? "not measured" : Escaped(result->message);
+    return fmt::format("<td class=\"split why\" colspan=\"4\">{}</td>", why);
+  }
+  const CoverageDifference& d = result->difference;
+  const double share =
+      d.covered == 0 ? 0 : 1e6 * static_cast<double>(d.wrong) / static_cast<double>(d.covered);
+  std::string wrong = fmt::format("<td class=\"number split {}\">{}</td>",
+                                  d.wrong == 0 ? "zero" : "gap", Grouped(d.wrong));
+  return wrong + Number(d.gaps, "gap") + Number(d.overlaps, "over") +
+         fmt::format("<td class=\"number {}\">{:.4g}</td>", d.wrong == 0 ? "zero" : "", share);
+}
+
+std::string SceneRow(const Certificate& certificate, std::string_view scene) {
+  const std::string& own = certificate.subject.profile.name;
+  const SceneResult* of_own = Find(certificate, scene, own);
+  const SceneResult* of_real = Find(certificate, scene, kRealProfile);
+  // A subject that does not take the scene at all is measured against neither.
+  if (of_real == nullptr && of_own != nullptr && !of_own->applicable) of_real = of_own;
+  std::string note;
+  if (of_own != nullptr && of_own->applicable) note = of_own->message;
+  return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why\">{}{}</td>{}{}</tr>\n",
+                     Link(certificate), Escaped(own), note.empty() ? "" : ": " + Escaped(note),
+                     DifferenceCells(of_own), DifferenceCells(of_real));
+}
+
+std::string SceneTable(const std::vector<Certificate>& certificates, const SceneResult& any) {
+  std::string html = fmt::format(
+      "<h3>{}</h3>\n<p class=\"aside\">{} triangles, {} samples, {} of them covered</p>\n",
+      Escaped(any.scene), Grouped(any.triangles), Grouped(any.difference.samples),
+      Grouped(any.difference.covered));
+  html +=
+      "<div class=\"scroll\"><table><thead>"
+      "<tr><th rowspan=\"2\">subject</th><th rowspan=\"2\">its profile</th>"
+      "<th class=\"split\" colspan=\"4\">against its own profile</th>"
+      "<th class=\"split\" colspan=\"4\">against real geometry</th></tr><tr>";
+  for (int side = 0; side < 2; ++side) {
+    html +=
+        "<th class=\"number split\">wrong</th><th class=\"number\">gaps</th>"
+        "<th class=\"number\">overlaps</th><th class=\"number\">per million covered</th>";
+  }
+  html += "</tr></thead><tbody>\n";
+  for (const Certificate& certificate : certificates) html += SceneRow(certificate, any.scene);
+  return html + "</tbody></table></div>\n";
+}
+
+NearEdgeCounts Sum(const Certificate& certificate) {
+  NearEdgeCounts sum;
+  for (const PropertyResult& result : certificate.tested) {
+    sum.samples += result.near_edge.samples;
+    sum.on_edge += result.near_edge.on_edge;
+    sum.within_1 += result.near_edge.within_1;
+    sum.within_16 += result.near_edge.within_16;
+    sum.within_256 += result.near_edge.within_256;
+  }
+  return sum;
+}
+
+// A count over a bar as long as its logarithm, beside that of the largest.
+std::string BarCell(std::uint64_t count, std::uint64_t largest) {
+  const auto log = [](std::uint64_t n) { return std::log2(static_cast<double>(n) + 1); };
+  const double share = largest == 0 ? 0 : 100 * log(count) / log(largest);
+  return fmt::format(
+      "<td class=\"number {}\">{}<svg class=\"bar\" viewBox=\"0 0 100 4\" "
+      "preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect width=\"{:.1f}\" height=\"4\"/>"
+      "</svg></td>",
+      count == 0 ? "zero" : "", Grouped(count), share);
+}
+
+std::uint64_t Less(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : 0; }
+
+}  // namespace
+
+std::string AnchorOf(const Certificate& certificate) {
+  std::string anchor = "subject-";
+  for (const char c : certificate.subject.name) {
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    // Other characters by their code: names that differ keep anchors that differ.
+    anchor += plain ? std::string(1, c)
+                    : fmt::format("_{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  }
+  return anchor;
+}
+
+std::string VerdictTable(const std::vector<Certificate>& certificates) {
+  if (certificates.empty()) return {};
+  std::string html =
+      "<div class=\"scroll\"><table><thead><tr><th>subject</th><th>verdict</th><th>claims</th>"
+      "<th class=\"number\">hold</th><th class=\"number\">violated</th>"
+      "<th class=\"number\">not exercised</th><th class=\"number\">not applicable</th>"
+      "<th class=\"number\">wrong, own profile</th><th class=\"number\">wrong, real geometry</th>"
+      "</tr></thead><tbody>\n";
+  for (const Certificate& certificate : certificates) html += VerdictRow(certificate);
+  return html + "</tbody></table></div>\n";
+}
+
+std::string SceneTables(const std::vector<Certificate>& certificates) {
+  // Scenes in the order of their first mention, each with a result that shows its extent.
+  std::vector<const SceneResult*> scenes;
+  for (const Certificate& certificate : certificates) {
+    for (const SceneResult& result : certificate.measured) {
+      auto found = std::ranges::find(scenes, result.scene, &SceneResult::scene);
+      if (found == scenes.end()) {
+        scenes.push_back(&result);
+      } else if (!(*found)->applicable) {
+        *found = &result;
+      }
+    }
+  }
+  std::string html;
+  for (const SceneResult* scene : scenes) html += SceneTable(certificates, *scene);
+  return html;
+}
+
+std::string PropertyMatrix(const std::vector<Certificate>& certificates) {
+  std::vector<std::string> properties;
+  std::map<std::string, std::vector<const PropertyResult*>> rows;
+  for (std::size_t k = 0; k < certificates.size(); ++k) {
+    for (const PropertyResult& result : certificates[k].tested) {
+      auto [row, is_new] = rows.try_emplace(result.property, certificates.size());
+      if (is_new) properties.push_back(result.property);
+      row->second[k] = &result;
+    }
+  }
+  if (properties.empty()) return {};
+  std::string html = "<div class=\"scroll\"><table class=\"matrix\"><thead><tr><th></th>";
+  for (const Certificate& certificate : certificates) {
+    html += fmt::format("<th class=\"upright\" scope=\"col\">{}</th>", Link(certificate));
+  }
+  html += "</tr></thead><tbody>\n";
+  for (const std::string& property : properties) {
+    html += fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th>", Escaped(property));
+    for (std::size_t k = 0; k < certificates.size(); ++k) {
+      const PropertyResult* result = rows.at(property)[k];
+      const Outcome outcome = result == nullptr ? Outcome::kNotApplicable : result->outcome;
+      html += fmt::format("<td title=\"{}: {}\">{}</td>", Escaped(certificates[k].subject.name),
+                          OutcomeName(outcome), Mark(outcome));
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string NearEdgeTable(const std::vector<Certificate>& certificates) {
+  std::uint64_t largest = 0;
+  for (const Certificate& certificate : certificates) {
+    largest = std::max(largest, Sum(certificate).samples);
+  }
+  if (largest == 0) return {};
+  std::string html =
+      "<div class=\"scroll\"><table><thead><tr><th>subject</th><th class=\"number\">samples</th>"
+      "<th class=\"number\">on the edge</th><th class=\"number\">within 1</th>"
+      "<th class=\"number\">1 to 16</th><th class=\"number\">16 to 256</th>"
+      "<th class=\"number\">farther</th></tr></thead><tbody>\n";
+  for (const Certificate& certificate : certificates) {
+    const NearEdgeCounts sum = Sum(certificate);
+    html += fmt::format("<tr><th scope=\"row\">{}</th>{}", Link(certificate), Number(sum.samples));
+    for (const std::uint64_t count : {sum.on_edge, sum.within_1, Less(sum.within_16, sum.within_1),
+                                      Less(sum.within_256, sum.within_16),
+                                      Less(Less(sum.samples, sum.on_edge), sum.within_256)}) {
+      html += BarCell(count, largest);
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+}  // namespace rasterproof::report

@@ -94,12 +94,14 @@ class Canvas {
     const Point2 a = Scaled(shape.points[0]);
     const Point2 b = Scaled(shape.points[1]);
     const Point2 d{b.x - a.x, b.y - a.y};
-    const double square = d.x * d.x + d.y * d.y;
+    const double length = std::hypot(d.x, d.y);
+    if (length == 0) return;
     const double half = shape.size * scale_ / 2;
     Blend({a, b}, half + 1, shape.colour, shape.opacity, [&](Point2 p) {
-      const double along = square == 0 ? 0 : ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / square;
-      const double t = std::clamp(along, 0.0, 1.0);
-      return half + 0.5 - std::hypot(p.x - a.x - t * d.x, p.y - a.y - t * d.y);
+      // Square ends, as SVG draws them.
+      const double along = ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / length;
+      const double across = ((p.x - a.x) * d.y - (p.y - a.y) * d.x) / length;
+      return std::min({half - std::fabs(across), along, length - along}) + 0.5;
     });
   }
 
@@ -110,7 +112,7 @@ class Canvas {
           [&](Point2 p) { return radius + 0.5 - std::hypot(p.x - centre.x, p.y - centre.y); });
   }
 
-  // A letter is 7 dots high and advances by 6 of them: a dot is a tenth of the text's size.
+  // A letter advances by 6 of its dots: a dot is a tenth of the text's size.
   void DrawText(const Shape& shape) {
     const Point2 baseline = Scaled(shape.points[0]);
     const double dot = shape.size * scale_ * kAdvance / (kLetterWidth + 1);
@@ -121,7 +123,7 @@ class Canvas {
       for (int row = 0; row < kLetterHeight; ++row) {
         for (int column = 0; column < kLetterWidth; ++column) {
           if (!IsInk(c, column, row)) continue;
-          const Point2 at{left + column * dot, baseline.y + (row - kLetterHeight) * dot};
+          const Point2 at{left + column * dot, baseline.y + (row - kLetterAscent) * dot};
           const std::vector<Point2> square{at, {at.x + dot, at.y + dot}};
           // The share of the pixel that the square covers, so that dots side by side join.
           Blend(square, 0, shape.colour, shape.opacity, [&](Point2 p) {

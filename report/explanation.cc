@@ -141,25 +141,24 @@ class Layout {
   void DrawPixel(std::size_t panel, int x, int y, double left, double top) {
     const Pixel pixel = PixelAt(explanation_.observed, explanation_.expected, x, y);
     const std::uint64_t count = panel == 0 ? pixel.expected : pixel.observed;
-    Colour colour = kUncovered;
-    if (panel == 2) {
-      colour = StateColour(pixel.state, pixel.expected);
-    } else {
-      colour = CountColour(count);
-    }
+    // Several samples covered once each make a pixel that is covered once.
+    const auto samples = static_cast<std::uint64_t>(explanation_.expected.samples);
+    const std::uint64_t level = (count + samples - 1) / samples;
+    const Colour colour =
+        panel == 2 ? StateColour(pixel.state, pixel.expected) : CountColour(level);
     drawing_.Rectangle(left, top, left + cell_, top + cell_, colour);
     if (cell_ < 16) return;
     // The samples' dots keep the middle; what the pixel says stands in its corner.
-    const double size = std::min(kText, cell_ / 2.2);
+    const double size = std::min(kText, cell_ / 1.8);
     const Point2 corner{left + 0.26 * cell_, top + 0.28 * cell_};
     if (panel == 2 && pixel.state != SampleState::kRight) {
       const char* mark = pixel.state == SampleState::kGap       ? "-"
                          : pixel.state == SampleState::kOverlap ? "+"
                                                                 : "!";
       drawing_.CentredText(corner, mark, kPaper, size);
-    } else if (panel != 2 && count > 1) {
+    } else if (panel != 2 && level > 1) {
       drawing_.CentredText(corner, count <= 9 ? std::to_string(count) : "#",
-                           count > 2 ? kPaper : kInk, size);
+                           level > 2 ? kPaper : kInk, size);
     }
   }
 
@@ -201,9 +200,6 @@ class Layout {
     const auto corners = WindowCorners(explanation_.scene, triangle);
     if (!corners) return;
     const ViewBox box = WindowView();
-    std::vector<Point2> outline = ClipTriangle(*corners, box);
-    for (Point2& p : outline) p = OnPaper(p, left, top);
-    drawing_.Polygon(std::move(outline), kYellow, 0.14);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto edge = ClipSegment((*corners)[k], (*corners)[(k + 1) % 3], box);
       if (!edge) continue;

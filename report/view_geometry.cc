@@ -33,7 +33,6 @@ struct Line {
     const double rest = std::fma(-s.y, t.x, product);
     c = (std::fma(s.x, t.y, -product) + rest) / scale;
   }
-  double At(Point2 p) const { return a * p.x + b * p.y - c; }
 };
 
 bool IsBetween(double x, double end0, double end1) {
@@ -66,17 +65,6 @@ std::vector<Point2> PointsOnBox(Point2 p, Point2 q, const ViewBox& box) {
   return points;
 }
 
-bool IsInside(const std::array<Point2, 3>& v, Point2 p) {
-  int positive = 0;
-  int negative = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double value = Line(v[k], v[(k + 1) % 3]).At(p);
-    if (value > 0) ++positive;
-    if (value < 0) ++negative;
-  }
-  return (positive == 0) != (negative == 0);
-}
-
 }  // namespace
 
 std::optional<std::array<Point2, 2>> ClipSegment(Point2 a, Point2 b, const ViewBox& box) {
@@ -93,27 +81,6 @@ std::optional<std::array<Point2, 2>> ClipSegment(Point2 a, Point2 b, const ViewB
     }
   }
   return longest;
-}
-
-std::vector<Point2> ClipTriangle(const std::array<Point2, 3>& v, const ViewBox& box) {
-  std::vector<Point2> outline;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::vector<Point2> points = PointsOnBox(v[k], v[(k + 1) % 3], box);
-    outline.insert(outline.end(), points.begin(), points.end());
-  }
-  for (const Point2 corner :
-       {Point2{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}) {
-    if (IsInside(v, corner)) outline.push_back(corner);
-  }
-  // All of these lie on the boundary of a convex set: their angle around its middle orders them.
-  Point2 middle;
-  for (const Point2 p : outline) {
-    middle.x += p.x / static_cast<double>(outline.size());
-    middle.y += p.y / static_cast<double>(outline.size());
-  }
-  std::ranges::sort(outline, {},
-                    [&](Point2 p) { return std::atan2(p.y - middle.y, p.x - middle.x); });
-  return outline;
 }
 
 }  // namespace rasterproof::report

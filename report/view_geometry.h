@@ -1,10 +1,9 @@
-// Triangles cut to what a picture shows.
+// Edges cut to what a picture shows.
 #ifndef RASTERPROOF_REPORT_VIEW_GEOMETRY_H_
 #define RASTERPROOF_REPORT_VIEW_GEOMETRY_H_
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "core/vertex.h"
 
@@ -26,9 +25,6 @@ struct ViewBox {
 /// Error:      a few 2^-53 of the box's place and size, however far away the ends are: good for the
 ///             eye, no verdict rests on it.
 std::optional<std::array<Point2, 2>> ClipSegment(Point2 a, Point2 b, const ViewBox& box);
-
-/// The outline of the part of the triangle within the box; empty if there is none.
-std::vector<Point2> ClipTriangle(const std::array<Point2, 3>& v, const ViewBox& box);
 
 }  // namespace rasterproof::report
 

@@ -104,6 +104,9 @@ struct SubjectInfo {
   Precision input = Precision::kFloat32;
   bool takes_window = true;
   bool takes_clip = false;
+  /// True if DrawOptions::threads is more than a wish: then equal coverage from any number is a
+  /// claim.
+  bool takes_threads = false;
 };
 
 /// Anything that draws triangles.

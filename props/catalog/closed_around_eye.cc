@@ -1,0 +1,60 @@
+#include "props/catalog/closed_around_eye.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "exact/homogeneous.h"
+#include "props/catalog/signed_coverage.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict NotExercised(const char* why) { return {Outcome::kNotExercised, 0, 0, why, std::nullopt}; }
+
+// Every directed edge, by position, as often as its reverse.
+bool IsClosed(const Scene& scene) {
+  std::map<std::array<double, 6>, std::int64_t> balance;
+  for (const Triangle& t : scene.triangles) {
+    const std::array<Vertex, 3> v = Corners(scene, t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vertex& a = v[i];
+      const Vertex& b = v[(i + 1) % 3];
+      ++balance[{a.x, a.y, a.w, b.x, b.y, b.w}];
+      --balance[{b.x, b.y, b.w, a.x, a.y, a.w}];
+    }
+  }
+  return std::ranges::all_of(balance, [](const auto& entry) { return entry.second == 0; });
+}
+
+// The eye is the origin. A triangle in a plane through it can hold it only if its vertices are not
+// all on one side of w = 0.
+bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
+  const bool in_front = std::ranges::all_of(v, [](const Vertex& p) { return p.w > 0; });
+  const bool behind = std::ranges::all_of(v, [](const Vertex& p) { return p.w < 0; });
+  return !in_front && !behind && exact::DeterminantSign(v) == 0;
+}
+
+}  // namespace
+
+Verdict ClosedSurfaceAroundTheEyeIsSeenEquallyOften(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, Space::kClip)) return *refusal;
+  if (!c.profile.snap.IsNone()) {
+    return Verdict::NotApplicable("snapping follows the division: a profile without it is needed");
+  }
+  if (c.scene.triangles.empty() || !IsClosed(c.scene)) {
+    return NotExercised("the surface is not closed");
+  }
+  for (const Triangle& t : c.scene.triangles) {
+    if (MayHoldTheEye(Corners(c.scene, t))) return NotExercised("the eye may lie on the surface");
+  }
+  // The surface winds equally often around the eye in every direction: one ray tells it for all.
+  const CoverageCounts one =
+      exact::Coverage(c.scene, c.profile, {.scissor = PixelRect{0, 0, 1, 1}});
+  return SignedCoverageIs(subject, c, std::vector<std::int64_t>(one.size(), one.Signed(0)),
+                          "the winding number around the eye");
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,18 @@
+#include "props/catalog/closed_mesh.h"
+
+#include "exact/winding.h"
+#include "props/catalog/signed_coverage.h"
+
+namespace rasterproof::props {
+
+Verdict ClosedMeshCancels(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, Space::kWindow)) return *refusal;
+  if (!exact::ShapeOf(c.scene, c.profile).closed) {
+    return {Outcome::kNotExercised, 0, 0, "the mesh has a boundary", std::nullopt};
+  }
+  const std::size_t size =
+      CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.lattice.samples());
+  return SignedCoverageIs(subject, c, std::vector<std::int64_t>(size), "zero, the mesh is closed");
+}
+
+}  // namespace rasterproof::props

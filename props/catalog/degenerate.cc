@@ -1,0 +1,45 @@
+#include "props/catalog/degenerate.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "exact/homogeneous.h"
+#include "props/catalog/precondition.h"
+#include "props/catalog/redraw.h"
+#include "props/catalog/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+bool HasNoArea(const Scene& scene, const std::array<Vertex, 3>& v) {
+  if (scene.clip_space) return exact::HomogeneousFacing(v) == 0;
+  return exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}) == 0;
+}
+
+}  // namespace
+
+Verdict DegenerateTrianglesCoverNothing(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  if (c.scene.clip_space && !c.profile.snap.IsNone()) {
+    return {Outcome::kNotExercised, 0, 0, "the area after the division and snapping is not decided",
+            std::nullopt};
+  }
+  std::vector<std::size_t> flat;
+  const Scene snapped = c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile);
+  for (std::size_t t = 0; t < snapped.triangles.size(); ++t) {
+    if (HasNoArea(snapped, Corners(snapped, snapped.triangles[t]))) flat.push_back(t);
+  }
+  if (flat.empty()) return {Outcome::kNotExercised, 0, 0, "every triangle has area", std::nullopt};
+  const Case alone = OnlyTriangles(c, flat);
+  const CoverageCounts observed = Drawn(subject, alone.scene, c.profile, WholeTarget(c));
+  const CoverageCounts nothing(c.scene.width, c.scene.height, c.profile.lattice.samples());
+  Verdict verdict = SameCounts(observed, nothing, flat.size(), "none, the area is zero,");
+  if (verdict.witness) BlameTriangle(subject, c, *verdict.witness);
+  return verdict;
+}
+
+}  // namespace rasterproof::props

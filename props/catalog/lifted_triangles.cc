@@ -1,0 +1,64 @@
+#include "props/catalog/lifted_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "props/catalog/precondition.h"
+#include "props/catalog/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::array<double, 5> kDepths{1, 0.25, 8, 2, 0x1p-4};
+
+double Rounded(double x, Precision precision) {
+  return precision == Precision::kFloat32 ? static_cast<double>(static_cast<float>(x)) : x;
+}
+
+// A window-space scene near the one that the case projects to. Its rounded positions are the exact
+// ones of the claim, so what the division lost does not matter. A vertex at w = 0 becomes infinite
+// or NaN, and the case is then not judged.
+Scene ProjectedScene(const Scene& clip) {
+  Scene window = clip;
+  window.clip_space = false;
+  for (Vertex& v : window.vertices) {
+    v = {Rounded(v.x / v.w, clip.precision), Rounded(v.y / v.w, clip.precision), 0, 1};
+  }
+  return window;
+}
+
+// Nothing if a product is not exact.
+std::optional<Scene> Lifted(const Scene& window) {
+  Scene clip = window;
+  clip.clip_space = true;
+  for (std::size_t i = 0; i < clip.vertices.size(); ++i) {
+    Vertex& v = clip.vertices[i];
+    const double w = kDepths[i % kDepths.size()];
+    const Vertex lifted{Rounded(v.x * w, clip.precision), Rounded(v.y * w, clip.precision), v.z, w};
+    if (lifted.x / w != v.x || lifted.y / w != v.y) return std::nullopt;
+    v = lifted;
+  }
+  return clip;
+}
+
+}  // namespace
+
+Verdict LiftedTrianglesCoverLikeProjectedOnes(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kClip})) return *refusal;
+  const Scene window = ProjectedScene(c.scene);
+  const std::optional<Scene> lifted = Lifted(window);
+  if (!WithinLimits(window, c.profile) || !lifted || !WithinLimits(*lifted, c.profile)) {
+    return {Outcome::kNotExercised, 0, 0, "the projected scene is beyond the limits", std::nullopt};
+  }
+  Case projected = c;
+  projected.scene = window;
+  const CoverageCounts expected = exact::Coverage(window, c.profile, WholeTarget(c));
+  const CoverageCounts observed = Drawn(subject, *lifted, c.profile, WholeTarget(c));
+  return SameCounts(observed, expected, DecisionsOf(projected), "that of the projected triangles");
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,45 @@
+#include "props/catalog/neighbour_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "props/catalog/planar_mesh.h"
+#include "props/catalog/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::size_t kPairs = 6;
+constexpr double kNear = 1;  // pixels
+
+// In double: which samples count as near the edge is a choice, not a verdict.
+bool IsNear(const Neighbours& pair, Point2 p) {
+  const double dx = pair.b.x - pair.a.x;
+  const double dy = pair.b.y - pair.a.y;
+  const double edge = (p.x - pair.a.x) * dy - (p.y - pair.a.y) * dx;
+  return !(std::fabs(edge) > kNear * std::hypot(dx, dy));
+}
+
+}  // namespace
+
+Verdict PairsCoverOnce(Subject& subject, const Case& c,
+                       const std::function<bool(const Neighbours&)>& takes) {
+  std::uint64_t exercised = 0;
+  for (const Neighbours& pair : SharedEdges(c, kPairs)) {
+    if (!takes(pair)) continue;
+    const Case alone = OnlyTriangles(c, {pair.first, pair.second});
+    Verdict verdict = JudgePlanarMesh(
+        subject, alone, [&](const SamplePlace& place) { return IsNear(pair, place.at); });
+    exercised += verdict.exercised;
+    if (verdict.outcome != Outcome::kViolated) continue;
+    verdict.exercised = exercised;
+    verdict.witness->triangle = static_cast<int>(pair.first);
+    verdict.witness->edge = pair.edge;
+    verdict.message += " beside the edge that triangles " + std::to_string(pair.first) + " and " +
+                       std::to_string(pair.second) + " share";
+    return verdict;
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,24 @@
+// Judging two neighbouring triangles at a time.
+#ifndef RASTERPROOF_PROPS_CATALOG_NEIGHBOUR_PAIRS_H_
+#define RASTERPROOF_PROPS_CATALOG_NEIGHBOUR_PAIRS_H_
+
+#include <functional>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/catalog/mesh_neighbours.h"
+
+namespace rasterproof::props {
+
+/// Draws a few pairs of the case's neighbours, each pair alone, and asks that every sample of their
+/// union within a pixel of the shared edge is covered exactly once.
+///
+/// `takes` chooses among the pairs. Window space; triangle and edge of the witness are those of the
+/// case.
+Verdict PairsCoverOnce(Subject& subject, const Case& c,
+                       const std::function<bool(const Neighbours&)>& takes);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CATALOG_NEIGHBOUR_PAIRS_H_

@@ -1,0 +1,49 @@
+#include "props/catalog/non_finite.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/scene.h"
+#include "props/catalog/precondition.h"
+#include "props/catalog/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+// What is finite of it must be within the limit: beyond that nothing is promised.
+bool IsWithin(double x, double limit) { return !std::isfinite(x) || std::fabs(x) <= limit; }
+
+std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
+  std::vector<std::size_t> triangles;
+  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
+    const std::array<Vertex, 3> v = Corners(c.scene, c.scene.triangles[t]);
+    const bool within = std::ranges::all_of(v, [&](const Vertex& p) {
+      return IsWithin(p.x, c.profile.coordinate_limit) && IsWithin(p.y, c.profile.coordinate_limit);
+    });
+    if (within && !std::ranges::all_of(v, IsFinite)) triangles.push_back(t);
+  }
+  return triangles;
+}
+
+}  // namespace
+
+Verdict NonFiniteTrianglesCoverNothing(Subject& subject, const Case& c) {
+  if (c.profile.contract != Contract::kSampleExact) {
+    return Verdict::NotApplicable(
+        "the profile's contract does not say what single triangles cover");
+  }
+  const std::vector<std::size_t> bad = NonFiniteTriangles(c);
+  const Case alone = OnlyTriangles(c, bad);
+  if (auto refusal = CannotDraw(subject, alone, Space::kEither)) return *refusal;
+  if (bad.empty()) return {Outcome::kNotExercised, 0, 0, "every triangle is finite", std::nullopt};
+  const CoverageCounts observed = Drawn(subject, alone.scene, c.profile, WholeTarget(c));
+  const CoverageCounts nothing(c.scene.width, c.scene.height, c.profile.lattice.samples());
+  Verdict verdict =
+      SameCounts(observed, nothing, bad.size(), "none, the triangles are not finite,");
+  if (verdict.witness) verdict.witness->triangle = static_cast<int>(bad.front());
+  return verdict;
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,34 @@
+// Judging a mesh that lies flat: every sample inside once, none outside.
+#ifndef RASTERPROOF_PROPS_CATALOG_PLANAR_MESH_H_
+#define RASTERPROOF_PROPS_CATALOG_PLANAR_MESH_H_
+
+#include <functional>
+#include <string>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/catalog/places.h"
+
+namespace rasterproof::props {
+
+/// Draws the case's mesh and compares every count with the boundary's winding number.
+///
+/// Precondition (else not exercised): no triangle is folded against the others, and no winding
+/// number exceeds 1 in size. Then all areas have one sign, so the count *is* the size of the signed
+/// coverage, and that is the winding number.
+///
+/// A watertight subject promises where its meshes have no gap, not where their outline lies: for it
+/// meshes with triangles of zero area are not judged, nor samples near the boundary (a T-junction
+/// is one), 1 pixel plus what float32 cannot resolve of the largest coordinate.
+///
+/// `looks_at` says which samples count as exercised and may fail; empty: every one.
+Verdict JudgePlanarMesh(Subject& subject, const Case& c,
+                        const std::function<bool(const SamplePlace&)>& looks_at);
+
+/// Returns whether the profile's fill rule gives each sample of an edge to one side.
+bool OwnsEdgesConsistently(const Profile& profile);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CATALOG_PLANAR_MESH_H_

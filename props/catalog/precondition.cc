@@ -1,0 +1,87 @@
+#include "props/catalog/precondition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/profile.h"
+#include "core/scene.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict NotExercised(const char* why) { return {Outcome::kNotExercised, 0, 0, why, std::nullopt}; }
+
+// A snapped profile divides first and snaps then: what it says of w <= 0 depends on clipping.
+bool IsInFrontOfTheEye(const Scene& scene) {
+  return std::ranges::all_of(scene.vertices, [](const Vertex& v) { return v.w > 0; });
+}
+
+// The product may round; a position within an ulp of the limit is not worth judging.
+bool ProjectsWithinLimits(const Scene& scene, const Profile& profile) {
+  return std::ranges::all_of(scene.vertices, [&](const Vertex& v) {
+    const double reach = profile.coordinate_limit * v.w;
+    return std::fabs(v.x) <= reach && std::fabs(v.y) <= reach;
+  });
+}
+
+std::optional<Verdict> OutsideLimits(const Case& c) {
+  if (!WithinLimits(c.scene, c.profile)) {
+    return NotExercised("a coordinate is not finite or beyond the profile's limit");
+  }
+  if (c.scene.clip_space && !c.profile.snap.IsNone() && !ProjectsWithinLimits(c.scene, c.profile)) {
+    return NotExercised("snapped clip space: a vertex projects beyond the profile's limit");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Verdict> CannotDraw(const Subject& subject, const Case& c, Space space) {
+  const SubjectInfo& info = subject.Info();
+  if (space == Space::kWindow && !info.takes_window) {
+    return Verdict::NotApplicable("the subject takes no window-space scenes");
+  }
+  if (space == Space::kClip && !info.takes_clip) {
+    return Verdict::NotApplicable("the subject takes no clip-space scenes");
+  }
+  if (space == Space::kWindow && c.scene.clip_space) {
+    return NotExercised("the case is in clip space");
+  }
+  if (space == Space::kClip && !c.scene.clip_space) {
+    return NotExercised("the case is in window space");
+  }
+  if (!Takes(info, c.scene)) {
+    return Verdict::NotApplicable("the subject does not take scenes of this kind or precision");
+  }
+  if (c.scene.clip_space && !c.profile.snap.IsNone() && !IsInFrontOfTheEye(c.scene)) {
+    return NotExercised("snapped clip space: a vertex is not in front of the eye");
+  }
+  return std::nullopt;
+}
+
+std::optional<Verdict> CannotJudgeCoverage(const Subject& subject, const Case& c,
+                                           const Need& need) {
+  if (c.profile.contract == Contract::kNone) {
+    return Verdict::NotApplicable("the profile's contract promises nothing about coverage");
+  }
+  if (c.profile.contract == Contract::kWatertight && !need.watertight_suffices) {
+    return Verdict::NotApplicable("the profile's contract promises watertight meshes only");
+  }
+  if (std::optional<Verdict> refusal = CannotDraw(subject, c, need.space)) return refusal;
+  return OutsideLimits(c);
+}
+
+std::optional<Verdict> CannotEvaluate(const Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotDraw(subject, c, Space::kWindow)) return refusal;
+  return OutsideLimits(c);
+}
+
+DrawOptions WholeTarget(const Case& c) {
+  DrawOptions options = c.options;
+  options.cull = Cull::kNone;
+  options.scissor.reset();
+  return options;
+}
+
+}  // namespace rasterproof::props

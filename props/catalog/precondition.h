@@ -1,0 +1,44 @@
+// What a property needs before it may judge a subject on a case.
+#ifndef RASTERPROOF_PROPS_CATALOG_PRECONDITION_H_
+#define RASTERPROOF_PROPS_CATALOG_PRECONDITION_H_
+
+#include <cstdint>
+#include <optional>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+
+namespace rasterproof::props {
+
+enum class Space : std::uint8_t { kWindow, kClip, kEither };
+
+struct Need {
+  Space space = Space::kWindow;
+  /// True for what a watertight subject promises too; false for what only a sample-exact one does.
+  bool watertight_suffices = false;
+};
+
+/// Returns the verdict to give instead of judging, or nothing if the coverage may be judged.
+///
+/// Not applicable: the subject never takes such scenes, or its contract does not promise the claim.
+/// Not exercised:  as CannotDraw says, or a coordinate is beyond the profile's limit.
+std::optional<Verdict> CannotJudgeCoverage(const Subject& subject, const Case& c, const Need& need);
+
+/// The part of CannotJudgeCoverage that asks only whether the subject can be given the scene.
+///
+/// Not applicable: the subject never takes scenes of this space or precision.
+/// Not exercised:  the case is of the other space; or of clip space, under a snapped profile, and
+///                 not wholly in front of the eye.
+std::optional<Verdict> CannotDraw(const Subject& subject, const Case& c, Space space);
+
+/// Returns the verdict to give if the case is no window-space scene within the limits: what edge
+/// values and weights are asked about. The contract, which is about coverage, plays no part.
+std::optional<Verdict> CannotEvaluate(const Subject& subject, const Case& c);
+
+/// The case's drawing options without culling and scissor.
+DrawOptions WholeTarget(const Case& c);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CATALOG_PRECONDITION_H_

@@ -1,0 +1,85 @@
+#include "props/catalog/redraw.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "props/catalog/precondition.h"
+#include "props/catalog/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+// Number of pixels of [0, size) that meet [low, high].
+std::uint64_t PixelsBetween(double low, double high, int size) {
+  const double first = std::max(std::floor(low), 0.0);
+  const double last = std::min(std::floor(high), size - 1.0);
+  return last < first ? 0 : static_cast<std::uint64_t>(last - first) + 1;
+}
+
+}  // namespace
+
+CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profile,
+                     const DrawOptions& options) {
+  CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
+  subject.Draw(scene, options, counts);
+  return counts;
+}
+
+Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {
+  Case part = c;
+  part.scene.triangles.clear();
+  for (const std::size_t t : triangles) part.scene.triangles.push_back(c.scene.triangles[t]);
+  return part;
+}
+
+std::uint64_t DecisionsOf(const Case& c) {
+  const auto samples = static_cast<std::uint64_t>(c.profile.lattice.samples());
+  std::uint64_t decisions = 0;
+  for (const Triangle& t : c.scene.triangles) {
+    const std::array<Vertex, 3> v = Corners(c.scene, t);
+    if (!std::ranges::all_of(v, IsFinite)) continue;
+    if (c.scene.clip_space) {
+      decisions += CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.lattice.samples());
+      continue;
+    }
+    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [low, high] = std::minmax({v[0].y, v[1].y, v[2].y});
+    // With y up the rows [low, high] are [-high, height - low] from the top: as many.
+    decisions += PixelsBetween(left, right, c.scene.width) *
+                 PixelsBetween(low, high, c.scene.height) * samples;
+  }
+  return decisions;
+}
+
+Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
+                   std::uint64_t exercised, const std::string& claim) {
+  const CoverageDifference difference = Compare(observed, expected);
+  if (difference.wrong == 0) return Verdict::Held(exercised);
+  return Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
+                           "coverage differs from " + claim + " at " +
+                               std::to_string(difference.wrong) + " of " +
+                               std::to_string(difference.samples) + " samples",
+                           WitnessOfCounts(observed, expected, difference.first_wrong));
+}
+
+Verdict JudgeAgainstTheModel(Subject& subject, const Case& c) {
+  const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+  const CoverageCounts observed = Drawn(subject, c.scene, c.profile, c.options);
+  Verdict verdict = SameCounts(observed, expected, DecisionsOf(c), "the model's");
+  if (verdict.witness) BlameTriangle(subject, c, *verdict.witness);
+  return verdict;
+}
+
+Verdict SameAsUnvaried(Subject& subject, const Case& c, const Case& variation,
+                       const std::string& claim) {
+  const CoverageCounts expected = Drawn(subject, c.scene, c.profile, WholeTarget(c));
+  const CoverageCounts observed =
+      Drawn(subject, variation.scene, variation.profile, WholeTarget(variation));
+  return SameCounts(observed, expected, DecisionsOf(c), claim);
+}
+
+}  // namespace rasterproof::props

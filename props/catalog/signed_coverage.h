@@ -1,0 +1,29 @@
+// Front counts minus back counts.
+#ifndef RASTERPROOF_PROPS_CATALOG_SIGNED_COVERAGE_H_
+#define RASTERPROOF_PROPS_CATALOG_SIGNED_COVERAGE_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/catalog/precondition.h"
+
+namespace rasterproof::props {
+
+/// CannotJudgeCoverage for a sample-exact subject whose fill rule owns edges consistently.
+std::optional<Verdict> CannotJudgeSignedCoverage(const Subject& subject, const Case& c,
+                                                 Space space);
+
+/// Holds if front minus back is `expected` at every sample, culling and scissor off.
+///
+/// Shape:      expected: as CoverageCounts.
+Verdict SignedCoverageIs(Subject& subject, const Case& c, const std::vector<std::int64_t>& expected,
+                         const std::string& what);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CATALOG_SIGNED_COVERAGE_H_

@@ -1,0 +1,48 @@
+#include "props/catalog/target_width.h"
+
+#include <array>
+
+#include "core/scene.h"
+#include "props/catalog/precondition.h"
+#include "props/catalog/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
+  CoverageCounts part(width, wide.height, wide.samples);
+  for (int row = 0; row < wide.height; ++row) {
+    for (int x = 0; x < width; ++x) {
+      for (int s = 0; s < wide.samples; ++s) {
+        part.front[part.Index(x, row, s)] = wide.front[wide.Index(x, row, s)];
+        part.back[part.Index(x, row, s)] = wide.back[wide.Index(x, row, s)];
+      }
+    }
+  }
+  return part;
+}
+
+}  // namespace
+
+Verdict TargetWidthKeepsCoverage(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  const std::array<int, 2> widths{c.scene.width + 1, 2 * c.scene.width + 7};
+  const CoverageCounts expected = Drawn(subject, c.scene, c.profile, WholeTarget(c));
+  std::uint64_t exercised = 0;
+  for (const int width : widths) {
+    Scene wider = c.scene;
+    wider.width = width;
+    const auto samples = CoverageCounts::Size(width, c.scene.height, c.profile.lattice.samples());
+    if (width > kMaxTargetSide || samples > kMaxTargetSamples) continue;
+    const CoverageCounts observed =
+        LeftPart(Drawn(subject, wider, c.profile, WholeTarget(c)), c.scene.width);
+    const Verdict verdict =
+        SameCounts(observed, expected, DecisionsOf(c),
+                   "the narrower target's when " + std::to_string(width) + " pixels wide");
+    exercised += verdict.exercised;
+    if (verdict.outcome == Outcome::kViolated) return verdict;
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace rasterproof::props

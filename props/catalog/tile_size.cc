@@ -1,0 +1,34 @@
+#include "props/catalog/tile_size.h"
+
+#include <array>
+
+#include "props/catalog/precondition.h"
+#include "props/catalog/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+// One pixel, an odd size that fits no target, the usual ones, and one larger than most targets.
+constexpr std::array<int, 4> kTiles{1, 5, 8, 64};
+
+}  // namespace
+
+Verdict TileSizeKeepsCoverage(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  DrawOptions options = WholeTarget(c);
+  options.tile = 0;
+  const CoverageCounts expected = Drawn(subject, c.scene, c.profile, options);
+  std::uint64_t exercised = 0;
+  for (const int tile : kTiles) {
+    options.tile = tile;
+    const CoverageCounts observed = Drawn(subject, c.scene, c.profile, options);
+    const Verdict verdict =
+        SameCounts(observed, expected, DecisionsOf(c),
+                   "the subject's own with tiles of " + std::to_string(tile) + " pixels");
+    exercised += verdict.exercised;
+    if (verdict.outcome == Outcome::kViolated) return verdict;
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,63 @@
+#include "props/catalog/weight_corners.h"
+
+#include <algorithm>
+#include <array>
+
+#include "exact/edge.h"
+#include "props/catalog/exact_comparison.h"
+#include "props/catalog/weight_queries.h"
+#include "props/catalog/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The corners of a triangle and every sample near it that lies exactly on one of its edge lines.
+std::vector<WeightQuery> CornersAndTies(const Case& c) {
+  std::vector<WeightQuery> queries;
+  for (const CornersPlace& corners : SomeProperTriangles(c)) {
+    for (const Point2& vertex : corners.at) {
+      queries.push_back({corners.triangle, corners.at, {-1, -1, 0, vertex}, true});
+    }
+    for (const SamplePlace& place : SamplesNearEdges(c, corners.at, 4)) {
+      const auto on_edge = [&](int i) {
+        return exact::EdgeSign(EdgeStart(corners.at, i), EdgeEnd(corners.at, i), place.at) == 0;
+      };
+      if (on_edge(0) || on_edge(1) || on_edge(2)) {
+        queries.push_back({corners.triangle, corners.at, place, false});
+      }
+    }
+  }
+  return queries;
+}
+
+}  // namespace
+
+Verdict WeightIsOneAtItsVertexAndZeroOpposite(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
+  const WeightEvaluator& evaluator = *subject.Weights();
+  std::uint64_t exercised = 0;
+  for (const WeightQuery& q : CornersAndTies(c)) {
+    const Point2 p = q.place.at;
+    for (const BarycentricForm form : FormsFor(q)) {
+      const std::array<double, 3> weights = evaluator.Weights(form, q.v, p);
+      const std::array<double, 3> bounds = evaluator.WeightErrorBounds(form, q.v, p);
+      for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const bool at_vertex = p == q.v[k];
+        const bool opposite = exact::EdgeSign(EdgeStart(q.v, i), EdgeEnd(q.v, i), p) == 0;
+        if (!(at_vertex || opposite) || !Claims(bounds[k])) continue;
+        ++exercised;
+        const double expected = at_vertex ? 1 : 0;
+        if (AgreeWithin(weights[k], expected, -1, bounds[k], 0)) continue;
+        return WeightViolation(
+            q, i, exercised,
+            std::string("weight (") + std::string(FormName(form)) +
+                (at_vertex ? ") is not one at its vertex" : ") is not zero on the opposite edge"),
+            HexText(weights[k]), HexText(expected) + " within " + HexText(bounds[k]));
+      }
+    }
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace rasterproof::props

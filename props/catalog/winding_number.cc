@@ -1,0 +1,14 @@
+#include "props/catalog/winding_number.h"
+
+#include "exact/winding.h"
+#include "props/catalog/signed_coverage.h"
+
+namespace rasterproof::props {
+
+Verdict SignedCoverageEqualsTheWindingNumber(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, Space::kWindow)) return *refusal;
+  return SignedCoverageIs(subject, c, exact::BoundaryWinding(c.scene, c.profile),
+                          "the winding number of the boundary");
+}
+
+}  // namespace rasterproof::props

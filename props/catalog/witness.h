@@ -1,0 +1,35 @@
+// Writing down where a claim failed.
+#ifndef RASTERPROOF_PROPS_CATALOG_WITNESS_H_
+#define RASTERPROOF_PROPS_CATALOG_WITNESS_H_
+
+#include <array>
+#include <string>
+
+#include "core/case.h"
+#include "core/coverage.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/catalog/places.h"
+
+namespace rasterproof::props {
+
+/// A double as a C99 hex float: "0x1.8p+1", "nan", "-inf".
+std::string HexText(double x);
+std::string HexText(Point2 p);
+
+/// Where an edge or weight claim failed.
+Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string observed,
+                  std::string expected);
+
+/// Where two counts differ at one sample, "front 1, back 0" against the expected.
+Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
+                        std::size_t index);
+
+/// Adds the triangle that the subject alone gets wrong at the witness's sample, its edge nearest to
+/// the sample, and the exact edge values there. Leaves the witness as it is if each triangle by
+/// itself is right.
+void BlameTriangle(Subject& subject, const Case& c, Witness& witness);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CATALOG_WITNESS_H_

@@ -6,17 +6,28 @@
 
 namespace rasterproof::reference {
 
+void RequireTakes(const Scene& scene, const Method& method) {
+  const std::string place = "scene " + scene.name;
+  if (scene.clip_space && !method.info.takes_clip) {
+    throw InputError(
+        place,
+        "its vertices are in clip space, and " + method.info.name + " draws window space only",
+        "use a homogeneous method (hom-...)");
+  }
+  if (!scene.clip_space && !method.info.takes_window) {
+    throw InputError(place, method.info.name + " draws clip space only",
+                     "use a window-space method (spans-exact, f32-...)");
+  }
+  if (!Takes(method.info, scene)) {
+    throw InputError(
+        place, "its coordinates are float64, and " + method.info.name + " computes in float32",
+        "use a method with float64 input (spans-exact, f64-...)");
+  }
+}
+
 void Rasterize(const Scene& scene, const Method& method, const RasterOptions& options,
                CoverageCounts& counts) {
-  if (!scene.clip_space && !method.info.takes_window) {
-    throw InputError("scene " + scene.name, method.info.name + " draws clip space only",
-                     "use a window-space method");
-  }
-  if (scene.precision == Precision::kFloat64 && method.info.input == Precision::kFloat32) {
-    throw InputError("scene " + scene.name,
-                     "its coordinates are float64 and " + method.info.name + " computes in float32",
-                     "use a method with float64 input (f64-..., spans-exact)");
-  }
+  RequireTakes(scene, method);
   method.draw(scene, options, counts);
 }
 

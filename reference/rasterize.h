@@ -9,6 +9,9 @@
 
 namespace rasterproof::reference {
 
+/// Throws InputError, naming the remedy, unless Takes(method.info, scene).
+void RequireTakes(const Scene& scene, const Method& method);
+
 /// Adds the scene's coverage by `method` to `counts`.
 ///
 /// Domain:     a scene that Takes(method.info, scene); counts of the scene's size and the profile's

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_REFERENCE_TIE_RULE_H_
 #define RASTERPROOF_REFERENCE_TIE_RULE_H_
 
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -34,10 +35,12 @@ constexpr T InsideFrom(bool owns_ties) {
   }
 }
 
-/// Returns whether the edge value is inside. NaN and infinity never are.
+/// Returns 1 if the edge value is inside, else 0. NaN and infinity never are.
+///
+/// A number, so that kernels combine three of them without a branch.
 template <class T>
-constexpr bool IsInside(T e, T from) {
-  return (e >= from) & (e <= std::numeric_limits<T>::max());
+constexpr std::uint32_t IsInside(T e, T from) {
+  return std::uint32_t{e >= from} & std::uint32_t{e <= std::numeric_limits<T>::max()};
 }
 
 }  // namespace rasterproof::reference

@@ -80,11 +80,17 @@ class LayersTest(unittest.TestCase):
         good = "rasterproof_library(exact SOURCES a.cc LINK rasterproof_core PRIVATE_LINK gmp)\n"
         status, output = run_check("check_layers", {**files, "exact/CMakeLists.txt": good})
         self.assertEqual(status, 0, output)
+        builtin = "rasterproof_library(subjects SOURCES builtin/b.cc LINK rasterproof_reference)\n"
+        reference = "rasterproof_library(reference SOURCES a.cc LINK rasterproof_core)\n"
+        files |= {"reference/CMakeLists.txt": reference, "subjects/CMakeLists.txt": builtin}
+        status, output = run_check("check_layers", files)
+        self.assertEqual(status, 0, output)
         for bad in (
             "rasterproof_library(core SOURCES a.cc LINK fmt::fmt)\n",
             "rasterproof_library(core SOURCES a.cc PRIVATE_LINK rasterproof_io)\n",
             core + "target_link_libraries(rasterproof_core PRIVATE rasterproof_io)\n",
             core + "target_link_libraries(rasterproof_core PUBLIC Qt5::Core)\n",
+            core + "target_link_libraries(rasterproof_core fmt::fmt)\n",
         ):
             io = "rasterproof_library(io SOURCES a.cc LINK rasterproof_core)\n"
             files = {"core/CMakeLists.txt": bad, "io/CMakeLists.txt": io}
@@ -107,7 +113,7 @@ class TextTest(unittest.TestCase):
         self.expect("core/scene.cc", "// " + "x" * 98 + "\n", "101 columns")
         self.expect("core/scene.cc", "int i;\n" * 501, "501 lines")
         self.expect("core/scene.cc", "// TO" + "DO: all of it\n", "unfinished")
-        self.expect("core/scene.cc", "// one value. Error: none.\n", "in the middle of a line")
+        self.expect("core/scene.cc", "//" + "/ one value. Error: none.\n", "in the middle of a line")
         self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
         self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
         self.expect("core/scene_utils.cc", "int width;\n", "says nothing")

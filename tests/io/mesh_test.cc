@@ -1,0 +1,162 @@
+#include "io/mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "gtest/gtest.h"
+#include "io/output.h"
+
+namespace rasterproof::io {
+namespace {
+
+Mesh ReadText(const std::string& extension, const std::string& content) {
+  const std::string path = testing::TempDir() + "/mesh_test" + extension;
+  WriteFile(path, content);
+  return ReadMesh(path);
+}
+
+std::string MessageFor(const std::string& extension, const std::string& content) {
+  try {
+    ReadText(extension, content);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "(accepted)";
+}
+
+// Directed edges without an equal number of reverse ones: none in a closed mesh.
+std::size_t OpenEdges(const Mesh& mesh) {
+  std::map<std::pair<std::int32_t, std::int32_t>, int> balance;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t a = t[k];
+      const std::int32_t b = t[(k + 1) % 3];
+      balance[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  }
+  return static_cast<std::size_t>(
+      std::ranges::count_if(balance, [](const auto& entry) { return entry.second != 0; }));
+}
+
+const std::string kObjTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+    "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+const std::string kOffTetrahedron =
+    "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+const std::string kPlyTetrahedron =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+// STL repeats the position at every corner.
+std::string StlTetrahedron() {
+  const char* const corners[4] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
+  const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  std::string text = "solid t\n";
+  for (const auto& face : faces) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int k : face) text += std::string("vertex ") + corners[k] + "\n";
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid t\n";
+}
+
+TEST(MeshTest, EveryFormatGivesTheSameClosedTetrahedron) {
+  for (const auto& [extension, text] :
+       {std::pair{".obj", kObjTetrahedron}, std::pair{".off", kOffTetrahedron},
+        std::pair{".ply", kPlyTetrahedron}, std::pair{".stl", StlTetrahedron()}}) {
+    const Mesh mesh = ReadText(extension, text);
+    EXPECT_EQ(mesh.name, "mesh_test") << extension;
+    EXPECT_EQ(mesh.vertices.size(), 4U) << extension;
+    EXPECT_EQ(mesh.triangles.size(), 4U) << extension;
+    EXPECT_EQ(OpenEdges(mesh), 0U) << extension;
+  }
+}
+
+std::string Base64(const std::string& bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t block = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      block = block << 8 | (k + j < bytes.size() ? static_cast<unsigned char>(bytes[k + j]) : 0U);
+    }
+    for (int shift = 18; shift >= 0; shift -= 6) text += kDigits[block >> shift & 63U];
+  }
+  return text;
+}
+
+// One triangle of 9 floats, drawn by two nodes: one as it is, one below two moved and scaled ones.
+TEST(MeshTest, NodesOfAGltfPlaceTheirMeshes) {
+  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, -0.0F};
+  std::string bytes(sizeof corners, '\0');
+  std::memcpy(bytes.data(), corners, sizeof corners);
+  const std::string gltf =
+      R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+  "nodes": [{"mesh": 0}, {"translation": [10, 0, 0], "children": [2]},
+            {"scale": [2, 3, 1], "translation": [0, 0.5, 0], "mesh": 0}],
+  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                 "min": [0, 0, 0], "max": [1, 1, 0]}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36}],
+  "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)" +
+      Base64(bytes) + R"("}]})";
+  const Mesh mesh = ReadText(".gltf", gltf);
+  ASSERT_EQ(mesh.triangles.size(), 2U);
+  ASSERT_EQ(mesh.vertices.size(), 6U);
+  EXPECT_TRUE(std::signbit(mesh.vertices[2][2])) << "bits of an unmoved vertex change";
+  EXPECT_EQ(mesh.vertices[3], (std::array{10.0F, 0.5F, 0.0F}));
+  EXPECT_EQ(mesh.vertices[4], (std::array{12.0F, 0.5F, 0.0F}));
+  EXPECT_EQ(mesh.vertices[5], (std::array{10.0F, 3.5F, 0.0F}));
+}
+
+TEST(MeshTest, OnlyEqualBitsAreWelded) {
+  const Mesh mesh = ReadText(".obj",
+                             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0.0000001 0\nv 0 -1 0\n"
+                             "f 1 2 3\nf 4 5 6\n");
+  EXPECT_EQ(mesh.vertices.size(), 5U);
+  EXPECT_EQ(mesh.triangles[1][0], 0);
+  EXPECT_NE(mesh.triangles[1][1], mesh.triangles[0][1]);
+}
+
+TEST(MeshTest, PolygonsBecomeTrianglesAndDegenerateOnesStay) {
+  EXPECT_EQ(ReadText(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").triangles.size(),
+            2U);
+  const Mesh mesh = ReadText(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 2 2\n");
+  ASSERT_EQ(mesh.triangles.size(), 2U);
+  EXPECT_EQ(mesh.triangles[1], (Triangle{0, 1, 1}));
+}
+
+TEST(MeshTest, BadMeshesAreRefusedWithFileReasonAndRemedy) {
+  const auto expect = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find("mesh_test."), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_NE(message.find("; "), std::string::npos) << message;
+  };
+  expect(MessageFor(".obj", ""), "can't be read as a mesh");
+  expect(MessageFor(".ply", "ply\nformat ascii 1.0\nelement ver"), "can't be read as a mesh");
+  expect(MessageFor(".gltf", "{"), "can't be read as a mesh");
+  expect(MessageFor(".glb", "not glTF at all"), "can't be read as a mesh");
+  expect(MessageFor(".off", "OFF\n0 0 0\n"), "can't be read as a mesh");
+  expect(MessageFor(".txt", kObjTetrahedron), "is not a mesh by its name");
+  expect(MessageFor(".obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), "has no triangles");
+  expect(MessageFor(".obj", "v 0 0 0\nv nan 0 0\nv 1 1 0\nf 1 2 3\n"), "not finite");
+  for (const std::string path : {"no/such/mesh.obj", "scenes.obj/"}) {
+    EXPECT_THROW(ReadMesh(path), InputError);
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::io

@@ -44,7 +44,7 @@ struct HardPixel {
 /// Returns the pixel whose sample at `location` has the smallest E(a, b; sample) * sign that is not
 /// zero, among those whose column (or row, for a steep edge) meets the edge.
 ///
-/// Domain:     a, b multiples of 2^-24 and within +-2^12; location a multiple of 2^-8.
+/// Domain:     a, b multiples of 2^-24 and within +-2^16; location a multiple of 2^-8.
 std::optional<HardPixel> HardestPixel(Point2 a, Point2 b, Point2 location, int sign);
 
 }  // namespace rasterproof::props

@@ -23,37 +23,37 @@ Segment DrawDiagonal(Sketch& sketch) {
   return {Nudged(sketch, through.a, kind == 2 ? 1 : 16), through.b};
 }
 
-// A square whose corners are the same small power of two off the samples, as in a 6-pixel gap found
-// along the shared diagonal of a quad at 0.49993896484375 = 1/2 - 2^-14 (DRTK pull request 9).
+// The diagonal of a square whose corners are the same small power of two off the samples, as in a
+// 6-pixel gap found along the shared diagonal of a quad at 0.49993896484375 = 1/2 - 2^-14 (DRTK
+// pull request 9). It passes exactly through the samples between its ends.
 Segment DrawOffsetDiagonal(Sketch& sketch) {
   const Point2 p = sketch.Sample();
-  const double off = sketch.Sign() * std::ldexp(1.0, -static_cast<int>(sketch.bits().Int(6, 18)));
-  const auto side = static_cast<double>(sketch.bits().Int(1, 32)) * sketch.Sign();
-  const double skew = sketch.bits().Chance(64) ? 2 : 1;
-  return {{p.x + off, p.y + off}, {p.x + off + side, p.y + off + skew * side}};
+  const double sign = sketch.Sign();
+  const double off = -sign * std::ldexp(1.0, -static_cast<int>(sketch.bits().Int(6, 18)));
+  const double side = sign * static_cast<double>(sketch.bits().Int(1, 32));
+  return {{p.x + off, p.y + off}, {p.x + off + side, p.y + off + side}};
 }
 
 Point2 OnLattice(const Sketch& sketch, Point2 p) {
   return {sketch.lattice().RoundWithinLimit(p.x), sketch.lattice().RoundWithinLimit(p.y)};
 }
 
-// A node of a grid in units of its spacing, and where it goes.
+// A grid, one node of which is a sample of the target.
 struct GridShape {
-  Point2 origin;
-  double spacing = 1;
   int columns = 1;
   int rows = 1;
+  double spacing = 1;
+  Point2 sample;
+  int sample_column = 0;
+  int sample_row = 0;
 };
 
-// A grid one of whose nodes is a sample of the target.
 GridShape DrawGridShape(Sketch& sketch, int columns, int rows) {
-  const Point2 p = sketch.Sample();
-  const double spacing = static_cast<double>(sketch.bits().Int(2, 16)) / 2;
-  return {{p.x - spacing * static_cast<double>(sketch.bits().Int(0, columns)),
-           p.y - spacing * static_cast<double>(sketch.bits().Int(0, rows))},
-          spacing,
-          columns,
-          rows};
+  GridShape shape{.columns = columns, .rows = rows, .sample = sketch.Sample()};
+  shape.spacing = static_cast<double>(sketch.bits().Int(2, 16)) / 2;
+  shape.sample_column = static_cast<int>(sketch.bits().Int(0, columns));
+  shape.sample_row = static_cast<int>(sketch.bits().Int(0, rows));
+  return shape;
 }
 
 // Two nodes that are `spacing` apart may come 4 * jitter nearer in the determinant: below
@@ -63,10 +63,12 @@ PlanarMesh MakeGrid(Sketch& sketch, const GridShape& shape, double jitter) {
   const int across = shape.columns + 1;
   for (int j = 0; j <= shape.rows; ++j) {
     for (int i = 0; i < across; ++i) {
-      const double moved = sketch.bits().Chance(192) ? jitter : 0;
-      mesh.AddVertex(
-          OnLattice(sketch, {shape.origin.x + i * shape.spacing + sketch.Uniform(-moved, moved),
-                             shape.origin.y + j * shape.spacing + sketch.Uniform(-moved, moved)}));
+      const bool pinned = i == shape.sample_column && j == shape.sample_row;
+      const double moved = pinned || sketch.bits().Chance(64) ? 0 : jitter;
+      const double x = shape.sample.x + (i - shape.sample_column) * shape.spacing;
+      const double y = shape.sample.y + (j - shape.sample_row) * shape.spacing;
+      mesh.AddVertex(OnLattice(
+          sketch, {x + sketch.Uniform(-moved, moved), y + sketch.Uniform(-moved, moved)}));
     }
   }
   for (int j = 0; j < shape.rows; ++j) {

@@ -29,17 +29,23 @@ struct CampaignOptions {
 /// Returns what was found. Stops at the first violation and shrinks it.
 ///
 /// A run in which no case put the claim to the test is kNotExercised, never kHolds; a property that
-/// does not apply to the subject is kNotApplicable. A near-edge domain that gave no sample on or
-/// within 256 lattice steps of an edge makes the run kNotExercised as well: a dead generator is not
-/// a pass.
+/// does not apply to the subject is kNotApplicable. Domains that the subject cannot take are left
+/// out and named in the message. A near-edge domain that gave no sample on or within 256 lattice
+/// steps of an edge in all its cases (four at least) makes the run kNotExercised as well: a dead
+/// generator is not a pass.
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options = {});
 
 /// The case that RunCampaign would run as number `index`.
+///
+/// Error:      InputError if the subject takes scenes of none of the property's domains.
 Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t seed,
               std::uint64_t index);
 
 /// Runs one property on one given case (replay, saved failures, worst-case files).
+///
+/// Returns:    what the property says; kViolated if the subject threw; kNotApplicable if the subject
+///             or the oracle refused the scene by an InputError.
 Verdict RunCase(Subject& subject, const Property& property, const Case& c);
 
 }  // namespace rasterproof::props

@@ -2,6 +2,8 @@
 #ifndef RASTERPROOF_PROPS_SHRINK_PASSES_H_
 #define RASTERPROOF_PROPS_SHRINK_PASSES_H_
 
+#include <vector>
+
 #include "core/case.h"
 
 namespace rasterproof::props {
@@ -30,6 +32,9 @@ void ResetOptions(Attempts& attempts);
 // passes_coordinates.cc
 void SimplifyAllCoordinates(Attempts& attempts);
 void SimplifyEachCoordinate(Attempts& attempts);
+
+/// Numbers to try in place of x, boldest first. Not all of them cost less.
+std::vector<double> SimplerCoordinates(double x);
 
 /// Returns the case without the vertices that no triangle uses.
 Case WithoutUnusedVertices(Case c);

@@ -25,27 +25,6 @@ double Shortened(double x, int bits) {
 
 double ToHalfPixel(double x) { return std::floor(x) + 0.5; }
 
-// Everything simpler that x could be, simplest first.
-std::vector<double> SimplerCoordinates(double x) {
-  if (!std::isfinite(x)) return {0.0, 1.0, std::numeric_limits<double>::infinity()};
-  std::vector<double> simpler{0.0, 1.0};
-  constexpr double kWholeFrom = 0x1p52;  // larger numbers have no fraction
-  if (std::fabs(x) < kWholeFrom) {
-    simpler.insert(simpler.end(), {std::trunc(x), std::floor(x), std::ceil(x), ToHalfPixel(x)});
-    for (const int places : {1, 2, 4, 8}) {
-      simpler.push_back(std::ldexp(std::nearbyint(std::ldexp(x, places)), -places));
-    }
-  }
-  for (const int bits : kMantissaBits) simpler.push_back(Shortened(x, bits));
-  simpler.push_back(std::fabs(x));
-  // Half the exponent, for numbers far from 1.
-  if (x != 0) {
-    simpler.push_back(std::copysign(std::ldexp(1.0, std::ilogb(x) / 2), x));
-    simpler.push_back(std::ilogb(x) > 0 ? x / 2 : x * 2);
-  }
-  return simpler;
-}
-
 using Member = double Vertex::*;
 constexpr std::array<Member, 4> kMembers{&Vertex::x, &Vertex::y, &Vertex::z, &Vertex::w};
 
@@ -84,6 +63,26 @@ bool TryCoordinate(Attempts& attempts, std::size_t vertex, Member member, double
 }
 
 }  // namespace
+
+std::vector<double> SimplerCoordinates(double x) {
+  if (!std::isfinite(x)) return {0.0, 1.0, std::numeric_limits<double>::infinity()};
+  std::vector<double> simpler{0.0, 1.0};
+  constexpr double kWholeFrom = 0x1p52;  // larger numbers have no fraction
+  if (std::fabs(x) < kWholeFrom) {
+    simpler.insert(simpler.end(), {std::trunc(x), std::floor(x), std::ceil(x), ToHalfPixel(x)});
+    for (const int places : {1, 2, 4, 8}) {
+      simpler.push_back(std::ldexp(std::nearbyint(std::ldexp(x, places)), -places));
+    }
+  }
+  for (const int bits : kMantissaBits) simpler.push_back(Shortened(x, bits));
+  simpler.push_back(std::fabs(x));
+  // Half the exponent, for numbers far from 1.
+  if (x != 0) {
+    simpler.push_back(std::copysign(std::ldexp(1.0, std::ilogb(x) / 2), x));
+    simpler.push_back(std::ilogb(x) > 0 ? x / 2 : x * 2);
+  }
+  return simpler;
+}
 
 void SimplifyAllCoordinates(Attempts& attempts) {
   Case flat = attempts.Current();

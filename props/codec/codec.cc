@@ -1,0 +1,133 @@
+#include "props/codec/codec.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "props/domains/domain.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kFirstRecipeByte = 192;
+constexpr int kMostSide = 32;
+constexpr int kMostTriangles = 8;
+constexpr int kMostVertices = 16;
+// Anchors from here on stand for magnitudes 2^7, 2^9, ... of either sign, not for half pixels.
+constexpr std::uint64_t kFirstFarAnchor = 240;
+
+// The low three bits are a step of the lattice, the others a subpixel: zeros are the anchor itself.
+constexpr std::array<int, 8> kSteps{0, 1, -1, 2, -2, 0, 0, 0};
+
+double Spelled(Sketch& sketch) {
+  const std::uint64_t anchor = sketch.bits().Bits(8);
+  const std::uint64_t fine = sketch.bits().Bits(8);
+  const double subpixel = std::ldexp(static_cast<double>(fine >> 3), -5);  // of half a pixel
+  double x = (static_cast<double>(anchor) - 16 + subpixel) / 2;
+  if (anchor >= kFirstFarAnchor) {
+    const auto far = static_cast<int>(anchor - kFirstFarAnchor);
+    x = std::ldexp(far % 2 == 0 ? 1.0 : -1.0, 7 + far) * (1 + subpixel);
+  }
+  return sketch.lattice().Move(sketch.lattice().RoundWithinLimit(x), kSteps[fine & 7]);
+}
+
+std::vector<const Domain*> SuitableDomains(const SubjectInfo& info) {
+  std::vector<const Domain*> suitable;
+  for (const Domain& domain : Domains()) {
+    if (Suits(domain, info)) suitable.push_back(&domain);
+  }
+  return suitable;
+}
+
+// One coordinate of an example: the anchor of a whole or half pixel, no subpixel, `step` steps.
+void Spell(std::vector<std::uint8_t>& bytes, double x, int step) {
+  const auto code = static_cast<std::uint8_t>(std::ranges::find(kSteps, step) - kSteps.begin());
+  bytes.push_back(static_cast<std::uint8_t>(2 * x + 16));
+  bytes.push_back(code);
+}
+
+struct ExampleVertex {
+  double x = 0;
+  double y = 0;
+  int step = 0;  ///< of x
+};
+
+CodecExample Example(std::string name, const std::vector<ExampleVertex>& vertices,
+                     const std::vector<std::array<std::uint8_t, 3>>& triangles) {
+  CodecExample example{std::move(name), {0, 11, 11}};  // spelled out, 12 x 12
+  example.bytes.push_back(static_cast<std::uint8_t>(vertices.size() - 3));
+  for (const ExampleVertex& v : vertices) {
+    Spell(example.bytes, v.x, v.step);
+    Spell(example.bytes, v.y, 0);
+  }
+  example.bytes.push_back(static_cast<std::uint8_t>(triangles.size() - 1));
+  for (const auto& t : triangles) example.bytes.insert(example.bytes.end(), t.begin(), t.end());
+  return example;
+}
+
+}  // namespace
+
+Case LatticeCase(BitSource& bits, const SubjectInfo& info) {
+  const int width = 1 + static_cast<int>(bits.Bits(8) % kMostSide);
+  const int height = 1 + static_cast<int>(bits.Bits(8) % kMostSide);
+  const auto vertices = static_cast<std::int32_t>(3 + bits.Bits(8) % (kMostVertices - 2));
+  Sketch sketch(bits, info, width, height);
+  for (std::int32_t v = 0; v < vertices; ++v) {
+    const double x = Spelled(sketch);
+    sketch.Add({x, Spelled(sketch)});
+  }
+  const auto triangles = 1 + bits.Bits(8) % kMostTriangles;
+  const auto index = [&] { return static_cast<std::int32_t>(bits.Bits(8)) % vertices; };
+  for (std::uint64_t t = 0; t < triangles; ++t) {
+    const std::int32_t a = index();
+    const std::int32_t b = index();
+    sketch.AddTriangle(a, b, index());
+  }
+  return sketch.Done(Finish::kAsIs);
+}
+
+Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info) {
+  ByteSource source(bytes);
+  if (source.Bits(8) < kFirstRecipeByte) return LatticeCase(source, info);
+  const std::vector<const Domain*> domains = SuitableDomains(info);
+  if (domains.empty()) return LatticeCase(source, info);
+  const Domain& domain = *domains[source.Bits(8) % domains.size()];
+  Case c = domain.draw(source, info);
+  c.scene.name = domain.name;
+  return c;
+}
+
+std::vector<CodecExample> CodecExamples() {
+  std::vector<CodecExample> examples{
+      Example("triangle-on-centres", {{1.5, 1.5}, {1.5, 9.5}, {9.5, 1.5}}, {{0, 1, 2}}),
+      Example("triangle-on-corners", {{1, 1}, {1, 9}, {9, 1}}, {{0, 1, 2}}),
+      Example("quad-through-centres", {{0.5, 0.5}, {0.5, 10.5}, {10.5, 10.5}, {10.5, 0.5}},
+              {{0, 1, 2}, {0, 2, 3}}),
+      Example("quad-one-step-off", {{0.5, 0.5, 1}, {0.5, 10.5}, {10.5, 10.5, -1}, {10.5, 0.5}},
+              {{0, 1, 2}, {0, 2, 3}}),
+      Example("fan-on-a-centre", {{5.5, 5.5}, {0, 0}, {0, 11}, {11, 11}, {11, 0}},
+              {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}),
+      Example("fold", {{2.5, 2.5}, {2.5, 8.5}, {8.5, 2.5}, {3.5, 3.5}}, {{0, 1, 2}, {2, 1, 3}}),
+      Example("zero-area", {{1.5, 1.5}, {4.5, 4.5}, {9.5, 9.5}}, {{0, 1, 2}, {0, 0, 1}}),
+      Example("both-windings", {{1.5, 1.5}, {1.5, 9.5}, {9.5, 1.5}}, {{0, 1, 2}, {0, 2, 1}}),
+  };
+  constexpr std::uint64_t kExampleBytes = 96;
+  std::uint8_t number = 0;
+  for (const Domain& domain : Domains()) {
+    CodecExample example{std::string(domain.name),
+                         {static_cast<std::uint8_t>(kFirstRecipeByte), number}};
+    PhiloxSource random(0, number++);
+    for (std::uint64_t i = 0; i < kExampleBytes; ++i) {
+      example.bytes.push_back(static_cast<std::uint8_t>(random.Bits(8)));
+    }
+    examples.push_back(std::move(example));
+  }
+  return examples;
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,39 @@
+// Bytes to case: a total code in which small changes of the bytes are small changes of the case.
+#ifndef RASTERPROOF_PROPS_CODEC_CODEC_H_
+#define RASTERPROOF_PROPS_CODEC_CODEC_H_
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "props/domains/bit_source.h"
+
+namespace rasterproof::props {
+
+/// Returns the case that the bytes stand for. Every byte string is valid; bytes that run out are
+/// zeros.
+///
+/// First byte: below 192 the triangles are spelled out, two bytes per coordinate (a place on half
+/// pixels, a subpixel, a step of the lattice: hard places are one byte away from each other), or a
+/// far magnitude. From 192 on the second byte chooses a domain, whose recipe the other bytes feed.
+/// Domains that the subject cannot take are passed over.
+/// Properties: the scene is one that Takes(info, scene) accepts.
+Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info);
+
+/// The spelled-out part of the code, from any source of bits.
+Case LatticeCase(BitSource& bits, const SubjectInfo& info);
+
+/// Seeds for a fuzzer's corpus: a named byte string for each hard place of the code, and one for
+/// each domain.
+struct CodecExample {
+  std::string name;  ///< [a-z0-9-]+
+  std::vector<std::uint8_t> bytes;
+};
+std::vector<CodecExample> CodecExamples();
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CODEC_CODEC_H_

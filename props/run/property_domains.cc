@@ -1,0 +1,42 @@
+#include "props/run/property_domains.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rasterproof::props {
+namespace {
+
+const Domain* SuitableDomain(std::string_view name, const SubjectInfo& info) {
+  const Domain* domain = FindDomain(name);
+  return domain != nullptr && Suits(*domain, info) ? domain : nullptr;
+}
+
+}  // namespace
+
+std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& property) {
+  std::vector<const Domain*> domains;
+  for (const std::string_view name : property.domains) {
+    const Domain* domain = SuitableDomain(name, info);
+    if (domain != nullptr) domains.push_back(domain);
+  }
+  return domains;
+}
+
+std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
+  std::string left_out;
+  for (const std::string_view name : property.domains) {
+    if (SuitableDomain(name, info) != nullptr) continue;
+    left_out += left_out.empty() ? "not drawn, the subject takes no such scenes: " : ", ";
+    left_out += name;
+  }
+  return left_out;
+}
+
+Case DrawNamed(const Domain& domain, BitSource& bits, const SubjectInfo& info) {
+  Case c = domain.draw(bits, info);
+  c.scene.name = domain.name;
+  return c;
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,52 @@
+// What a run adds up to, case by case, whatever engine the cases come from.
+#ifndef RASTERPROOF_PROPS_RUN_TALLY_H_
+#define RASTERPROOF_PROPS_RUN_TALLY_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/result.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/domains/domain.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+
+/// Counts cases, how often they put the claim to the test, and how near to edges they came.
+class Tally {
+ public:
+  /// Starts with the property's words, nothing run, and the domains that are left out named.
+  Tally(const Subject& subject, const Property& property, std::uint64_t seed);
+
+  /// The domains that cases are drawn from. Empty if the subject takes none of the property's.
+  const std::vector<const Domain*>& domains() const { return domains_; }
+  std::uint64_t cases() const { return result_.cases; }
+
+  /// Adds one case of domains()[domain].
+  void AddCase(std::size_t domain, const Case& c, const Verdict& verdict);
+
+  /// The result of a run in which nothing was violated. Not a pass if nothing was exercised or a
+  /// near-edge domain gave nothing near an edge.
+  PropertyResult Concluded() const;
+
+  /// The result of a run that ended with a violation: its smallest counterexample is run once more.
+  PropertyResult Violated(Subject& subject, const Property& property, Case minimal,
+                          std::uint64_t failing_case) const;
+
+ private:
+  std::string DeadDomains() const;
+
+  PropertyResult result_;
+  std::vector<const Domain*> domains_;
+  std::vector<std::uint64_t> drawn_;
+  std::vector<NearEdgeCounts> near_edge_;
+  std::uint64_t not_applicable_ = 0;
+  std::string why_not_;
+};
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_RUN_TALLY_H_

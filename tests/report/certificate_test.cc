@@ -1,0 +1,151 @@
+#include "report/certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "io/case_file.h"
+#include "nlohmann/json.hpp"
+#include "tests/report/sample_results.h"
+#include "tests/report/schema.h"
+
+namespace rasterproof::report {
+namespace {
+
+using nlohmann::json;
+
+json Schema() {
+  std::ifstream file("docs/certificate.schema.json");
+  return json::parse(file);
+}
+
+json Parsed(const Certificate& certificate) { return json::parse(CertificateToJson(certificate)); }
+
+TEST(CertificateTest, FollowsItsSchema) {
+  const auto errors = SchemaErrors(Schema(), Parsed(SampleCertificate()));
+  EXPECT_TRUE(errors.empty()) << errors.front();
+}
+
+TEST(CertificateTest, AnEmptyOneFollowsItsSchemaToo) {
+  const auto errors = SchemaErrors(Schema(), Parsed(Certificate{}));
+  EXPECT_TRUE(errors.empty()) << errors.front();
+}
+
+TEST(CertificateTest, TheSchemaRefusesWhatItDoesNotDescribe) {
+  const json good = Parsed(SampleCertificate());
+  json extra = good;
+  extra["green"] = true;
+  EXPECT_FALSE(SchemaErrors(Schema(), extra).empty());
+  json missing = good;
+  missing["tested"][0].erase("exercised");
+  EXPECT_FALSE(SchemaErrors(Schema(), missing).empty());
+  json inexact = good;
+  inexact["tested"][0]["worst_ratio"] = "0.75";
+  EXPECT_FALSE(SchemaErrors(Schema(), inexact).empty());
+  json green = good;
+  green["tested"][0]["outcome"] = "not applicable";
+  EXPECT_FALSE(SchemaErrors(Schema(), green).empty());
+}
+
+TEST(CertificateTest, KeepsTheFourWordsApart) {
+  const json certificate = Parsed(SampleCertificate());
+  EXPECT_EQ(certificate["proved"].size(), 1U);
+  EXPECT_EQ(certificate["exhausted"][0]["by"], "N = 729");
+  EXPECT_EQ(certificate["tested"].size(), 3U);
+  EXPECT_EQ(certificate["measured"].size(), 1U);
+}
+
+TEST(CertificateTest, SaysWhatDoesNotApplyOnceAndNeverAmongTheTested) {
+  Certificate sample = SampleCertificate();
+  json certificate = Parsed(sample);
+  ASSERT_EQ(certificate["not_applicable"].size(), 2U);
+  EXPECT_EQ(certificate["not_applicable"][1]["claim"], "WalkIsExact");
+  EXPECT_EQ(certificate["not_applicable"][1]["by"], "it shows no edge values");
+  sample.not_applicable.push_back({"WalkIsExact", "it shows no edge values"});
+  EXPECT_EQ(Parsed(sample)["not_applicable"].size(), 2U);
+}
+
+TEST(CertificateTest, ACounterexampleIsACaseFileWithTheSameBits) {
+  const Certificate sample = SampleCertificate();
+  const json counterexample = Parsed(sample)["tested"][1]["counterexample"];
+  const io::CaseFile file = io::ParseCase(counterexample["case"].dump(), "case");
+  EXPECT_EQ(file.value, *sample.tested[1].counterexample);
+  EXPECT_EQ(file.property, "SharedEdgeSamplesAreCoveredOnce");
+  EXPECT_EQ(counterexample["witness"]["observed"], "2");
+  EXPECT_EQ(counterexample["found_as_case"], 12);
+}
+
+TEST(CertificateTest, NamesTheCommandThatReplaysACounterexample) {
+  Certificate sample = SampleCertificate();
+  EXPECT_EQ(Parsed(sample)["tested"][1]["counterexample"]["replay"],
+            "rasterproof replay SharedEdgeSamplesAreCoveredOnce.json");
+  sample.replay["SharedEdgeSamplesAreCoveredOnce"] = "rasterproof replay out/a.json";
+  EXPECT_EQ(Parsed(sample)["tested"][1]["counterexample"]["replay"],
+            "rasterproof replay out/a.json");
+}
+
+TEST(CertificateTest, NumbersThatMatterAreExactAndNeverNull) {
+  Certificate sample = SampleCertificate();
+  sample.tested[0].worst_ratio = std::numeric_limits<double>::quiet_NaN();
+  sample.tested[1].worst_ratio = std::numeric_limits<double>::infinity();
+  sample.tested[0].seconds = std::numeric_limits<double>::infinity();
+  const std::string text = CertificateToJson(sample);
+  EXPECT_EQ(text.find("null"), std::string::npos);
+  const json certificate = json::parse(text);
+  EXPECT_EQ(certificate["tested"][0]["worst_ratio"], "nan");
+  EXPECT_EQ(certificate["tested"][1]["worst_ratio"], "inf");
+  EXPECT_EQ(certificate["tested"][0]["seed"], "18446744073709551615");
+  EXPECT_TRUE(SchemaErrors(Schema(), certificate).empty());
+}
+
+TEST(CertificateTest, StaysJsonWhateverBytesItIsToldToSay) {
+  Certificate sample = SampleCertificate();
+  sample.command = "a \"quoted\" \\ \x01 \xff\xfe line\n";
+  EXPECT_TRUE(SchemaErrors(Schema(), Parsed(sample)).empty());
+}
+
+TEST(VerdictTest, AViolatedPropertyViolates) {
+  EXPECT_EQ(OverallVerdict(SampleCertificate()), "violated");
+}
+
+TEST(VerdictTest, NothingExercisedIsInconclusiveAndNeverGreen) {
+  Certificate certificate;
+  EXPECT_EQ(OverallVerdict(certificate), "inconclusive");
+  certificate.tested = {SampleProperty("a", Outcome::kNotExercised),
+                        SampleProperty("b", Outcome::kNotApplicable)};
+  EXPECT_EQ(OverallVerdict(certificate), "inconclusive");
+  certificate.tested.push_back(SampleProperty("c", Outcome::kHolds));
+  EXPECT_EQ(OverallVerdict(certificate), "holds");
+}
+
+TEST(VerdictTest, AWrongSampleOnAJudgedSceneViolates) {
+  Certificate certificate = SampleCertificate();
+  certificate.tested = {SampleProperty("a", Outcome::kHolds)};
+  EXPECT_EQ(OverallVerdict(certificate), "violated");
+  certificate.measured[0].difference.wrong = 0;
+  EXPECT_EQ(OverallVerdict(certificate), "holds");
+}
+
+TEST(VerdictTest, WhatIsObservedIsNotJudged) {
+  Certificate certificate = SampleCertificate();
+  certificate.tested = {SampleProperty("a", Outcome::kHolds)};
+  SceneResult& result = certificate.measured[0];
+
+  result.message = "coordinates beyond what the profile promises: observed, not judged";
+  EXPECT_EQ(OverallVerdict(certificate), "holds");
+  result.message.clear();
+
+  result.profile = "another";
+  EXPECT_EQ(OverallVerdict(certificate), "holds");
+  result.profile = "real";
+
+  certificate.subject.profile.contract = Contract::kNone;
+  EXPECT_EQ(OverallVerdict(certificate), "holds");
+  certificate.claims_exact = true;
+  EXPECT_EQ(OverallVerdict(certificate), "violated");
+}
+
+}  // namespace
+}  // namespace rasterproof::report

@@ -1,0 +1,181 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "pugixml.hpp"
+#include "report/palette.h"
+#include "report/picture.h"
+
+namespace rasterproof::report {
+namespace {
+
+// A 4 x 3 target with a count of 1 everywhere; the subject left out one sample, drew one twice, and
+// saw one from behind.
+Explanation Sample() {
+  Explanation explanation;
+  explanation.scene.width = 4;
+  explanation.scene.height = 3;
+  explanation.scene.vertices = {{0.5, 0.5}, {3.5, 0.5}, {0.5, 2.5}};
+  explanation.scene.triangles = {{0, 2, 1}};
+  explanation.expected = CoverageCounts(4, 3);
+  std::ranges::fill(explanation.expected.front, 1U);
+  explanation.observed = explanation.expected;
+  CoverageCounts& observed = explanation.observed;
+  observed.front[observed.Index(1, 1)] = 0;
+  observed.front[observed.Index(2, 1)] = 2;
+  std::swap(observed.front[observed.Index(3, 2)], observed.back[observed.Index(3, 2)]);
+  explanation.view = {0, 0, 4, 3};
+  explanation.focus_x = 1;
+  explanation.focus_y = 1;
+  explanation.triangles = {0};
+  explanation.edge_values = {"triangle 0, edge 0: E = -3/65536"};
+  explanation.headline = "3 of 12 samples differ";
+  explanation.replay = "rasterproof explain case.json";
+  return explanation;
+}
+
+std::size_t Count(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+bool Holds(const io::Image& image, Colour colour) {
+  return std::ranges::find(image.pixels, colour) != image.pixels.end();
+}
+
+TEST(ExplanationTextTest, ShowsExpectedActualAndDifferenceSideBySide) {
+  EXPECT_EQ(ExplanationToText(Sample(), false),
+            "3 of 12 samples differ\n"
+            "   columns 0 to 3, rows 0 to 2\n"
+            "   expected       actual         difference\n"
+            " 0 1 1 1 1        1 1 1 1        . . . .\n"
+            " 1 1[1]1 1        1[.]2 1        .[-]+ .\n"
+            " 2 1 1 1 1        1 1 1 1        . . . !\n"
+            "counts: . none, 1 to 9, # more   difference: . right  - gap  + overlap  ! facing"
+            "   [ ] the failing pixel\n"
+            "triangle 0, edge 0: E = -3/65536\n"
+            "replay: rasterproof explain case.json\n");
+}
+
+TEST(ExplanationTextTest, UsesColourOnlyIfAsked) {
+  EXPECT_EQ(ExplanationToText(Sample(), false).find('\x1b'), std::string::npos);
+  EXPECT_NE(ExplanationToText(Sample(), true).find("\x1b["), std::string::npos);
+}
+
+TEST(ExplanationTextTest, NoBytesOfACaseReachTheTerminalAsControls) {
+  Explanation explanation = Sample();
+  explanation.headline = "\x1b[2J gone";
+  explanation.replay = "\x07";
+  const std::string text = ExplanationToText(explanation, false);
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_EQ(text.find('\x07'), std::string::npos);
+}
+
+TEST(ExplanationTextTest, CountsOverTheSamplesOfAPixel) {
+  Explanation explanation = Sample();
+  explanation.expected = CoverageCounts(4, 3, 4);
+  std::ranges::fill(explanation.expected.back, 3U);
+  explanation.observed = explanation.expected;
+  explanation.observed.back[explanation.observed.Index(2, 0, 3)] = 0;
+  explanation.lattice.locations = {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
+  const std::string text = ExplanationToText(explanation, false);
+  EXPECT_NE(text.find(" 0 # # # #        # # 9 #        . . - ."), std::string::npos) << text;
+  EXPECT_NE(text.find("(over 4 samples)"), std::string::npos);
+}
+
+TEST(ExplanationTextTest, AHugeViewIsCutAroundTheFocus) {
+  Explanation explanation = Sample();
+  explanation.expected = CoverageCounts(2000, 1000);
+  explanation.observed = explanation.expected;
+  explanation.observed.front[explanation.observed.Index(1999, 999)] = 1;
+  explanation.view = {0, 0, 2000, 1000};
+  explanation.focus_x = 1999;
+  explanation.focus_y = 999;
+  const std::string text = ExplanationToText(explanation, false);
+  EXPECT_NE(text.find("columns 1960 to 1999, rows 960 to 999"), std::string::npos) << text;
+  EXPECT_NE(text.find("[+"), std::string::npos);
+}
+
+TEST(ExplanationTextTest, AViewOutsideTheTargetIsMovedIntoIt) {
+  Explanation explanation = Sample();
+  explanation.view = {-7, 50, -2, 90};
+  explanation.focus_x = -1;
+  explanation.focus_y = -1;
+  EXPECT_NE(ExplanationToText(explanation, false).find("columns 0 to 3, rows 0 to 2"),
+            std::string::npos);
+}
+
+TEST(ExplanationSvgTest, IsWellFormedAndShowsEachErrorLoudly) {
+  const std::string svg = ExplanationToSvg(Sample());
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(svg.c_str()));
+  EXPECT_EQ(Count(svg, "<polygon"), 3U * 12U + 6U);  // pixels and the legend
+  EXPECT_NE(svg.find("fill=\"#d55e00\""), std::string::npos);
+  EXPECT_NE(svg.find("fill=\"#0072b2\""), std::string::npos);
+  EXPECT_NE(svg.find("fill=\"#cc79a7\""), std::string::npos);
+  EXPECT_NE(svg.find("E = -3/65536"), std::string::npos);
+}
+
+TEST(ExplanationSvgTest, StaysFiniteAndInsideForTrianglesOfAnySize) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Explanation explanation = Sample();
+  explanation.scene.vertices = {{1e30, -1e30}, {-1e30, 1e30},  {1e-30, 1e308},
+                                {-1e308, 2},   {kInfinity, 0}, {0, -kInfinity}};
+  explanation.scene.triangles = {{0, 1, 2}, {2, 3, 0}, {0, 1, 4}, {5, 4, 1}, {0, 0, 0}};
+  explanation.triangles = {0, 1, 2, 3, 4, -1, 99};
+  const std::string svg = ExplanationToSvg(explanation);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(svg.c_str()));
+  const double width = document.child("svg").attribute("width").as_double();
+  for (const pugi::xml_node line : document.child("svg").children("line")) {
+    EXPECT_GE(line.attribute("x1").as_double(), 0);
+    EXPECT_LE(line.attribute("x2").as_double(), width);
+  }
+}
+
+TEST(ExplanationSvgTest, DrawsNoOutlineOfATriangleBehindTheEye) {
+  Explanation explanation = Sample();
+  explanation.scene.clip_space = true;
+  const std::size_t in_front = Count(ExplanationToSvg(explanation), "<line");
+  explanation.scene.vertices[0].w = -1;
+  EXPECT_LT(Count(ExplanationToSvg(explanation), "<line"), in_front);
+}
+
+TEST(ExplanationSvgTest, AnUpwardAxisTurnsSamplesAndTrianglesOver) {
+  Explanation down = Sample();
+  down.lattice.locations = {{0.5, 0.25}};
+  Explanation up = Sample();
+  up.lattice.locations = {{0.5, 0.75}};
+  up.y_axis = YAxis::kUp;
+  for (Vertex& v : up.scene.vertices) v.y = up.scene.height - v.y;
+  EXPECT_TRUE(ExplanationToSvg(up) == ExplanationToSvg(down));
+  up.y_axis = YAxis::kDown;
+  EXPECT_FALSE(ExplanationToSvg(up) == ExplanationToSvg(down));
+}
+
+TEST(ExplanationImageTest, ShowsTheSameColours) {
+  const io::Image image = ExplanationToImage(Sample());
+  EXPECT_GT(image.width, 640);
+  for (const Colour colour : {kVermilion, kBlue, kPurple, kCovered, kCoveredTwice, kInk, kYellow}) {
+    EXPECT_TRUE(Holds(image, colour));
+  }
+}
+
+TEST(ExplanationImageTest, MutesWhatIsRight) {
+  Explanation explanation = Sample();
+  explanation.observed = explanation.expected;
+  const std::string svg = ExplanationToSvg(explanation);
+  EXPECT_EQ(Count(svg, "#d55e00"), 1U);  // the legend
+  EXPECT_EQ(Count(svg, "#0072b2"), 1U);
+}
+
+}  // namespace
+}  // namespace rasterproof::report

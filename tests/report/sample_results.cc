@@ -1,0 +1,79 @@
+#include "tests/report/sample_results.h"
+
+#include <string>
+
+namespace rasterproof::report {
+namespace {
+
+Case OneTriangle() {
+  Case c;
+  c.scene.name = "one";
+  c.scene.width = 4;
+  c.scene.height = 4;
+  c.scene.vertices = {{0, 0}, {4, 0}, {0, 0x1.000002p+1}};
+  c.scene.triangles = {{0, 2, 1}};
+  c.origin = "domain needles, seed 7, case 12";
+  return c;
+}
+
+SceneResult OnScene(const std::string& profile, std::uint64_t wrong) {
+  SceneResult result;
+  result.scene = "bunny <front>";
+  result.subject = "f32-direct";
+  result.profile = profile;
+  result.triangles = 69666;
+  result.difference = {262144, 100000, wrong, wrong, 0, 17};
+  result.seconds = 0.25;
+  return result;
+}
+
+}  // namespace
+
+PropertyResult SampleProperty(const std::string& name, Outcome outcome) {
+  PropertyResult result;
+  result.property = name;
+  result.subject = "f32-direct";
+  result.clause = "each sample on a shared edge belongs to one triangle";
+  result.tolerance = "none: exact";
+  result.outcome = outcome;
+  result.seed = 0xFFFFFFFFFFFFFFFFU;
+  result.cases = 1000;
+  result.near_edge = {1000, 100, 200, 300, 400};
+  result.seconds = 1.5;
+  if (outcome == Outcome::kHolds) {
+    result.cases_exercised = 998;
+    result.exercised = 12345;
+    result.worst_ratio = 0.75;
+  }
+  if (outcome == Outcome::kNotApplicable) result.message = "it shows no edge values";
+  if (outcome == Outcome::kNotExercised) result.message = "no sample lay on an edge";
+  if (outcome == Outcome::kViolated) {
+    result.message = "sample covered twice";
+    result.counterexample = OneTriangle();
+    result.verdict = Verdict::Violated(3, "sample covered twice", {0, 1, 2, 3, 0, "2", "1"});
+    result.failing_case = 12;
+  }
+  return result;
+}
+
+Certificate SampleCertificate() {
+  Certificate certificate;
+  certificate.tool_version = "0.1.0";
+  certificate.subject.name = "f32-direct";
+  certificate.subject.summary = "float32, five operations";
+  certificate.command = "rasterproof certify f32-direct --out out";
+  certificate.environment = {{"compiler", "g++ 12.2"}, {"rounding", "to nearest"}};
+  certificate.seed = 7;
+  certificate.proved = {{"the sign is exact up to 11 bits", "reference/proofs/direct.g"}};
+  certificate.exhausted = {{"all triangles on a 3 x 3 grid", "N = 729"}};
+  certificate.tested = {SampleProperty("EdgeIsAntisymmetric", Outcome::kHolds),
+                        SampleProperty("SharedEdgeSamplesAreCoveredOnce", Outcome::kViolated),
+                        SampleProperty("HubIsCoveredOnce", Outcome::kNotExercised),
+                        SampleProperty("WalkIsExact", Outcome::kNotApplicable)};
+  certificate.measured = {OnScene("real", 5)};
+  certificate.oracle_tiers = {{"filter", 900}, {"exact", 3}};
+  certificate.not_applicable = {{"C ABI plugins", "this build has none"}};
+  return certificate;
+}
+
+}  // namespace rasterproof::report

@@ -1,7 +1,6 @@
 #include "io/mesh.h"
 
 #include <assimp/mesh.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -87,13 +86,21 @@ class Welder {
  private:
   void AddPart(const aiMesh& part, const Transform& transform) {
     for (const aiFace& face : std::span(part.mFaces, part.mNumFaces)) {
-      if (face.mNumIndices != 3) continue;  // points and lines cover nothing
-      Triangle triangle{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        triangle[k] = IndexOf(transform(part.mVertices[face.mIndices[k]]));
+      // Points and lines, with fewer corners, cover nothing.
+      for (unsigned k = 2; k < face.mNumIndices; ++k) {
+        Triangle triangle{};
+        const std::array<unsigned, 3> corners{0, k - 1, k};
+        std::ranges::transform(corners, triangle.begin(), [&](unsigned corner) {
+          return IndexOf(transform(VertexOf(part, face.mIndices[corner])));
+        });
+        mesh_.triangles.push_back(triangle);
       }
-      mesh_.triangles.push_back(triangle);
     }
+  }
+
+  const aiVector3D& VertexOf(const aiMesh& part, unsigned index) const {
+    if (index < part.mNumVertices) return part.mVertices[index];
+    throw Fault("names vertex " + std::to_string(index) + ", which is not there");
   }
 
   std::int32_t IndexOf(const Position& p) {
@@ -109,8 +116,12 @@ class Welder {
 
   void RequireFinite(const Position& p) const {
     if (std::ranges::all_of(p, [](float x) { return std::isfinite(x); })) return;
-    throw InputError(path_ + ": triangle " + std::to_string(mesh_.triangles.size()),
-                     "has a vertex that is not finite", "repair the mesh");
+    throw Fault("has a vertex that is not finite");
+  }
+
+  InputError Fault(const std::string& reason) const {
+    return {path_ + ": triangle " + std::to_string(mesh_.triangles.size()), reason,
+            "repair the mesh"};
   }
 
   const std::string& path_;
@@ -150,8 +161,9 @@ Mesh ReadMesh(const std::string& path) {
   }
   if (extension == ".ply") RequireEndOfPlyHeader(path);
   Assimp::Importer importer;
-  // Triangulation only: the importer's own joining of vertices moves them by up to 1e-5.
-  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+  // None of the importer's own steps: joining moves vertices by up to 1e-5, and triangulation aborts
+  // the program on files that are cut short. With nothing asked of it, it only parses.
+  const aiScene* scene = importer.ReadFile(path, 0);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw InputError(path,
                      "can't be read as a mesh (" + std::string(importer.GetErrorString()) + ")",

@@ -18,7 +18,11 @@ struct Mesh {
   std::vector<Triangle> triangles;
 };
 
-/// Reads OBJ, PLY, OFF, STL or glTF (.gltf, .glb) through assimp. InputError: file, reason, remedy.
+/// Reads OBJ, PLY, OFF, STL or glTF (.gltf, .glb) through assimp; glTF's nodes place their meshes.
+///
+/// Polygons become fans around their first corner: a closed mesh stays closed, a concave polygon
+/// may fold. Degenerate triangles stay, points and lines go.
+/// Error:      InputError with file, reason and remedy; vertices that aren't finite are refused.
 Mesh ReadMesh(const std::string& path);
 
 /// A pin-hole camera: right-handed, looking from `eye` to `target`.

@@ -139,6 +139,21 @@ TEST(MeshTest, PolygonsBecomeTrianglesAndDegenerateOnesStay) {
   EXPECT_EQ(mesh.triangles[1], (Triangle{0, 1, 1}));
 }
 
+// Importers have aborted the program, or never returned, on files like these.
+TEST(MeshTest, FilesCutShortAreReadOrRefused) {
+  for (const auto& [extension, text] :
+       {std::pair{".off", kOffTetrahedron}, std::pair{".ply", kPlyTetrahedron},
+        std::pair{".obj", kObjTetrahedron}, std::pair{".stl", StlTetrahedron()}}) {
+    for (std::size_t size = 0; size < text.size(); size += 5) {
+      try {
+        EXPECT_GT(ReadText(extension, text.substr(0, size)).triangles.size(), 0U);
+      } catch (const InputError&) {
+        continue;
+      }
+    }
+  }
+}
+
 TEST(MeshTest, BadMeshesAreRefusedWithFileReasonAndRemedy) {
   const auto expect = [](const std::string& message, const std::string& part) {
     EXPECT_NE(message.find("mesh_test."), std::string::npos) << message;

@@ -7,7 +7,7 @@
 
 namespace rasterproof::props {
 
-/// Whether |observed - exact| <= bound, decided exactly, and the quotient of the two for the reader.
+/// Whether |observed - exact| <= bound, decided exactly, and the quotient of both for the reader.
 struct Distance {
   bool within = true;
   /// |observed - exact| / bound, rounded; 0 if both are 0, infinite if only the bound is.

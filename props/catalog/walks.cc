@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "props/catalog/exact_comparison.h"
@@ -72,14 +74,19 @@ std::vector<WalkQuery> SomeWalks(const Case& c) {
 }
 
 std::vector<WalkQuery> LongWalks(const Case& c, int steps) {
+  // Two along x, either way, and one along y.
+  constexpr std::array<Step, 3> kSteps{{{false, +1, 1}, {false, -1, 1}, {true, +1, 1}}};
   std::vector<WalkQuery> walks;
   for (const CornersPlace& corners : SomeTriangles(c, kLongWalkTriangles)) {
-    const SamplePlace corner = PlaceOf(c, 0, 0, 0);
-    for (int i = 0; i < 3; ++i) {
-      const EdgeQuery from{corners.triangle, i, EdgeStart(corners.at, i), EdgeEnd(corners.at, i),
-                           corner};
-      AddWalk(c, from, {i == 2, i == 1 ? -1 : +1, 1}, steps, walks);
-    }
+    // Some bits of the case choose, so that over many cases every edge and step has its turn.
+    const Point2& v = corners.at[0];
+    const std::uint64_t bits =
+        std::bit_cast<std::uint64_t>(v.x) ^ std::bit_cast<std::uint64_t>(v.y);
+    const auto choice = (bits ^ (bits >> 32)) % (3 * kSteps.size());
+    const int i = static_cast<int>(choice % 3);
+    const EdgeQuery from{corners.triangle, i, EdgeStart(corners.at, i), EdgeEnd(corners.at, i),
+                         PlaceOf(c, 0, 0, 0)};
+    AddWalk(c, from, kSteps[choice / 3], steps, walks);
   }
   return walks;
 }

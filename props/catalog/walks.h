@@ -27,8 +27,8 @@ Point2 AfterSteps(const WalkQuery& walk, int n);
 /// The eight walks, by one pixel and by L = 2, 8 and 16, as far as the target reaches.
 std::vector<WalkQuery> SomeWalks(const Case& c);
 
-/// Single-pixel walks from a corner of the target, `steps` long or as long as the profile's limit
-/// lets them be.
+/// A single-pixel walk from a corner of the target, `steps` long or as long as the profile's limit
+/// lets it be. Bits of the case choose the edge and the direction.
 std::vector<WalkQuery> LongWalks(const Case& c, int steps);
 
 /// Compares the values met with the exact ones.

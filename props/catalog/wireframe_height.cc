@@ -12,7 +12,7 @@ std::optional<WireframeScale> InPixels(const WeightQuery& q, int edge) {
   const auto distance = exact::SquaredLineDistance(a, b, q.place.at);
   const auto height = exact::SquaredLineDistance(a, b, q.v[static_cast<std::size_t>(edge)]);
   if (!distance || !height) return std::nullopt;
-  return WireframeScale{*distance, exact::NearestSquareRoot(*height)};
+  return WireframeScale{*distance, RoundedRoot(*height)};
 }
 
 }  // namespace

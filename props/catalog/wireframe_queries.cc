@@ -40,6 +40,12 @@ bool IsWithin(double observed, const Rational& square, double bound) {
 
 }  // namespace
 
+double RoundedRoot(const Rational& square) {
+  const double rounded = square.ToDouble();
+  const bool in_range = rounded >= std::numeric_limits<double>::min() && std::isfinite(rounded);
+  return in_range ? std::sqrt(rounded) : exact::NearestSquareRoot(square);
+}
+
 Verdict DistancesMean(Subject& subject, const Case& c, WireframeForm form, WireframeMeaning meaning,
                       const std::string& claim) {
   if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
@@ -57,7 +63,7 @@ Verdict DistancesMean(Subject& subject, const Case& c, WireframeForm form, Wiref
       const auto k = static_cast<std::size_t>(i);
       const std::optional<WireframeScale> exact = meaning(q, i);
       if (!exact || !Claims(weight_bounds[k])) continue;
-      const double expected = exact::NearestSquareRoot(exact->exact_square);
+      const double expected = RoundedRoot(exact->exact_square);
       const double bound = 2 * weight_bounds[k] * exact->scale +
                            kWireframeErrorMultiplier * UnitRoundoff(precision) * expected +
                            LeastSubnormal(precision);

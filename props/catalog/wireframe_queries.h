@@ -19,6 +19,9 @@ struct WireframeScale {
   double scale = 0;              ///< distance per unit of lambda_i, rounded
 };
 
+/// The square root to within a few roundings: for scales and tolerances, not for verdicts.
+double RoundedRoot(const exact::Rational& square);
+
 /// Nothing if the edge has no length.
 using WireframeMeaning = std::optional<WireframeScale> (*)(const WeightQuery& q, int edge);
 

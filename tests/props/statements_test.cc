@@ -1,0 +1,77 @@
+// Every published statement is put to the test under its precondition, and those that are not true
+// as written are shown to fail at a concrete configuration.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "props/statements/statement.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+constexpr int kConfigurations = 400;
+
+TEST(Statements, HoldUnderTheirPreconditions) {
+  for (const Statement& statement : Statements()) {
+    const Tally tally = statement.check(kSeed, kConfigurations);
+    EXPECT_EQ(tally.held, tally.met) << statement.id << ": " << statement.text;
+  }
+}
+
+TEST(Statements, MeetTheirPreconditionsOftenEnough) {
+  for (const Statement& statement : Statements()) {
+    const Tally tally = statement.check(kSeed, kConfigurations);
+    EXPECT_GE(tally.met * 10, tally.drawn)
+        << statement.id << " met its precondition in only " << tally.met << " of " << tally.drawn;
+  }
+}
+
+TEST(Statements, FailAsWrittenAtTheirCounterexamples) {
+  for (const Statement& statement : Statements()) {
+    if (statement.fails_as_written == nullptr) continue;
+    EXPECT_TRUE(statement.fails_as_written()) << statement.id << ": " << statement.counterexample;
+  }
+}
+
+TEST(Statements, CarryACounterexampleUnlessTheyAreTrueOrOnlyImprecise) {
+  for (const Statement& statement : Statements()) {
+    const bool has_one = statement.fails_as_written != nullptr;
+    EXPECT_EQ(has_one, !statement.counterexample.empty()) << statement.id;
+    EXPECT_EQ(statement.verdict == Truth::kTrue, statement.holds.empty()) << statement.id;
+    if (statement.verdict == Truth::kTrue) {
+      EXPECT_FALSE(has_one) << statement.id;
+    }
+    if (statement.verdict != Truth::kTrue && statement.verdict != Truth::kImprecise) {
+      EXPECT_TRUE(has_one) << statement.id;
+    }
+  }
+}
+
+TEST(Statements, HaveUniqueIdentifiers) {
+  std::set<std::string_view> ids;
+  for (const Statement& statement : Statements()) {
+    EXPECT_TRUE(ids.insert(statement.id).second) << statement.id;
+  }
+}
+
+// 45 were listed before the first line of code; the rest were found while reading again.
+TEST(Statements, CoverEveryOneListed) {
+  std::set<std::string_view> ids;
+  for (const Statement& statement : Statements()) ids.insert(statement.id);
+  const auto contains_all = [&](const std::string& family, int last) {
+    for (int k = 1; k <= last; ++k) {
+      EXPECT_TRUE(ids.contains(family + std::to_string(k))) << family << k;
+    }
+  };
+  contains_all("H", 12);
+  contains_all("C", 17);
+  contains_all("E", 12);
+  contains_all("W", 16);
+  EXPECT_EQ(ids.size(), 57U);
+}
+
+}  // namespace
+}  // namespace rasterproof::props

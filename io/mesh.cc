@@ -161,8 +161,8 @@ Mesh ReadMesh(const std::string& path) {
   }
   if (extension == ".ply") RequireEndOfPlyHeader(path);
   Assimp::Importer importer;
-  // None of the importer's own steps: joining moves vertices by up to 1e-5, and triangulation aborts
-  // the program on files that are cut short. With nothing asked of it, it only parses.
+  // None of the importer's own steps: joining moves vertices by up to 1e-5, and triangulation
+  // aborts the program on files that are cut short. With nothing asked of it, it only parses.
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw InputError(path,

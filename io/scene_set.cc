@@ -1,63 +1,45 @@
 #include "io/scene_set.h"
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/error.h"
+#include "core/scene.h"
+#include "io/json_document.h"
 #include "io/output.h"
-#include "nlohmann/json.hpp"
 
 namespace rasterproof::io {
 namespace {
 
-using Json = nlohmann::json;
+constexpr std::array<std::string_view, 2> kSetKeys{"rasterproof_scene_set", "scenes"};
+constexpr std::array<std::string_view, 7> kEntryKeys{"name",    "kind",  "path",  "camera",
+                                                     "project", "width", "height"};
 
-[[noreturn]] void Fail(const std::string& place, const std::string& reason) {
-  throw InputError(place, reason,
-                   "compare with scenes/certify.json, which lists the keys of an entry");
+bool IsReal(const JsonValue& kind) {
+  const std::string_view text = kind.RequireString();
+  if (text == "real") return true;
+  if (text == "hard") return false;
+  throw kind.Error(Quoted(text) + " is unknown", "write \"real\" or \"hard\"");
 }
 
-std::string Text(const Json& value, const std::string& place) {
-  if (!value.is_string()) Fail(place, "expected a string");
-  return value.get<std::string>();
+int Side(const JsonValue& value) {
+  return static_cast<int>(value.RequireInteger(1, kMaxTargetSide));
 }
 
-int Side(const Json& value, const std::string& place) {
-  constexpr int kLargest = 65536;
-  if (!value.is_number_integer() || value.get<double>() < 1 || value.get<double>() > kLargest) {
-    Fail(place, "expected an integer from 1 to 65536");
-  }
-  return value.get<int>();
-}
-
-SceneEntry ReadEntry(const Json& object, const std::filesystem::path& folder,
-                     const std::string& place) {
-  if (!object.is_object()) Fail(place, "expected an object");
+SceneEntry ReadEntry(const JsonValue& object, const std::filesystem::path& folder) {
+  object.RequireObject(kEntryKeys);
   SceneEntry entry;
-  for (const auto& [key, value] : object.items()) {
-    const std::string here = place + "." + key;
-    if (key == "name") {
-      entry.name = Text(value, here);
-    } else if (key == "kind") {
-      const std::string kind = Text(value, here);
-      if (kind != "real" && kind != "hard") Fail(here, "expected \"real\" or \"hard\"");
-      entry.real = kind == "real";
-    } else if (key == "path") {
-      entry.path = (folder / Text(value, here)).string();  // an absolute path stays as it is
-    } else if (key == "camera") {
-      entry.camera = Text(value, here);
-    } else if (key == "project") {
-      entry.project = Text(value, here);
-    } else if (key == "width") {
-      entry.width = Side(value, here);
-    } else if (key == "height") {
-      entry.height = Side(value, here);
-    } else {
-      Fail(here, "unknown key");
-    }
-  }
-  if (entry.name.empty() || entry.path.empty()) Fail(place, "\"name\" and \"path\" are needed");
+  entry.name = object.Get("name").RequireString();
+  // An absolute path stays as it is.
+  entry.path = (folder / object.Get("path").RequireString()).string();
+  if (const auto kind = object.Find("kind")) entry.real = IsReal(*kind);
+  if (const auto camera = object.Find("camera")) entry.camera = camera->RequireString();
+  if (const auto project = object.Find("project")) entry.project = project->RequireString();
+  if (const auto width = object.Find("width")) entry.width = Side(*width);
+  if (const auto height = object.Find("height")) entry.height = Side(*height);
   return entry;
 }
 
@@ -65,18 +47,16 @@ SceneEntry ReadEntry(const Json& object, const std::filesystem::path& folder,
 
 std::vector<SceneEntry> ReadSceneSet(const std::string& path) {
   const std::string text = ReadFile(path);
-  const Json root = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (root.is_discarded()) Fail(path, "not valid JSON");
-  if (!root.is_object() || root.value("rasterproof_scene_set", 0) != 1 ||
-      !root.contains("scenes") || !root["scenes"].is_array() || root.size() != 2) {
-    Fail(path, R"(expected {"rasterproof_scene_set": 1, "scenes": [...]})");
-  }
+  const JsonDocument document(text, path == "-" ? "standard input" : path);
+  const JsonValue root = document.root();
+  root.RequireObject(kSetKeys);
+  root.Get("rasterproof_scene_set").RequireInteger(1, 1);  // the version
   std::vector<SceneEntry> entries;
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  for (const Json& object : root["scenes"]) {
-    entries.push_back(
-        ReadEntry(object, folder, path + ": scenes[" + std::to_string(entries.size()) + "]"));
+  const JsonValue list = root.Get("scenes");
+  for (const JsonValue item : list.RequireArray()) {
+    entries.push_back(ReadEntry(item, std::filesystem::path(path).parent_path()));
   }
+  if (entries.empty()) throw list.Error("names no scene", "add one");
   return entries;
 }
 

@@ -18,8 +18,9 @@ struct SceneEntry {
   int height = 512;
 };
 
-/// Reads {"rasterproof_scene_set": 1, "scenes": [{"name", "kind": "real" | "hard", "path", "camera", "project",
-/// "width", "height"}]}. Relative paths are relative to the file's folder.
+/// Reads {"rasterproof_scene_set": 1, "scenes": [{"name", "path", "kind": "real" | "hard",
+/// "camera", "project", "width", "height"}]}; name and path are required. Relative paths are
+/// relative to the file's folder.
 ///
 /// Error:      InputError with file, place, reason and remedy; unknown keys are errors.
 std::vector<SceneEntry> ReadSceneSet(const std::string& path);

@@ -1,5 +1,7 @@
 #include "io/case_file.h"
 
+#include <unistd.h>
+
 #include <string>
 #include <vector>
 
@@ -70,7 +72,7 @@ TEST(CaseFileTest, ABareSceneIsACaseOfRealGeometry) {
 }
 
 TEST(CaseFileTest, AbsentKeysOfAProfileAreThoseOfReal) {
-  const std::string path = testing::TempDir() + "/profile_test.json";
+  const std::string path = testing::TempDir() + "/profile_test." + std::to_string(::getpid());
   WriteFile(path, R"({"name": "mine", "subpixel_bits": 4})");
   Profile expected;
   expected.name = "mine";

@@ -1,11 +1,14 @@
 #include "io/mesh.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,14 +16,14 @@
 
 #include "core/error.h"
 #include "gtest/gtest.h"
-#include "io/output.h"
 
 namespace rasterproof::io {
 namespace {
 
 Mesh ReadText(const std::string& extension, const std::string& content) {
-  const std::string path = testing::TempDir() + "/mesh_test" + extension;
-  WriteFile(path, content);
+  const std::string path =
+      testing::TempDir() + "/mesh_test-" + std::to_string(::getpid()) + extension;
+  std::ofstream(path, std::ios::binary) << content;
   return ReadMesh(path);
 }
 
@@ -78,7 +81,7 @@ TEST(MeshTest, EveryFormatGivesTheSameClosedTetrahedron) {
        {std::pair{".obj", kObjTetrahedron}, std::pair{".off", kOffTetrahedron},
         std::pair{".ply", kPlyTetrahedron}, std::pair{".stl", StlTetrahedron()}}) {
     const Mesh mesh = ReadText(extension, text);
-    EXPECT_EQ(mesh.name, "mesh_test") << extension;
+    EXPECT_TRUE(mesh.name.starts_with("mesh_test-")) << mesh.name;
     EXPECT_EQ(mesh.vertices.size(), 4U) << extension;
     EXPECT_EQ(mesh.triangles.size(), 4U) << extension;
     EXPECT_EQ(OpenEdges(mesh), 0U) << extension;
@@ -156,7 +159,7 @@ TEST(MeshTest, FilesCutShortAreReadOrRefused) {
 
 TEST(MeshTest, BadMeshesAreRefusedWithFileReasonAndRemedy) {
   const auto expect = [](const std::string& message, const std::string& part) {
-    EXPECT_NE(message.find("mesh_test."), std::string::npos) << message;
+    EXPECT_NE(message.find("mesh_test-"), std::string::npos) << message;
     EXPECT_NE(message.find(part), std::string::npos) << message;
     EXPECT_NE(message.find("; "), std::string::npos) << message;
   };

@@ -113,7 +113,8 @@ class TextTest(unittest.TestCase):
         self.expect("core/scene.cc", "// " + "x" * 98 + "\n", "101 columns")
         self.expect("core/scene.cc", "int i;\n" * 501, "501 lines")
         self.expect("core/scene.cc", "// TO" + "DO: all of it\n", "unfinished")
-        self.expect("core/scene.cc", "//" + "/ one value. Error: none.\n", "in the middle of a line")
+        glued = "//" + "/ one value. Error: none.\n"
+        self.expect("core/scene.cc", glued, "in the middle of a line")
         self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
         self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
         self.expect("core/scene_utils.cc", "int width;\n", "says nothing")

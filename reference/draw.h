@@ -13,6 +13,7 @@
 #include "core/scene.h"
 #include "reference/bands.h"
 #include "reference/box.h"
+#include "reference/machine.h"
 #include "reference/method.h"
 #include "reference/tie_rule.h"
 
@@ -115,31 +116,6 @@ void ScanBox(WalkingEdges<Walk>& edges, const PixelRect& box, const PixelRect& c
   }
 }
 
-#if defined(__x86_64__)
-/// The same code for machines with AVX2 and FMA. Both give the same bits: contraction is off, and
-/// std::fma rounds once whether the hardware or the library does it.
-template <class Walk>
-[[gnu::target("avx2,fma"), gnu::flatten]] void ScanBoxAvx2(WalkingEdges<Walk>& edges,
-                                                           const PixelRect& box,
-                                                           const PixelRect& clipped, int tile,
-                                                           std::uint32_t* counts, int width) {
-  ScanBox(edges, box, clipped, tile, counts, width);
-}
-inline bool HasAvx2AndFma() {
-  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return has;
-}
-#endif
-
-template <class Walk>
-void ScanBoxOnThisMachine(WalkingEdges<Walk>& edges, const PixelRect& box, const PixelRect& clipped,
-                          int tile, std::uint32_t* counts, int width) {
-#if defined(__x86_64__)
-  if (HasAvx2AndFma()) return ScanBoxAvx2(edges, box, clipped, tile, counts, width);
-#endif
-  ScanBox(edges, box, clipped, tile, counts, width);
-}
-
 /// Draws one triangle by testing every sample of its box.
 template <class Walk, TieRule kTies>
 void DrawBox(const TriangleTask& task, const RasterOptions& options, CoverageCounts& counts) {
@@ -168,8 +144,8 @@ void DrawBox(const TriangleTask& task, const RasterOptions& options, CoverageCou
   };
   WalkingEdges<Walk> edges{{walk(0, 1), walk(1, 2), walk(2, 0)},
                            {inside_from(0, 1), inside_from(1, 2), inside_from(2, 0)}};
-  ScanBoxOnThisMachine(edges, box, clipped, TileSide(options),
-                       (front ? counts.front : counts.back).data(), counts.width);
+  std::uint32_t* const buffer = (front ? counts.front : counts.back).data();
+  RunForThisMachine([&] { ScanBox(edges, box, clipped, TileSide(options), buffer, counts.width); });
 }
 
 /// Draws a scene by one walk: the `draw` of a row of the table.

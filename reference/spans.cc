@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reference/box.h"
+#include "reference/machine.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -68,12 +69,14 @@ void DrawSpans(const std::array<Point2, 3>& v, const PixelRect& clip, Cull cull,
   std::uint32_t* const buffer = (facing > 0 ? counts.front : counts.back).data();
   const RowCrossing whole(top, bottom);
   const int bend = FirstCentreFrom(middle.y, first, last);
-  if (first < bend) {
-    FillRows(whole, RowCrossing(top, middle), first, bend, clip, buffer, counts.width);
-  }
-  if (bend < last) {
-    FillRows(whole, RowCrossing(middle, bottom), bend, last, clip, buffer, counts.width);
-  }
+  RunForThisMachine([&] {
+    if (first < bend) {
+      FillRows(whole, RowCrossing(top, middle), first, bend, clip, buffer, counts.width);
+    }
+    if (bend < last) {
+      FillRows(whole, RowCrossing(middle, bottom), bend, last, clip, buffer, counts.width);
+    }
+  });
 }
 
 }  // namespace rasterproof::reference

@@ -24,8 +24,8 @@ endif()
 add_library(rasterproof_flags INTERFACE)
 target_compile_options(rasterproof_flags INTERFACE
   -Wall -Wextra -Wconversion -Werror -ffp-contract=off
-  # g++ 12 at -O2: two neighbouring doubles rounded to float and widened again, vectorised as a pair,
-  # lose the rounding. Found by exact/environment.cc, which refuses a build without this.
+  # g++ 12 at -O2: two neighbouring doubles rounded to float and widened again, vectorised as a
+  # pair, lose the rounding. Found by exact/environment.cc, which refuses a build without this.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
   $<$<CONFIG:Release>:-O2>)
 target_include_directories(rasterproof_flags INTERFACE ${CMAKE_SOURCE_DIR})

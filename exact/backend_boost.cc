@@ -56,7 +56,7 @@ bool IsNarrow(double x) {
   const Bits b = TakeApart(x);
   if (b.mantissa == 0) return true;
   return b.exponent + std::countr_zero(b.mantissa) >= kNarrowUnit &&
-         b.exponent + std::bit_width(b.mantissa) <= kNarrowTop;
+         b.exponent + static_cast<int>(std::bit_width(b.mantissa)) <= kNarrowTop;
 }
 
 template <class Integer>

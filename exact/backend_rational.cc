@@ -39,7 +39,8 @@ T RoundMagnitude(Integer n, Integer d, Rounding rounding) {
   using Limits = std::numeric_limits<T>;
   // floor(log2(n / d)) is log or log - 1.
   int log = static_cast<int>(msb(n)) - static_cast<int>(msb(d));
-  if (log >= 0 ? n < d << static_cast<unsigned>(log) : n << static_cast<unsigned>(-log) < d) --log;
+  if (log >= 0 ? n < (d << static_cast<unsigned>(log)) : (n << static_cast<unsigned>(-log)) < d)
+    --log;
   const int least_unit = Limits::min_exponent - Limits::digits;  // of subnormals
   const int unit = std::max(log + 1 - Limits::digits, least_unit);
   if (log >= Limits::max_exponent) {

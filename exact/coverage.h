@@ -17,13 +17,12 @@ namespace rasterproof::exact {
 /// and scissor.
 ///
 /// Domain:     any scene. Triangles with a non-finite x, y or w, or with zero area after snapping,
-/// cover
-///             nothing. Clip space with a snapped profile: every w of a triangle must be positive
-///             (snapping follows the division, and what clipping does is not the profile's to say).
+///             cover nothing. Clip space with a snapped profile: every w of a triangle must be
+///             positive (snapping follows the division, and what clipping does is not the
+///             profile's to say), and |x / w| and |y / w| below 2^(50 - bits).
 /// Error:      none; throws InputError where the domain is left.
 /// Cost:       kFast: spans, about one integer decision per edge and row. The other deciders: one
-/// sign per
-///             edge and sample of the triangle's box, for cross-checking.
+///             sign per edge and sample of the triangle's box, for cross-checking.
 CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options = {},
                         Decider decider = Decider::kFast);
 

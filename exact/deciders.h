@@ -7,11 +7,15 @@
 
 namespace rasterproof::exact {
 
-/// Sign of E(a, b; p). Domain: every finite double.
+/// Sign of E(a, b; p).
+///
+/// Domain:     every finite double.
 int IntegerEdgeSign(Point2 a, Point2 b, Point2 p);
 int CgalEdgeSign(Point2 a, Point2 b, Point2 p);
 
-/// Sign of the determinant with the given rows. Domain: every finite double.
+/// Sign of the determinant with the given rows.
+///
+/// Domain:     every finite double.
 int IntegerDeterminantSign(const Rows3& rows);
 int CgalDeterminantSign(const Rows3& rows);
 

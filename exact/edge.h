@@ -34,8 +34,9 @@ void ResetTiers();
 ///
 /// Domain:     every finite double, subnormals and the largest included.
 /// Returns:    +1 if a, b, p turn counter-clockwise on screen (y down), -1 if clockwise, 0 if
-/// collinear. Error:      none. Properties: EdgeSign(b, a, p) == -EdgeSign(a, b, p) == -EdgeSign(a,
-/// p, b).
+///             collinear.
+/// Error:      none.
+/// Properties: EdgeSign(b, a, p) == -EdgeSign(a, b, p) == EdgeSign(a, p, b).
 int EdgeSign(Point2 a, Point2 b, Point2 p, Decider decider = Decider::kFast);
 
 /// The sign of E(a, b; p) at p shifted as the fill rule says. 0 only if a == b (or rule.inclusive

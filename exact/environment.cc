@@ -33,8 +33,8 @@ bool ContractionIsOff() {
   return a * a + c == 0;
 }
 
-// Two neighbouring values at once, as g++ 12's vectoriser takes them: at -O2 it drops the rounding of
-// double -> float -> double from such a pair. Not inlined: known values would be folded.
+// Two neighbouring values at once, as g++ 12's vectoriser takes them: at -O2 it drops the rounding
+// of double -> float -> double from such a pair. Not inlined: known values would be folded.
 [[gnu::noinline]] void RoundPairToFloat(const double* values, double* rounded) {
   const auto first = static_cast<float>(values[0] * values[2]);
   const auto second = static_cast<float>(values[1] * values[2]);

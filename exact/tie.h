@@ -10,8 +10,8 @@ namespace rasterproof::exact {
 /// Returns the sign at the infinitesimally shifted sample of a function with f = 0 at the sample.
 ///
 /// dx_sign and dy_sign are the signs of df/dx and df/dy. The first axis of the shift decides unless
-/// f does not change along it. Returns:    0 if f is constant, or if the rule does not shift
-/// (inclusive).
+/// f does not change along it.
+/// Returns:    0 if f is constant, or if the rule does not shift (inclusive).
 inline int TieSign(int dx_sign, int dy_sign, const FillRule& rule) {
   if (rule.inclusive) return 0;
   const int along_x = rule.sign_x * dx_sign;

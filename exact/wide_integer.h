@@ -30,7 +30,7 @@ class WideInteger {
   static constexpr int kLimbs = 99;
 
   WideInteger() = default;
-  /// x / 2^unit. Domain: the quotient is an integer.
+  /// x / 2^unit, which must be an integer.
   WideInteger(double x, int unit);
 
   int Sign() const { return size_ == 0 ? 0 : (negative_ ? -1 : 1); }

@@ -15,8 +15,11 @@ namespace rasterproof::exact {
 ///
 /// The boundary is what is left of the directed edges (keyed by position bits, not by index) after
 /// opposite pairs cancel. Window space; the scene is snapped by the profile first; triangles with a
-/// non-finite vertex are left out. Shape:      as CoverageCounts. Source:     signed coverage =
-/// winding number, docs/mathematics.md.
+/// non-finite vertex are left out. The inclusive rule, which no sample's shift expresses, counts as
+/// top-left.
+/// Shape:      as CoverageCounts.
+/// Error:      none; throws InputError for a clip-space scene.
+/// Properties: equals the signed coverage, docs/mathematics.md.
 std::vector<std::int64_t> BoundaryWinding(const Scene& scene, const Profile& profile);
 
 /// What is known of a snapped mesh as a subdivision of the plane.

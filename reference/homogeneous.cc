@@ -8,7 +8,6 @@
 #include <limits>
 #include <span>
 
-#include "core/error.h"
 #include "reference/bands.h"
 #include "reference/box.h"
 #include "reference/homogeneous_edges.h"
@@ -125,11 +124,7 @@ template <class Reading>
 void DrawHomogeneous(const Scene& scene, const Profile& profile, const DrawOptions& options,
                      CoverageCounts& counts) {
   const SampleGrid grid(profile, scene.height);
-  if (counts.width != scene.width || counts.height != scene.height ||
-      counts.samples != grid.samples()) {
-    throw InputError("scene " + scene.name, "the counts do not have the target's shape",
-                     "make them of the scene's size and the profile's samples");
-  }
+  RequireShape(scene, grid, counts);
   ForEachBand(DrawArea(scene, options), options, [&](const PixelRect& band) {
     for (const Triangle& t : scene.triangles) {
       std::array<Vertex, 3> v = Corners(scene, t);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
+
 namespace rasterproof::reference {
 namespace {
 
@@ -18,6 +20,15 @@ int FirstSample(double x, double offset, int low, int high, const Reached& reach
 }
 
 }  // namespace
+
+void RequireShape(const Scene& scene, const SampleGrid& grid, const CoverageCounts& counts) {
+  if (counts.width == scene.width && counts.height == scene.height &&
+      counts.samples == grid.samples()) {
+    return;
+  }
+  throw InputError("scene " + scene.name, "the counts do not have the target's shape",
+                   "make them of the scene's size and the profile's samples");
+}
 
 int FirstSampleFrom(double x, double offset, int low, int high) {
   return FirstSample(x, offset, low, high, [x](double at) { return at >= x; });

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/coverage.h"
 #include "core/profile.h"
+#include "core/scene.h"
 #include "core/vertex.h"
 
 namespace rasterproof::reference {
@@ -29,6 +31,9 @@ struct SampleGrid {
   /// A vertex seen with y down.
   double Y(double y) const { return y_up ? -y : y; }
 };
+
+/// Throws InputError unless the counts have the scene's size and the grid's samples.
+void RequireShape(const Scene& scene, const SampleGrid& grid, const CoverageCounts& counts);
 
 /// Returns the smallest n in [low, high] with n + offset >= x (beyond: > x); high if there is none.
 ///

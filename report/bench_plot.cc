@@ -50,9 +50,13 @@ bool IsOnFront(const BenchRow& row, const std::vector<const BenchRow*>& rivals) 
   });
 }
 
-std::string_view KindOf(const BenchRow& row, const BenchResult& result) {
-  if (row.subject == kNaive) return "textbook";
-  return row.subject == result.baseline ? "baseline" : "method";
+// The arithmetic that a subject's name tells, for the colour of its point.
+std::string_view ArithmeticOf(std::string_view subject) {
+  if (subject == kNaive) return kNaive;
+  if (subject.find("exact") != std::string_view::npos) return "exact";
+  if (subject.starts_with("f32")) return "float32";
+  if (subject.starts_with("f64")) return "float64";
+  return subject.starts_with("i32") || subject.starts_with("i64") ? "fixed point" : "other";
 }
 
 double MedianRatio(const BenchRow& row) {
@@ -75,53 +79,78 @@ void WriteDifference(JsonWriter& json, std::string_view key, const CoverageDiffe
 void WritePoint(JsonWriter& json, const BenchRow& row, const FamilyRows& family,
                 const BenchResult& result) {
   const bool front = IsOnFront(row, family.rows);
-  const std::string_view kind = KindOf(row, result);
+  const std::string_view arithmetic = ArithmeticOf(row.subject);
+  // Names of the points that the eye looks for; a name at every point would hide them.
+  const bool named = front || row.subject == result.baseline || arithmetic == kNaive ||
+                     arithmetic == "fixed point";
   json.BeginObject();
   json.Key("family").Text(row.family);
   json.Key("subject").Text(row.subject);
   json.Key("ratio").Rounded(row.ratio);
   json.Key("wrong").Rounded(WrongPerMillion(row));
   json.Key("front").Bool(front);
-  json.Key("kind").Text(kind);
-  json.Key("label").Text(front || kind != "method" ? row.subject : "");
+  json.Key("arithmetic").Text(arithmetic);
+  json.Key("label").Text(named ? row.subject : "");
   json.EndObject();
 }
 
 // How the points are drawn. Of each panel: the front's line, the points, the names of those that
 // matter. Error is on a symmetric-logarithmic axis, which has a place for 0.
 constexpr std::string_view kPanel = R"({
-    "width": 380,
-    "height": 260,
+    "width": 420,
+    "height": 250,
     "layer": [
       {
         "transform": [{"filter": "datum.front"}],
         "mark": {"type": "line", "interpolate": "step-after", "color": "#009e73", "opacity": 0.6}
       },
       {
-        "mark": {"type": "point", "filled": true, "size": 70, "opacity": 0.9},
+        "mark": {"type": "point", "filled": true, "size": 75, "opacity": 0.85},
         "encoding": {
-          "color": {"field": "kind", "type": "nominal", "title": null,
-                    "scale": {"domain": ["textbook", "baseline", "method"],
-                              "range": ["#d55e00", "#222222", "#0072b2"]}},
-          "shape": {"field": "kind", "type": "nominal", "title": null,
-                    "scale": {"domain": ["textbook", "baseline", "method"],
-                              "range": ["diamond", "square", "circle"]}}
+          "color": {"field": "arithmetic", "type": "nominal", "title": null,
+                    "scale": {"domain": ["textbook", "float32", "float64", "fixed point", "exact",
+                                         "other"],
+                              "range": ["#d55e00", "#0072b2", "#56b4e9", "#e69f00", "#009e73",
+                                        "#8a8f98"]}},
+          "shape": {"field": "arithmetic", "type": "nominal", "title": null,
+                    "scale": {"domain": ["textbook", "float32", "float64", "fixed point", "exact",
+                                         "other"],
+                              "range": ["diamond", "circle", "circle", "square", "triangle-up",
+                                        "cross"]}}
         }
       },
       {
-        "mark": {"type": "text", "align": "left", "dx": 7, "dy": -7, "fontSize": 10},
+        "transform": [{"filter": "datum.arithmetic != 'textbook'"}],
+        "mark": {"type": "text", "align": "left", "dx": 7, "dy": -8, "fontSize": 11,
+                 "color": "#3a3f48"},
+        "encoding": {"text": {"field": "label", "type": "nominal"}}
+      },
+      {
+        "transform": [{"filter": "datum.arithmetic == 'textbook'"}],
+        "mark": {"type": "text", "align": "left", "dx": 5, "dy": -22, "fontSize": 11,
+                 "color": "#b84a00"},
         "encoding": {"text": {"field": "label", "type": "nominal"}}
       }
     ],
     "encoding": {
       "x": {"field": "ratio", "type": "quantitative",
-            "scale": {"type": "log", "nice": false, "padding": 20},
+            "scale": {"type": "log", "nice": false, "padding": 24},
+            "axis": {"values": [0.01, 0.03, 0.1, 0.3, 1, 3], "format": "~g"},
             "title": "run time over the baseline's"},
       "y": {"field": "wrong", "type": "quantitative",
-            "scale": {"type": "symlog", "constant": 0.1},
-            "axis": {"values": [0, 0.1, 1, 10, 100, 1000, 10000, 100000, 1000000]},
+            "scale": {"type": "symlog", "constant": 0.3},
+            "axis": {"values": [0, 1, 10, 100, 1000, 10000, 100000, 1000000], "format": ","},
             "title": "wrong samples per million box pixels"}
     }
+  })";
+constexpr std::string_view kConfig = R"({
+    "font": "DejaVu Sans, Helvetica, Arial, sans-serif",
+    "view": {"stroke": null},
+    "axis": {"gridColor": "#eceef1", "domainColor": "#b8bdc6", "tickColor": "#b8bdc6",
+             "labelColor": "#626975", "titleColor": "#3a3f48", "titleFontWeight": "normal",
+             "labelFontSize": 11, "titleFontSize": 12, "titlePadding": 8},
+    "header": {"labelFontSize": 14, "labelColor": "#23262d", "labelPadding": 4},
+    "legend": {"labelFontSize": 12, "labelColor": "#3a3f48", "symbolSize": 90, "orient": "top"}
   })";
 
 }  // namespace
@@ -191,8 +220,10 @@ std::string BenchPlotSpec(const BenchResult& result) {
   for (const FamilyRows& family : ByFamily(result)) json.Text(family.family);
   json.EndArray().EndObject();
   json.Key("columns").Integer(2);
+  json.Key("bounds").Text("flush");
+  json.Key("spacing").Integer(56);
   json.Key("spec").Value(kPanel);
-  json.Key("resolve").Value(R"({"scale": {"x": "independent", "y": "independent"}})");
+  json.Key("config").Value(kConfig);
   json.EndObject();
   return json.Finish();
 }

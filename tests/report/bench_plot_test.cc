@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "nlohmann/json.hpp"
@@ -66,16 +67,24 @@ TEST(BenchPlotTest, TheFrontIsWhatNothingBeatsInBoth) {
   }
 }
 
-TEST(BenchPlotTest, MarksTheNaiveMethodAndTheBaselineByName) {
+TEST(BenchPlotTest, NamesTheNaiveMethodTheBaselineAndTheFront) {
   for (const json& point : Points()) {
-    if (point["subject"] == "textbook") {
-      EXPECT_EQ(point["kind"], "textbook");
-      EXPECT_EQ(point["label"], "textbook");
-    }
-    if (point["subject"] == "f32-incremental") {
-      EXPECT_EQ(point["kind"], "baseline");
-    }
+    EXPECT_EQ(point["label"], point["subject"]) << point;
   }
+  BenchResult result = Sample();
+  result.rows.push_back(Row("large", "f64-direct", 2, 3));
+  const json point = json::parse(BenchPlotSpec(result))["data"]["values"][4];
+  EXPECT_EQ(point["subject"], "f64-direct");
+  EXPECT_EQ(point["label"], "");
+}
+
+TEST(BenchPlotTest, ColoursPointsByTheirArithmetic) {
+  std::map<std::string, std::string> arithmetic;
+  for (const json& point : Points()) arithmetic[point["subject"]] = point["arithmetic"];
+  EXPECT_EQ(arithmetic["textbook"], "textbook");
+  EXPECT_EQ(arithmetic["f32-incremental"], "float32");
+  EXPECT_EQ(arithmetic["exact"], "exact");
+  EXPECT_EQ(arithmetic["quick"], "other");
 }
 
 TEST(BenchPlotTest, BringsItsDataWithIt) {

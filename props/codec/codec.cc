@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -18,22 +19,31 @@ constexpr std::uint64_t kFirstRecipeByte = 192;
 constexpr int kMostSide = 32;
 constexpr int kMostTriangles = 8;
 constexpr int kMostVertices = 16;
-// Anchors from here on stand for magnitudes 2^7, 2^9, ... of either sign, not for half pixels.
+// Anchors from here on stand for magnitudes 2^7, 2^8, ... of either sign; the others count half
+// pixels from -4 on and start again past the largest target.
 constexpr std::uint64_t kFirstFarAnchor = 240;
+constexpr std::uint64_t kHalfPixels = 80;
+constexpr double kFirstPixel = -4;
 
-// The low three bits are a step of the lattice, the others a subpixel: zeros are the anchor itself.
-constexpr std::array<int, 8> kSteps{0, 1, -1, 2, -2, 0, 0, 0};
+// The second byte of a coordinate: below 128 the half pixel itself, so that a sixteenth of all edges
+// join two of them; then some steps of the lattice beside it; then a subpixel.
+constexpr std::uint64_t kFirstStep = 128;
+constexpr std::uint64_t kFirstSubpixel = 192;
+constexpr std::array<int, 8> kSteps{1, -1, 2, -2, 3, -3, 16, -16};
 
 double Spelled(Sketch& sketch) {
   const std::uint64_t anchor = sketch.bits().Bits(8);
   const std::uint64_t fine = sketch.bits().Bits(8);
-  const double subpixel = std::ldexp(static_cast<double>(fine >> 3), -5);  // of half a pixel
-  double x = (static_cast<double>(anchor) - 16 + subpixel) / 2;
+  const double subpixel =
+      fine < kFirstSubpixel ? 0 : std::ldexp(static_cast<double>(fine - kFirstSubpixel), -6);
+  double x = kFirstPixel + (static_cast<double>(anchor % kHalfPixels) + subpixel) / 2;
   if (anchor >= kFirstFarAnchor) {
     const auto far = static_cast<int>(anchor - kFirstFarAnchor);
-    x = std::ldexp(far % 2 == 0 ? 1.0 : -1.0, 7 + far) * (1 + subpixel);
+    x = std::ldexp(far % 2 == 0 ? 1.0 : -1.0, 7 + far / 2) * (1 + subpixel);
   }
-  return sketch.lattice().Move(sketch.lattice().RoundWithinLimit(x), kSteps[fine & 7]);
+  x = sketch.lattice().RoundWithinLimit(x);
+  const bool steps = fine >= kFirstStep && fine < kFirstSubpixel;
+  return steps ? sketch.lattice().Move(x, kSteps[fine & 7]) : x;
 }
 
 std::vector<const Domain*> SuitableDomains(const SubjectInfo& info) {
@@ -44,10 +54,12 @@ std::vector<const Domain*> SuitableDomains(const SubjectInfo& info) {
   return suitable;
 }
 
-// One coordinate of an example: the anchor of a whole or half pixel, no subpixel, `step` steps.
+// One coordinate of an example: a whole or half pixel, and `step` steps from it.
 void Spell(std::vector<std::uint8_t>& bytes, double x, int step) {
-  const auto code = static_cast<std::uint8_t>(std::ranges::find(kSteps, step) - kSteps.begin());
-  bytes.push_back(static_cast<std::uint8_t>(2 * x + 16));
+  const auto place = std::ranges::find(kSteps, step) - kSteps.begin();
+  const auto code =
+      static_cast<std::uint8_t>(step == 0 ? 0 : static_cast<std::ptrdiff_t>(kFirstStep) + place);
+  bytes.push_back(static_cast<std::uint8_t>(2 * (x - kFirstPixel)));
   bytes.push_back(code);
 }
 
@@ -66,7 +78,13 @@ CodecExample Example(std::string name, const std::vector<ExampleVertex>& vertice
     Spell(example.bytes, v.y, 0);
   }
   example.bytes.push_back(static_cast<std::uint8_t>(triangles.size() - 1));
-  for (const auto& t : triangles) example.bytes.insert(example.bytes.end(), t.begin(), t.end());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t place = (t + k) % vertices.size();
+      example.bytes.push_back(
+          static_cast<std::uint8_t>((triangles[t][k] + vertices.size() - place) % vertices.size()));
+    }
+  }
   return example;
 }
 
@@ -81,12 +99,15 @@ Case LatticeCase(BitSource& bits, const SubjectInfo& info) {
     const double x = Spelled(sketch);
     sketch.Add({x, Spelled(sketch)});
   }
-  const auto triangles = 1 + bits.Bits(8) % kMostTriangles;
-  const auto index = [&] { return static_cast<std::int32_t>(bits.Bits(8)) % vertices; };
-  for (std::uint64_t t = 0; t < triangles; ++t) {
-    const std::int32_t a = index();
-    const std::int32_t b = index();
-    sketch.AddTriangle(a, b, index());
+  const auto triangles = static_cast<std::int32_t>(1 + bits.Bits(8) % kMostTriangles);
+  for (std::int32_t t = 0; t < triangles; ++t) {
+    // Counted from a strip's own vertices, so that bytes that run out make a strip, not a point.
+    const auto index = [&](std::int32_t k) {
+      return (t + k + static_cast<std::int32_t>(bits.Bits(8))) % vertices;
+    };
+    const std::int32_t a = index(0);
+    const std::int32_t b = index(1);
+    sketch.AddTriangle(a, b, index(2));
   }
   return sketch.Done(Finish::kAsIs);
 }

@@ -74,7 +74,7 @@ constexpr std::array kDomains{
            .beyond_limits = true,
            .draw = GuardBand},
     Domain{.name = "snap-ties",
-           .summary = "vertices half way between subpixels, and one ulp beside",
+           .summary = "vertices half way between subpixels, one ulp beside, and anywhere between",
            .draw = SnapTies},
     Domain{.name = "degenerate",
            .summary = "equal, repeated and collinear vertices",

@@ -53,7 +53,7 @@ Int128 FirstInRange(Int128 a, Int128 m, Int128 low, Int128 high) {
   if (low == 0) return 0;
   if (a == 0) return -1;
   const Int128 first = (low + a - 1) / a;
-  if (first * a <= high) return first;
+  if (first * a <= high) return first < kMostSteps ? first : -1;
   // No multiple of a is in range, so a i = m k + r, r of [low, high], needs some k >= 1: then
   // (m k) mod a lies in [-high, -low] modulo a, the same question about smaller numbers.
   const Int128 wraps = FirstInRange(m % a, a, Modulo(-high, a), Modulo(-low, a));

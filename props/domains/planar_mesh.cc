@@ -53,7 +53,7 @@ void PlanarMesh::Split(std::size_t t, const std::array<int, 3>& sides, std::int3
   }
 }
 
-void PlanarMesh::Insert(Point2 p, bool into_one) {
+void PlanarMesh::Insert(Point2 p) {
   if (std::ranges::find(vertices, p) != vertices.end()) return;
   std::int32_t index = -1;
   const std::size_t count = triangles.size();
@@ -62,13 +62,15 @@ void PlanarMesh::Insert(Point2 p, bool into_one) {
     if (std::ranges::any_of(sides, [](int side) { return side < 0; })) continue;
     if (index < 0) index = AddVertex(p);
     Split(t, sides, index);
-    if (into_one) return;
   }
 }
 
-void PlanarMesh::Insert(Point2 p) { Insert(p, false); }
-
-void PlanarMesh::InsertIntoOne(Point2 p) { Insert(p, true); }
+void PlanarMesh::SplitOneSide(std::size_t t, std::size_t edge, Point2 p) {
+  const Triangle v = triangles[t];
+  const std::int32_t index = AddVertex(p);
+  triangles[t] = {v[edge], v[(edge + 1) % 3], index};
+  triangles.push_back({v[edge], index, v[(edge + 2) % 3]});
+}
 
 bool PlanarMesh::IsFacingOneWay() const {
   const int facing = triangles.empty() ? 0 : FacingOf(*this, triangles.front());

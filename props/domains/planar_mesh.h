@@ -23,9 +23,9 @@ struct PlanarMesh {
   /// Splits the triangles that contain p, in their inside (three parts) or on an edge (two parts of
   /// each side). Does nothing if p is a vertex or outside.
   void Insert(Point2 p);
-  /// As Insert, but only the first triangle that contains p is split: a T-junction if p is on an
-  /// inner edge.
-  void InsertIntoOne(Point2 p);
+  /// Splits edge `edge` (opposite its vertex `edge`) of triangle t at p, and leaves the neighbour
+  /// across that edge as it is: a T-junction, with a gap or an overlap if p is not on the edge.
+  void SplitOneSide(std::size_t t, std::size_t edge, Point2 p);
   /// Whether every triangle has the same facing as the first, and none has zero area.
   bool IsFacingOneWay() const;
   void AddTo(Sketch& sketch) const;
@@ -34,7 +34,6 @@ struct PlanarMesh {
   // Signs of p against the edges 12, 20, 01 of triangle t, positive inside.
   std::array<int, 3> Sides(std::size_t t, Point2 p) const;
   void Split(std::size_t t, const std::array<int, 3>& sides, std::int32_t p);
-  void Insert(Point2 p, bool into_one);
 };
 
 }  // namespace rasterproof::props

@@ -29,12 +29,19 @@ Case SnapTies(BitSource& bits, const SubjectInfo& info) {
     const double x = std::ldexp(cell + 0.5, -subpixel_bits);
     return MovedInPrecision(x, bits.Int(-1, 1), sketch.lattice().precision());
   };
+  // Half of the coordinates are ties, a quarter anywhere between two subpixels.
+  const auto coordinate = [&](double near) {
+    const std::int64_t kind = bits.Int(0, 3);
+    if (kind < 2) return tie(near);
+    return kind == 2 ? near + std::ldexp(sketch.Uniform(0, 1), -subpixel_bits) : near;
+  };
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
     std::array<std::int32_t, 3> index{};
     for (std::int32_t& i : index) {
       const Point2 p = sketch.Place();
-      i = sketch.AddRaw({bits.Chance(192) ? tie(p.x) : p.x, bits.Chance(192) ? tie(p.y) : p.y});
+      const double x = coordinate(p.x);
+      i = sketch.AddRaw({x, coordinate(p.y)});
     }
     sketch.AddTriangle(index[0], index[1], index[2]);
   }

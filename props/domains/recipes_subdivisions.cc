@@ -28,16 +28,22 @@ PlanarMesh DrawFrame(Sketch& sketch) {
   return mesh;
 }
 
-// The middle of an edge of a random triangle, on the lattice.
-Point2 DrawMidpoint(Sketch& sketch, const PlanarMesh& mesh) {
-  BitSource& bits = sketch.bits();
+struct EdgeMiddle {
+  std::size_t triangle = 0;
+  std::size_t edge = 0;  ///< opposite vertex `edge`
+  Point2 at;             ///< on the lattice
+};
+
+EdgeMiddle DrawMiddle(Sketch& sketch, const PlanarMesh& mesh) {
   const auto count = static_cast<std::int64_t>(mesh.triangles.size());
-  const Triangle& t = mesh.triangles[static_cast<std::size_t>(bits.Int(0, count - 1))];
-  const std::int64_t edge = bits.Int(0, 2);
-  const Point2 a = mesh.vertices[static_cast<std::size_t>(t[static_cast<std::size_t>(edge)])];
-  const Point2 b =
-      mesh.vertices[static_cast<std::size_t>(t[static_cast<std::size_t>((edge + 1) % 3)])];
-  return OnLattice(sketch, {(a.x + b.x) / 2, (a.y + b.y) / 2});
+  EdgeMiddle middle{.triangle = static_cast<std::size_t>(sketch.bits().Int(0, count - 1)),
+                    .edge = static_cast<std::size_t>(sketch.bits().Int(0, 2)),
+                    .at = {}};
+  const Triangle& t = mesh.triangles[middle.triangle];
+  const Point2 a = mesh.vertices[static_cast<std::size_t>(t[(middle.edge + 1) % 3])];
+  const Point2 b = mesh.vertices[static_cast<std::size_t>(t[(middle.edge + 2) % 3])];
+  middle.at = OnLattice(sketch, {(a.x + b.x) / 2, (a.y + b.y) / 2});
+  return middle;
 }
 
 }  // namespace
@@ -50,7 +56,7 @@ Case Triangulations(BitSource& bits, const SubjectInfo& info) {
   for (std::int64_t i = 0; i < places; ++i) {
     const std::int64_t kind = bits.Int(0, 3);
     if (kind == 0) {
-      mesh.Insert(DrawMidpoint(sketch, mesh));
+      mesh.Insert(DrawMiddle(sketch, mesh).at);
     } else if (kind == 1) {
       mesh.Insert(OnLattice(sketch, sketch.Sample()));
     } else if (kind == 2) {
@@ -70,7 +76,7 @@ Case Subdivisions(BitSource& bits, const SubjectInfo& info) {
   // Every split is taken by both sides of the edge, so the mesh stays conforming; midpoints halve
   // until the lattice ends them.
   const std::int64_t splits = bits.Int(4, 40);
-  for (std::int64_t i = 0; i < splits; ++i) mesh.Insert(DrawMidpoint(sketch, mesh));
+  for (std::int64_t i = 0; i < splits; ++i) mesh.Insert(DrawMiddle(sketch, mesh).at);
   mesh.AddTo(sketch);
   return sketch.Done(Finish::kMesh);
 }
@@ -82,9 +88,12 @@ Case TJunctions(BitSource& bits, const SubjectInfo& info) {
   mesh.Insert(OnLattice(sketch, p));
   const std::int64_t splits = bits.Int(1, 8);
   for (std::int64_t i = 0; i < splits; ++i) {
-    Point2 middle = DrawMidpoint(sketch, mesh);
-    if (bits.Chance(96)) middle = OnLattice(sketch, Nudged(sketch, middle, 1));
-    mesh.InsertIntoOne(middle);
+    EdgeMiddle middle = DrawMiddle(sketch, mesh);
+    // Half of them on the edge as nearly as the lattice allows, the others visibly off it.
+    const std::int64_t kind = bits.Int(0, 3);
+    if (kind == 0) middle.at = OnLattice(sketch, Nudged(sketch, middle.at, 16));
+    if (kind == 1) middle.at = OnLattice(sketch, {OnGrid(middle.at.x, 0), OnGrid(middle.at.y, 0)});
+    mesh.SplitOneSide(middle.triangle, middle.edge, middle.at);
   }
   mesh.AddTo(sketch);
   return sketch.Done(Finish::kMesh);

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
 #include "core/ulp.h"
 #include "props/domains/bit_source.h"
 #include "props/run/property_domains.h"
@@ -142,9 +144,11 @@ PropertyResult CheckWithRapidCheck(Subject& subject, const Property& property, s
     params.seed = seed;
     params.maxSuccess = static_cast<int>(std::min<std::uint64_t>(cases, 1 << 30));
     SilentListener listener;
-    // rc::check takes its seed from RC_PARAMS or the clock; this is the same check with ours.
+    // rc::check takes its seed from RC_PARAMS or the clock, and says so; this is the same check
+    // with ours, and no failures of RapidCheck's own to reproduce.
+    const std::unordered_map<std::string, rc::detail::Reproduce> nothing_to_reproduce;
     rc::detail::checkTestable([&] { RC_ASSERT(run.Holds(*generator)); }, rc::detail::TestMetadata{},
-                              params, listener);
+                              params, listener, nothing_to_reproduce);
   }
   PropertyResult result = run.Result();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -128,10 +128,11 @@ class Counter {
       ++counts_.on_edge;
       return;
     }
-    const long double step = lattice_.Step(coordinate);
-    if (distance + error <= step) ++counts_.within_1;
-    if (distance + error <= 16 * step) ++counts_.within_16;
-    if (distance + error <= 256 * step) ++counts_.within_256;
+    // To the nearest whole step: a sample one step off is within 1 whatever the last bit says.
+    const long double steps = (distance + error) / lattice_.Step(coordinate) - 0.5L;
+    if (steps <= 1) ++counts_.within_1;
+    if (steps <= 16) ++counts_.within_16;
+    if (steps <= 256) ++counts_.within_256;
   }
 
   const Case& case_;

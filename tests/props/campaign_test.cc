@@ -1,0 +1,187 @@
+#include "props/run/campaign.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "exact/coverage.h"
+#include "props/domains/domain.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+using testing::CoverageIsTheModels;
+using testing::ModelProperty;
+using testing::RealInfo;
+using testing::SnappedInfo;
+
+constexpr std::array<std::string_view, 6> kDomains{"uniform-subpixel", "near-edge",  "fans",
+                                                   "snap-ties",        "f64-killer", "size-ladder"};
+
+PropertyResult Campaign(Subject& subject, std::uint64_t cases,
+                        std::span<const std::string_view> domains = kDomains) {
+  CampaignOptions options;
+  options.cases = cases;
+  return RunCampaign(subject, ModelProperty(domains), options);
+}
+
+TEST(Campaign, HoldsForAFaultlessSubjectAndSaysWhatItDid) {
+  auto subject = testing::Faultless(RealInfo());
+  const PropertyResult result = Campaign(subject, 120);
+  EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
+  EXPECT_EQ(result.property, "CoverageIsTheModels");
+  EXPECT_EQ(result.subject, "planted");
+  EXPECT_EQ(result.cases, 120U);
+  EXPECT_EQ(result.cases_exercised, 120U);
+  EXPECT_GT(result.exercised, 120U);
+  EXPECT_GT(result.near_edge.on_edge, 0U);
+  EXPECT_GT(result.near_edge.within_1, 0U);
+  EXPECT_FALSE(result.counterexample.has_value());
+}
+
+struct Planted {
+  std::string_view fault;
+  testing::PlantedSubject subject;
+  std::uint64_t cases;  ///< within which it must be found
+};
+
+std::vector<Planted> AllPlanted() {
+  const SubjectInfo real = RealInfo();
+  const SubjectInfo snapped = SnappedInfo(8);
+  const auto rule = [](SnapRule r) { return [r](Profile& p) { p.snap.rule = r; }; };
+  return {
+      {"drops the last column", testing::DropsLastColumn(real), 30},
+      {"inclusive edges", testing::Inclusive(real), 30},
+      {"inclusive edges, snapped", testing::Inclusive(snapped), 30},
+      {"bottom-left rule", testing::WithProfile(real, [](Profile& p) { p.fill_rule.sign_y = -1; }),
+       120},
+      {"sample off by 1/256",
+       testing::WithProfile(snapped,
+                            [](Profile& p) { p.lattice.locations = {{129 / 256.0, 0.5}}; }),
+       60},
+      {"truncating snap", testing::WithProfile(snapped, rule(SnapRule::kTruncate)), 60},
+      {"half-up snap", testing::WithProfile(snapped, rule(SnapRule::kHalfUp)), 300},
+      {"12 subpixel bits in place of real",
+       testing::WithProfile(real, [](Profile& p) { p.snap.bits = 12; }), 60},
+      {"float32 edge functions", testing::NaiveFloat32(real), 120},
+      {"float64 edge functions", testing::NaiveFloat64(real), 300},
+      {"loses triangles of 2048 pixels", testing::LosesLarge(real, 2048), 60},
+      {"throws left of the target", testing::Throwing(real), 30},
+  };
+}
+
+TEST(Campaign, FindsAndShrinksEveryPlantedFault) {
+  for (Planted& planted : AllPlanted()) {
+    const PropertyResult result = Campaign(planted.subject, planted.cases);
+    ASSERT_EQ(result.outcome, Outcome::kViolated) << planted.fault;
+    RecordProperty(std::string("case of ") + std::string(planted.fault),
+                   std::to_string(result.failing_case));
+    ASSERT_TRUE(result.counterexample.has_value());
+    ASSERT_TRUE(result.verdict.has_value());
+    EXPECT_EQ(result.verdict->outcome, Outcome::kViolated) << planted.fault;
+    EXPECT_EQ(result.counterexample->scene.triangles.size(), 1U) << planted.fault;
+    EXPECT_LE(result.counterexample->scene.vertices.size(), 3U) << planted.fault;
+    EXPECT_EQ(result.cases, result.failing_case + 1);
+    EXPECT_FALSE(result.message.empty());
+    // The case that failed comes again from its index alone, and fails again.
+    const Case again = DrawCase(planted.subject.Info(), ModelProperty(kDomains), kDefaultSeed,
+                                result.failing_case);
+    EXPECT_EQ(RunCase(planted.subject, ModelProperty(kDomains), again).outcome, Outcome::kViolated)
+        << planted.fault;
+    EXPECT_EQ(again.origin, result.counterexample->origin);
+  }
+}
+
+TEST(Campaign, IsTheSameEveryTimeAndInShards) {
+  auto subject = testing::Inclusive(RealInfo());
+  const PropertyResult once = Campaign(subject, 100);
+  const PropertyResult twice = Campaign(subject, 100);
+  EXPECT_EQ(once.failing_case, twice.failing_case);
+  EXPECT_EQ(*once.counterexample, *twice.counterexample);
+  EXPECT_EQ(once.exercised, twice.exercised);
+  CampaignOptions shard;
+  shard.first_case = once.failing_case;
+  shard.cases = 1;
+  const PropertyResult alone = RunCampaign(subject, ModelProperty(kDomains), shard);
+  EXPECT_EQ(alone.outcome, Outcome::kViolated);
+  EXPECT_EQ(alone.failing_case, once.failing_case);
+  EXPECT_EQ(*alone.counterexample, *once.counterexample);
+}
+
+TEST(Campaign, ContainsASubjectThatThrows) {
+  auto subject = testing::Throwing(RealInfo());
+  const PropertyResult result = Campaign(subject, 100);
+  EXPECT_EQ(result.outcome, Outcome::kViolated);
+  EXPECT_NE(result.message.find("negative column"), std::string::npos) << result.message;
+  testing::PlantedSubject odd(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+    throw 7;  // NOLINT: what a plugin may do
+  });
+  EXPECT_EQ(Campaign(odd, 1).outcome, Outcome::kViolated);
+  testing::PlantedSubject choosy(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+    throw InputError("scene", "not for me", "send another");
+  });
+  const PropertyResult refused = Campaign(choosy, 5);
+  EXPECT_EQ(refused.outcome, Outcome::kNotApplicable);
+  EXPECT_NE(refused.message.find("not for me"), std::string::npos);
+}
+
+TEST(Campaign, ThatExercisesNothingIsNoPass) {
+  auto subject = testing::Faultless(RealInfo());
+  Property property = ModelProperty(kDomains);
+  property.check = [](Subject&, const Case&) { return Verdict::Held(0); };
+  const PropertyResult idle = RunCampaign(subject, property, {.cases = 20, .progress = {}});
+  EXPECT_EQ(idle.outcome, Outcome::kNotExercised);
+  EXPECT_EQ(idle.cases, 20U);
+  EXPECT_EQ(idle.cases_exercised, 0U);
+  EXPECT_FALSE(idle.message.empty());
+  EXPECT_EQ(RunCampaign(subject, property, {.cases = 0, .progress = {}}).outcome,
+            Outcome::kNotExercised);
+  property.check = [](Subject&, const Case&) { return Verdict::NotApplicable("no such promise"); };
+  const PropertyResult inapplicable = RunCampaign(subject, property, {.cases = 20, .progress = {}});
+  EXPECT_EQ(inapplicable.outcome, Outcome::kNotApplicable);
+  EXPECT_EQ(inapplicable.message, "no such promise");
+}
+
+TEST(Campaign, LeavesOutDomainsThatTheSubjectCannotTakeAndSaysSo) {
+  auto subject = testing::Faultless(RealInfo());
+  constexpr std::array<std::string_view, 2> kMixed{"w-mixed", "near-edge"};
+  const PropertyResult mixed = Campaign(subject, 10, kMixed);
+  EXPECT_EQ(mixed.outcome, Outcome::kHolds);
+  EXPECT_NE(mixed.message.find("w-mixed"), std::string::npos);
+  constexpr std::array<std::string_view, 1> kClipOnly{"w-mixed"};
+  EXPECT_EQ(Campaign(subject, 10, kClipOnly).outcome, Outcome::kNotApplicable);
+  EXPECT_THROW(DrawCase(subject.Info(), ModelProperty(kClipOnly), 1, 0), InputError);
+}
+
+TEST(Campaign, StopsWhenItsTimeIsUpAndReportsProgress) {
+  auto subject = testing::Faultless(RealInfo());
+  std::vector<std::uint64_t> reported;
+  CampaignOptions options;
+  options.cases = 40;
+  options.progress = [&](std::uint64_t done) { reported.push_back(done); };
+  RunCampaign(subject, ModelProperty(kDomains), options);
+  EXPECT_EQ(reported, (std::vector<std::uint64_t>{16, 32}));
+  options.cases = std::uint64_t{1} << 60;
+  options.seconds = 1e-9;
+  EXPECT_LE(RunCampaign(subject, ModelProperty(kDomains), options).cases, 1U);
+}
+
+TEST(Campaign, SaysSoWhenACounterexampleDoesNotFailAgain) {
+  int calls = 0;
+  testing::PlantedSubject flaky(
+      RealInfo(), [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        counts = exact::Coverage(scene, Profile{}, options);
+        if (calls++ == 0) counts.front[0] += 5;
+      });
+  const PropertyResult result = Campaign(flaky, 5);
+  EXPECT_EQ(result.outcome, Outcome::kViolated);
+  EXPECT_NE(result.message.find("not deterministic"), std::string::npos) << result.message;
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -1,0 +1,103 @@
+#include "props/codec/codec.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/ulp.h"
+#include "props/domains/domain.h"
+#include "props/run/near_edge.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+using testing::RealInfo;
+using testing::SnappedInfo;
+
+std::vector<std::uint8_t> RandomBytes(std::uint64_t index, std::size_t count) {
+  PhiloxSource random(1, index);
+  std::vector<std::uint8_t> bytes(count);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.Bits(8));
+  return bytes;
+}
+
+TEST(Codec, MakesAValidCaseOfEveryByteString) {
+  for (const SubjectInfo& info : {RealInfo(), RealInfo(Precision::kFloat64), SnappedInfo(4)}) {
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+      const Case c = DecodeCase(RandomBytes(i, i % 100), info);
+      ASSERT_TRUE(Takes(info, c.scene));
+      ASSERT_FALSE(c.scene.triangles.empty());
+      for (const Triangle& t : c.scene.triangles) {
+        for (const std::int32_t index : t) {
+          ASSERT_TRUE(index >= 0 && index < static_cast<std::int32_t>(c.scene.vertices.size()));
+        }
+      }
+      for (const Vertex& v : c.scene.vertices) {
+        if (c.scene.precision == Precision::kFloat32) {
+          ASSERT_TRUE(IsFloat32(v.x) && IsFloat32(v.y));
+        }
+      }
+    }
+  }
+}
+
+TEST(Codec, GivesTheSameCaseForTheSameBytes) {
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    std::vector<std::uint8_t> bytes = RandomBytes(i, 80);
+    bytes[0] &= 0x7f;  // spelled out: no NaN, which is not equal to itself
+    EXPECT_EQ(DecodeCase(bytes, RealInfo()), DecodeCase(bytes, RealInfo()));
+  }
+}
+
+TEST(Codec, PutsHardPlacesOneByteApart) {
+  const CodecExample quad = CodecExamples()[2];
+  ASSERT_EQ(quad.name, "quad-through-centres");
+  const NearEdgeCounts on = CountNearEdges(DecodeCase(quad.bytes, RealInfo()));
+  EXPECT_GT(on.on_edge, 20U);
+  EXPECT_EQ(on.within_1, 0U);
+  std::vector<std::uint8_t> moved = quad.bytes;
+  moved[5] = 128;  // the first vertex's x: one step
+  const NearEdgeCounts beside = CountNearEdges(DecodeCase(moved, RealInfo()));
+  EXPECT_LT(beside.on_edge, on.on_edge);
+  EXPECT_GT(beside.within_1, 0U);
+}
+
+TEST(Codec, FindsADoubleCoveredEdgeWithinHundredsOfRandomStrings) {
+  auto subject = testing::Inclusive(RealInfo());
+  std::uint64_t executions = 0;
+  for (; executions < 2000; ++executions) {
+    std::vector<std::uint8_t> bytes = RandomBytes(executions, 60);
+    bytes[0] = 0;  // the spelled-out part, no recipe
+    const Case c = DecodeCase(bytes, RealInfo());
+    if (testing::CoverageIsTheModels(subject, c).outcome == Outcome::kViolated) break;
+  }
+  RecordProperty("executions", std::to_string(executions));
+  EXPECT_LT(executions, 400U);
+}
+
+TEST(CodecExamples, CoverTheSpelledOutPlacesAndEveryDomain) {
+  std::set<std::string> names;
+  SubjectInfo takes_all = RealInfo();
+  takes_all.takes_clip = true;
+  for (const CodecExample& example : CodecExamples()) {
+    EXPECT_TRUE(names.insert(example.name).second) << example.name;
+    EXPECT_EQ(example.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"),
+              std::string::npos);
+    const Case c = DecodeCase(example.bytes, takes_all);
+    if (FindDomain(example.name) != nullptr) {
+      EXPECT_EQ(c.scene.name, example.name);
+    }
+  }
+  for (const Domain& domain : Domains()) EXPECT_TRUE(names.contains(std::string(domain.name)));
+  const Case fan = DecodeCase(CodecExamples()[4].bytes, takes_all);
+  EXPECT_EQ(fan.scene.triangles.size(), 4U);
+  EXPECT_EQ(fan.scene.vertices[0], (Vertex{5.5, 5.5}));
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -17,9 +17,9 @@ namespace rasterproof::exact {
 namespace {
 
 constexpr std::array<std::string_view, kFamilies> kNames{
-    "uniform",         "lattice",       "half-pixels", "collinear", "mixed-exponents",
-    "float32-bits",    "float64-bits",  "subnormal",   "largest",   "needle",
-    "hardest-lattice", "moved-hardest", "signed-zeros"};
+    "uniform",      "lattice",         "half-pixels",   "collinear",   "mixed-exponents",
+    "float32-bits", "float64-bits",    "subnormal",     "underflow",   "largest",
+    "needle",       "hardest-lattice", "moved-hardest", "signed-zeros"};
 
 double ToFloat32(double x) { return static_cast<double>(static_cast<float>(x)); }
 
@@ -67,6 +67,8 @@ double Draw::Coordinate(Family family) {
       }
     case Family::kSubnormal:
       return Sign() * std::ldexp(Below(1 << 20), Below(2) == 0 ? -149 : -1074);
+    case Family::kUnderflow:
+      return Sign() * std::ldexp(1 + Unit(), -515 - Below(25));
     case Family::kLargest: {
       const double largest = Below(2) == 0 ? double{std::numeric_limits<float>::max()}
                                            : std::numeric_limits<double>::max();
@@ -95,11 +97,14 @@ std::array<Point2, 3> Draw::Hardest(bool moved) {
     dy = static_cast<std::int64_t>(Bits() >> (64 - bits)) | 2;
   } while (std::gcd(dx, dy) != 1);
   const auto [u, v] = Bezout(dx, dy);
-  const double unit = std::ldexp(1.0, 4 - bits);
+  // Now and then so small that a residual underflows, or so large that products nearly overflow.
+  const int scale = Below(3) != 0 ? 0 : (Below(2) == 0 ? -470 - Below(60) : 500);
+  const double unit = std::ldexp(1.0, 4 - bits + scale);
   const double sign = Sign();
   Point2 a{0, 0};
   if (moved) {
-    a = {std::ldexp(Unit() - 0.5, -bits - Below(60)), std::ldexp(Unit() - 0.5, -bits - Below(60))};
+    const auto nudge = [&] { return std::ldexp(Unit() - 0.5, scale - bits - Below(60)); };
+    a = {nudge(), nudge()};
   }
   return {a, Point2{static_cast<double>(dx) * unit, static_cast<double>(dy) * unit},
           Point2{sign * static_cast<double>(u) * unit, sign * static_cast<double>(v) * unit}};

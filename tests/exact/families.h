@@ -24,6 +24,7 @@ enum class Family : std::uint8_t {
   kFloat32Bits,     ///< any finite float32 pattern
   kFloat64Bits,     ///< any finite double pattern
   kSubnormal,       ///< of float32 and of float64
+  kUnderflow,       ///< products of two lie among the subnormals
   kLargest,         ///< near the largest float32 and double
   kNeedle,          ///< 1e30 long, an ulp wide
   kHardestLattice,  ///< extended Euclid: |E| is one unit of the lattice, 24 to 53 bits

@@ -25,8 +25,8 @@ constexpr std::uint64_t kFirstFarAnchor = 240;
 constexpr std::uint64_t kHalfPixels = 80;
 constexpr double kFirstPixel = -4;
 
-// The second byte of a coordinate: below 128 the half pixel itself, so that a sixteenth of all edges
-// join two of them; then some steps of the lattice beside it; then a subpixel.
+// The second byte of a coordinate: below 128 the half pixel itself, so that a sixteenth of all
+// edges join two of them; then some steps of the lattice beside it; then a subpixel.
 constexpr std::uint64_t kFirstStep = 128;
 constexpr std::uint64_t kFirstSubpixel = 192;
 constexpr std::array<int, 8> kSteps{1, -1, 2, -2, 3, -3, 16, -16};

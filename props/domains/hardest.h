@@ -27,10 +27,11 @@ Int128 ArgMinModulo(Int128 a, Int128 c, Int128 m, Int128 n);
 /// Returns the lattice place near v for which |E(place, q; p)| is smallest but not zero.
 ///
 /// The search runs over every place of v's binade from v on, away from zero, along the axis on
-/// which the line through q and p moves less per step. Domain:     v, q on the lattice; v not on an
-/// axis; v nearly on the line through q and p. Returns:    a place with 0 < E * sign; nothing where
-/// the line leaves v's binade at once, or where
-///             the numbers need more than 72 bits.
+/// which the line through q and p moves less per step.
+///
+/// Domain:     v, q on the lattice; v not on an axis; v nearly on the line through q and p.
+/// Returns:    a place with 0 < E * sign; nothing where the line leaves v's binade at once, or
+///             where the numbers need more than 72 bits.
 /// Properties: no lattice place of the run searched has a smaller positive E * sign.
 std::optional<Point2> HardestVertex(Point2 v, Point2 q, Point2 p, const InputLattice& lattice,
                                     int sign);

@@ -19,7 +19,7 @@ double OnGrid(double x, int grid_bits);
 /// of them stay on the lattice. With probability 1/4 a half pixel.
 Point2 GridPlace(Sketch& sketch);
 
-/// Returns the end b of a segment from `a` that passes exactly through p: b = a + m (p - a), m >= 2.
+/// Returns the end b of a segment from `a` that passes exactly through p: b = a + m (p - a).
 ///
 /// Domain:     a from GridPlace, p a sample.
 /// Properties: b is on the lattice's uniform grid even where p is not (m is a multiple of the power

@@ -91,7 +91,7 @@ Case DoneGrid(Sketch& sketch, const GridShape& shape) {
   return sketch.Done(Finish::kMesh);
 }
 
-// The place at distance t along the perimeter of a square of half side `radius` (t of [0, 8 radius)).
+// The place at distance t of [0, 8 radius) along the perimeter of a square of half side `radius`.
 Point2 OnSquare(Point2 centre, double radius, double t) {
   const double side = 2 * radius;
   const double along = std::fmod(t, side) - radius;

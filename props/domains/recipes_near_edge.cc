@@ -62,7 +62,7 @@ Case NearEdge(BitSource& bits, const SubjectInfo& info) {
 
 Case HardestPixels(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
-  // A long edge on a uniform grid, moved by whole pixels so that its hardest pixel is in the target.
+  // A long edge on a uniform grid, moved by whole pixels: its hardest pixel goes into the target.
   const double reach = Reach(sketch, std::ldexp(1.0, static_cast<int>(bits.Int(6, 15))));
   const int grid_bits = std::min(24, sketch.lattice().GridBits(reach));
   const auto draw = [&] { return OnGrid(sketch.Uniform(0, reach / 2), grid_bits); };
@@ -131,7 +131,7 @@ Case LongWalk(BitSource& bits, const SubjectInfo& info) {
   const auto place = [&](double along, double beside) {
     return along_y ? Point2{beside, along} : Point2{along, beside};
   };
-  // A walk that starts at the box's corner rounds once a step: an edge at the far end sees them all.
+  // A walk from the box's corner rounds once a step: an edge at the far end sees them all.
   // With dY = (odd) 2^-k next to 1 every rounding goes the same way.
   const double end = std::min<double>(length, sketch.lattice().limit());
   const double slant = 1 + std::ldexp(static_cast<double>(bits.Int(1, 64)), -11);

@@ -44,8 +44,8 @@ Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t s
 
 /// Runs one property on one given case (replay, saved failures, worst-case files).
 ///
-/// Returns:    what the property says; kViolated if the subject threw; kNotApplicable if the subject
-///             or the oracle refused the scene by an InputError.
+/// Returns:    what the property says; kViolated if the subject threw; kNotApplicable if the
+///             subject or the oracle refused the scene by an InputError.
 Verdict RunCase(Subject& subject, const Property& property, const Case& c);
 
 }  // namespace rasterproof::props

@@ -12,8 +12,8 @@ namespace rasterproof::props {
 ///
 /// The distance is taken along the line of samples (a row for a steep edge, a column for a flat
 /// one) and in steps of the input lattice at the sample: ulps of its coordinate in the scene's
-/// precision, or subpixels of the profile; rounded to whole steps. "On" is exact; the other classes are counted from a
-/// long double estimate only where its error bound leaves no doubt, so they never count too many.
+/// precision, or subpixels of the profile; rounded to whole steps. "On" is exact; the other classes
+/// are counted from a long double estimate only where its error bound leaves no doubt.
 /// Domain:     any case. Vertices are snapped by the profile first; triangles that are not finite,
 ///             or clip space with a w that is not positive, are left out, as are triangles after
 ///             the first 64.

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "exact/coverage.h"
 #include "props/domains/domain.h"
+#include "props/run/tally.h"
 #include "tests/props/planted_subjects.h"
 
 namespace rasterproof::props {
@@ -145,6 +146,24 @@ TEST(Campaign, ThatExercisesNothingIsNoPass) {
   const PropertyResult inapplicable = RunCampaign(subject, property, {.cases = 20, .progress = {}});
   EXPECT_EQ(inapplicable.outcome, Outcome::kNotApplicable);
   EXPECT_EQ(inapplicable.message, "no such promise");
+}
+
+TEST(Campaign, WithADeadNearEdgeDomainIsNoPass) {
+  auto subject = testing::Faultless(RealInfo());
+  constexpr std::array<std::string_view, 1> kNearEdge{"near-edge"};
+  Tally tally(subject, ModelProperty(kNearEdge), 1);
+  Case far;  // its edges pass no sample within a quarter of a pixel
+  far.scene.width = far.scene.height = 4;
+  far.scene.vertices = {{0.25, -99}, {0.25, 99}, {-99, 0}};
+  far.scene.triangles = {{0, 1, 2}};
+  for (int i = 0; i < 3; ++i) tally.AddCase(0, far, Verdict::Held(1));
+  EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);  // three cases say nothing
+  tally.AddCase(0, far, Verdict::Held(1));
+  EXPECT_EQ(tally.Concluded().outcome, Outcome::kNotExercised);
+  EXPECT_NE(tally.Concluded().message.find("near-edge"), std::string::npos);
+  far.scene.vertices[0].x = far.scene.vertices[1].x = 0.5;
+  tally.AddCase(0, far, Verdict::Held(1));
+  EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);
 }
 
 TEST(Campaign, LeavesOutDomainsThatTheSubjectCannotTakeAndSaysSo) {

@@ -411,7 +411,7 @@ TEST(BitSources, OfBytesReadFromTheFrontAndThenGiveZeros) {
 }
 
 TEST(BitSources, OfPhiloxAreTheSameOnEveryMachine) {
-  // Known answer of Philox4x64-10 for counter 0 and key 0 (Random123, kat_vectors), last word first.
+  // Known answer of Philox4x64-10 for counter 0 and key 0 (Random123, kat_vectors), last first.
   PhiloxSource bits(0, 0);
   EXPECT_EQ(bits.Bits(64), 0x7e68b68aec7ba23bU);
   EXPECT_EQ(bits.Bits(64), 0xd7e772cee186176bU);

@@ -58,14 +58,14 @@ inline constexpr double kDirectFmaEdgeErrorMultiplier = kDirectEdgeErrorMultipli
 /// The four differences leave D = ab - cd with |D - E| <= (2u + u^2) S. With w = fl(cd), cd - w is
 /// a float, and f = fl(ab - w) is off by u |ab - w| <= u |D| + u^2 |cd|. The last subtraction adds
 /// a relative u: |result - D| <= (2u + u^2) |D| + (u^2 + u^3) |cd|. Substituting |D| <= |E| + (2u +
-/// u^2) S and |cd| <= (1 + u)^2 S leaves at most (2 + 6u) u S and (2 + u) u |E|. (Jeannerod,
+/// u^2) S and |cd| <= (1 + u)^2 S leaves at most (2 + 7u) u S and (2 + u) u |E|. (Jeannerod,
 /// Louvet, Muller 2013 show 2u |D| for the last two steps; the difference is second order here.)
 /// Proof: proofs/edge_kahan.g.
 template <class T>
-inline constexpr double kKahanEdgeErrorMultiplier = 2 + 6.0 * rounding_epsilon<T>();
+inline constexpr double kKahanEdgeErrorMultiplier = 2 + 7.0 * rounding_epsilon<T>();
 template <class T>
 inline constexpr double kKahanEdgeRelError =
-    (2 + rounding_epsilon<T>()) * double{rounding_epsilon<T>()};
+    (2 + 1.0 * rounding_epsilon<T>()) * rounding_epsilon<T>();
 
 /// |affine - E| <= u (line multiplier (|dY p.x| + |dX p.y|) + constant multiplier (|b.x a.y| +
 /// |a.x b.y|)).

@@ -329,7 +329,7 @@ constexpr auto kProperties = std::to_array<Property>({
                "Polygon Rasterization).",
      .precondition =
          "contract sample-exact or watertight; a consistent fill rule; two triangles of one facing "
-         "with an edge in opposite directions; for a watertight subject away from their outline",
+         "with an edge in opposite directions; away from their outline",
      .tolerance = kExact,
      .domains = kMeshes,
      .check = SharedEdgeSamplesAreCoveredOnce},

@@ -38,7 +38,7 @@ Verdict DegenerateTrianglesCoverNothing(Subject& subject, const Case& c) {
   const CoverageCounts observed = Drawn(subject, alone.scene, c.profile, WholeTarget(c));
   const CoverageCounts nothing(c.scene.width, c.scene.height, c.profile.lattice.samples());
   Verdict verdict = SameCounts(observed, nothing, flat.size(), "none, the area is zero,");
-  if (verdict.witness) BlameTriangle(subject, c, *verdict.witness);
+  if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);
   return verdict;
 }
 

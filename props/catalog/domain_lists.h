@@ -81,8 +81,7 @@ inline constexpr auto kClipped = std::to_array<std::string_view>(
     {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye"});
 
 // Triangles of zero area.
-inline constexpr auto kDegenerate =
-    std::to_array<std::string_view>({"degenerate", "snap-ties", "signed-zeros"});
+inline constexpr auto kDegenerate = std::to_array<std::string_view>({"degenerate", "signed-zeros"});
 
 // NaN and infinity.
 inline constexpr auto kNonFinite = std::to_array<std::string_view>({"non-finite"});

@@ -2,6 +2,7 @@
 
 #include "props/catalog/planar_mesh.h"
 #include "props/catalog/precondition.h"
+#include "props/catalog/witness.h"
 
 namespace rasterproof::props {
 
@@ -13,7 +14,9 @@ Verdict EmbeddedMeshSamplesAreCoveredOnce(Subject& subject, const Case& c) {
   if (!OwnsEdgesConsistently(c.profile)) {
     return Verdict::NotApplicable("an inclusive fill rule covers shared edges twice");
   }
-  return JudgePlanarMesh(subject, c, {});
+  Verdict verdict = JudgePlanarMesh(subject, c, {});
+  if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);
+  return verdict;
 }
 
 }  // namespace rasterproof::props

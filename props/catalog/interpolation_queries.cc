@@ -1,6 +1,7 @@
 #include "props/catalog/interpolation_queries.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "exact/attributes.h"
 #include "props/catalog/exact_comparison.h"
@@ -16,8 +17,10 @@ constexpr std::array<std::array<double, 3>, 3> kDepths{{{1, 1, 1}, {1, 4, 0.5}, 
 std::vector<InterpolationQuery> SomeInterpolations(const Case& c) {
   std::vector<InterpolationQuery> queries;
   for (const WeightQuery& q : SomeWeightQueries(c)) {
+    std::size_t turn = 0;  // the two sets of unequal w take turns
     for (const std::array<double, 3>& attribute : SomeAttributes(c, q)) {
-      for (const std::array<double, 3>& w : kDepths) {
+      for (const std::size_t set : {std::size_t{0}, 1 + turn++ % 2}) {
+        const std::array<double, 3>& w = kDepths[set];
         queries.push_back(
             {q, {Corner{q.v[0], w[0]}, Corner{q.v[1], w[1]}, Corner{q.v[2], w[2]}}, attribute});
       }

@@ -20,8 +20,8 @@ struct InterpolationQuery {
   std::array<double, 3> attribute;
 };
 
-/// The attribute sets of SomeAttributes under w = 1, and under two sets of positive w: powers of
-/// two, so that a subject that divides by them adds no rounding of its own to the input.
+/// The attribute sets of SomeAttributes under w = 1, and each under one of two sets of positive w:
+/// powers of two, so that a subject that divides by them adds no rounding of its own to the input.
 std::vector<InterpolationQuery> SomeInterpolations(const Case& c);
 
 std::string_view InterpolationName(InterpolationForm form);

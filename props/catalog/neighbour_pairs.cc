@@ -28,8 +28,9 @@ Verdict PairsCoverOnce(Subject& subject, const Case& c,
   for (const Neighbours& pair : SharedEdges(c, kPairs)) {
     if (!takes(pair)) continue;
     const Case alone = OnlyTriangles(c, {pair.first, pair.second});
-    Verdict verdict = JudgePlanarMesh(
-        subject, alone, [&](const SamplePlace& place) { return IsNear(pair, place.at); });
+    const MeshView beside_the_edge{[&](const SamplePlace& place) { return IsNear(pair, place.at); },
+                                   true};
+    Verdict verdict = JudgePlanarMesh(subject, alone, beside_the_edge);
     exercised += verdict.exercised;
     if (verdict.outcome != Outcome::kViolated) continue;
     verdict.exercised = exercised;

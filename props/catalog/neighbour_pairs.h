@@ -12,7 +12,7 @@
 namespace rasterproof::props {
 
 /// Draws a few pairs of the case's neighbours, each pair alone, and asks that every sample of their
-/// union within a pixel of the shared edge is covered exactly once.
+/// union within a pixel of the shared edge, and not beside their outline, is covered exactly once.
 ///
 /// `takes` chooses among the pairs. Window space; triangle and edge of the witness are those of the
 /// case.

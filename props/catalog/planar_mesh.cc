@@ -17,17 +17,21 @@
 namespace rasterproof::props {
 namespace {
 
-// Edge values of float32 displace an edge by at most a few 2^-24 of the largest coordinate
-// (docs/mathematics.md, forward bounds); 2^-18 of it is generous.
-constexpr double kBoundaryMargin = 1;
-constexpr double kBoundaryMarginPerCoordinate = 0x1p-18;
+// How far from the outline a sample must be where the outline is not judged. Edge values of float32
+// displace an edge by at most a few 2^-24 of the largest coordinate (docs/mathematics.md, forward
+// bounds): 2^-18 of it is generous. A watertight subject may also have moved its vertices by
+// snapping them to a grid of its own: a pixel is generous for that.
+constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
+constexpr double kOutlineMargin = 0x1p-10;
+constexpr double kWatertightOutlineMargin = 1;
 
-double MarginOf(const Scene& scene) {
+double MarginOf(const Scene& scene, bool watertight_only) {
   double largest = 0;
   for (const Vertex& v : scene.vertices) {
     largest = std::max({largest, std::fabs(v.x), std::fabs(v.y)});
   }
-  return kBoundaryMargin + kBoundaryMarginPerCoordinate * largest;
+  return (watertight_only ? kWatertightOutlineMargin : kOutlineMargin) +
+         kOutlineMarginPerCoordinate * largest;
 }
 
 double SegmentDistance(const BoundaryEdge& edge, Point2 p) {
@@ -45,8 +49,7 @@ Verdict NotExercised(const char* why) { return {Outcome::kNotExercised, 0, 0, wh
 
 bool OwnsEdgesConsistently(const Profile& profile) { return !profile.fill_rule.inclusive; }
 
-Verdict JudgePlanarMesh(Subject& subject, const Case& c,
-                        const std::function<bool(const SamplePlace&)>& looks_at) {
+Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view) {
   const exact::MeshShape shape = exact::ShapeOf(c.scene, c.profile);
   if (shape.folded) return NotExercised("the snapped mesh is folded");
   const bool watertight_only = c.profile.contract == Contract::kWatertight;
@@ -58,10 +61,10 @@ Verdict JudgePlanarMesh(Subject& subject, const Case& c,
     return NotExercised("the mesh overlaps itself");
   }
   const std::vector<BoundaryEdge> boundary =
-      watertight_only ? BoundaryOf(c) : std::vector<BoundaryEdge>();
-  const double margin = MarginOf(c.scene);
+      watertight_only || view.spares_outline ? BoundaryOf(c) : std::vector<BoundaryEdge>();
+  const double margin = MarginOf(c.scene, watertight_only);
   const auto is_judged = [&](const SamplePlace& place) {
-    return (!looks_at || looks_at(place)) &&
+    return (!view.looks_at || view.looks_at(place)) &&
            std::ranges::none_of(boundary, [&](const BoundaryEdge& edge) {
              return SegmentDistance(edge, place.at) <= margin;
            });

@@ -12,6 +12,14 @@
 
 namespace rasterproof::props {
 
+/// Which samples of a mesh are judged.
+struct MeshView {
+  /// Says which samples count as exercised and may fail; empty: every one.
+  std::function<bool(const SamplePlace&)> looks_at;
+  /// True if samples beside the mesh's outline are another claim's business.
+  bool spares_outline = false;
+};
+
 /// Draws the case's mesh and compares every count with the boundary's winding number.
 ///
 /// Precondition (else not exercised): no triangle is folded against the others, and no winding
@@ -19,12 +27,9 @@ namespace rasterproof::props {
 /// coverage, and that is the winding number.
 ///
 /// A watertight subject promises where its meshes have no gap, not where their outline lies: for it
-/// meshes with triangles of zero area are not judged, nor samples near the boundary (a T-junction
-/// is one), 1 pixel plus what float32 cannot resolve of the largest coordinate.
-///
-/// `looks_at` says which samples count as exercised and may fail; empty: every one.
-Verdict JudgePlanarMesh(Subject& subject, const Case& c,
-                        const std::function<bool(const SamplePlace&)>& looks_at);
+/// meshes with triangles of zero area are not judged, nor samples near the outline (a T-junction
+/// is one), whatever the view.
+Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view);
 
 /// Returns whether the profile's fill rule gives each sample of an edge to one side.
 bool OwnsEdgesConsistently(const Profile& profile);

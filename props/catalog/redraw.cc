@@ -70,7 +70,7 @@ Verdict JudgeAgainstTheModel(Subject& subject, const Case& c) {
   const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
   const CoverageCounts observed = Drawn(subject, c.scene, c.profile, c.options);
   Verdict verdict = SameCounts(observed, expected, DecisionsOf(c), "the model's");
-  if (verdict.witness) BlameTriangle(subject, c, *verdict.witness);
+  if (verdict.witness) BlameTriangle(subject, c, c.options, *verdict.witness);
   return verdict;
 }
 

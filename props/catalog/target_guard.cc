@@ -50,7 +50,7 @@ Verdict DrawGuarded(Subject& subject, const Scene& scene, const Profile& profile
         const bool only_added = counts.front[k] >= kGuard && counts.back[k] >= kGuard;
         if (inside ? only_added : untouched) continue;
         Witness witness = WitnessOfCounts(counts, before, k);
-        return Verdict::Violated(guarded,
+        return Verdict::Violated(std::max<std::uint64_t>(guarded, 1),
                                  inside ? "counts were overwritten, not added to"
                                         : "a sample outside the scissor was written",
                                  witness);

@@ -73,12 +73,12 @@ Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& ex
   return witness;
 }
 
-void BlameTriangle(Subject& subject, const Case& c, Witness& witness) {
+void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
   const std::size_t count = std::min(c.scene.triangles.size(), kMaxTrianglesBlamed);
   for (std::size_t t = 0; t < count; ++t) {
     const Case alone = OnlyTriangles(c, {t});
-    const CoverageCounts observed = Drawn(subject, alone.scene, alone.profile, alone.options);
-    const CoverageCounts expected = exact::Coverage(alone.scene, alone.profile, alone.options);
+    const CoverageCounts observed = Drawn(subject, alone.scene, alone.profile, options);
+    const CoverageCounts expected = exact::Coverage(alone.scene, alone.profile, options);
     const std::size_t index = expected.Index(witness.x, witness.y, witness.sample);
     if (observed.front[index] == expected.front[index] &&
         observed.back[index] == expected.back[index]) {

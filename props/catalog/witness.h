@@ -25,10 +25,10 @@ Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string 
 Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                         std::size_t index);
 
-/// Adds the triangle that the subject alone gets wrong at the witness's sample, its edge nearest to
-/// the sample, and the exact edge values there. Leaves the witness as it is if each triangle by
-/// itself is right.
-void BlameTriangle(Subject& subject, const Case& c, Witness& witness);
+/// Adds the triangle that the subject, drawing it alone under `options`, gets wrong at the
+/// witness's sample, its edge nearest to the sample, and the exact edge values there. Leaves the
+/// witness as it is if each triangle by itself is right.
+void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness);
 
 }  // namespace rasterproof::props
 

@@ -1,0 +1,328 @@
+// The catalogue judges: sound subjects hold, and each property can fail.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/profile.h"
+#include "props/domains/domain.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+#include "subjects/builtin/builtin.h"
+#include "tests/props/planted_bugs.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+// Some domain of the property gives scenes that the subject takes.
+bool HasADomainFor(const Property& property, const SubjectInfo& info) {
+  for (const std::string_view name : property.domains) {
+    if (Suits(*FindDomain(name), info)) return true;
+  }
+  return false;
+}
+
+TEST(Catalog, NamesAreUnique) {
+  std::set<std::string_view> names;
+  for (const Property& property : Catalog()) {
+    EXPECT_TRUE(names.insert(property.name).second) << property.name;
+  }
+}
+
+TEST(Catalog, EveryPropertyIsFoundByItsName) {
+  for (const Property& property : Catalog()) EXPECT_EQ(FindProperty(property.name), &property);
+  EXPECT_EQ(FindProperty("NoSuchProperty"), nullptr);
+}
+
+TEST(Catalog, EveryPropertySaysWhatItEnforcesAndBelongsToAGroup) {
+  const std::set<std::string_view> groups{"edge",     "incremental", "barycentric",
+                                          "coverage", "wireframe",   "extremes"};
+  for (const Property& property : Catalog()) {
+    EXPECT_TRUE(groups.contains(property.group)) << property.name;
+    EXPECT_FALSE(property.clause.empty()) << property.name;
+    EXPECT_FALSE(property.precondition.empty()) << property.name;
+    EXPECT_FALSE(property.tolerance.empty()) << property.name;
+  }
+}
+
+TEST(Catalog, EveryDomainThatAPropertyNamesExists) {
+  for (const Property& property : Catalog()) {
+    EXPECT_FALSE(property.domains.empty()) << property.name;
+    for (const std::string_view name : property.domains) {
+      EXPECT_NE(FindDomain(name), nullptr) << property.name << ": " << name;
+    }
+  }
+}
+
+// Runs every property that has something to say about the subject.
+class SoundSubjects : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(SoundSubjects, HoldOnEveryCase) {
+  constexpr std::uint64_t kCases = 36;
+  const auto subject = subjects::MakeBuiltin(GetParam());
+  for (const Property& property : Catalog()) {
+    if (!HasADomainFor(property, subject->Info())) continue;
+    for (std::uint64_t i = 0; i < kCases; ++i) {
+      const Case c = DrawCase(subject->Info(), property, kSeed, i);
+      const Verdict verdict = property.check(*subject, c);
+      ASSERT_NE(verdict.outcome, Outcome::kViolated)
+          << property.name << ", " << c.origin << ": " << verdict.message;
+      ASSERT_LE(verdict.worst_ratio, 1) << property.name << ", " << c.origin;
+      if (verdict.outcome == Outcome::kNotApplicable) break;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Exact, SoundSubjects,
+                         testing::Values("spans-exact", "filtered-exact", "i64-snap8", "hom-exact"),
+                         [](const auto& info) {
+                           std::string name(info.param);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+// Float methods may miss samples, never their own proven bounds.
+TEST(FloatMethods, StayWithinTheirProvenBounds) {
+  constexpr std::uint64_t kCases = 24;
+  for (const std::string_view name : {"f32-direct", "f32-affine-fma", "f32-incremental",
+                                      "f32-kahan:canonical", "f64-incremental", "textbook"}) {
+    const auto subject = subjects::MakeBuiltin(name);
+    for (const Property& property : Catalog()) {
+      const bool by_bounds = property.group == "edge" || property.group == "barycentric" ||
+                             property.group == "wireframe" ||
+                             property.name.find("Walk") != std::string_view::npos;
+      if (!by_bounds || !HasADomainFor(property, subject->Info())) continue;
+      for (std::uint64_t i = 0; i < kCases; ++i) {
+        const Case c = DrawCase(subject->Info(), property, kSeed, i);
+        const Verdict verdict = property.check(*subject, c);
+        ASSERT_NE(verdict.outcome, Outcome::kViolated)
+            << name << ", " << property.name << ", " << c.origin << ": " << verdict.message;
+      }
+    }
+  }
+}
+
+// How often the cases of a property's domains put it to the test.
+struct Exercise {
+  int cases = 0;
+  int exercised = 0;
+  std::map<std::string, int> by_domain;
+};
+Exercise ExerciseOf(Subject& subject, const Property& property, int cases) {
+  Exercise exercise;
+  for (int i = 0; i < cases; ++i) {
+    const Case c = DrawCase(subject.Info(), property, kSeed, static_cast<std::uint64_t>(i));
+    const Verdict verdict = property.check(subject, c);
+    ++exercise.cases;
+    if (verdict.exercised != 0) ++exercise.exercised;
+    exercise.by_domain[c.scene.name] += verdict.exercised != 0 ? 1 : 0;
+  }
+  return exercise;
+}
+
+TEST(Exercise, MostCasesPutTheirPropertyToTheTest) {
+  const auto subject = subjects::MakeBuiltin("spans-exact");
+  for (const Property& property : Catalog()) {
+    if (!HasADomainFor(property, subject->Info())) continue;
+    if (property.check(*subject, DrawCase(subject->Info(), property, kSeed, 0)).outcome ==
+        Outcome::kNotApplicable) {
+      continue;
+    }
+    const Exercise exercise = ExerciseOf(*subject, property, 96);
+    EXPECT_GE(2 * exercise.exercised, exercise.cases) << property.name;
+    for (const auto& [domain, exercised] : exercise.by_domain) {
+      EXPECT_GT(exercised, 0) << property.name << " is never exercised by " << domain;
+    }
+  }
+}
+
+TEST(Exercise, ClipSpacePropertiesArePutToTheTestByAClipSpaceSubject) {
+  const auto subject = subjects::MakeBuiltin("hom-exact");
+  for (const std::string_view name :
+       {"LiftedTrianglesCoverLikeProjectedOnes", "ScalingClipVerticesKeepsCoverage",
+        "ClipSpaceCoverageEqualsTheModel", "ClosedSurfaceAroundTheEyeIsSeenEquallyOften"}) {
+    const Exercise exercise = ExerciseOf(*subject, *FindProperty(name), 44);
+    EXPECT_GE(2 * exercise.exercised, exercise.cases) << name;
+  }
+}
+
+// Mutation evidence: every property catches what was planted for it, and says where.
+TEST(PlantedBugs, ThereIsOneForEveryProperty) {
+  std::set<std::string_view> caught;
+  for (const Plant& plant : Plants()) caught.insert(plant.property);
+  for (const Property& property : Catalog()) {
+    EXPECT_TRUE(caught.contains(property.name)) << property.name;
+  }
+}
+
+TEST(PlantedBugs, EachIsCaughtByItsPropertyWithAWitness) {
+  constexpr std::uint64_t kCases = 400;
+  for (const Plant& plant : Plants()) {
+    const Property& property = *FindProperty(plant.property);
+    PlantedSubject subject(subjects::MakeBuiltin(plant.sound), plant.bug);
+    std::uint64_t i = 0;
+    Verdict verdict;
+    for (; i < kCases && verdict.outcome != Outcome::kViolated; ++i) {
+      verdict = property.check(subject, DrawCase(subject.Info(), property, kSeed, i));
+    }
+    ASSERT_EQ(verdict.outcome, Outcome::kViolated)
+        << plant.property << " lets through: " << plant.name;
+    RecordProperty(std::string(plant.property) + ", " + std::string(plant.name),
+                   std::to_string(i) + " cases");
+    EXPECT_FALSE(verdict.message.empty()) << plant.property;
+    EXPECT_GT(verdict.exercised, 0U) << plant.property;
+    ASSERT_TRUE(verdict.witness.has_value()) << plant.property;
+    EXPECT_FALSE(verdict.witness->observed.empty()) << plant.property;
+    EXPECT_FALSE(verdict.witness->expected.empty()) << plant.property;
+  }
+}
+
+Case TwoTriangles() {
+  Case c;
+  c.scene.width = 8;
+  c.scene.height = 8;
+  c.scene.vertices = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+  c.scene.triangles = {{0, 2, 1}, {0, 3, 2}};
+  c.profile = *PresetProfile("real");
+  return c;
+}
+
+Verdict Judge(std::string_view property, Bug bug, const Case& c) {
+  PlantedSubject subject(subjects::MakeBuiltin("spans-exact"), std::move(bug));
+  return FindProperty(property)->check(subject, c);
+}
+
+// An extra count at column 5, row 2, if the second triangle is drawn.
+Bug ExtraCount() {
+  return {.draw = [](Subject& sound, const Scene& scene, const DrawOptions& options,
+                     CoverageCounts& counts) {
+    sound.Draw(scene, options, counts);
+    const Triangle second{0, 3, 2};
+    if (std::ranges::find(scene.triangles, second) != scene.triangles.end()) {
+      ++counts.front[counts.Index(5, 2)];
+    }
+  }};
+}
+
+TEST(Witness, NamesTheSampleTheTriangleAndTheCounts) {
+  const Verdict verdict = Judge("CoverageEqualsTheModel", ExtraCount(), TwoTriangles());
+  ASSERT_EQ(verdict.outcome, Outcome::kViolated);
+  EXPECT_EQ(verdict.witness->x, 5);
+  EXPECT_EQ(verdict.witness->y, 2);
+  EXPECT_EQ(verdict.witness->triangle, 1);
+  EXPECT_EQ(verdict.witness->edge, 1) << "the diagonal is nearest";
+  EXPECT_EQ(verdict.witness->observed, "front 2, back 0");
+  EXPECT_EQ(verdict.witness->expected.substr(0, 15), "front 1, back 0");
+}
+
+TEST(Witness, OfASharedEdgeIsTheSampleCoveredTwice) {
+  Bug inclusive{
+      .draw = [](Subject&, const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
+        if (scene.triangles.size() == 2) ++counts.front[counts.Index(3, 3)];
+        for (std::uint32_t& count : counts.front) ++count;
+      }};
+  const Verdict verdict = Judge("SharedEdgeSamplesAreCoveredOnce", inclusive, TwoTriangles());
+  ASSERT_EQ(verdict.outcome, Outcome::kViolated);
+  EXPECT_EQ(verdict.witness->x, 3);
+  EXPECT_EQ(verdict.witness->y, 3);
+  EXPECT_EQ(verdict.witness->observed, "covered 2 times");
+  EXPECT_EQ(verdict.witness->expected, "exactly once");
+}
+
+TEST(Witness, OfAnEdgeValueHoldsHexAndTheExactValue) {
+  // Wrong for the edge from (0, 8) only: edge 0 of the second triangle.
+  Bug bug;
+  bug.value = [](double e, Point2 a, Point2, Point2) { return a == Point2{0, 8} ? e + 1 : e; };
+  const Verdict verdict = Judge("EdgeErrorStaysWithinItsBound", bug, TwoTriangles());
+  ASSERT_EQ(verdict.outcome, Outcome::kViolated);
+  EXPECT_EQ(verdict.witness->triangle, 1);
+  EXPECT_EQ(verdict.witness->edge, 0);
+  EXPECT_EQ(verdict.witness->observed.substr(0, 2), "0x");
+  EXPECT_EQ(verdict.witness->expected.substr(0, 4), "E = ");
+}
+
+// What is legal is never failed.
+TEST(Fairness, AContractOfNoneIsNeverJudgedForCoverage) {
+  Case c = TwoTriangles();
+  c.profile.contract = Contract::kNone;
+  for (const Property& property : Catalog()) {
+    const bool about_memory = property.name == "DrawStaysInsideItsTarget";
+    if (property.group != "coverage" && property.group != "extremes") continue;
+    if (about_memory) continue;
+    EXPECT_EQ(Judge(property.name, ExtraCount(), c).outcome, Outcome::kNotApplicable)
+        << property.name;
+  }
+}
+
+TEST(Fairness, AWatertightSubjectIsJudgedOnMeshesOnlyAndAwayFromTheirOutline) {
+  Case c = TwoTriangles();
+  c.scene.width = 16;
+  c.profile.contract = Contract::kWatertight;
+  // One sample too many beside the outline, another beside the diagonal.
+  const auto extra = [](int x, int y) {
+    return Bug{.draw = [x, y](Subject& sound, const Scene& scene, const DrawOptions& options,
+                              CoverageCounts& counts) {
+      sound.Draw(scene, options, counts);
+      ++counts.front[counts.Index(x, y)];
+    }};
+  };
+  EXPECT_EQ(Judge("CoverageEqualsTheModel", extra(8, 4), c).outcome, Outcome::kNotApplicable);
+  EXPECT_EQ(Judge("EmbeddedMeshSamplesAreCoveredOnce", extra(8, 4), c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Judge("EmbeddedMeshSamplesAreCoveredOnce", extra(4, 4), c).outcome, Outcome::kViolated);
+  EXPECT_EQ(Judge("EmbeddedMeshSamplesAreCoveredOnce", extra(11, 4), c).outcome,
+            Outcome::kViolated);
+  EXPECT_EQ(Judge("SharedEdgeSamplesAreCoveredOnce", extra(4, 4), c).outcome, Outcome::kViolated);
+}
+
+TEST(Fairness, BeyondTheCoordinateLimitOnlyTheDrawItselfIsJudged) {
+  Case c = TwoTriangles();
+  c.profile.coordinate_limit = 4;
+  for (const Property& property : Catalog()) {
+    const Outcome outcome = Judge(property.name, {}, c).outcome;
+    if (property.name == "DrawStaysInsideItsTarget") {
+      EXPECT_EQ(outcome, Outcome::kHolds);
+    } else {
+      EXPECT_NE(outcome, Outcome::kHolds) << property.name;
+      EXPECT_NE(outcome, Outcome::kViolated) << property.name;
+    }
+  }
+}
+
+TEST(Fairness, AnInclusiveFillRuleMayCoverSharedEdgesTwice) {
+  Case c = TwoTriangles();
+  c.profile.fill_rule.inclusive = true;
+  for (const std::string_view name :
+       {"SharedEdgeSamplesAreCoveredOnce", "EmbeddedMeshSamplesAreCoveredOnce",
+        "SignedCoverageEqualsTheWindingNumber", "ClosedMeshCancels"}) {
+    EXPECT_EQ(Judge(name, {}, c).outcome, Outcome::kNotApplicable) << name;
+  }
+}
+
+TEST(Fairness, ABoundThatIsNotClaimedIsNotJudged) {
+  // Products overflow in float32: the reference claims no bound, and any value will do.
+  Case c = TwoTriangles();
+  c.scene.vertices = {{0x1p100, 0x1p101}, {-0x1p100, 0x1.8p101}, {0x1p102, -0x1p100}};
+  c.scene.triangles = {{0, 1, 2}};
+  const auto subject = subjects::MakeBuiltin("f32-direct");
+  EXPECT_EQ(FindProperty("EdgeErrorStaysWithinItsBound")->check(*subject, c).outcome,
+            Outcome::kNotExercised);
+}
+
+TEST(Fairness, AT_JunctionIsExpectedToCrackAsTheOracleSays) {
+  // The middle vertex of the long side, rounded off it, opens a real gap: the winding number knows.
+  Case c = TwoTriangles();
+  c.scene.vertices = {{0, 0}, {8, 3}, {4, 1.25}, {0, 8}, {8, 0}};
+  c.scene.triangles = {{0, 3, 1}, {0, 2, 4}, {2, 1, 4}};
+  const auto subject = subjects::MakeBuiltin("spans-exact");
+  EXPECT_EQ(FindProperty("SignedCoverageEqualsTheWindingNumber")->check(*subject, c).outcome,
+            Outcome::kHolds);
+}
+
+}  // namespace
+}  // namespace rasterproof::props

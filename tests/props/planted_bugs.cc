@@ -1,0 +1,450 @@
+#include "tests/props/planted_bugs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "exact/coverage.h"
+
+namespace rasterproof::props {
+namespace {
+
+std::array<Vertex, 3> CornersOf(const Scene& scene, const Triangle& t) { return Corners(scene, t); }
+
+void Add(CoverageCounts& counts, const CoverageCounts& more) {
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    counts.front[k] += more.front[k];
+    counts.back[k] += more.back[k];
+  }
+}
+
+CoverageCounts Alone(Subject& sound, const Scene& scene, const DrawOptions& options,
+                     const CoverageCounts& shape) {
+  CoverageCounts counts(shape.width, shape.height, shape.samples);
+  sound.Draw(scene, options, counts);
+  return counts;
+}
+
+// Leaves out the triangles that `drops` names: by their index and their vertices.
+using Drops = std::function<bool(std::size_t index, const Triangle&, const std::array<Vertex, 3>&,
+                                 const Scene&)>;
+DrawBug Dropping(Drops drops) {
+  return [drops](Subject& sound, const Scene& scene, const DrawOptions& options,
+                 CoverageCounts& counts) {
+    Scene part = scene;
+    part.triangles.clear();
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+      const Triangle& triangle = scene.triangles[t];
+      if (!drops(t, triangle, CornersOf(scene, triangle), scene)) {
+        part.triangles.push_back(triangle);
+      }
+    }
+    sound.Draw(part, options, counts);
+  };
+}
+
+// Draws a scene whose vertices were changed first.
+DrawBug WithVertices(std::function<void(Vertex&)> change) {
+  return [change](Subject& sound, const Scene& scene, const DrawOptions& options,
+                  CoverageCounts& counts) {
+    Scene changed = scene;
+    std::ranges::for_each(changed.vertices, change);
+    sound.Draw(changed, options, counts);
+  };
+}
+
+DrawBug WithOptions(std::function<void(DrawOptions&, const Scene&)> change) {
+  return [change](Subject& sound, const Scene& scene, const DrawOptions& options,
+                  CoverageCounts& counts) {
+    DrawOptions changed = options;
+    change(changed, scene);
+    sound.Draw(scene, changed, counts);
+  };
+}
+
+// Every edge inclusive: >= in place of the tie rule.
+void DrawInclusively(Subject& sound, const Scene& scene, const DrawOptions& options,
+                     CoverageCounts& counts) {
+  Profile profile = sound.Info().profile;
+  profile.fill_rule.inclusive = true;
+  Add(counts, exact::Coverage(scene, profile, options));
+}
+
+bool IsBehind(const Vertex& v) { return v.w <= 0; }
+bool LeavesTarget(const std::array<Vertex, 3>& v, const Scene& scene) {
+  return std::ranges::any_of(v, [&](const Vertex& p) {
+    return p.x < 0 || p.y < 0 || p.x > scene.width || p.y > scene.height;
+  });
+}
+
+// Draws the triangles one by one and stops at the first that is not finite.
+void StopAtTheFirstBadTriangle(Subject& sound, const Scene& scene, const DrawOptions& options,
+                               CoverageCounts& counts) {
+  Scene part = scene;
+  part.triangles.clear();
+  for (const Triangle& t : scene.triangles) {
+    if (!std::ranges::all_of(CornersOf(scene, t), IsFinite)) break;
+    part.triangles.push_back(t);
+  }
+  sound.Draw(part, options, counts);
+}
+
+void TakeNonFiniteForZero(Vertex& v) {
+  const auto finite = [](double x) { return std::isfinite(x) ? x : 0.0; };
+  v = {finite(v.x), finite(v.y), v.z, std::isfinite(v.w) ? v.w : 1.0};
+}
+
+// A triangle without area covers the pixel of its first vertex.
+void DotDegenerates(Subject& sound, const Scene& scene, const DrawOptions& options,
+                    CoverageCounts& counts) {
+  sound.Draw(scene, options, counts);
+  for (const Triangle& t : scene.triangles) {
+    const std::array<Vertex, 3> v = CornersOf(scene, t);
+    const bool flat = std::ranges::all_of(v, IsFinite) &&
+                      exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}) == 0;
+    const bool shown = v[0].x >= 0 && v[0].y >= 0 && v[0].x < scene.width && v[0].y < scene.height;
+    if (flat && shown) {
+      ++counts.back[counts.Index(static_cast<int>(v[0].x), static_cast<int>(v[0].y))];
+    }
+  }
+}
+
+void CallEveryTriangleFront(Subject& sound, const Scene& scene, const DrawOptions& options,
+                            CoverageCounts& counts) {
+  CoverageCounts drawn = Alone(sound, scene, options, counts);
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    drawn.front[k] += std::exchange(drawn.back[k], 0);
+  }
+  Add(counts, drawn);
+}
+
+void OverwriteCounts(Subject& sound, const Scene& scene, const DrawOptions& options,
+                     CoverageCounts& counts) {
+  counts = Alone(sound, scene, options, counts);
+}
+
+// A span that runs one pixel past the scissor, or into the next row.
+void RunPastTheScissor(Subject& sound, const Scene& scene, const DrawOptions& options,
+                       CoverageCounts& counts) {
+  sound.Draw(scene, options, counts);
+  const PixelRect rect = options.scissor.value_or(PixelRect{0, 0, scene.width, scene.height});
+  const std::size_t k = counts.Index(rect.x1, rect.y0);
+  if (k < counts.size()) ++counts.front[k];
+}
+
+std::vector<Plant> EdgePlants() {
+  const auto value = [](ValueBug bug) {
+    Bug planted;
+    planted.value = std::move(bug);
+    return planted;
+  };
+  return {
+      {"EdgeSignIsRightOutsideItsBand", "the absolute value", "spans-exact",
+       value([](double e, Point2, Point2, Point2) { return std::fabs(e); })},
+      {"EdgeErrorStaysWithinItsBound", "half the mantissa", "spans-exact",
+       value([](double e, Point2, Point2, Point2) { return e * (1 + 0x1p-26); })},
+      {"EdgeErrorStaysWithinItsBound", "float32 where float64 is claimed", "f64-direct",
+       value([](double e, Point2, Point2, Point2) { return double{static_cast<float>(e)}; })},
+      {"ReversedEdgeChangesSign", "a bias towards inside", "spans-exact",
+       value([](double e, Point2, Point2, Point2) { return e + 0x1p-10 * std::fabs(e); })},
+      {"CyclicRotationKeepsTheArea", "an anchor that matters", "spans-exact",
+       value([](double e, Point2 a, Point2, Point2) { return e + 0x1p-10 * a.x; })},
+      {"EdgeIsZeroAtItsEnds", "a constant bias", "spans-exact",
+       value([](double e, Point2, Point2, Point2) { return e + 0x1p-10; })},
+      {"IntegerTranslationKeepsEdgeValues", "the position itself enters", "spans-exact",
+       value([](double e, Point2, Point2, Point2 p) { return e + 0x1p-10 * p.x; })},
+      {"PowerOfTwoScalingScalesEdgeValues", "a constant bias", "spans-exact",
+       value([](double e, Point2, Point2, Point2) { return e + 0x1p-10; })},
+      {"MirrorNegatesEdgeValues", "a constant bias", "spans-exact",
+       value([](double e, Point2, Point2, Point2) { return e + 0x1p-10; })},
+      {"LiftedTrianglesCoverLikeProjectedOnes",
+       "no division at all",
+       "hom-exact",
+       {.draw = WithVertices([](Vertex& v) { v.w = 1; })}},
+      {"ScalingClipVerticesKeepsCoverage",
+       "w clamped",
+       "hom-exact",
+       {.draw = WithVertices([](Vertex& v) { v.w = std::min(v.w, 4.0); })}},
+  };
+}
+
+std::vector<Plant> IncrementalPlants() {
+  const auto walk = [](WalkBug bug) {
+    Bug planted;
+    planted.walk = std::move(bug);
+    return planted;
+  };
+  return {
+      {"WalkStaysWithinItsBound", "dX added where it is subtracted", "spans-exact",
+       walk([](std::vector<double>& e, Step step) {
+         if (!step.along_y) return;
+         for (double& value : e) value = 2 * e[0] - value;
+       })},
+      {"WalkStaysWithinItsBound", "one step too many", "spans-exact",
+       walk([](std::vector<double>& e, Step) {
+         for (std::size_t n = 0; n + 1 < e.size(); ++n) e[n] = e[n + 1];
+       })},
+      {"WalkStaysWithinItsBound", "an entry left out", "spans-exact",
+       walk([](std::vector<double>& e, Step) { e.pop_back(); })},
+      {"WalkEqualsDirectWhereExact", "one ulp", "i64-snap8", walk([](std::vector<double>& e, Step) {
+         for (std::size_t n = 1; n < e.size(); ++n) e[n] = std::nextafter(e[n], 0x1p60);
+       })},
+      {"LongWalkStaysWithinItsBound", "a step is lost after 4096", "spans-exact",
+       walk([](std::vector<double>& e, Step) {
+         for (std::size_t n = e.size() - 1; n > 4096; --n) e[n] = e[n - 1];
+       })},
+      {"TileSizeKeepsCoverage",
+       "the last column is no tile's",
+       "spans-exact",
+       {.draw = WithOptions([](DrawOptions& options, const Scene& scene) {
+          if (options.tile == 5) options.scissor = PixelRect{0, 0, scene.width - 1, scene.height};
+        })}},
+      {"TargetWidthKeepsCoverage",
+       "odd widths lose a column",
+       "spans-exact",
+       {.draw = WithOptions([](DrawOptions& options, const Scene& scene) {
+          options.scissor = PixelRect{0, 0, scene.width - scene.width % 2, scene.height};
+        })}},
+      {"ThreadCountKeepsCoverage",
+       "the third thread starves",
+       "spans-exact",
+       {.draw = WithOptions([](DrawOptions& options, const Scene& scene) {
+          if (options.threads == 3) {
+            options.scissor = PixelRect{0, 0, scene.width, scene.height - scene.height / 3};
+          }
+        }),
+        .claims_threads = true}},
+  };
+}
+
+std::vector<Plant> BarycentricPlants() {
+  using Triple = std::array<double, 3>;
+  using Points = std::array<Point2, 3>;
+  const auto weights = [](WeightsBug bug) {
+    Bug planted;
+    planted.weights = std::move(bug);
+    return planted;
+  };
+  const auto interpolate = [](InterpolationBug bug) {
+    Bug planted;
+    planted.interpolate = std::move(bug);
+    return planted;
+  };
+  return {
+      {"WeightsStayWithinTheirBound", "an approximate reciprocal", "spans-exact",
+       weights([](Triple& l, BarycentricForm, const Points&) { l[0] *= 1 + 0x1p-12; })},
+      {"WeightsSumToOne", "one minus one of them", "spans-exact",
+       weights([](Triple& l, BarycentricForm form, const Points&) {
+         if (form == BarycentricForm::kOneMinus) l[2] = 1 - l[0];
+       })},
+      {"WeightIsOneAtItsVertexAndZeroOpposite", "a bias", "spans-exact",
+       weights([](Triple& l, BarycentricForm, const Points&) { l[1] += 0x1p-6; })},
+      {"WeightSignsAgreeWithTheEdges", "lengths of cross products", "spans-exact",
+       weights([](Triple& l, BarycentricForm, const Points&) {
+         for (double& weight : l) weight = std::fabs(weight);
+       })},
+      {"WeightsReproduceThePoint", "weights of the edges, not the vertices", "spans-exact",
+       weights([](Triple& l, BarycentricForm, const Points&) { l = {l[2], l[0], l[1]}; })},
+      {"WeightsFollowTheirVertices", "the first vertex weighs more", "spans-exact",
+       weights([](Triple& l, BarycentricForm, const Points&) { l[0] *= 1 + 0x1p-12; })},
+      {"InterpolatedValuesStayInTheHull", "no clamp, a quarter too much", "spans-exact",
+       interpolate([](const WeightEvaluator& sound, InterpolationForm form, const auto& v, Triple z,
+                      Point2 p) { return 1.25 * sound.Interpolate(form, v, z, p); })},
+      {"InterpolationStaysWithinItsBound", "half the mantissa", "spans-exact",
+       interpolate([](const WeightEvaluator& sound, InterpolationForm form, const auto& v, Triple z,
+                      Point2 p) { return (1 + 0x1p-12) * sound.Interpolate(form, v, z, p); })},
+      {"DepthByDeltasEqualsDepthByWeights", "the wrong delta", "spans-exact",
+       interpolate([](const WeightEvaluator& sound, InterpolationForm form, const auto& v, Triple z,
+                      Point2 p) {
+         if (form == InterpolationForm::kDeltas) z[2] = z[1];
+         return sound.Interpolate(form, v, z, p);
+       })},
+      {"PerspectiveInterpolationStaysWithinItsBound", "no division by w", "spans-exact",
+       interpolate([](const WeightEvaluator& sound, InterpolationForm form, const auto& v, Triple z,
+                      Point2 p) {
+         const bool perspective = form == InterpolationForm::kPerspective;
+         return sound.Interpolate(perspective ? InterpolationForm::kWeights : form, v, z, p);
+       })},
+  };
+}
+
+std::vector<Plant> CoveragePlants() {
+  using Corners3 = std::array<Vertex, 3>;
+  return {
+      {"CoverageEqualsTheModel", "every edge inclusive", "spans-exact", {.draw = DrawInclusively}},
+      {"CoverageEqualsTheModel",
+       "vertices off by 2^-9",
+       "spans-exact",
+       {.draw = WithVertices([](Vertex& v) { v.x += 0x1p-9; })}},
+      {"CoverageEqualsTheModel",
+       "no top edges",
+       "spans-exact",
+       {.draw =
+            [](Subject& sound, const Scene& scene, const DrawOptions& options,
+               CoverageCounts& counts) {
+              Profile profile = sound.Info().profile;
+              profile.fill_rule.sign_y = -1;
+              Add(counts, exact::Coverage(scene, profile, options));
+            }}},
+      {"ClipSpaceCoverageEqualsTheModel",
+       "triangles across the eye are lost",
+       "hom-exact",
+       {.draw = Dropping([](std::size_t, const Triangle&, const Corners3& v, const Scene&) {
+          return std::ranges::any_of(v, IsBehind);
+        })}},
+      {"EmbeddedMeshSamplesAreCoveredOnce",
+       "every edge inclusive",
+       "spans-exact",
+       {.draw = DrawInclusively}},
+      {"SharedEdgeSamplesAreCoveredOnce",
+       "every edge inclusive",
+       "spans-exact",
+       {.draw = DrawInclusively}},
+      {"SignedCoverageEqualsTheWindingNumber",
+       "every edge inclusive",
+       "spans-exact",
+       {.draw = DrawInclusively}},
+      {"ClosedMeshCancels",
+       "every triangle is front",
+       "spans-exact",
+       {.draw = CallEveryTriangleFront}},
+      {"ClosedSurfaceAroundTheEyeIsSeenEquallyOften",
+       "triangles across the eye are lost",
+       "hom-exact",
+       {.draw = Dropping([](std::size_t, const Triangle&, const Corners3& v, const Scene&) {
+          return std::ranges::any_of(v, IsBehind);
+        })}},
+      {"VertexRotationKeepsCoverage",
+       "the first vertex must not be the rightmost",
+       "spans-exact",
+       {.draw = Dropping([](std::size_t, const Triangle&, const Corners3& v, const Scene&) {
+          return v[0].x > v[1].x && v[0].x > v[2].x;
+        })}},
+      {"ReversalSwapsFacing",
+       "back faces are culled unasked",
+       "spans-exact",
+       {.draw = WithOptions([](DrawOptions& options, const Scene&) {
+          if (options.cull == Cull::kNone) options.cull = Cull::kBack;
+        })}},
+      {"TriangleOrderKeepsCoverage",
+       "every third triangle is lost",
+       "spans-exact",
+       {.draw = Dropping([](std::size_t t, const Triangle&, const Corners3&, const Scene&) {
+          return t % 3 == 0;
+        })}},
+      {"DuplicatedVerticesKeepCoverage",
+       "indices must ascend",
+       "spans-exact",
+       {.draw = Dropping([](std::size_t, const Triangle& t, const Corners3&, const Scene&) {
+          return t[0] > t[1];
+        })}},
+      {"DegenerateTrianglesCoverNothing",
+       "a dot for each",
+       "spans-exact",
+       {.draw = DotDegenerates}},
+      {"ScissorOnlyCutsCoverage",
+       "the right edge is inclusive",
+       "spans-exact",
+       {.draw = WithOptions([](DrawOptions& options, const Scene& scene) {
+          if (options.scissor) options.scissor->x1 = std::min(options.scissor->x1 + 1, scene.width);
+        })}},
+      {"NeighboursAreClippedAlike",
+       "what leaves the target is lost",
+       "spans-exact",
+       {.draw = Dropping([](std::size_t, const Triangle&, const Corners3& v, const Scene& scene) {
+          return LeavesTarget(v, scene);
+        })}},
+      {"NeighboursAreClippedAlike",
+       "triangles across the eye are lost",
+       "hom-exact",
+       {.draw = Dropping([](std::size_t, const Triangle&, const Corners3& v, const Scene&) {
+          return std::ranges::any_of(v, IsBehind);
+        })}},
+      {"CullingRemovesOneFacing",
+       "front for back",
+       "spans-exact",
+       {.draw = WithOptions([](DrawOptions& options, const Scene&) {
+          if (options.cull != Cull::kNone) {
+            options.cull = options.cull == Cull::kFront ? Cull::kBack : Cull::kFront;
+          }
+        })}},
+      {"IntegerTranslationMovesCoverage",
+       "negative coordinates wrap",
+       "spans-exact",
+       {.draw = Dropping([](std::size_t, const Triangle&, const Corners3& v, const Scene&) {
+          return std::ranges::any_of(v, [](const Vertex& p) { return p.x < 0; });
+        })}},
+  };
+}
+
+std::vector<Plant> WireframePlants() {
+  using Points = std::array<Point2, 3>;
+  const auto distances = [](DistancesBug bug) {
+    Bug planted;
+    planted.distances = std::move(bug);
+    return planted;
+  };
+  // The height over edge i is the height form's distance at vertex i.
+  const auto swapped_heights = [](const WeightEvaluator& sound, WireframeForm, const Points& v,
+                                  Point2 p) {
+    const std::array<double, 3> l = sound.EdgeDistances(WireframeForm::kWeight, v, p);
+    std::array<double, 3> distances{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t other = (i + 1) % 3;
+      distances[i] = l[i] * sound.EdgeDistances(WireframeForm::kHeight, v, v[other])[other];
+    }
+    return distances;
+  };
+  return {
+      {"WeightDistanceIsTheSmallestWeight", "pixels", "spans-exact",
+       distances([](const WeightEvaluator& sound, WireframeForm, const Points& v, Point2 p) {
+         return sound.EdgeDistances(WireframeForm::kHeight, v, p);
+       })},
+      {"DerivativeDistanceMeasuresInTheL1Norm", "the L2 norm", "spans-exact",
+       distances([](const WeightEvaluator& sound, WireframeForm, const Points& v, Point2 p) {
+         return sound.EdgeDistances(WireframeForm::kHeight, v, p);
+       })},
+      {"HeightDistanceIsTheDistanceInPixels", "heights of other vertices", "spans-exact",
+       distances(swapped_heights)},
+  };
+}
+
+std::vector<Plant> ExtremePlants() {
+  return {
+      {"DrawStaysInsideItsTarget",
+       "a span runs past the scissor",
+       "spans-exact",
+       {.draw = RunPastTheScissor}},
+      {"DrawStaysInsideItsTarget",
+       "counts are overwritten",
+       "spans-exact",
+       {.draw = OverwriteCounts}},
+      {"NonFiniteTrianglesCoverNothing",
+       "NaN is taken for zero",
+       "spans-exact",
+       {.draw = WithVertices(TakeNonFiniteForZero)}},
+      {"BadTrianglesPoisonNoOthers",
+       "the first bad triangle ends the draw",
+       "spans-exact",
+       {.draw = StopAtTheFirstBadTriangle}},
+      {"EqualDrawsGiveEqualCounts",
+       "counts are overwritten",
+       "spans-exact",
+       {.draw = OverwriteCounts}},
+  };
+}
+
+}  // namespace
+
+std::vector<Plant> Plants() {
+  std::vector<Plant> all;
+  for (const std::vector<Plant>& part : {EdgePlants(), IncrementalPlants(), BarycentricPlants(),
+                                         CoveragePlants(), WireframePlants(), ExtremePlants()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+}  // namespace rasterproof::props

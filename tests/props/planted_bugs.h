@@ -1,0 +1,86 @@
+// A built-in subject with one bug planted in it.
+#ifndef RASTERPROOF_TESTS_PROPS_PLANTED_BUGS_H_
+#define RASTERPROOF_TESTS_PROPS_PLANTED_BUGS_H_
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/subject.h"
+
+namespace rasterproof::props {
+
+using DrawBug =
+    std::function<void(Subject& sound, const Scene&, const DrawOptions&, CoverageCounts&)>;
+using ValueBug = std::function<double(double sound, Point2 a, Point2 b, Point2 p)>;
+using WalkBug = std::function<void(std::vector<double>& sound, Step)>;
+using WeightsBug = std::function<void(std::array<double, 3>& sound, BarycentricForm,
+                                      const std::array<Point2, 3>& v)>;
+using InterpolationBug =
+    std::function<double(const WeightEvaluator& sound, InterpolationForm,
+                         const std::array<Corner, 3>& v, std::array<double, 3> attribute, Point2)>;
+using DistancesBug = std::function<std::array<double, 3>(
+    const WeightEvaluator& sound, WireframeForm, const std::array<Point2, 3>& v, Point2 p)>;
+
+/// What is planted; an empty function leaves that part sound.
+struct Bug {
+  DrawBug draw = {};
+  ValueBug value = {};
+  WalkBug walk = {};
+  WeightsBug weights = {};
+  InterpolationBug interpolate = {};
+  DistancesBug distances = {};
+  bool claims_threads = false;
+};
+
+/// Claims the bounds of the sound subject, which its bug breaks.
+class PlantedSubject final : public Subject, public EdgeEvaluator, public WeightEvaluator {
+ public:
+  PlantedSubject(std::unique_ptr<Subject> sound, Bug bug);
+
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
+  const EdgeEvaluator* Edges() const override { return sound_->Edges() ? this : nullptr; }
+  const WeightEvaluator* Weights() const override { return sound_->Weights() ? this : nullptr; }
+
+  double Value(Point2 a, Point2 b, Point2 p) const override;
+  double ErrorBound(Point2 a, Point2 b, Point2 p) const override;
+  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override;
+  std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                      int steps) const override;
+
+  std::array<double, 3> Weights(BarycentricForm form, const std::array<Point2, 3>& v,
+                                Point2 p) const override;
+  std::array<double, 3> WeightErrorBounds(BarycentricForm form, const std::array<Point2, 3>& v,
+                                          Point2 p) const override;
+  double SumErrorBound(BarycentricForm form, const std::array<Point2, 3>& v,
+                       Point2 p) const override;
+  double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
+                     const std::array<double, 3>& attribute, Point2 p) const override;
+  double InterpolationErrorBound(InterpolationForm form, const std::array<Corner, 3>& v,
+                                 const std::array<double, 3>& attribute, Point2 p) const override;
+  std::array<double, 3> EdgeDistances(WireframeForm form, const std::array<Point2, 3>& v,
+                                      Point2 p) const override;
+
+ private:
+  std::unique_ptr<Subject> sound_;
+  Bug bug_;
+  SubjectInfo info_;
+};
+
+/// A bug, the sound subject it is planted in, and the property that must catch it.
+struct Plant {
+  std::string_view property;
+  std::string_view name;
+  std::string_view sound;  ///< a built-in subject
+  Bug bug;
+};
+
+/// One for each property at least.
+std::vector<Plant> Plants();
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_TESTS_PROPS_PLANTED_BUGS_H_

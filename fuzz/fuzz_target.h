@@ -1,0 +1,32 @@
+// What the four fuzz targets share: bytes to a case, the case to a claim, a failed claim to a report and a trap.
+#ifndef RASTERPROOF_FUZZ_FUZZ_TARGET_H_
+#define RASTERPROOF_FUZZ_FUZZ_TARGET_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace rasterproof::fuzz {
+
+/// A claim that must hold of a subject on every input.
+struct Claim {
+  std::string_view subject;
+  std::string_view property;
+};
+
+/// Decodes the bytes once per input lattice among the claims' subjects and puts every claim to the test.
+///
+/// Domain:     any bytes; the decoder is total.
+/// Error:      a violated claim prints the command that turns the input into a case file, and aborts.
+void PutToTheTest(std::span<const Claim> claims, std::span<const std::uint8_t> bytes);
+
+/// Prints what failed and aborts, for checks that are not in the catalogue.
+[[noreturn]] void Fail(std::string_view what, std::span<const std::uint8_t> bytes);
+
+}  // namespace rasterproof::fuzz
+
+/// The entry that libFuzzer, AFL++'s driver and fuzz/replay_main.cc call.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+#endif  // RASTERPROOF_FUZZ_FUZZ_TARGET_H_

@@ -1,0 +1,262 @@
+"""The command as its users meet it: output, exit statuses, bad input. argv[1]: the program, argv[2]: the sources."""
+import json
+import os
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import exact_model
+
+PROGRAM = os.path.abspath(sys.argv[1])
+SOURCES = os.path.abspath(sys.argv[2])
+PROFILE_BITS = {"real": None, "d3d11": 8, "vulkan": 8, "gl": 8}
+
+
+def run(*arguments, data=None, stdout=subprocess.PIPE):
+    return subprocess.run([PROGRAM, *arguments], input=data, stdout=stdout, stderr=subprocess.PIPE,
+                          cwd=SOURCES, timeout=300)
+
+
+def float32(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def scene_text(width, height, vertices, triangles, **more):
+    coordinates = [[c.hex() if c == c and abs(c) != float("inf") else
+                    ("nan" if c != c else ("inf" if c > 0 else "-inf")) for c in v] for v in vertices]
+    return json.dumps({"rasterproof_scene": 1, "name": "test", "width": width, "height": height,
+                       "vertices": coordinates, "triangles": triangles, **more})
+
+
+class TemporaryFolder(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, text, name="scene.json"):
+        path = os.path.join(self.folder.name, name)
+        with open(path, "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode())
+        return path
+
+
+class CoverageTest(TemporaryFolder):
+    def check(self, width, height, vertices, triangles, **more):
+        path = self.write(scene_text(width, height, vertices, triangles, **more))
+        for profile, bits in PROFILE_BITS.items():
+            for subject in ("exact", "exact-integers", "exact-cgal"):
+                result = run("coverage", path, "--subject", subject, "--profile", profile)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                rows = [[int(n) for n in line.split()] for line in result.stdout.decode().splitlines()]
+                self.assertEqual(rows, exact_model.coverage(width, height, vertices, triangles, bits),
+                                 f"{profile} {subject} {vertices} {triangles}")
+
+    def test_ties_follow_the_top_left_rule_for_either_winding(self):
+        square = [(0.5, 0.5), (3.5, 0.5), (3.5, 3.5), (0.5, 3.5)]
+        self.check(5, 5, square, [[0, 1, 2], [0, 2, 3]])
+        self.check(5, 5, square, [[0, 2, 1], [0, 3, 2]])
+
+    def test_slivers_and_magnitudes_at_both_ends(self):
+        self.check(4, 3, [(0.5, 0.5), (1e30, 0.5 + 2**-20), (float32(1e30), 0.5)], [[0, 1, 2]],
+                   precision="float64")
+        tiny = float32(1e-30)
+        self.check(4, 3, [(-1.0, tiny), (float32(1e30), 0.0), (tiny, float32(1e30))], [[0, 1, 2]])
+        self.check(3, 3, [(0.5, 0.0), (0.5, 3.0), (0.5 + 1e-15, 3.0)], [[0, 1, 2], [0, 2, 1]],
+                   precision="float64")
+
+    def test_subnormals_duplicates_and_degenerates(self):
+        low = 2.0**-149
+        self.check(2, 2, [(-low, -low), (low, 2.0), (2.0, -low)], [[0, 1, 2], [0, 1, 2], [0, 0, 1]])
+        self.check(2, 2, [(5e-324, 0.0), (1.7e308, -1.7e308), (0.0, 1.7e308)], [[0, 1, 2]],
+                   precision="float64")
+
+    def test_non_finite_triangles_cover_nothing(self):
+        nan, inf = float("nan"), float("inf")
+        self.check(3, 3, [(0.0, 0.0), (3.0, 0.0), (0.0, 3.0), (nan, 1.0), (inf, 0.0), (1.0, -inf)],
+                   [[0, 1, 2], [0, 1, 3], [0, 4, 2], [5, 1, 2]])
+
+    def test_random_scenes_on_half_pixels_and_off_every_lattice(self):
+        random.seed(7)
+        for kind in range(12):
+            vertices = []
+            for _ in range(6):
+                if kind % 3 == 0:
+                    vertices.append((random.randrange(-2, 20) / 2, random.randrange(-2, 20) / 2))
+                elif kind % 3 == 1:
+                    vertices.append((float32(random.uniform(-3, 12)), float32(random.uniform(-3, 12))))
+                else:
+                    scale = 2.0 ** random.randrange(-140, 120)
+                    vertices.append((float32(random.uniform(-scale, scale)), float32(random.uniform(0, 9))))
+            triangles = [[random.randrange(6) for _ in range(3)] for _ in range(4)]
+            self.check(9, 7, vertices, triangles)
+
+    def test_exact_methods_print_what_the_oracle_prints(self):
+        for name in ("ties", "slivers", "mixed_magnitude", "subnormal", "duplicates", "nan", "fan"):
+            path = os.path.join(SOURCES, "scenes", name + ".json")
+            expected = run("coverage", path, "--subject", "exact").stdout
+            for subject in ("spans-exact", "filtered-exact"):
+                self.assertEqual(run("coverage", path, "--subject", subject).stdout, expected, name)
+
+    def test_scene_from_standard_input(self):
+        text = scene_text(1, 1, [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], [[0, 1, 2]])
+        self.assertEqual(run("coverage", "-", data=text.encode()).stdout, b"1\n")
+
+
+class BadInputTest(TemporaryFolder):
+    GOOD = {"rasterproof_scene": 1, "name": "g", "width": 4, "height": 4,
+            "vertices": [[0, 0], [4, 0], [0, 4]], "triangles": [[0, 1, 2]]}
+
+    def refused(self, *arguments, names, data=None):
+        result = run(*arguments, data=data)
+        self.assertEqual(result.returncode, 2, (arguments, result.stdout, result.stderr))
+        self.assertEqual(result.stdout, b"")
+        for name in [names] if isinstance(names, str) else names:
+            self.assertIn(name, result.stderr.decode())
+
+    def refused_scene(self, text, *fragments):
+        path = self.write(text)
+        for verb in ("coverage", "plan", "check"):
+            self.refused(verb, path, names=[path, *fragments])
+
+    def changed(self, **changes):
+        return json.dumps({**self.GOOD, **changes})
+
+    def test_files_that_are_no_scenes(self):
+        good = json.dumps(self.GOOD)
+        self.refused_scene(good[:-20])
+        self.refused_scene("")
+        self.refused_scene(b"\xff\xfe\x00")
+        self.refused_scene("[" * 100000)
+        self.refused_scene(self.changed(vertecies=[]), "vertecies")
+
+    def test_wrong_indices_and_arities(self):
+        self.refused_scene(self.changed(triangles=[[0, 1, 3]]), "triangles[0][2]")
+        self.refused_scene(self.changed(triangles=[[0, 1, -1]]), "triangles[0][2]")
+        self.refused_scene(self.changed(triangles=[[0, 1, 0.5]]), "triangles[0][2]")
+        self.refused_scene(self.changed(triangles=[[0, 1]]), "triangles[0]")
+        self.refused_scene(self.changed(vertices=[[0], [4, 0], [0, 4]]), "vertices[0]")
+        self.refused_scene(self.changed(vertices=[[0, 0], [4, 0, 0, 0, 0], [0, 4]]), "vertices[1]")
+
+    def test_numbers_that_the_precision_does_not_hold(self):
+        for bad in ("0x1.0000001p+0", "0x1p", "1.5", "0x1.8p0 ", "nan(7)", "infinity", "", "0x1p+128"):
+            self.refused_scene(self.changed(vertices=[[bad, 0], [4, 0], [0, 4]]), "vertices[0][0]")
+        self.refused_scene(json.dumps(self.GOOD).replace("[4, 0]", "[1e400, 0]"), "vertices[1][0]")
+        self.refused_scene(json.dumps(self.GOOD).replace("[4, 0]", "[4e38, 0]"), "vertices[1][0]")
+        self.refused_scene(json.dumps(self.GOOD).replace("[4, 0]", "[NaN, 0]"))
+
+    def test_targets_of_impossible_size(self):
+        self.refused_scene(self.changed(width=0, height=0), "width")
+        self.refused_scene(self.changed(width=2**31), "width")
+        self.refused_scene(self.changed(width=65536, height=65536))
+        self.refused_scene(self.changed(height=-1), "height")
+
+    def test_files_that_cannot_be_read(self):
+        missing = os.path.join(self.folder.name, "absent.json")
+        for verb in ("coverage", "plan", "check", "replay", "explain"):
+            self.refused(verb, missing, *(["--subject", "exact"] if verb in ("replay", "explain") else []),
+                         names=missing)
+        self.refused("coverage", self.folder.name, names=self.folder.name)
+        mesh = self.write("v 0 0\nf 1 2 nonsense\n", "broken.obj")
+        self.refused("coverage", mesh, names=mesh)
+        self.refused("coverage", self.write("", "empty.ply"), names="empty.ply")
+
+    def test_options_that_do_not_exist(self):
+        path = self.write(json.dumps(self.GOOD))
+        self.refused("coverage", path, "--colour-of-magic", names="--colour-of-magic")
+        self.refused("coverage", path, "--subject", "nonesuch", names="nonesuch")
+        self.refused("coverage", path, "--profile", "nonesuch", names="nonesuch")
+        self.refused("check", "--property", "Nonesuch", names="Nonesuch")
+        self.refused("check", "--seed", "12x", names="12x")
+        self.refused("check", "--cases", "-4", names="--cases")
+        self.refused("nonesuch", names="nonesuch")
+        self.refused(names="subcommand")
+
+    def test_subjects_say_which_scenes_they_do_not_take(self):
+        clip = self.write(scene_text(2, 2, [(0.0, 0.0, 0.0, 1.0), (2.0, 0.0, 0.0, 1.0), (0.0, 2.0, 0.0, -1.0)],
+                                     [[0, 1, 2]]))
+        self.refused("coverage", clip, "--subject", "f32-direct", names=[clip, "clip space"])
+        self.refused("coverage", clip, "--subject", "exact", "--profile", "d3d11", names="w")
+        double = self.write(scene_text(2, 2, [(0.1, 0.0), (2.0, 0.0), (0.0, 2.0)], [[0, 1, 2]],
+                                       precision="float64"), "double.json")
+        self.refused("coverage", double, "--subject", "f32-direct", names=[double, "float64"])
+
+
+class FullDeviceTest(TemporaryFolder):
+    def test_a_full_device_is_reported(self):
+        path = self.write(scene_text(64, 64, [(0.0, 0.0), (64.0, 0.0), (0.0, 64.0)], [[0, 1, 2]]))
+        with open("/dev/full", "wb") as full:
+            for arguments in (("coverage", path), ("list",), ("plan", path)):
+                result = run(*arguments, stdout=full)
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertIn(b"standard output", result.stderr)
+        result = run("coverage", path, "-o", "/dev/full")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(b"/dev/full", result.stderr)
+
+    def test_an_unwritable_output_leaves_nothing_behind(self):
+        path = self.write(scene_text(2, 2, [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], [[0, 1, 2]]))
+        target = os.path.join(self.folder.name, "no", "such", "folder.png")
+        result = run("render", path, "-o", target)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(target.encode(), result.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["scene.json"])
+
+
+class VerdictTest(TemporaryFolder):
+    def test_a_sound_method_holds_and_a_naive_one_is_violated(self):
+        ties = os.path.join(SOURCES, "scenes", "ties.json")
+        self.assertEqual(run("diff", ties, "--subject", "spans-exact").returncode, 0)
+        result = run("diff", ties, "--subject", "textbook")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"overlaps", result.stdout)
+        self.assertEqual(run("check", ties, "--subject", "textbook").returncode, 1)
+        self.assertEqual(run("check", ties, "--subject", "spans-exact").returncode, 0)
+
+    def test_a_violation_names_its_replay_and_the_replay_fails_again(self):
+        result = run("check", "--subject", "textbook", "--property", "SharedEdgeSamplesAreCoveredOnce")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        line = next(l for l in result.stdout.decode().splitlines() if "rasterproof replay" in l)
+        replay = line[line.index("rasterproof replay"):].split()[1:]
+        again = run(*replay)
+        self.assertEqual(again.returncode, 1, again.stderr)
+        self.assertIn(b"0x", again.stdout)
+
+    def test_saved_counterexamples_are_small_and_fail_again(self):
+        saved = os.path.join(self.folder.name, "cases")
+        run("check", "--subject", "textbook", "--property", "SharedEdgeSamplesAreCoveredOnce", "--save", saved)
+        (name,) = os.listdir(saved)
+        path = os.path.join(saved, name)
+        with open(path) as file:
+            case = json.load(file)
+        self.assertLessEqual(len(case["scene"]["triangles"]), 2)
+        self.assertEqual(run("replay", path).returncode, 1)
+        self.assertEqual(run("explain", path, "--svg", os.path.join(self.folder.name, "e.svg")).returncode, 1)
+
+    def test_the_same_seed_gives_the_same_output(self):
+        arguments = ("check", "--subject", "f32-direct", "--property", "CoverageEqualsTheModel", "--seed", "5")
+        self.assertEqual(run(*arguments).stdout, run(*arguments).stdout)
+
+    def test_nothing_exercised_is_inconclusive(self):
+        result = run("check", "--subject", "hom-f32", "--property", "WalkStaysWithinItsBound")
+        self.assertEqual(result.returncode, 4, result.stdout)
+
+    def test_progress_never_reaches_standard_output(self):
+        result = run("check", "--subject", "i64-snap8", "--property", "CoverageEqualsTheModel", "--cases", "50")
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertEqual(len(result.stdout.decode().splitlines()), 1)
+
+    def test_doctor_and_plan_verify(self):
+        self.assertEqual(run("doctor").returncode, 0)
+        for name in ("ties", "slivers", "mixed_magnitude", "clip_behind"):
+            result = run("plan", os.path.join(SOURCES, "scenes", name + ".json"), "--verify")
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

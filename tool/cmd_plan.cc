@@ -1,0 +1,43 @@
+// rasterproof plan: what a scene needs, and what can be left out.
+#include <algorithm>
+#include <string>
+
+#include "core/coverage.h"
+#include "core/error.h"
+#include "exact/coverage.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/output.h"
+#include "reference/plan.h"
+#include "tool/commands.h"
+#include "tool/session.h"
+
+namespace rasterproof::tool {
+
+int RunPlan(const PlanOptions& options) {
+  RequireHonestEnvironment();
+  const Scene scene = LoadScene(options.scene);
+  const Profile profile = io::ReadProfile(options.profile);
+  const reference::Needs needs{options.weights, options.depth, options.wireframe};
+  const reference::Plan plan = reference::MakePlan(scene, profile, {}, needs);
+  std::string text = fmt::format("scene       {}\nprofile     {}\narithmetic  {}\n",
+                                 scene.name.empty() ? options.scene.path : scene.name, profile.name,
+                                 plan.arithmetic);
+  for (const reference::PlanReason& reason : plan.reasons) {
+    text += fmt::format("  {:<16} {:<28} {}\n", reason.stage, reason.choice, reason.why);
+  }
+  int status = kExitHolds;
+  if (options.verify) {
+    const int samples = profile.lattice.samples();
+    CoverageCounts planned(scene.width, scene.height, samples);
+    plan.draw(scene, profile, {}, planned);
+    const CoverageDifference difference = Compare(planned, exact::Coverage(scene, profile));
+    text += fmt::format("verified    {} of {} samples differ from the oracle\n", difference.wrong,
+                        difference.samples);
+    if (difference.wrong != 0) status = kExitViolated;
+  }
+  io::WriteStandardOutput(text);
+  return status;
+}
+
+}  // namespace rasterproof::tool

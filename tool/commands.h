@@ -1,0 +1,148 @@
+// The verbs of the command, each with what its options say. main.cc parses, cmd_*.cc do the work.
+#ifndef RASTERPROOF_TOOL_COMMANDS_H_
+#define RASTERPROOF_TOOL_COMMANDS_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rasterproof::tool {
+
+/// Exit statuses.
+inline constexpr int kExitHolds = 0;
+inline constexpr int kExitViolated = 1;
+inline constexpr int kExitUsage = 2;
+inline constexpr int kExitFault = 3;
+inline constexpr int kExitInconclusive = 4;
+
+/// A scene file, or a mesh and how it is seen.
+struct SceneOptions {
+  std::string path;
+  std::string camera;  ///< for meshes; empty: "front"
+  std::string project =
+      "auto";  ///< "window", "clip", "auto": window unless a vertex lies behind the eye
+  int width = 512;
+  int height = 512;
+};
+
+/// How many cases, from which seed.
+struct CampaignChoice {
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 1000;
+  double seconds = 0;
+};
+
+struct ListOptions {
+  std::string what = "all";  ///< "subjects", "properties", "domains", "profiles", "all"
+};
+int RunList(const ListOptions& options);
+
+struct CoverageOptions {
+  SceneOptions scene;
+  std::string subject = "exact";
+  std::string profile;  ///< empty: "real" for exact, the subject's own otherwise
+  std::string output = "-";
+};
+int RunCoverage(const CoverageOptions& options);
+
+struct DiffOptions {
+  SceneOptions scene;
+  std::string subject;
+  std::string against = "exact";
+  std::string profile;  ///< of the oracle; empty: the subject's own
+  std::string png;
+};
+int RunDiff(const DiffOptions& options);
+
+struct RenderOptions {
+  SceneOptions scene;
+  std::string mode = "flat";  ///< "flat", "weights", "depth", "wireframe", "coverage", "difference"
+  std::string subject = "spans-exact";
+  double line_width = 1;
+  std::string output;
+};
+int RunRender(const RenderOptions& options);
+
+struct CheckOptions {
+  std::vector<std::string> subjects;
+  std::vector<std::string> properties;
+  std::vector<std::string> scenes;  ///< case or scene files; empty: generated cases
+  std::string profile;              ///< judge by this one instead of the subject's own
+  CampaignChoice campaign;
+  std::string save;  ///< folder for counterexamples
+};
+int RunCheck(const CheckOptions& options);
+
+struct CertifyOptions {
+  std::vector<std::string> subjects;
+  bool all = false;
+  std::string scene_set = "scenes/certify.json";
+  std::string output = "out";
+  CampaignChoice campaign;
+  std::string command;  ///< the command line, for the record
+};
+int RunCertify(const CertifyOptions& options);
+
+/// A saved case, or the number of a generated one.
+struct CaseChoice {
+  std::string path;
+  std::string subject;
+  std::string property;
+  std::uint64_t seed = 1;
+  std::int64_t index = -1;
+};
+
+struct ReplayOptions {
+  CaseChoice choice;
+};
+int RunReplay(const ReplayOptions& options);
+
+struct ExplainOptions {
+  CaseChoice choice;
+  int x = -1;
+  int y = -1;
+  std::string svg;
+  std::string png;
+  bool colour = false;
+};
+int RunExplain(const ExplainOptions& options);
+
+struct ShrinkOptions {
+  CaseChoice choice;
+  std::string output = "-";
+  std::uint64_t budget = 10000;
+};
+int RunShrink(const ShrinkOptions& options);
+
+struct PlanOptions {
+  SceneOptions scene;
+  std::string profile = "real";
+  bool weights = false;
+  bool depth = false;
+  bool wireframe = false;
+  bool verify = false;
+};
+int RunPlan(const PlanOptions& options);
+
+struct BenchOptions {
+  std::vector<std::string> subjects;
+  std::string json;
+  std::string plot;  ///< Vega-Lite specification
+  int repetitions = 7;
+  std::uint64_t seed = 1;
+};
+int RunBench(const BenchOptions& options);
+
+struct DecodeOptions {
+  std::string input;
+  std::string subject;
+  std::string property;
+  std::string output = "-";
+};
+int RunDecode(const DecodeOptions& options);
+
+int RunDoctor();
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_COMMANDS_H_

@@ -1,0 +1,138 @@
+#include "tool/failure.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "core/profile.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "exact/homogeneous.h"
+#include "exact/rational.h"
+#include "fmt/format.h"
+#include "tool/session.h"
+
+namespace rasterproof::tool {
+namespace {
+
+constexpr int kViewSide = 16;              // pixels shown around the failing place
+constexpr std::size_t kMostTriangles = 8;  // whose edge values are listed
+
+// The first pixel at which the counts differ; (-1, -1) if none does.
+std::array<int, 2> FirstWrongPixel(const CoverageCounts& observed, const CoverageCounts& expected) {
+  const CoverageDifference difference = Compare(observed, expected);
+  if (difference.wrong == 0) return {-1, -1};
+  const std::size_t pixel = difference.first_wrong / static_cast<std::size_t>(observed.samples);
+  const auto width = static_cast<std::size_t>(observed.width);
+  return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
+}
+
+PixelRect ViewAround(const Scene& scene, int x, int y) {
+  const auto span = [](int centre, int side) {
+    const int first = std::clamp(centre - kViewSide / 2, 0, std::max(0, side - kViewSide));
+    return std::array<int, 2>{first, std::min(side, first + kViewSide)};
+  };
+  const auto [x0, x1] = span(std::max(x, 0), scene.width);
+  const auto [y0, y1] = span(std::max(y, 0), scene.height);
+  return {x0, y0, x1, y1};
+}
+
+std::string HexVertex(const Vertex& v, bool clip) {
+  return clip ? fmt::format("({:a}, {:a}, {:a}, {:a})", v.x, v.y, v.z, v.w)
+              : fmt::format("({:a}, {:a})", v.x, v.y);
+}
+
+// Triangles whose box holds the view, the witness first: those are what the picture is about.
+std::vector<int> TrianglesInView(const Scene& scene, const PixelRect& view, int first) {
+  std::vector<int> found;
+  if (first >= 0) found.push_back(first);
+  for (std::size_t t = 0; t < scene.triangles.size() && found.size() < kMostTriangles; ++t) {
+    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
+    const auto x = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto y = std::minmax({v[0].y, v[1].y, v[2].y});
+    const bool apart = !scene.clip_space && (x.second < view.x0 || x.first > view.x1 ||
+                                             y.second < view.y0 || y.first > view.y1);
+    if (!apart && static_cast<int>(t) != first) found.push_back(static_cast<int>(t));
+  }
+  return found;
+}
+
+std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
+  const std::array<Vertex, 3> v =
+      Corners(scene, scene.triangles[static_cast<std::size_t>(triangle)]);
+  const Vertex& a = v[static_cast<std::size_t>((edge + 1) % 3)];
+  const Vertex& b = v[static_cast<std::size_t>((edge + 2) % 3)];
+  if (!IsFinite(a) || !IsFinite(b)) {
+    return fmt::format("triangle {}, edge {}: not finite, covers nothing", triangle, edge);
+  }
+  const exact::Rational value = scene.clip_space
+                                    ? exact::HomogeneousEdgeValue(a, b, p)
+                                    : exact::EdgeValue(WindowPoint(a), WindowPoint(b), p);
+  std::string text = value.ToString();
+  constexpr std::size_t kLongest = 60;  // beyond that the digits say nothing to a reader
+  if (text.size() > kLongest) text = fmt::format("{:a} (rounded)", value.ToDouble());
+  return fmt::format("triangle {}, edge {}: E = {}", triangle, edge, text);
+}
+
+}  // namespace
+
+report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verdict,
+                            const std::string& replay) {
+  report::Explanation explanation;
+  explanation.scene = c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile);
+  explanation.expected = exact::Coverage(c.scene, c.profile, c.options);
+  explanation.observed = Draw(subject, c.scene, c.options);
+  const auto [wrong_x, wrong_y] = FirstWrongPixel(explanation.observed, explanation.expected);
+  const bool witness = verdict.witness && verdict.witness->x >= 0 && verdict.witness->y >= 0;
+  explanation.focus_x = witness ? verdict.witness->x : wrong_x;
+  explanation.focus_y = witness ? verdict.witness->y : wrong_y;
+  explanation.view = ViewAround(c.scene, explanation.focus_x, explanation.focus_y);
+  explanation.triangles = TrianglesInView(explanation.scene, explanation.view,
+                                          verdict.witness ? verdict.witness->triangle : -1);
+  if (explanation.focus_x >= 0) {
+    const SampleLattice& lattice = c.profile.lattice;
+    const int sample =
+        verdict.witness ? std::clamp(verdict.witness->sample, 0, lattice.samples() - 1) : 0;
+    const bool up = c.profile.y_axis == YAxis::kUp;
+    const int row = up ? c.scene.height - 1 - explanation.focus_y : explanation.focus_y;
+    const Point2 p = lattice.At(explanation.focus_x, row, sample);
+    for (const int triangle : explanation.triangles) {
+      for (int edge = 0; edge < 3; ++edge) {
+        explanation.edge_values.push_back(EdgeLine(explanation.scene, triangle, edge, p));
+      }
+    }
+  }
+  explanation.headline = verdict.message;
+  explanation.replay = replay;
+  return explanation;
+}
+
+std::string FailureLine(const std::string& property, const Case& c, const Verdict& verdict) {
+  std::string line = property.empty() ? "coverage" : property;
+  line += ": ";
+  if (verdict.witness) {
+    const Witness& w = *verdict.witness;
+    if (w.triangle >= 0 && static_cast<std::size_t>(w.triangle) < c.scene.triangles.size()) {
+      line += fmt::format("triangle {}", w.triangle);
+      const auto corners =
+          Corners(c.scene, c.scene.triangles[static_cast<std::size_t>(w.triangle)]);
+      for (const Vertex& v : corners) line += " " + HexVertex(v, c.scene.clip_space);
+      line += " ";
+    }
+    if (w.edge >= 0) line += fmt::format("edge {} ", w.edge);
+    if (w.x >= 0) line += fmt::format("pixel ({}, {}) ", w.x, w.y);
+    line += fmt::format("=> observed {}, expected {}; ", w.observed, w.expected);
+  }
+  return line + verdict.message;
+}
+
+std::string FailureText(Subject& subject, const std::string& property, const Case& c,
+                        const Verdict& verdict, const std::string& replay, bool colour) {
+  std::string text = FailureLine(property, c, verdict) + "\n";
+  text += report::ExplanationToText(Explain(subject, c, verdict, replay), colour);
+  if (!text.ends_with('\n')) text += '\n';
+  return text;
+}
+
+}  // namespace rasterproof::tool

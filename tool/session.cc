@@ -1,0 +1,231 @@
+#include "tool/session.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "exact/coverage.h"
+#include "exact/environment.h"
+#include "fmt/format.h"
+#include "fmt/ranges.h"
+#include "io/case_file.h"
+#include "io/mesh.h"
+#include "io/output.h"
+#include "io/scene_file.h"
+#include "props/run/campaign.h"
+#include "subjects/builtin/builtin.h"
+
+namespace rasterproof::tool {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, exact::Decider>, 3> kOracles{{
+    {"exact", exact::Decider::kFast},
+    {"exact-integers", exact::Decider::kIntegers},
+    {"exact-cgal", exact::Decider::kCgal},
+}};
+
+// The oracle in the place of a subject, so that it can be compared with any other and with itself.
+class OracleSubject final : public Subject {
+ public:
+  OracleSubject(std::string_view name, exact::Decider decider, const Profile& profile)
+      : decider_(decider) {
+    info_.name = name;
+    info_.profile = profile;
+    info_.summary = "the oracle, decided by " + std::string(exact::DeciderName(decider));
+    info_.input = Precision::kFloat64;
+    info_.takes_clip = true;
+  }
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    const CoverageCounts drawn = exact::Coverage(scene, info_.profile, options, decider_);
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      counts.front[k] += drawn.front[k];
+      counts.back[k] += drawn.back[k];
+    }
+  }
+
+ private:
+  SubjectInfo info_;
+  exact::Decider decider_;
+};
+
+// A subject judged by a profile that is not its own.
+class JudgedSubject final : public Subject {
+ public:
+  JudgedSubject(std::unique_ptr<Subject> subject, const Profile& profile)
+      : subject_(std::move(subject)), info_(subject_->Info()) {
+    info_.profile = profile;
+  }
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    subject_->Draw(scene, options, counts);
+  }
+  const EdgeEvaluator* Edges() const override { return subject_->Edges(); }
+  const WeightEvaluator* Weights() const override { return subject_->Weights(); }
+
+ private:
+  std::unique_ptr<Subject> subject_;
+  SubjectInfo info_;
+};
+
+bool IsMeshPath(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string::npos) return false;
+  std::string ending = path.substr(dot + 1);
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::array<std::string_view, 6> kMeshEndings{"obj", "ply", "off", "stl", "gltf", "glb"};
+  return std::ranges::find(kMeshEndings, ending) != kMeshEndings.end();
+}
+
+void RequireTargetSize(const SceneOptions& options) {
+  const auto samples = std::int64_t{options.width} * options.height;
+  if (options.width >= 1 && options.height >= 1 && options.width <= kMaxTargetSide &&
+      options.height <= kMaxTargetSide && samples <= kMaxTargetSamples) {
+    return;
+  }
+  throw InputError(fmt::format("--width {} --height {}", options.width, options.height),
+                   "the target is out of range",
+                   fmt::format("give sides of 1 to {} and at most 2^28 samples", kMaxTargetSide));
+}
+
+}  // namespace
+
+void RequireHonestEnvironment() {
+  const exact::Environment environment = exact::InspectEnvironment();
+  if (environment.Honest()) return;
+  throw InputError("floating-point environment", environment.Complaint(),
+                   "mend it and run again (rasterproof doctor shows it); no verdict is given here");
+}
+
+std::vector<std::string> SubjectNames() {
+  std::vector<std::string> names = subjects::BuiltinNames();
+  for (const auto& oracle : kOracles) names.emplace_back(oracle.first);
+  return names;
+}
+
+std::unique_ptr<Subject> MakeSubject(std::string_view name) { return MakeSubject(name, ""); }
+
+std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile) {
+  for (const auto& [oracle, decider] : kOracles) {
+    if (name == oracle) return std::make_unique<OracleSubject>(name, decider, profile);
+  }
+  return nullptr;
+}
+
+std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& profile) {
+  const Profile named = profile.empty() ? Profile{} : io::ReadProfile(profile);
+  if (std::unique_ptr<Subject> oracle = MakeOracle(name, named)) return oracle;
+  std::unique_ptr<Subject> subject = subjects::MakeBuiltin(name);
+  if (subject == nullptr) {
+    throw InputError(fmt::format("subject '{}'", name), "there is no such subject",
+                     fmt::format("choose one of: {}", fmt::join(SubjectNames(), ", ")));
+  }
+  if (profile.empty()) return subject;
+  return std::make_unique<JudgedSubject>(std::move(subject), named);
+}
+
+const props::Property& RequireProperty(const std::string& name) {
+  if (const props::Property* property = props::FindProperty(name)) return *property;
+  throw InputError(fmt::format("property '{}'", name), "there is no such property",
+                   "choose one that 'rasterproof list properties' names");
+}
+
+Scene LoadScene(const SceneOptions& options) {
+  if (!IsMeshPath(options.path)) {
+    if (!options.camera.empty()) {
+      throw InputError("--camera", options.path + " is a scene file, which has no use for a camera",
+                       "leave the option out, or give a mesh (obj, ply, off, stl, gltf, glb)");
+    }
+    return io::ReadScene(options.path);
+  }
+  RequireTargetSize(options);
+  const io::Mesh mesh = io::ReadMesh(options.path);
+  const std::string text = options.camera.empty() ? "front" : options.camera;
+  const io::Camera camera = io::ParseCamera(text, mesh);
+  const auto project = [&](io::ProjectTo to) {
+    return io::ProjectMesh(mesh, camera, options.width, options.height, to);
+  };
+  if (options.project == "window") return project(io::ProjectTo::kWindow);
+  Scene clip = project(io::ProjectTo::kClip);
+  if (options.project == "clip") return clip;
+  const bool in_front = std::ranges::all_of(clip.vertices, [](const Vertex& v) { return v.w > 0; });
+  return in_front ? project(io::ProjectTo::kWindow) : clip;
+}
+
+CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options) {
+  CoverageCounts counts(scene.width, scene.height, subject.Info().profile.lattice.samples());
+  subject.Draw(scene, options, counts);
+  return counts;
+}
+
+void RequireTakes(const Subject& subject, const Scene& scene, const std::string& place) {
+  const SubjectInfo& info = subject.Info();
+  if (Takes(info, scene)) return;
+  if (scene.clip_space && !info.takes_clip) {
+    throw InputError(place,
+                     "the scene is in clip space and subject " + info.name + " takes window space",
+                     "use a subject that takes clip space (hom-..., exact), or vertices [x, y]");
+  }
+  if (!scene.clip_space && !info.takes_window) {
+    throw InputError(place,
+                     "the scene is in window space and subject " + info.name + " takes clip space",
+                     "give vertices [x, y, z, w], or use another subject");
+  }
+  throw InputError(place, "the scene is float64 and subject " + info.name + " computes in float32",
+                   "use a float64 subject (f64-..., spans-exact), or \"precision\": \"float32\"");
+}
+
+LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
+  LoadedCase loaded;
+  std::string subject = choice.subject;
+  std::string property = choice.property;
+  if (choice.index >= 0) {
+    if (!choice.path.empty()) {
+      throw InputError("--case", "a case file and the number of a generated case were both given",
+                       "give one of them");
+    }
+    if (subject.empty() || property.empty()) {
+      throw InputError("--case", "a generated case belongs to a subject and a property",
+                       "give --subject and --property as well");
+    }
+    loaded.subject = MakeSubject(subject);
+    loaded.property = &RequireProperty(property);
+    loaded.value = props::DrawCase(loaded.subject->Info(), *loaded.property, choice.seed,
+                                   static_cast<std::uint64_t>(choice.index));
+    loaded.replay = fmt::format("rasterproof {} --subject {} --property {} --seed {} --case {}",
+                                verb, subject, property, choice.seed, choice.index);
+    return loaded;
+  }
+  if (choice.path.empty()) {
+    throw InputError("case", "no case was given",
+                     "give a case file, or --subject, --property, --seed and --case");
+  }
+  const io::CaseFile file = io::ReadCase(choice.path);
+  if (subject.empty()) subject = file.subject;
+  if (property.empty()) property = file.property;
+  if (subject.empty()) {
+    throw InputError(choice.path, "the file names no subject", "give --subject");
+  }
+  loaded.value = file.value;
+  loaded.subject = MakeSubject(subject);
+  if (!property.empty()) loaded.property = &RequireProperty(property);
+  loaded.replay = fmt::format("rasterproof {} {} --subject {}", verb, choice.path, subject);
+  if (!property.empty()) loaded.replay += " --property " + property;
+  return loaded;
+}
+
+void WriteOutput(const std::string& path, std::string_view content) {
+  if (path == "-") {
+    io::WriteStandardOutput(content);
+  } else {
+    io::WriteFile(path, content);
+  }
+}
+
+}  // namespace rasterproof::tool

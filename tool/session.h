@@ -1,0 +1,59 @@
+// What several verbs share: finding subjects, profiles, scenes and cases by what the user typed.
+#ifndef RASTERPROOF_TOOL_SESSION_H_
+#define RASTERPROOF_TOOL_SESSION_H_
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/case.h"
+#include "core/scene.h"
+#include "core/subject.h"
+#include "props/property.h"
+#include "tool/commands.h"
+
+namespace rasterproof::tool {
+
+/// Throws InputError if the floating-point environment would make the oracle lie.
+void RequireHonestEnvironment();
+
+/// Every subject this build knows: the built-in ones, then the oracle's deciders.
+std::vector<std::string> SubjectNames();
+
+/// Error:      InputError naming the subjects there are.
+std::unique_ptr<Subject> MakeSubject(std::string_view name);
+
+/// The subject of that name, judged by another profile than its own ("" : its own).
+std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& profile);
+
+/// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
+std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);
+
+/// Error:      InputError naming the properties there are.
+const props::Property& RequireProperty(const std::string& name);
+
+/// Reads a scene file or projects a mesh, by the file's ending.
+Scene LoadScene(const SceneOptions& options);
+
+/// A saved or generated case with the subject and the property it is about.
+struct LoadedCase {
+  Case value;
+  std::unique_ptr<Subject> subject;
+  const props::Property* property = nullptr;  ///< nullptr: none was named
+  std::string replay;                         ///< the command that loads it again
+};
+LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
+
+/// Draws the scene on fresh counts of the subject's shape.
+CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options = {});
+
+/// Throws InputError unless the subject takes the scene; says what to do instead.
+void RequireTakes(const Subject& subject, const Scene& scene, const std::string& place);
+
+/// Writes to the file, or to standard output if the path is "-".
+void WriteOutput(const std::string& path, std::string_view content);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_SESSION_H_

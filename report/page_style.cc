@@ -50,11 +50,14 @@ th, td { padding: 0.42rem 0.8rem; text-align: left; vertical-align: baseline; }
 thead th {
   font-weight: 560; color: var(--soft); font-size: 0.8rem; border-bottom: 1px solid var(--line);
 }
+.noted { min-width: 11rem; }
 tbody tr + tr > * { border-top: 1px solid var(--line); }
 tbody th { font-weight: 450; }
+th.name, tbody th > .name { white-space: nowrap; }
 .number {
   text-align: right; font-size: 0.84rem; font-variant-numeric: tabular-nums; white-space: nowrap;
 }
+thead .number { font-family: inherit; font-size: 0.8rem; white-space: normal; }
 .zero, .none { color: var(--soft); }
 .gap { color: var(--bad); font-weight: 600; }
 .over { color: var(--over); font-weight: 600; }
@@ -83,6 +86,7 @@ tbody th { font-weight: 450; }
 }
 .glossary dt { display: inline; font-weight: 620; }
 .glossary dd { display: inline; margin: 0 0 0 0.4rem; color: var(--soft); }
+.fit { width: fit-content; max-width: 100%; }
 .matrix { width: auto; }
 .matrix td { text-align: center; padding: 0.2rem 0.25rem; }
 .matrix th { white-space: nowrap; }

@@ -42,7 +42,16 @@ std::string_view Mark(Outcome outcome) {
   return "";
 }
 
-// Wrong samples over all scenes that were measured against one profile.
+// What a subject did on a scene, if it was measured there against the profile.
+const SceneResult* Find(const Certificate& certificate, std::string_view scene,
+                        std::string_view profile) {
+  for (const SceneResult& result : certificate.measured) {
+    if (result.scene == scene && result.profile == profile) return &result;
+  }
+  return nullptr;
+}
+
+// Wrong samples over all scenes within the limits of the profile that they were measured against.
 struct Total {
   std::uint64_t wrong = 0;
   std::uint64_t samples = 0;
@@ -51,7 +60,9 @@ struct Total {
 Total TotalOf(const Certificate& certificate, std::string_view profile) {
   Total total;
   for (const SceneResult& result : certificate.measured) {
-    if (!result.applicable || result.profile != profile) continue;
+    // A scene may be there twice: under the subject's own profile, and that is the real one.
+    if (Find(certificate, result.scene, profile) != &result) continue;
+    if (!result.applicable || !result.message.empty()) continue;
     total.wrong += result.difference.wrong;
     total.samples += result.difference.samples;
   }
@@ -80,13 +91,11 @@ std::string VerdictRow(const Certificate& certificate) {
   return row + TotalCell(TotalOf(certificate, kRealProfile)) + "</tr>\n";
 }
 
-// What a subject did on a scene, if it was measured there against the profile.
-const SceneResult* Find(const Certificate& certificate, std::string_view scene,
-                        std::string_view profile) {
-  for (const SceneResult& result : certificate.measured) {
-    if (result.scene == scene && result.profile == profile) return &result;
-  }
-  return nullptr;
+// Parts of a million, to three digits or to the unit.
+std::string PerMillion(std::uint64_t count, std::uint64_t of) {
+  const double share = of == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(of);
+  return share < 1000 ? fmt::format("{:.3g}", share)
+                      : Grouped(static_cast<std::uint64_t>(std::llround(share)));
 }
 
 std::string DifferenceCells(const SceneResult* result) {
@@ -95,12 +104,11 @@ std::string DifferenceCells(const SceneResult* result) {
     return fmt::format("<td class=\"split why\" colspan=\"4\">{}</td>", why);
   }
   const CoverageDifference& d = result->difference;
-  const double share =
-      d.covered == 0 ? 0 : 1e6 * static_cast<double>(d.wrong) / static_cast<double>(d.covered);
-  std::string wrong = fmt::format("<td class=\"number split {}\">{}</td>",
-                                  d.wrong == 0 ? "zero" : "gap", Grouped(d.wrong));
+  const std::string wrong = fmt::format("<td class=\"number split {}\">{}</td>",
+                                        d.wrong == 0 ? "zero" : "gap", Grouped(d.wrong));
   return wrong + Number(d.gaps, "gap") + Number(d.overlaps, "over") +
-         fmt::format("<td class=\"number {}\">{:.4g}</td>", d.wrong == 0 ? "zero" : "", share);
+         fmt::format("<td class=\"number {}\">{}</td>", d.wrong == 0 ? "zero" : "",
+                     PerMillion(d.wrong, d.covered));
 }
 
 std::string SceneRow(const Certificate& certificate, std::string_view scene) {
@@ -111,9 +119,10 @@ std::string SceneRow(const Certificate& certificate, std::string_view scene) {
   if (of_real == nullptr && of_own != nullptr && !of_own->applicable) of_real = of_own;
   std::string note;
   if (of_own != nullptr && of_own->applicable) note = of_own->message;
-  return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why\">{}{}</td>{}{}</tr>\n",
-                     Link(certificate), Escaped(own), note.empty() ? "" : ": " + Escaped(note),
-                     DifferenceCells(of_own), DifferenceCells(of_real));
+  return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why {}\">{}{}</td>{}{}</tr>\n",
+                     Link(certificate), note.empty() ? "" : "noted", Escaped(own),
+                     note.empty() ? "" : ": " + Escaped(note), DifferenceCells(of_own),
+                     DifferenceCells(of_real));
 }
 
 std::string SceneTable(const std::vector<Certificate>& certificates, const SceneResult& any) {
@@ -216,7 +225,7 @@ std::string PropertyMatrix(const std::vector<Certificate>& certificates) {
     }
   }
   if (properties.empty()) return {};
-  std::string html = "<div class=\"scroll\"><table class=\"matrix\"><thead><tr><th></th>";
+  std::string html = "<div class=\"scroll fit\"><table class=\"matrix\"><thead><tr><th></th>";
   for (const Certificate& certificate : certificates) {
     html += fmt::format("<th class=\"upright\" scope=\"col\">{}</th>", Link(certificate));
   }

@@ -106,6 +106,18 @@ TEST(PageTest, CountsWrongSamplesGapsAndOverlapsPerScene) {
   EXPECT_TRUE(Has(tables, ">50<"));  // per million of 100000 covered
 }
 
+TEST(PageTest, CountsASceneOnceThoughTheOwnProfileIsTheRealOne) {
+  Certificate certificate = SampleCertificate();
+  certificate.measured.push_back(certificate.measured[0]);
+  EXPECT_EQ(Count(VerdictTable({certificate}), ">5 of 262\u202f144<"), 2U);
+}
+
+TEST(PageTest, LeavesScenesBeyondTheLimitsOutOfTheTotals) {
+  Certificate certificate = SampleCertificate();
+  certificate.measured[0].message = "coordinates beyond what the profile promises";
+  EXPECT_EQ(Count(VerdictTable({certificate}), ">5 of"), 0U);
+}
+
 TEST(PageTest, SaysWhyASceneWasNotMeasured) {
   Certificate certificate = SampleCertificate();
   certificate.measured[0].applicable = false;

@@ -1,4 +1,5 @@
-// What the four fuzz targets share: bytes to a case, the case to a claim, a failed claim to a report and a trap.
+// What the four fuzz targets share: bytes to a case, the case to a claim, a failed claim to a
+// report and a trap.
 #ifndef RASTERPROOF_FUZZ_FUZZ_TARGET_H_
 #define RASTERPROOF_FUZZ_FUZZ_TARGET_H_
 
@@ -15,10 +16,12 @@ struct Claim {
   std::string_view property;
 };
 
-/// Decodes the bytes once per input lattice among the claims' subjects and puts every claim to the test.
+/// Decodes the bytes once per input lattice among the claims' subjects and puts every claim to the
+/// test.
 ///
 /// Domain:     any bytes; the decoder is total.
-/// Error:      a violated claim prints the command that turns the input into a case file, and aborts.
+/// Error:      a violated claim prints the command that turns the input into a case file, and
+/// aborts.
 void PutToTheTest(std::span<const Claim> claims, std::span<const std::uint8_t> bytes);
 
 /// Prints what failed and aborts, for checks that are not in the catalogue.

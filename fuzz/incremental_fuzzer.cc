@@ -1,4 +1,5 @@
-// Incremental evaluation: walks equal direct evaluation where exact, and keep their drift bound elsewhere.
+// Incremental evaluation: walks equal direct evaluation where exact, and keep their drift bound
+// elsewhere.
 #include <array>
 #include <cstddef>
 #include <cstdint>

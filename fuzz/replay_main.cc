@@ -1,4 +1,5 @@
-// Runs a fuzz target on files and folders of inputs without libFuzzer, so that every compiler replays the corpora.
+// Runs a fuzz target on files and folders of inputs without libFuzzer, so that every compiler
+// replays the corpora.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

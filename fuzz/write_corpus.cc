@@ -1,4 +1,5 @@
-// Writes the seed corpora: write_corpus DIR makes DIR/TARGET/NAME for every target and every example of the code.
+// Writes the seed corpora: write_corpus DIR makes DIR/TARGET/NAME for every target and every
+// example of the code.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,5 @@
-// The pictures of the report page: real scenes as they are, and what the naive methods made of them.
+// The pictures of the report page: real scenes as they are, and what the naive methods made of
+// them.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -35,7 +36,8 @@ void PictureRender(const MeasuredScene& measured, std::vector<report::Picture>& 
                       "", io::EncodePng(report::PaintWeights(fragments))});
 }
 
-// The first place at which the subject differs from the model on the scene, explained; nothing if it doesn't.
+// The first place at which the subject differs from the model on the scene, explained; nothing if
+// it doesn't.
 void PictureFailure(const std::string& name, MeasuredScene& measured,
                     std::vector<report::Picture>& pictures) {
   const std::unique_ptr<Subject> subject = MakeSubject(name);
@@ -66,8 +68,8 @@ std::vector<report::Picture> TakePictures(std::vector<std::unique_ptr<MeasuredSc
     progress.Stage("drawing " + measured->name());
     PictureRender(*measured, pictures);
   }
-  // One failure of each scene, by the first subject that shows it and has not been shown yet, so that the page tells
-  // of many subjects rather than of one many times.
+  // One failure of each scene, by the first subject that shows it and has not been shown yet, so
+  // that the page tells of many subjects rather than of one many times.
   std::vector<std::string> shown;
   for (const std::unique_ptr<MeasuredScene>& measured : scenes) {
     if (shown.size() == kMostFailures) break;

@@ -23,7 +23,8 @@ int RunBench(const BenchOptions& options) {
   for (const std::string& name : names) {
     auto subject = MakeSubject(name);
     const SubjectInfo& info = subject->Info();
-    // The four families are window space; canonical order changes which way an edge is walked, not its cost.
+    // The four families are window space; canonical order changes which way an edge is walked, not
+    // its cost.
     if (options.subjects.empty() && (!info.takes_window || name.ends_with(":canonical"))) continue;
     subjects.push_back(subject.get());
     owned.push_back(std::move(subject));

@@ -139,7 +139,8 @@ int RunCertify(const CertifyOptions& options) {
   io::WriteFile(path, report::PageToHtml(page));
   text += "report: " + path + "\n";
   io::WriteStandardOutput(text);
-  // A survey of every method is judged by what each claims: that a naive one fails is what it is here to show.
+  // A survey of every method is judged by what each claims: that a naive one fails is what it is
+  // here to show.
   if (options.all) return claims_kept ? kExitHolds : kExitViolated;
   return violated ? kExitViolated : kExitHolds;
 }

@@ -20,7 +20,8 @@ int RunDoctor() {
       yes(!environment.under_valgrind));
   bool agree = true;
   if (environment.Honest()) {
-    // Two triples on which plain double arithmetic says 0, by underflow and by overflow; the truth is not 0.
+    // Two triples on which plain double arithmetic says 0, by underflow and by overflow; the truth
+    // is not 0.
     for (const double scale : {1e-200, 1e200}) {
       const Point2 a{0, 0};
       const Point2 b{scale, scale};

@@ -1,4 +1,5 @@
-// How a failure is shown: one line with hex vertices, a small picture, and the command that replays it.
+// How a failure is shown: one line with hex vertices, a small picture, and the command that replays
+// it.
 #ifndef RASTERPROOF_TOOL_FAILURE_H_
 #define RASTERPROOF_TOOL_FAILURE_H_
 

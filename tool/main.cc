@@ -71,7 +71,8 @@ void AddCase(CLI::App* app, CaseChoice& choice) {
       ->check(CLI::NonNegativeNumber);
 }
 
-// Every verb adds its options and what is to be run. The option structures live as long as the program.
+// Every verb adds its options and what is to be run. The option structures live as long as the
+// program.
 using Run = std::function<int()>;
 
 void AddList(CLI::App& app, Run& run) {
@@ -139,7 +140,7 @@ void AddCheck(CLI::App& app, Run& run) {
 void AddCertify(CLI::App& app, Run& run, const std::string& command) {
   static CertifyOptions options;
   options.subjects = {"spans-exact"};
-  options.campaign.cases = 200;
+  options.campaign.cases = 100;
   options.command = command;
   CLI::App* verb = app.add_subcommand("certify", "Certificate, JUnit file and report page");
   verb->add_option("--subject", options.subjects, "Subjects")->capture_default_str();

@@ -65,7 +65,8 @@ void Progress::Loop() {
   }
 }
 
-// On a terminal the bar is redrawn in place and wiped at the end; elsewhere only what lasts is printed.
+// On a terminal the bar is redrawn in place and wiped at the end; elsewhere only what lasts is
+// printed.
 void Progress::Show(bool final) {
   if (final) {
     if (terminal_ && !stage_.empty()) fmt::print(stderr, "\r\033[K");

@@ -1,4 +1,7 @@
-"""The command as its users meet it: output, exit statuses, bad input. argv[1]: the program, argv[2]: the sources."""
+"""The command as its users meet it: output, exit statuses, bad input.
+
+usage: command_test.py PROGRAM SOURCES
+"""
 import json
 import os
 import random
@@ -13,6 +16,8 @@ import exact_model
 
 PROGRAM = os.path.abspath(sys.argv[1])
 SOURCES = os.path.abspath(sys.argv[2])
+SHARED_EDGE = "SharedEdgeSamplesAreCoveredOnce"
+MODEL = "CoverageEqualsTheModel"
 PROFILE_BITS = {"real": None, "d3d11": 8, "vulkan": 8, "gl": 8}
 
 
@@ -25,9 +30,14 @@ def float32(x):
     return struct.unpack("f", struct.pack("f", x))[0]
 
 
+def coordinate_text(c):
+    if c != c:
+        return "nan"
+    return c.hex() if abs(c) != float("inf") else ("inf" if c > 0 else "-inf")
+
+
 def scene_text(width, height, vertices, triangles, **more):
-    coordinates = [[c.hex() if c == c and abs(c) != float("inf") else
-                    ("nan" if c != c else ("inf" if c > 0 else "-inf")) for c in v] for v in vertices]
+    coordinates = [[coordinate_text(c) for c in v] for v in vertices]
     return json.dumps({"rasterproof_scene": 1, "name": "test", "width": width, "height": height,
                        "vertices": coordinates, "triangles": triangles, **more})
 
@@ -53,8 +63,9 @@ class CoverageTest(TemporaryFolder):
             for subject in ("exact", "exact-integers", "exact-cgal"):
                 result = run("coverage", path, "--subject", subject, "--profile", profile)
                 self.assertEqual(result.returncode, 0, result.stderr)
-                rows = [[int(n) for n in line.split()] for line in result.stdout.decode().splitlines()]
-                self.assertEqual(rows, exact_model.coverage(width, height, vertices, triangles, bits),
+                lines = result.stdout.decode().splitlines()
+                self.assertEqual([[int(n) for n in line.split()] for line in lines],
+                                 exact_model.coverage(width, height, vertices, triangles, bits),
                                  f"{profile} {subject} {vertices} {triangles}")
 
     def test_ties_follow_the_top_left_rule_for_either_winding(self):
@@ -87,12 +98,13 @@ class CoverageTest(TemporaryFolder):
             vertices = []
             for _ in range(6):
                 if kind % 3 == 0:
-                    vertices.append((random.randrange(-2, 20) / 2, random.randrange(-2, 20) / 2))
+                    x, y = random.randrange(-2, 20) / 2, random.randrange(-2, 20) / 2
                 elif kind % 3 == 1:
-                    vertices.append((float32(random.uniform(-3, 12)), float32(random.uniform(-3, 12))))
+                    x, y = random.uniform(-3, 12), random.uniform(-3, 12)
                 else:
                     scale = 2.0 ** random.randrange(-140, 120)
-                    vertices.append((float32(random.uniform(-scale, scale)), float32(random.uniform(0, 9))))
+                    x, y = random.uniform(-scale, scale), random.uniform(0, 9)
+                vertices.append((float32(x), float32(y)))
             triangles = [[random.randrange(6) for _ in range(3)] for _ in range(4)]
             self.check(9, 7, vertices, triangles)
 
@@ -144,7 +156,8 @@ class BadInputTest(TemporaryFolder):
         self.refused_scene(self.changed(vertices=[[0, 0], [4, 0, 0, 0, 0], [0, 4]]), "vertices[1]")
 
     def test_numbers_that_the_precision_does_not_hold(self):
-        for bad in ("0x1.0000001p+0", "0x1p", "1.5", "0x1.8p0 ", "nan(7)", "infinity", "", "0x1p+128"):
+        for bad in ("0x1.0000001p+0", "0x1p", "1.5", "0x1.8p0 ", "nan(7)", "infinity", "",
+                    "0x1p+128"):
             self.refused_scene(self.changed(vertices=[[bad, 0], [4, 0], [0, 4]]), "vertices[0][0]")
         self.refused_scene(json.dumps(self.GOOD).replace("[4, 0]", "[1e400, 0]"), "vertices[1][0]")
         self.refused_scene(json.dumps(self.GOOD).replace("[4, 0]", "[4e38, 0]"), "vertices[1][0]")
@@ -159,8 +172,8 @@ class BadInputTest(TemporaryFolder):
     def test_files_that_cannot_be_read(self):
         missing = os.path.join(self.folder.name, "absent.json")
         for verb in ("coverage", "plan", "check", "replay", "explain"):
-            self.refused(verb, missing, *(["--subject", "exact"] if verb in ("replay", "explain") else []),
-                         names=missing)
+            subject = ["--subject", "exact"] if verb in ("replay", "explain") else []
+            self.refused(verb, missing, *subject, names=missing)
         self.refused("coverage", self.folder.name, names=self.folder.name)
         mesh = self.write("v 0 0\nf 1 2 nonsense\n", "broken.obj")
         self.refused("coverage", mesh, names=mesh)
@@ -178,18 +191,20 @@ class BadInputTest(TemporaryFolder):
         self.refused(names="subcommand")
 
     def test_subjects_say_which_scenes_they_do_not_take(self):
-        clip = self.write(scene_text(2, 2, [(0.0, 0.0, 0.0, 1.0), (2.0, 0.0, 0.0, 1.0), (0.0, 2.0, 0.0, -1.0)],
-                                     [[0, 1, 2]]))
+        behind = [(0.0, 0.0, 0.0, 1.0), (2.0, 0.0, 0.0, 1.0), (0.0, 2.0, 0.0, -1.0)]
+        clip = self.write(scene_text(2, 2, behind, [[0, 1, 2]]))
         self.refused("coverage", clip, "--subject", "f32-direct", names=[clip, "clip space"])
         self.refused("coverage", clip, "--subject", "exact", "--profile", "d3d11", names="w")
-        double = self.write(scene_text(2, 2, [(0.1, 0.0), (2.0, 0.0), (0.0, 2.0)], [[0, 1, 2]],
-                                       precision="float64"), "double.json")
+        text = scene_text(2, 2, [(0.1, 0.0), (2.0, 0.0), (0.0, 2.0)], [[0, 1, 2]],
+                          precision="float64")
+        double = self.write(text, "double.json")
         self.refused("coverage", double, "--subject", "f32-direct", names=[double, "float64"])
 
 
 class FullDeviceTest(TemporaryFolder):
     def test_a_full_device_is_reported(self):
-        path = self.write(scene_text(64, 64, [(0.0, 0.0), (64.0, 0.0), (0.0, 64.0)], [[0, 1, 2]]))
+        vertices = [(0.0, 0.0), (64.0, 0.0), (0.0, 64.0)]
+        path = self.write(scene_text(64, 64, vertices, [[0, 1, 2]]))
         with open("/dev/full", "wb") as full:
             for arguments in (("coverage", path), ("list",), ("plan", path)):
                 result = run(*arguments, stdout=full)
@@ -219,7 +234,7 @@ class VerdictTest(TemporaryFolder):
         self.assertEqual(run("check", ties, "--subject", "spans-exact").returncode, 0)
 
     def test_a_violation_names_its_replay_and_the_replay_fails_again(self):
-        result = run("check", "--subject", "textbook", "--property", "SharedEdgeSamplesAreCoveredOnce")
+        result = run("check", "--subject", "textbook", "--property", SHARED_EDGE)
         self.assertEqual(result.returncode, 1, result.stderr)
         line = next(l for l in result.stdout.decode().splitlines() if "rasterproof replay" in l)
         replay = line[line.index("rasterproof replay"):].split()[1:]
@@ -229,17 +244,18 @@ class VerdictTest(TemporaryFolder):
 
     def test_saved_counterexamples_are_small_and_fail_again(self):
         saved = os.path.join(self.folder.name, "cases")
-        run("check", "--subject", "textbook", "--property", "SharedEdgeSamplesAreCoveredOnce", "--save", saved)
+        run("check", "--subject", "textbook", "--property", SHARED_EDGE, "--save", saved)
         (name,) = os.listdir(saved)
         path = os.path.join(saved, name)
         with open(path) as file:
             case = json.load(file)
         self.assertLessEqual(len(case["scene"]["triangles"]), 2)
         self.assertEqual(run("replay", path).returncode, 1)
-        self.assertEqual(run("explain", path, "--svg", os.path.join(self.folder.name, "e.svg")).returncode, 1)
+        svg = os.path.join(self.folder.name, "e.svg")
+        self.assertEqual(run("explain", path, "--svg", svg).returncode, 1)
 
     def test_the_same_seed_gives_the_same_output(self):
-        arguments = ("check", "--subject", "f32-direct", "--property", "CoverageEqualsTheModel", "--seed", "5")
+        arguments = ("check", "--subject", "f32-direct", "--property", MODEL, "--seed", "5")
         self.assertEqual(run(*arguments).stdout, run(*arguments).stdout)
 
     def test_nothing_exercised_is_inconclusive(self):
@@ -247,7 +263,7 @@ class VerdictTest(TemporaryFolder):
         self.assertEqual(result.returncode, 4, result.stdout)
 
     def test_progress_never_reaches_standard_output(self):
-        result = run("check", "--subject", "i64-snap8", "--property", "CoverageEqualsTheModel", "--cases", "50")
+        result = run("check", "--subject", "i64-snap8", "--property", MODEL, "--cases", "50")
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertEqual(len(result.stdout.decode().splitlines()), 1)
 

@@ -1,4 +1,4 @@
-"""A rasterizer in exact fractions, written apart from the oracle: one triangle and one sample at a time."""
+"""A rasterizer in exact fractions, written apart from the oracle: sample by sample."""
 from fractions import Fraction
 import math
 
@@ -16,7 +16,7 @@ def edge(a, b, p):
 
 
 def owns(a, b, p):
-    """Whether p lies on the inner side of a -> b of a front-facing triangle, or on a top or left edge."""
+    """Whether p is inside a -> b of a front-facing triangle, or on it and it is top or left."""
     e = edge(a, b, p)
     if e != 0:
         return e > 0

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -14,6 +16,7 @@
 #include "props/run/campaign.h"
 #include "subjects/builtin/builtin.h"
 #include "tests/props/planted_bugs.h"
+#include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
@@ -60,11 +63,21 @@ TEST(Catalog, EveryDomainThatAPropertyNamesExists) {
   }
 }
 
+TEST(Catalog, EveryPropertyIsListedInTheDocument) {
+  std::ifstream file("docs/mathematics.md");
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  for (const Property& property : Catalog()) {
+    const std::string row =
+        "| " + std::string(property.group) + " | `" + std::string(property.name) + "` |";
+    EXPECT_NE(document.find(row), std::string::npos) << row;
+  }
+}
+
 // Runs every property that has something to say about the subject.
 class SoundSubjects : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(SoundSubjects, HoldOnEveryCase) {
-  constexpr std::uint64_t kCases = 36;
+  constexpr std::uint64_t kCases = Cases<std::uint64_t>(36);
   const auto subject = subjects::MakeBuiltin(GetParam());
   for (const Property& property : Catalog()) {
     if (!HasADomainFor(property, subject->Info())) continue;
@@ -89,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Exact, SoundSubjects,
 
 // Float methods may miss samples, never their own proven bounds.
 TEST(FloatMethods, StayWithinTheirProvenBounds) {
-  constexpr std::uint64_t kCases = 24;
+  constexpr std::uint64_t kCases = Cases<std::uint64_t>(24);
   for (const std::string_view name : {"f32-direct", "f32-affine-fma", "f32-incremental",
                                       "f32-kahan:canonical", "f64-incremental", "textbook"}) {
     const auto subject = subjects::MakeBuiltin(name);

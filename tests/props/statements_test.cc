@@ -2,17 +2,20 @@
 // as written are shown to fail at a concrete configuration.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "props/statements/statement.h"
+#include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr int kConfigurations = 400;
+constexpr int kConfigurations = Cases(400);
 
 TEST(Statements, HoldUnderTheirPreconditions) {
   for (const Statement& statement : Statements()) {
@@ -71,6 +74,26 @@ TEST(Statements, CoverEveryOneListed) {
   contains_all("E", 12);
   contains_all("W", 16);
   EXPECT_EQ(ids.size(), 57U);
+}
+
+// The line of the document's table that begins with the identifier.
+std::string RowOf(const std::string& document, std::string_view id) {
+  const std::string start = "\n| " + std::string(id) + " |";
+  const std::size_t begin = document.find(start);
+  if (begin == std::string::npos) return "";
+  return document.substr(begin + 1, document.find('\n', begin + 1) - begin - 1);
+}
+
+TEST(Statements, AreListedInTheDocumentWithTheirVerdicts) {
+  std::ifstream file("docs/mathematics.md");
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(document.empty());
+  for (const Statement& statement : Statements()) {
+    const std::string row = RowOf(document, statement.id);
+    EXPECT_NE(row.find(" | " + std::string(TruthName(statement.verdict)) + " | "),
+              std::string::npos)
+        << statement.id << ": " << row;
+  }
 }
 
 }  // namespace

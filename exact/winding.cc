@@ -20,12 +20,12 @@
 namespace rasterproof::exact {
 namespace {
 
-// A position as a key. Adding +0 makes -0 and +0 one place.
+// A position as a key. Comparing doubles makes -0 and +0 one place.
 struct Position {
   double x;
   double y;
 
-  explicit Position(const Vertex& v) : x(v.x + 0.0), y(v.y + 0.0) {}
+  explicit Position(const Vertex& v) : x(v.x), y(v.y) {}
   friend auto operator<=>(const Position&, const Position&) = default;
 };
 

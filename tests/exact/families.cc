@@ -66,9 +66,10 @@ double Draw::Coordinate(Family family) {
         if (std::isfinite(x)) return x;
       }
     case Family::kSubnormal:
+      if (Below(3) == 0) return Sign() * MoveByUlps(0x1p-1022, Below(9) - 4);
       return Sign() * std::ldexp(Below(1 << 20), Below(2) == 0 ? -149 : -1074);
     case Family::kUnderflow:
-      return Sign() * std::ldexp(1 + Unit(), -515 - Below(25));
+      return Sign() * std::ldexp(1 + Unit(), -511 - Below(8));
     case Family::kLargest: {
       const double largest = Below(2) == 0 ? double{std::numeric_limits<float>::max()}
                                            : std::numeric_limits<double>::max();
@@ -117,7 +118,7 @@ std::array<Point2, 3> Draw::EdgeAndPoint(Family family) {
   const auto point = [&] { return Point2{Coordinate(family), Coordinate(family)}; };
   std::array<Point2, 3> v{point(), point(), point()};
   const int kind = Below(8);
-  if (family == Family::kCollinear || kind == 0) {
+  if (family == Family::kCollinear || kind == 0 || (family == Family::kUnderflow && kind < 6)) {
     // Near the line: a rounded combination of the ends, then up to two ulp aside.
     const double t = Below(2) == 0 ? 0.5 : Unit();
     const auto between = [&](double from, double to) {

@@ -25,7 +25,7 @@ body {
   font-family: system-ui, -apple-system, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif;
   line-height: 1.55;
 }
-main { max-width: 72rem; margin: 0 auto; padding: 3rem 1.5rem 6rem; }
+main { max-width: 84rem; margin: 0 auto; padding: 3rem 1.5rem 6rem; }
 h1 { font-size: 2rem; font-weight: 650; letter-spacing: -0.015em; margin: 0; }
 h2 { font-size: 1.35rem; font-weight: 620; letter-spacing: -0.01em; margin: 3.5rem 0 0.2rem; }
 h3 { font-size: 1.02rem; font-weight: 620; margin: 2rem 0 0.6rem; }
@@ -46,7 +46,7 @@ pre {
   overflow-x: auto; border: 1px solid var(--line); border-radius: 10px; background: var(--card);
 }
 table { border-collapse: collapse; width: 100%; font-size: 0.9rem; }
-th, td { padding: 0.42rem 0.8rem; text-align: left; vertical-align: baseline; }
+th, td { padding: 0.42rem 0.7rem; text-align: left; vertical-align: baseline; }
 thead th {
   font-weight: 560; color: var(--soft); font-size: 0.8rem; border-bottom: 1px solid var(--line);
 }
@@ -90,6 +90,7 @@ thead .number { font-family: inherit; font-size: 0.8rem; white-space: normal; }
 .matrix { width: auto; }
 .matrix td { text-align: center; padding: 0.2rem 0.25rem; }
 .matrix th { white-space: nowrap; }
+.matrix td.number { text-align: right; padding: 0.2rem 0.55rem; }
 .matrix thead th.upright {
   writing-mode: vertical-rl; transform: rotate(180deg); padding: 0.7rem 0.1rem; text-align: left;
 }

@@ -125,9 +125,48 @@ std::string SceneRow(const Certificate& certificate, std::string_view scene) {
                      DifferenceCells(of_real));
 }
 
+// Scenes in the order of their first mention, each with a result that shows its extent.
+std::vector<const SceneResult*> ScenesOf(const std::vector<Certificate>& certificates) {
+  std::vector<const SceneResult*> scenes;
+  for (const Certificate& certificate : certificates) {
+    for (const SceneResult& result : certificate.measured) {
+      auto found = std::ranges::find(scenes, result.scene, &SceneResult::scene);
+      if (found == scenes.end()) {
+        scenes.push_back(&result);
+      } else if (!(*found)->applicable) {
+        *found = &result;
+      }
+    }
+  }
+  return scenes;
+}
+
+// Wrong samples against real geometry, of every subject on every scene at a glance.
+std::string SceneMatrix(const std::vector<Certificate>& certificates,
+                        const std::vector<const SceneResult*>& scenes) {
+  std::string html =
+      "<p class=\"aside\">Wrong samples against real geometry:</p>\n"
+      "<div class=\"scroll fit\"><table class=\"matrix\"><thead><tr><th></th>";
+  for (const SceneResult* scene : scenes) {
+    html += fmt::format("<th class=\"upright name\" scope=\"col\">{}</th>", Escaped(scene->scene));
+  }
+  html += "</tr></thead><tbody>\n";
+  for (const Certificate& certificate : certificates) {
+    html += fmt::format("<tr><th scope=\"row\">{}</th>", Link(certificate));
+    for (const SceneResult* scene : scenes) {
+      const SceneResult* result = Find(certificate, scene->scene, kRealProfile);
+      html += result == nullptr || !result->applicable ? "<td class=\"number none\">–</td>"
+                                                       : Number(result->difference.wrong, "gap");
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
 std::string SceneTable(const std::vector<Certificate>& certificates, const SceneResult& any) {
   std::string html = fmt::format(
-      "<h3>{}</h3>\n<p class=\"aside\">{} triangles, {} samples, {} of them covered</p>\n",
+      "<details>\n<summary><strong>{}</strong> <span class=\"why\">{} triangles, {} samples, "
+      "{} of them covered</span></summary>\n",
       Escaped(any.scene), Grouped(any.triangles), Grouped(any.difference.samples),
       Grouped(any.difference.covered));
   html +=
@@ -142,7 +181,7 @@ std::string SceneTable(const std::vector<Certificate>& certificates, const Scene
   }
   html += "</tr></thead><tbody>\n";
   for (const Certificate& certificate : certificates) html += SceneRow(certificate, any.scene);
-  return html + "</tbody></table></div>\n";
+  return html + "</tbody></table></div>\n</details>\n";
 }
 
 NearEdgeCounts Sum(const Certificate& certificate) {
@@ -197,19 +236,9 @@ std::string VerdictTable(const std::vector<Certificate>& certificates) {
 }
 
 std::string SceneTables(const std::vector<Certificate>& certificates) {
-  // Scenes in the order of their first mention, each with a result that shows its extent.
-  std::vector<const SceneResult*> scenes;
-  for (const Certificate& certificate : certificates) {
-    for (const SceneResult& result : certificate.measured) {
-      auto found = std::ranges::find(scenes, result.scene, &SceneResult::scene);
-      if (found == scenes.end()) {
-        scenes.push_back(&result);
-      } else if (!(*found)->applicable) {
-        *found = &result;
-      }
-    }
-  }
-  std::string html;
+  const std::vector<const SceneResult*> scenes = ScenesOf(certificates);
+  if (scenes.empty()) return {};
+  std::string html = SceneMatrix(certificates, scenes);
   for (const SceneResult* scene : scenes) html += SceneTable(certificates, *scene);
   return html;
 }

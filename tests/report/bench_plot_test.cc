@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -73,9 +74,16 @@ TEST(BenchPlotTest, NamesTheNaiveMethodTheBaselineAndTheFront) {
   }
   BenchResult result = Sample();
   result.rows.push_back(Row("large", "f64-direct", 2, 3));
-  const json point = json::parse(BenchPlotSpec(result))["data"]["values"][4];
-  EXPECT_EQ(point["subject"], "f64-direct");
-  EXPECT_EQ(point["label"], "");
+  const json points = json::parse(BenchPlotSpec(result))["data"]["values"];
+  const auto found = std::ranges::find_if(
+      points, [](const json& point) { return point["subject"] == "f64-direct"; });
+  ASSERT_NE(found, points.end());
+  EXPECT_EQ((*found)["label"], "");
+}
+
+TEST(BenchPlotTest, DrawsTheNaiveMethodOnTopOfTheOthers) {
+  EXPECT_EQ(Points()[3]["subject"], "textbook");
+  EXPECT_EQ(Points()[4]["subject"], "textbook");
 }
 
 TEST(BenchPlotTest, ColoursPointsByTheirArithmetic) {

@@ -12,14 +12,14 @@ namespace rasterproof {
 
 /// One subject on one family of scenes. Times mean something only as ratios within one run.
 struct BenchRow {
-  std::string family;   ///< "medium", "large", "wide", "needles"
+  std::string family;  ///< "medium", "large", "wide", "needles"
   std::string subject;
   std::uint64_t triangles = 0;
-  std::uint64_t box_pixels = 0;    ///< pixels in the triangles' clipped bounding boxes
-  double median_seconds = 0;       ///< thread CPU time of one draw of the family
+  std::uint64_t box_pixels = 0;  ///< pixels in the triangles' clipped bounding boxes
+  double median_seconds = 0;     ///< thread CPU time of one draw of the family
   double least_seconds = 0;
-  double ratio = 0;                ///< least_seconds over the baseline's, same family, same run
-  CoverageDifference against_own;  ///< the oracle under the subject's own profile
+  double ratio = 0;                 ///< least_seconds over the baseline's, same family, same run
+  CoverageDifference against_own;   ///< the oracle under the subject's own profile
   CoverageDifference against_real;  ///< the oracle under real geometry
 };
 

@@ -15,7 +15,8 @@ void RequireTakes(const Scene& scene, const Method& method);
 /// Adds the scene's coverage by `method` to `counts`.
 ///
 /// Domain:     a scene that Takes(method.info, scene); counts of the scene's size and the profile's
-/// samples. Error:      InputError if the scene is not one the method takes.
+///             samples.
+/// Error:      InputError if the scene is not one the method takes.
 void Rasterize(const Scene& scene, const Method& method, const RasterOptions& options,
                CoverageCounts& counts);
 

@@ -39,7 +39,8 @@ std::array<Point3, 3> ReconstructVertices(Precision precision, const SurfacePoin
 std::array<Point3, 3> ReconstructionErrorBounds(Precision precision, const SurfacePoint& point);
 
 /// Unsigned weights of p in the plane of a triangle in space: entries 0 and 2 are the lengths of
-/// cross products over that of the whole, entry 1 is what is left of 1; entry i belongs to vertex i.
+/// cross products over that of the whole, entry 1 is what is left of 1; entry i belongs to vertex
+/// i.
 ///
 /// Domain:     p in the closed triangle. Outside it a length has lost its sign, and the weights
 ///             can look like those of an inside point: A = (0,0), B = (4,0), C = (0,4), p = (2,-1)

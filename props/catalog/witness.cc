@@ -1,8 +1,10 @@
 #include "props/catalog/witness.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "core/profile.h"

@@ -323,6 +323,16 @@ TEST(MeshDomains, AreEmbeddedUnlessTheyAreClosedOrCracked) {
   }
 }
 
+TEST(MeshDomains, OfGridsAreJitteredInAThirdOfTheCases) {
+  int jittered = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const Case c = Draw(*FindDomain("grids"), RealInfo(), i);
+    const auto off_half_pixels = [](const Vertex& v) { return std::fmod(2 * v.x, 1) != 0; };
+    jittered += std::ranges::any_of(c.scene.vertices, off_half_pixels) ? 1 : 0;
+  }
+  EXPECT_GT(jittered, 33);
+}
+
 TEST(MeshDomains, WithTJunctionsCrackInSomeCases) {
   const Domain& domain = *FindDomain("t-junctions");
   int cracked = 0;

@@ -61,7 +61,8 @@ TEST(ExactSumTest, NothingIsLostBetweenTheEndsOfTheExponentRange) {
   EXPECT_EQ(sum.Sign(), -1);
 }
 
-// Crossings an ulp from a centre, far away, steep and flat: the guess must never be trusted too far.
+// Crossings an ulp from a centre, far away, steep and flat: the guess must never be trusted too
+// far.
 TEST(RowCrossingTest, TheCrossingIsTheFirstColumnAtOrRightOfTheEdge) {
   RandomValues random(63);
   for (int n = 0; n < 3000; ++n) {

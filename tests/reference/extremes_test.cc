@@ -1,6 +1,7 @@
 // The exact methods on every finite double; all methods without a crash.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -137,6 +138,33 @@ TEST(ExtremesTest, NoMethodWritesOutsideOrCrashesWhateverTheCoordinates) {
       for (std::size_t i = 0; i < counts.size(); ++i) ASSERT_LE(counts.Count(i), 1U) << name;
     }
   }
+}
+
+TEST(ExtremesTest, InfiniteEdgeValuesNeverCover) {
+  RandomValues random(16);
+  const EdgeEvaluator& edges = *FindMethod("f32-direct")->edges;
+  const Point2 p{0.5, 0.5};
+  int would_cover = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const auto point = [&] {
+      return Point2{random.LogUniform<float>(56, 72), random.LogUniform<float>(56, 72)};
+    };
+    const std::array<Point2, 3> v{point(), point(), point()};
+    const double area = edges.Value(v[0], v[1], v[2]);
+    const int next = area > 0 ? 1 : 2;
+    bool all_positive = area > 0 || area < 0;
+    bool any_infinite = false;
+    for (int i = 0; i < 3; ++i) {
+      const double e = edges.Value(v[static_cast<std::size_t>(i * next % 3)],
+                                   v[static_cast<std::size_t>((i + 1) * next % 3)], p);
+      all_positive = all_positive && e > 0;
+      any_infinite = any_infinite || std::isinf(e);
+    }
+    if (!all_positive || !any_infinite) continue;
+    ++would_cover;
+    EXPECT_EQ(Draw(WindowScene(1, 1, {v[0], v[1], v[2]}), "f32-direct").Count(0), 0U);
+  }
+  EXPECT_GT(would_cover, 100);
 }
 
 TEST(ExtremesTest, SnappedMethodsStayExactBeyondTheirIntegers) {

@@ -12,7 +12,8 @@
 namespace rasterproof::reference {
 namespace {
 
-/// Triangles large and small, over and beyond the target, so that walks start at its corner and off.
+/// Triangles large and small, over and beyond the target, so that walks start at its corner and
+/// off.
 Scene ManyTriangles(std::uint64_t seed) {
   RandomValues random(seed);
   std::vector<Point2> points;

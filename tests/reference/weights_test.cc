@@ -310,12 +310,14 @@ TEST_P(WeightsTest, HeightsBelongToTheVertexAndDistancesToTheOppositeEdge) {
       1, 1};  // 1 from the left side, 1 from the upper one, (12 - 3 - 4)/5 = 1 from the third
   const auto by_height = weights().EdgeDistances(WireframeForm::kHeight, v, p);
   for (const double d : by_height) EXPECT_NEAR(d, 1, 1e-6);
-  // fwidth is the L1 norm of the gradient: 5 / (3 + 4) for the slanted side, the same for the others.
+  // fwidth is the L1 norm of the gradient: 5 / (3 + 4) for the slanted side, the same for the
+  // others.
   const auto by_derivative = weights().EdgeDistances(WireframeForm::kDerivative, v, p);
   EXPECT_NEAR(by_derivative[0], 5.0 / 7, 1e-6);
   EXPECT_EQ(by_derivative[1], 1);
   EXPECT_EQ(by_derivative[2], 1);
-  // A published pairing takes the altitude of the wrong vertex: 3 l1 and 4 l2 in place of 4 l1, 3 l2.
+  // A published pairing takes the altitude of the wrong vertex: 3 l1 and 4 l2 in place of 4 l1, 3
+  // l2.
   const auto l = weights().Weights(BarycentricForm::kVertexArea, v, p);
   EXPECT_NE(l[1] * heights[2], by_height[1]);
   EXPECT_NE(l[2] * heights[1], by_height[2]);
@@ -346,7 +348,8 @@ TEST_P(WeightsTest, EdgeDistancesStayWithinTheirBounds) {
           const Rational l1 = (Rational(b.x) - a.x).Abs() + (Rational(b.y) - a.y).Abs();
           observed.Add(Rational(d[i]) - edge / l1, bounds[i]);
         } else {
-          // |d - s sqrt(q)| <= bound  <=>  between (|d| - bound)^2 and (|d| + bound)^2, signs alike.
+          // |d - s sqrt(q)| <= bound  <=>  between (|d| - bound)^2 and (|d| + bound)^2, signs
+          // alike.
           const auto square = exact::SquaredLineDistance(a, b, s.p);
           ++observed.asked;
           if (std::isnan(bounds[i])) continue;

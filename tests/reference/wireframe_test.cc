@@ -33,7 +33,8 @@ TEST(ReconstructVerticesTest, FindsTheTriangleOfAShadedPoint) {
 }
 
 TEST(ReconstructVerticesTest, AnotherParametrisationGivesAnotherTriangle) {
-  // Had the renderer meant P = u A + v B + (1 - u - v) C, the same numbers would not lead back to A.
+  // Had the renderer meant P = u A + v B + (1 - u - v) C, the same numbers would not lead back to
+  // A.
   const SurfacePoint point{{0.25, 0.5, 0}, 0.25, 0.5, {1, 0, 0}, {0, 1, 0}};
   SurfacePoint swapped = point;
   std::swap(swapped.u, swapped.v);

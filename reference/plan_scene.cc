@@ -66,9 +66,10 @@ double SnapQuotient(double x, double w, const Snap& snap, const std::string& pla
     throw InputError(place, "its snapped position x / w does not fit 50 bits",
                      "clip the scene, or use a profile without snapping");
   }
+  // Rounding is monotone and the grid's points are doubles: the guess can be rounded up to one from
+  // below, never down past one.
   double floor = std::floor(guess);
-  while (CompareQuotient(x, w, snap.bits, floor) < 0) --floor;
-  while (CompareQuotient(x, w, snap.bits, floor + 1) >= 0) ++floor;
+  if (CompareQuotient(x, w, snap.bits, floor) < 0) --floor;
   // A quarter of a step stands for every place on its side of the middle.
   const int middle = CompareQuotient(x, w, snap.bits, floor + 0.5);
   const bool whole = CompareQuotient(x, w, snap.bits, floor) == 0;

@@ -104,7 +104,7 @@ std::string SummaryLine(const report::Certificate& certificate) {
     if (result.outcome == Outcome::kViolated) ++violated;
   }
   const WrongOfOwn wrong = CountWrong(certificate);
-  return fmt::format("{:<34} {:<12} {:>3} hold {:>3} violated  {:>9} of {} samples wrong{}\n",
+  return fmt::format("{:<38} {:<12} {:>3} hold {:>3} violated  {:>9} of {} samples wrong{}\n",
                      certificate.subject.name, report::OverallVerdict(certificate), held, violated,
                      wrong.wrong, wrong.samples,
                      certificate.claims_exact ? "  (claims exact)" : "");

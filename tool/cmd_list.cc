@@ -21,7 +21,7 @@ std::string ListSubjects() {
     const char* space = info.takes_window && info.takes_clip ? "window, clip"
                         : info.takes_clip                    ? "clip"
                                                              : "window";
-    text += fmt::format("  {:<34} {:<7} {:<12} {:<11} {}\n", name,
+    text += fmt::format("  {:<38} {:<7} {:<12} {:<5} {}\n", name,
                         info.input == Precision::kFloat32 ? "float32" : "float64", space,
                         subjects::ClaimsExact(name) || name.starts_with("exact") ? "exact" : "",
                         info.summary);

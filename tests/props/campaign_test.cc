@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/error.h"
 #include "exact/coverage.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 #include "props/run/tally.h"
 #include "tests/props/planted_subjects.h"
@@ -112,6 +114,19 @@ TEST(Campaign, IsTheSameEveryTimeAndInShards) {
   EXPECT_EQ(alone.outcome, Outcome::kViolated);
   EXPECT_EQ(alone.failing_case, once.failing_case);
   EXPECT_EQ(*alone.counterexample, *once.counterexample);
+}
+
+TEST(Campaign, DrawsCaseIFromDomainIModuloTheirNumberByPhiloxOfSeedAndI) {
+  const SubjectInfo info = RealInfo();
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    PhiloxSource bits(5, i);
+    const Domain& domain = *FindDomain(kDomains[i % kDomains.size()]);
+    const Case drawn = DrawCase(info, ModelProperty(kDomains), 5, i);
+    EXPECT_EQ(drawn.scene.vertices, domain.draw(bits, info).scene.vertices);
+    EXPECT_EQ(drawn.scene.name, domain.name);
+    EXPECT_EQ(drawn.origin,
+              "domain " + std::string(domain.name) + ", seed 5, case " + std::to_string(i));
+  }
 }
 
 TEST(Campaign, ContainsASubjectThatThrows) {

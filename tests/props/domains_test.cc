@@ -167,18 +167,19 @@ TEST(Domains, ThatNeedClipSpaceSuitOnlySubjectsThatTakeIt) {
 }
 
 TEST(Domains, KeepWindowPlacesWhenTheyGoThroughClipSpace) {
-  const Domain& domain = *FindDomain("uniform-subpixel");
   int scaled = 0;
-  for (std::uint64_t i = 0; i < 50; ++i) {
-    const Case window = Draw(domain, RealInfo(), i);
-    const Case clip = Draw(domain, ClipInfo(), i);
-    ASSERT_EQ(window.scene.vertices.size(), clip.scene.vertices.size());
-    ASSERT_TRUE(clip.scene.clip_space);
-    for (std::size_t v = 0; v < window.scene.vertices.size(); ++v) {
-      const Vertex& c = clip.scene.vertices[v];
-      EXPECT_EQ(c.x / c.w, window.scene.vertices[v].x);
-      EXPECT_EQ(c.y / c.w, window.scene.vertices[v].y);
-      scaled += c.w != 1 ? 1 : 0;
+  for (const std::string_view name : {"uniform-subpixel", "subnormal", "both-ends"}) {
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      const Case window = Draw(*FindDomain(name), RealInfo(), i);
+      const Case clip = Draw(*FindDomain(name), ClipInfo(), i);
+      ASSERT_EQ(window.scene.vertices.size(), clip.scene.vertices.size());
+      ASSERT_TRUE(clip.scene.clip_space);
+      for (std::size_t v = 0; v < window.scene.vertices.size(); ++v) {
+        const Vertex& c = clip.scene.vertices[v];
+        EXPECT_EQ(c.x / c.w, window.scene.vertices[v].x) << name;
+        EXPECT_EQ(c.y / c.w, window.scene.vertices[v].y) << name;
+        scaled += c.w != 1 ? 1 : 0;
+      }
     }
   }
   EXPECT_GT(scaled, 50);

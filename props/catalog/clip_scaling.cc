@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include "core/profile.h"
 #include "core/scene.h"

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 
 #include "core/scene.h"
 #include "props/catalog/neighbour_pairs.h"

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <vector>
 
 #include "core/scene.h"
 #include "exact/coverage.h"

@@ -1,5 +1,9 @@
 #include "props/catalog/closed_mesh.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "exact/winding.h"
 #include "props/catalog/signed_coverage.h"
 

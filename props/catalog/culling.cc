@@ -1,6 +1,7 @@
 #include "props/catalog/culling.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"

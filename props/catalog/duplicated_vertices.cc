@@ -1,5 +1,8 @@
 #include "props/catalog/duplicated_vertices.h"
 
+#include <cstddef>
+#include <cstdint>
+
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
 

@@ -1,5 +1,8 @@
 #include "props/catalog/edge_antisymmetry.h"
 
+#include <cstdint>
+#include <optional>
+
 #include "props/catalog/edge_queries.h"
 #include "props/catalog/exact_comparison.h"
 #include "props/catalog/witness.h"

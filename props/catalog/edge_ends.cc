@@ -1,6 +1,8 @@
 #include "props/catalog/edge_ends.h"
 
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "props/catalog/edge_queries.h"
 #include "props/catalog/exact_comparison.h"

@@ -1,6 +1,8 @@
 #include "props/catalog/edge_error.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 #include "props/catalog/edge_queries.h"
 #include "props/catalog/exact_comparison.h"

@@ -1,6 +1,7 @@
 #include "props/catalog/edge_queries.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "core/snap.h"
 #include "core/ulp.h"

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_CATALOG_EDGE_QUERIES_H_
 #define RASTERPROOF_PROPS_CATALOG_EDGE_QUERIES_H_
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>

@@ -1,6 +1,9 @@
 #include "props/catalog/edge_rotation.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include "props/catalog/edge_queries.h"
 #include "props/catalog/exact_comparison.h"

@@ -1,5 +1,8 @@
 #include "props/catalog/edge_sign.h"
 
+#include <cstdint>
+#include <optional>
+
 #include "exact/edge.h"
 #include "exact/rational.h"
 #include "props/catalog/edge_queries.h"

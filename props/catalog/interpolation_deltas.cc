@@ -1,5 +1,8 @@
 #include "props/catalog/interpolation_deltas.h"
 
+#include <cstdint>
+#include <optional>
+
 #include "props/catalog/exact_comparison.h"
 #include "props/catalog/interpolation_queries.h"
 #include "props/catalog/witness.h"

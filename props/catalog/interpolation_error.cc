@@ -1,5 +1,8 @@
 #include "props/catalog/interpolation_error.h"
 
+#include <optional>
+#include <vector>
+
 #include "props/catalog/interpolation_queries.h"
 
 namespace rasterproof::props {

@@ -1,6 +1,9 @@
 #include "props/catalog/interpolation_hull.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
 
 #include "props/catalog/exact_comparison.h"
 #include "props/catalog/interpolation_queries.h"

@@ -1,5 +1,7 @@
 #include "props/catalog/interpolation_perspective.h"
 
+#include <optional>
+
 #include "props/catalog/interpolation_queries.h"
 
 namespace rasterproof::props {

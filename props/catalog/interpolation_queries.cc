@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
 #include "exact/attributes.h"
 #include "props/catalog/exact_comparison.h"

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 
 #include "props/catalog/planar_mesh.h"
 #include "props/catalog/redraw.h"

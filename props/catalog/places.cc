@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
+#include <utility>
 
 #include "core/profile.h"
 #include "core/scene.h"

@@ -3,6 +3,7 @@
 #define RASTERPROOF_PROPS_CATALOG_PLACES_H_
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "core/case.h"

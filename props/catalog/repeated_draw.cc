@@ -1,5 +1,7 @@
 #include "props/catalog/repeated_draw.h"
 
+#include <cstdint>
+
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
 

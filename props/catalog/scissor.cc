@@ -1,6 +1,8 @@
 #include "props/catalog/scissor.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include "core/scene.h"
 #include "props/catalog/precondition.h"

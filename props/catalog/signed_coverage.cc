@@ -1,5 +1,7 @@
 #include "props/catalog/signed_coverage.h"
 
+#include <cstddef>
+
 #include "props/catalog/planar_mesh.h"
 #include "props/catalog/redraw.h"
 #include "props/catalog/witness.h"

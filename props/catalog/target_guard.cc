@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
 
 #include "core/scene.h"
 #include "props/catalog/precondition.h"

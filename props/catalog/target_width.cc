@@ -1,6 +1,8 @@
 #include "props/catalog/target_width.h"
 
 #include <array>
+#include <cstdint>
+#include <string>
 
 #include "core/scene.h"
 #include "props/catalog/precondition.h"

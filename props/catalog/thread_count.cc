@@ -1,5 +1,8 @@
 #include "props/catalog/thread_count.h"
 
+#include <cstdint>
+#include <string>
+
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
 

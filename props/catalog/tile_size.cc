@@ -1,6 +1,8 @@
 #include "props/catalog/tile_size.h"
 
 #include <array>
+#include <cstdint>
+#include <string>
 
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"

@@ -1,5 +1,8 @@
 #include "props/catalog/vertex_rotation.h"
 
+#include <cstdint>
+#include <string>
+
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
 

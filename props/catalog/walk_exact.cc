@@ -1,5 +1,10 @@
 #include "props/catalog/walk_exact.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
 #include "props/catalog/walks.h"
 #include "props/catalog/witness.h"
 

@@ -1,5 +1,7 @@
 #include "props/catalog/walk_long.h"
 
+#include <optional>
+
 #include "props/catalog/walks.h"
 
 namespace rasterproof::props {

@@ -2,9 +2,11 @@
 #ifndef RASTERPROOF_PROPS_CATALOG_WALKS_H_
 #define RASTERPROOF_PROPS_CATALOG_WALKS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/case.h"

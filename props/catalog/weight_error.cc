@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 
 #include "props/catalog/exact_comparison.h"
 #include "props/catalog/weight_queries.h"

@@ -1,6 +1,10 @@
 #include "props/catalog/weight_permutation.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 
 #include "props/catalog/exact_comparison.h"
 #include "props/catalog/weight_queries.h"

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 
 #include "props/catalog/exact_comparison.h"
 #include "props/catalog/weight_queries.h"

@@ -3,6 +3,7 @@
 #define RASTERPROOF_PROPS_CATALOG_WEIGHT_QUERIES_H_
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

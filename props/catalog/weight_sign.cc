@@ -1,6 +1,10 @@
 #include "props/catalog/weight_sign.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 
 #include "exact/coverage.h"
 #include "exact/edge.h"

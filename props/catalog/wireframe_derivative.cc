@@ -1,5 +1,7 @@
 #include "props/catalog/wireframe_derivative.h"
 
+#include <optional>
+
 #include "exact/edge.h"
 #include "props/catalog/wireframe_queries.h"
 

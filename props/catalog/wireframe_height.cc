@@ -1,5 +1,8 @@
 #include "props/catalog/wireframe_height.h"
 
+#include <cstddef>
+#include <optional>
+
 #include "exact/attributes.h"
 #include "props/catalog/wireframe_queries.h"
 

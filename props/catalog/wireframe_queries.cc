@@ -1,7 +1,10 @@
 #include "props/catalog/wireframe_queries.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "core/ulp.h"

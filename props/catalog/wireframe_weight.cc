@@ -1,5 +1,8 @@
 #include "props/catalog/wireframe_weight.h"
 
+#include <cstddef>
+#include <optional>
+
 #include "props/catalog/wireframe_queries.h"
 
 namespace rasterproof::props {

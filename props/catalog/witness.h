@@ -3,6 +3,7 @@
 #define RASTERPROOF_PROPS_CATALOG_WITNESS_H_
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 #include "core/case.h"

@@ -1,5 +1,8 @@
 // Statements C1 to C7, C10 to C13, C16, C17: inside tests, winding and tie rules.
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <type_traits>
 
 #include "exact/coverage.h"

@@ -1,5 +1,7 @@
 // Statements H1 to H12: what an edge function is, its signs, its areas and its increments.
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "exact/edge.h"
 #include "props/statements/rational_plane.h"

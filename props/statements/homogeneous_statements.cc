@@ -1,5 +1,8 @@
 // Statements E1 to E12: projected edges, their normals, and edges without a division.
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "exact/homogeneous.h"
 #include "props/statements/rational_plane.h"

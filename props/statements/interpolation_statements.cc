@@ -1,5 +1,8 @@
 // Statements C8, C9, C14, C15: what weights interpolate.
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "props/statements/rational_plane.h"
 

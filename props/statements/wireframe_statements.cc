@@ -1,5 +1,8 @@
 // Statements W1 to W16: weights that belong to edges, and wireframes drawn with them.
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "props/statements/rational_plane.h"
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fmt/format.h"
@@ -37,7 +38,9 @@ std::vector<FamilyRows> ByFamily(const BenchResult& result) {
     found->rows.push_back(&row);
   }
   for (FamilyRows& family : families) {
-    std::ranges::stable_sort(family.rows, {}, [](const BenchRow* row) { return row->ratio; });
+    // Rows of the same time keep their order: they lie in one array.
+    std::ranges::sort(family.rows, {},
+                      [](const BenchRow* row) { return std::pair(row->ratio, row); });
   }
   return families;
 }

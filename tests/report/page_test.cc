@@ -159,10 +159,11 @@ TEST(PlainSvgTest, DropsWhatRunsOrLoads) {
   const std::string plain = PlainSvg(
       "<?xml version=\"1.0\"?><!DOCTYPE svg><svg onload=\"a()\"><script>b()</script>"
       "<a href=\"http://c\"><rect/></a><image href=\"d.png\"/><use xlink:href=\"e.svg#f\"/>"
+      "<text href=\"http://l\" xlink:href=\"m.svg\"/>"
       "<style>@import 'g'</style><foreignObject><p>h</p></foreignObject>"
       "<rect fill=\"url(http://i)\" onclick=\"j\" width=\"2\"/>"
       "<rect style=\"fill:u\\72l(k)\" width=\"3\"/></svg>");
-  EXPECT_EQ(plain, "<svg><rect width=\"2\"/><rect width=\"3\"/></svg>");
+  EXPECT_EQ(plain, "<svg><text/><rect width=\"2\"/><rect width=\"3\"/></svg>");
 }
 
 TEST(PlainSvgTest, GivesNothingForWhatIsNoSvg) {

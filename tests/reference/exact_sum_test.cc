@@ -61,6 +61,18 @@ TEST(ExactSumTest, NothingIsLostBetweenTheEndsOfTheExponentRange) {
   EXPECT_EQ(sum.Sign(), -1);
 }
 
+TEST(ExactSumTest, CarriesRunThroughFullWords) {
+  // 318 ones in a row and one more at the bottom, at every offset within a word.
+  for (int offset = 0; offset < 64; ++offset) {
+    ExactSum sum;
+    for (int n = 0; n < 6; ++n) sum.Add(0x1p53 - 1, std::ldexp(1.0, offset + 53 * n));
+    sum.Add(std::ldexp(1.0, offset), 1.0);
+    EXPECT_EQ(sum.ToDouble(), std::ldexp(1.0, offset + 318));
+    sum.Subtract(std::ldexp(1.0, offset), std::ldexp(1.0, 318));
+    EXPECT_EQ(sum.Sign(), 0);
+  }
+}
+
 // Crossings an ulp from a centre, far away, steep and flat: the guess must never be trusted too
 // far.
 TEST(RowCrossingTest, TheCrossingIsTheFirstColumnAtOrRightOfTheEdge) {

@@ -30,6 +30,12 @@ double SecondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// What a profile's counts depend on: not its name, its limit or its contract.
+bool SameModel(const Profile& a, const Profile& b) {
+  return a.snap == b.snap && a.lattice == b.lattice && a.y_axis == b.y_axis &&
+         a.fill_rule == b.fill_rule;
+}
+
 SceneResult Measure(Subject& subject, MeasuredScene& measured, const Profile& profile,
                     const CoverageCounts* observed, double seconds) {
   SceneResult result;
@@ -59,7 +65,7 @@ SceneResult Measure(Subject& subject, MeasuredScene& measured, const Profile& pr
 
 void MeasureScenes(Subject& subject, std::vector<std::unique_ptr<MeasuredScene>>& scenes,
                    report::Certificate& certificate) {
-  const Profile real;
+  const Profile real = *PresetProfile("real");
   for (const std::unique_ptr<MeasuredScene>& measured : scenes) {
     const SubjectInfo& info = subject.Info();
     const auto start = Clock::now();
@@ -69,7 +75,7 @@ void MeasureScenes(Subject& subject, std::vector<std::unique_ptr<MeasuredScene>>
     const double seconds = SecondsSince(start);
     const CoverageCounts* counts = takes ? &observed : nullptr;
     certificate.measured.push_back(Measure(subject, *measured, info.profile, counts, seconds));
-    if (info.profile != real && info.profile.lattice == real.lattice) {
+    if (!SameModel(info.profile, real) && info.profile.lattice == real.lattice) {
       certificate.measured.push_back(Measure(subject, *measured, real, counts, seconds));
     }
   }
@@ -114,13 +120,10 @@ MeasuredScene::MeasuredScene(std::string name, bool real, std::string command_ar
 
 const CoverageCounts& MeasuredScene::Truth(const Profile& profile) {
   const std::lock_guard lock(mutex_);
-  // What the model depends on, and nothing else of the profile.
-  const std::string key = fmt::format(
-      "{} {} {} {} {}", profile.snap.bits, static_cast<int>(profile.snap.rule),
-      FillRuleName(profile.fill_rule), static_cast<int>(profile.y_axis), profile.lattice.samples());
-  const auto found = truths_.find(key);
-  if (found != truths_.end()) return found->second;
-  return truths_.emplace(key, exact::Coverage(scene_, profile)).first->second;
+  for (const auto& [known, counts] : truths_) {
+    if (SameModel(known, profile)) return counts;
+  }
+  return truths_.emplace_back(profile, exact::Coverage(scene_, profile)).second;
 }
 
 std::vector<std::unique_ptr<MeasuredScene>> LoadSceneSet(const std::string& path,

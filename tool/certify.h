@@ -2,9 +2,11 @@
 #ifndef RASTERPROOF_TOOL_CERTIFY_H_
 #define RASTERPROOF_TOOL_CERTIFY_H_
 
-#include <map>
+#include <list>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/coverage.h"
@@ -38,7 +40,7 @@ class MeasuredScene {
   std::string arguments_;
   Scene scene_;
   std::mutex mutex_;
-  std::map<std::string, CoverageCounts> truths_;
+  std::list<std::pair<Profile, CoverageCounts>> truths_;
 };
 
 /// Loads every scene of the set.

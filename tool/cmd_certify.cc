@@ -63,8 +63,21 @@ std::vector<report::Certificate> CertifyAll(const std::vector<std::string>& name
   return certificates;
 }
 
+std::string FolderOf(const std::string& output, const report::Certificate& certificate) {
+  return output + "/" + FolderName(certificate.subject.name);
+}
+
+// Every counterexample is saved as a case file; the certificate tells how to run it again.
+void NameReplays(const std::string& output, report::Certificate& certificate) {
+  for (const PropertyResult& result : certificate.tested) {
+    if (!result.counterexample) continue;
+    certificate.replay[result.property] = fmt::format(
+        "rasterproof replay {}/{}.json", FolderOf(output, certificate), result.property);
+  }
+}
+
 void WriteCertificate(const std::string& output, const report::Certificate& certificate) {
-  const std::string folder = output + "/" + FolderName(certificate.subject.name);
+  const std::string folder = FolderOf(output, certificate);
   io::MakeFolder(folder);
   io::WriteFile(folder + "/certificate.json", report::CertificateToJson(certificate));
   io::WriteFile(folder + "/junit.xml", report::JUnitXml(certificate));
@@ -128,7 +141,8 @@ int RunCertify(const CertifyOptions& options) {
   std::string text;
   bool claims_kept = true;
   bool violated = false;
-  for (const report::Certificate& certificate : page.certificates) {
+  for (report::Certificate& certificate : page.certificates) {
+    NameReplays(options.output, certificate);
     WriteCertificate(options.output, certificate);
     text += SummaryLine(certificate);
     const bool kept = KeepsItsClaim(certificate);

@@ -81,6 +81,8 @@ report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verd
                             const std::string& replay) {
   report::Explanation explanation;
   explanation.scene = c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile);
+  explanation.lattice = c.profile.lattice;
+  explanation.y_axis = c.profile.y_axis;
   explanation.expected = exact::Coverage(c.scene, c.profile, c.options);
   explanation.observed = Draw(subject, c.scene, c.options);
   const auto [wrong_x, wrong_y] = FirstWrongPixel(explanation.observed, explanation.expected);

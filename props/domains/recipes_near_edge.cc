@@ -63,7 +63,7 @@ Case NearEdge(BitSource& bits, const SubjectInfo& info) {
 Case HardestPixels(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   // A long edge on a uniform grid, moved by whole pixels: its hardest pixel goes into the target.
-  const double reach = Reach(sketch, std::ldexp(1.0, static_cast<int>(bits.Int(6, 15))));
+  const double reach = Reach(sketch, std::ldexp(1.0, static_cast<int>(bits.Int(11, 15))));
   const int grid_bits = std::min(24, sketch.lattice().GridBits(reach));
   const auto draw = [&] { return OnGrid(sketch.Uniform(0, reach / 2), grid_bits); };
   const Point2 a{draw(), draw()};

@@ -251,7 +251,8 @@ TEST(NearEdgeDomains, PutSamplesOnTheEdgeAndWithinOneStep) {
     double on_edge;
     double within_1;
   };
-  // Half of what was measured over 1000 cases of float32, so that a dead branch shows.
+  // Half of the least that was measured over these 1000 cases of float32 under g++ and clang, which
+  // draw different cases where a call's arguments draw; so that a dead branch shows.
   const std::vector<Least> least{
       {"centres", 0.07, 0},
       {"axis-aligned", 0.17, 0},
@@ -266,10 +267,10 @@ TEST(NearEdgeDomains, PutSamplesOnTheEdgeAndWithinOneStep) {
       {"grids", 0.12, 0},
       {"triangulations", 0.03, 0.004},
       {"subdivisions", 0.014, 0},
-      {"t-junctions", 0.02, 0.001},
+      {"t-junctions", 0.02, 0.0003},
   };
   for (const Least& l : least) {
-    const NearEdgeCounts counts = NearEdgeShares(*FindDomain(l.domain), RealInfo(), 200).counts;
+    const NearEdgeCounts counts = NearEdgeShares(*FindDomain(l.domain), RealInfo(), 1000).counts;
     const auto share = [&](std::uint64_t n) {
       return static_cast<double>(n) / static_cast<double>(counts.samples);
     };

@@ -15,7 +15,7 @@ Verdict TriangleOrderKeepsCoverage(Subject& subject, const Case& c) {
   }
   Case reordered = c;
   std::ranges::reverse(reordered.scene.triangles);
-  const Verdict reversed = SameAsUnvaried(subject, c, reordered, "that in the order given");
+  Verdict reversed = SameAsUnvaried(subject, c, reordered, "that in the order given");
   if (reversed.outcome == Outcome::kViolated) return reversed;
   // A rotation by half, too: a subject that looks at its neighbour in the list sees another one.
   const auto half = static_cast<std::ptrdiff_t>(reordered.scene.triangles.size() / 2);

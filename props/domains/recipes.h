@@ -1,4 +1,6 @@
-// The recipes behind the table of domains. Each is total: every bit string gives a valid case.
+// The recipes behind the table of domains. Each is total: every bit string gives a valid case, and
+// the same one under every compiler: two draws never stand in one call's arguments or on both sides
+// of an operator, whose order C++ leaves open.
 #ifndef RASTERPROOF_PROPS_DOMAINS_RECIPES_H_
 #define RASTERPROOF_PROPS_DOMAINS_RECIPES_H_
 

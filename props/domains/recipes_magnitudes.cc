@@ -172,10 +172,11 @@ Case BothEnds(BitSource& bits, const SubjectInfo& info) {
       sketch.WithinLimit() ? std::min(range.largest, sketch.lattice().limit()) : range.largest;
   const auto end = [&] {
     const std::int64_t kind = bits.Int(0, 4);
-    if (kind == 0) return sketch.Sign() * largest;
-    if (kind == 1) return sketch.Sign() * sketch.lattice().Move(largest, -bits.Int(0, 2));
-    if (kind == 2) return sketch.Sign() * std::ldexp(1.0, range.least_exponent);
-    if (kind == 3) return sketch.Sign() * std::ldexp(1.0, range.normal_exponent);
+    const double sign = sketch.Sign();
+    if (kind == 0) return sign * largest;
+    if (kind == 1) return sign * sketch.lattice().Move(largest, -bits.Int(0, 2));
+    if (kind == 2) return sign * std::ldexp(1.0, range.least_exponent);
+    if (kind == 3) return sign * std::ldexp(1.0, range.normal_exponent);
     return 0.0;
   };
   const std::int64_t triangles = bits.Int(1, 2);
@@ -218,7 +219,8 @@ Case GuardBand(BitSource& bits, const SubjectInfo& info) {
       std::ldexp(0x1p31, -subpixel_bits)};  // int32 in subpixels
   const auto boundary = [&] {
     const double at = sketch.lattice().Round(bits.OneOf(std::span<const double>(boundaries)));
-    return sketch.Sign() * sketch.lattice().Move(at, bits.Int(-2, 2));
+    const double sign = sketch.Sign();
+    return sign * sketch.lattice().Move(at, bits.Int(-2, 2));
   };
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {

@@ -140,7 +140,8 @@ Case LongWalk(BitSource& bits, const SubjectInfo& info) {
   // And an edge along the whole walk that passes a sample near its far end as closely as it can.
   const Point2 p = sketch.profile().lattice.At(along_y ? across / 2 : length - 1 - length / 64,
                                                along_y ? length - 1 - length / 64 : across / 2);
-  const Point2 drawn = place(sketch.Uniform(0.25, 1), sketch.Uniform(0.25, across));
+  const double ahead = sketch.Uniform(0.25, 1);
+  const Point2 drawn = place(ahead, sketch.Uniform(0.25, across));
   const Point2 q{sketch.lattice().Round(drawn.x), sketch.lattice().Round(drawn.y)};
   const Point2 v = Hardest(sketch, place(end, sketch.Uniform(0.25, across)), q, p);
   sketch.AddTriangle({q, v, place(sketch.Uniform(0, end), across + 1.0)});

@@ -18,12 +18,12 @@ Point2 OnLattice(const Sketch& sketch, Point2 p) {
 PlanarMesh DrawFrame(Sketch& sketch) {
   BitSource& bits = sketch.bits();
   const auto margin = [&] { return static_cast<double>(bits.Int(1, 6)); };
-  const auto vertex = [&](double x, double y) { return OnLattice(sketch, {x, y}); };
   PlanarMesh mesh;
-  mesh.AddVertex(vertex(-margin(), -margin()));
-  mesh.AddVertex(vertex(-margin(), sketch.height() + margin()));
-  mesh.AddVertex(vertex(sketch.width() + margin(), sketch.height() + margin()));
-  mesh.AddVertex(vertex(sketch.width() + margin(), -margin()));
+  const auto add = [&](Point2 p) { mesh.AddVertex(OnLattice(sketch, p)); };
+  add({-margin(), -margin()});
+  add({-margin(), sketch.height() + margin()});
+  add({sketch.width() + margin(), sketch.height() + margin()});
+  add({sketch.width() + margin(), -margin()});
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }
@@ -89,10 +89,12 @@ Case TJunctions(BitSource& bits, const SubjectInfo& info) {
   const std::int64_t splits = bits.Int(1, 8);
   for (std::int64_t i = 0; i < splits; ++i) {
     EdgeMiddle middle = DrawMiddle(sketch, mesh);
-    // Half of them on the edge as nearly as the lattice allows, the others visibly off it.
-    const std::int64_t kind = bits.Int(0, 3);
-    if (kind == 0) middle.at = OnLattice(sketch, Nudged(sketch, middle.at, 16));
-    if (kind == 1) middle.at = OnLattice(sketch, {OnGrid(middle.at.x, 0), OnGrid(middle.at.y, 0)});
+    // Half of them on the edge as nearly as the lattice allows; of the others half a step off it,
+    // a quarter some steps, a quarter visibly.
+    const std::int64_t kind = bits.Int(0, 7);
+    if (kind < 2) middle.at = OnLattice(sketch, Nudged(sketch, middle.at, 1));
+    if (kind == 2) middle.at = OnLattice(sketch, Nudged(sketch, middle.at, 16));
+    if (kind == 3) middle.at = OnLattice(sketch, {OnGrid(middle.at.x, 0), OnGrid(middle.at.y, 0)});
     mesh.SplitOneSide(middle.triangle, middle.edge, middle.at);
   }
   mesh.AddTo(sketch);

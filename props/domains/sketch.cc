@@ -72,7 +72,8 @@ double Sketch::Uniform(double low, double high) {
 
 double Sketch::LogUniform(int low, int high) {
   const double mantissa = 1.0 + std::ldexp(static_cast<double>(bits_->Bits(52)), -52);
-  return Sign() * std::ldexp(mantissa, static_cast<int>(bits_->Int(low, high)));
+  const auto exponent = static_cast<int>(bits_->Int(low, high));
+  return Sign() * std::ldexp(mantissa, exponent);
 }
 
 std::int32_t Sketch::Add(Point2 p) {

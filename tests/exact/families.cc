@@ -54,7 +54,7 @@ double Draw::Coordinate(Family family) {
     case Family::kHalfPixels:
       return (Below(24) - 4) * 0.5;
     case Family::kMixedExponents:
-      return ToFloat32(Sign() * std::ldexp(1 + Unit(), Below(60) - 40));
+      return ToFloat32(Magnitude(Below(60) - 40));
     case Family::kFloat32Bits:
       for (;;) {
         const auto x = std::bit_cast<float>(static_cast<std::uint32_t>(Bits()));
@@ -66,14 +66,15 @@ double Draw::Coordinate(Family family) {
         if (std::isfinite(x)) return x;
       }
     case Family::kSubnormal:
-      if (Below(3) == 0) return Sign() * MoveByUlps(0x1p-1022, Below(9) - 4);
-      return Sign() * std::ldexp(Below(1 << 20), Below(2) == 0 ? -149 : -1074);
+      return Subnormal();
     case Family::kUnderflow:
-      return Sign() * std::ldexp(1 + Unit(), -511 - Below(8));
+      return Magnitude(-511 - Below(8));
     case Family::kLargest: {
       const double largest = Below(2) == 0 ? double{std::numeric_limits<float>::max()}
                                            : std::numeric_limits<double>::max();
-      return Sign() * MoveByUlps(largest, -Below(4)) * (Below(3) == 0 ? 0.5 : 1);
+      const double nearly = MoveByUlps(largest, -Below(4));
+      const double scale = Below(3) == 0 ? 0.5 : 1;
+      return Sign() * nearly * scale;
     }
     case Family::kNeedle:
       return Below(2) == 0 ? ToFloat32(Sign() * 1e30) : ToFloat32(Unit() * 12);
@@ -84,7 +85,20 @@ double Draw::Coordinate(Family family) {
     case Family::kCount:
       break;
   }
-  return Sign() * Below(3);
+  const double sign = Sign();
+  return sign * Below(3);
+}
+
+double Draw::Magnitude(int exponent) {
+  const double mantissa = 1 + Unit();
+  return Sign() * std::ldexp(mantissa, exponent);
+}
+
+double Draw::Subnormal() {
+  const double sign = Sign();
+  if (Below(3) == 0) return sign * MoveByUlps(0x1p-1022, Below(9) - 4);
+  const int mantissa = Below(1 << 20);
+  return sign * std::ldexp(mantissa, Below(2) == 0 ? -149 : -1074);
 }
 
 // With a at the origin, E = p.x b.y - p.y b.x: by Bezout's identity some p of the lattice makes it
@@ -104,7 +118,10 @@ std::array<Point2, 3> Draw::Hardest(bool moved) {
   const double sign = Sign();
   Point2 a{0, 0};
   if (moved) {
-    const auto nudge = [&] { return std::ldexp(Unit() - 0.5, scale - bits - Below(60)); };
+    const auto nudge = [&] {
+      const double mantissa = Unit() - 0.5;
+      return std::ldexp(mantissa, scale - bits - Below(60));
+    };
     a = {nudge(), nudge()};
   }
   return {a, Point2{static_cast<double>(dx) * unit, static_cast<double>(dy) * unit},
@@ -145,7 +162,9 @@ Scene Draw::SmallScene(Family family, bool clip_space) {
   while (scene.vertices.size() < 6) {
     for (Point2 p : EdgeAndPoint(family)) {
       double w = 1;
-      if (clip_space && Below(4) != 0) w = Below(2) == 0 ? Sign() * Below(3) : Coordinate(family);
+      if (clip_space && Below(4) != 0) {
+        w = Below(2) == 0 ? Coordinate(Family::kSignedZeros) : Coordinate(family);
+      }
       // Now and then an ordinary vertex, or the triangles would all miss the target.
       if (Below(3) == 0) p = {Coordinate(Family::kHalfPixels), Coordinate(Family::kHalfPixels)};
       scene.vertices.push_back({p.x, p.y, 0, w});

@@ -56,6 +56,9 @@ class Draw {
   DrawOptions AnyOptions();
 
  private:
+  /// +-2^exponent m, m of [1, 2).
+  double Magnitude(int exponent);
+  double Subnormal();
   std::array<Point2, 3> Hardest(bool moved);
 
   std::mt19937_64 bits_;

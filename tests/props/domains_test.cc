@@ -251,8 +251,8 @@ TEST(NearEdgeDomains, PutSamplesOnTheEdgeAndWithinOneStep) {
     double on_edge;
     double within_1;
   };
-  // Half of the least that was measured over these 1000 cases of float32 under g++ and clang, which
-  // draw different cases where a call's arguments draw; so that a dead branch shows.
+  // About half of what was measured over these 1000 cases of float32, the same under every
+  // compiler (domain_bits_test.cc); so that a dead branch shows.
   const std::vector<Least> least{
       {"centres", 0.07, 0},
       {"axis-aligned", 0.17, 0},
@@ -267,7 +267,7 @@ TEST(NearEdgeDomains, PutSamplesOnTheEdgeAndWithinOneStep) {
       {"grids", 0.12, 0},
       {"triangulations", 0.03, 0.004},
       {"subdivisions", 0.014, 0},
-      {"t-junctions", 0.02, 0.0003},
+      {"t-junctions", 0.02, 0.001},
   };
   for (const Least& l : least) {
     const NearEdgeCounts counts = NearEdgeShares(*FindDomain(l.domain), RealInfo(), 1000).counts;

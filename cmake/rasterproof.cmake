@@ -19,6 +19,9 @@ if(RASTERPROOF_TESTS)
   find_package(GTest REQUIRED)
 endif()
 
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set(CMAKE_C_FLAGS_RELEASE "-O2 -DNDEBUG")
+
 # The code generator of every target. Contraction would change signs; debug information costs build
 # time.
 add_library(rasterproof_flags INTERFACE)
@@ -26,8 +29,7 @@ target_compile_options(rasterproof_flags INTERFACE
   -Wall -Wextra -Wconversion -Werror -ffp-contract=off
   # g++ 12 at -O2: two neighbouring doubles rounded to float and widened again, vectorised as a
   # pair, lose the rounding. Found by exact/environment.cc, which refuses a build without this.
-  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
-  $<$<CONFIG:Release>:-O2>)
+  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 target_include_directories(rasterproof_flags INTERFACE ${CMAKE_SOURCE_DIR})
 if(RASTERPROOF_SANITIZE)
   target_compile_options(rasterproof_flags INTERFACE

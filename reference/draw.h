@@ -50,7 +50,7 @@ void ForEachTriangle(const Scene& scene, const RasterOptions& options, CoverageC
 /// The directed edge a -> b in a form, seen from its lexicographically smaller end if canonical.
 template <class Form>
 Form MakeForm(typename Form::Point a, typename Form::Point b, bool canonical) {
-  const bool reversed = canonical && (b.x < a.x || (b.x == a.x && b.y < a.y));
+  const bool reversed = canonical && RunsBackwards(a, b);
   return reversed ? Form(b, a, true) : Form(a, b, false);
 }
 

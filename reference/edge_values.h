@@ -14,6 +14,7 @@
 #include "reference/edge_walks.h"
 #include "reference/exact_sign.h"
 #include "reference/integer_form.h"
+#include "reference/tie_rule.h"
 
 namespace rasterproof::reference {
 
@@ -46,7 +47,7 @@ class FloatEdgeValues final : public EdgeEvaluator {
 
   /// Negation is exact, so the bound of the reversed edge is the edge's.
   static bool Order(Point2& a, Point2& b) {
-    const bool reversed = kCanonical && (b.x < a.x || (b.x == a.x && b.y < a.y));
+    const bool reversed = kCanonical && RunsBackwards(a, b);
     if (reversed) std::swap(a, b);
     return reversed;
   }

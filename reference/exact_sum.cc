@@ -7,26 +7,14 @@
 #include <cstdint>
 #include <span>
 
+#include "reference/decode.h"
+
 namespace rasterproof::reference {
 namespace {
 
 __extension__ using Uint128 = unsigned __int128;
 
 constexpr int kUnitExponent = -2148;  // twice the exponent of the smallest subnormal
-
-/// |x| = significand 2^exponent.
-struct Decoded {
-  std::uint64_t significand;
-  int exponent;
-};
-
-Decoded Decode(double x) {
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
-  const int biased = static_cast<int>((bits >> 52) & 0x7ff);
-  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
-  if (biased == 0) return {fraction, -1074};
-  return {fraction | (std::uint64_t{1} << 52), biased - 1075};
-}
 
 bool Bit(std::span<const std::uint64_t> words, int n) {
   return n >= 0 && ((words[static_cast<std::size_t>(n) / 64] >> (n % 64)) & 1) != 0;

@@ -1,4 +1,4 @@
-// The tie rule: who owns a sample that lies exactly on an edge.
+// Decided by an edge's ends alone: who owns a sample on it, and which end comes first.
 #ifndef RASTERPROOF_REFERENCE_TIE_RULE_H_
 #define RASTERPROOF_REFERENCE_TIE_RULE_H_
 
@@ -41,6 +41,12 @@ constexpr T InsideFrom(bool owns_ties) {
 template <class T>
 constexpr std::uint32_t IsInside(T e, T from) {
   return std::uint32_t{e >= from} & std::uint32_t{e <= std::numeric_limits<T>::max()};
+}
+
+/// Returns whether canonical order, the lexicographically smaller end first, turns a -> b round.
+template <class P>
+bool RunsBackwards(const P& a, const P& b) {
+  return b.x < a.x || (b.x == a.x && b.y < a.y);
 }
 
 }  // namespace rasterproof::reference

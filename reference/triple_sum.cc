@@ -1,31 +1,19 @@
 #include "reference/triple_sum.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "reference/decode.h"
 
 namespace rasterproof::reference {
 namespace {
 
 __extension__ using Uint128 = unsigned __int128;
 
+constexpr int kUnitExponent = -3222;  // three times the exponent of the smallest subnormal
 constexpr std::uint64_t kLimbMask = 0xffffffff;
-
-/// |x| = significand 2^(exponent - 1074).
-struct Decoded {
-  std::uint64_t significand;
-  int exponent;
-};
-
-Decoded Decode(double x) {
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
-  const int biased = static_cast<int>((bits >> 52) & 0x7ff);
-  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
-  if (biased == 0) return {fraction, 0};
-  return {fraction | (std::uint64_t{1} << 52), biased - 1};
-}
 
 /// The limbs of a * b * c, each factor below 2^53.
 std::array<std::uint64_t, 5> LimbsOfProduct(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
@@ -45,7 +33,7 @@ void TripleSum::Add(double x, double y, double z) {
   const Decoded b = Decode(y);
   const Decoded c = Decode(z);
   const bool negative = std::signbit(x) != (std::signbit(y) != std::signbit(z));
-  const int shift = a.exponent + b.exponent + c.exponent;
+  const int shift = a.exponent + b.exponent + c.exponent - kUnitExponent;
   std::size_t limb = static_cast<std::size_t>(shift) / 32;
   std::uint64_t carried = 0;  // the bits that the shift pushes into the next limb
   for (const std::uint64_t part : LimbsOfProduct(a.significand, b.significand, c.significand)) {

@@ -13,13 +13,11 @@ Verdict ReversedEdgeChangesSign(Subject& subject, const Case& c) {
   if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
   const EdgeEvaluator& edges = *subject.Edges();
   std::uint64_t exercised = 0;
-  for (const EdgeQuery& q : SomeEdgeQueries(c)) {
+  for (const auto& [q, value, bound] : ClaimedEdgeValues(edges, c)) {
     const Point2 p = q.place.at;
-    const double bound = edges.ErrorBound(q.a, q.b, p);
     const double reversed_bound = edges.ErrorBound(q.b, q.a, p);
-    if (!Claims(bound) || !Claims(reversed_bound)) continue;
+    if (!Claims(reversed_bound)) continue;
     ++exercised;
-    const double value = edges.Value(q.a, q.b, p);
     const double reversed = edges.Value(q.b, q.a, p);
     if (AgreeWithin(reversed, value, +1, reversed_bound, bound)) continue;
     return EdgeViolation(q, exercised, "the reversed edge is not the negative",

@@ -12,15 +12,11 @@ namespace rasterproof::props {
 
 Verdict EdgeErrorStaysWithinItsBound(Subject& subject, const Case& c) {
   if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
-  const EdgeEvaluator& edges = *subject.Edges();
   std::uint64_t exercised = 0;
   double worst = 0;
-  for (const EdgeQuery& q : SomeEdgeQueries(c)) {
+  for (const auto& [q, value, bound] : ClaimedEdgeValues(*subject.Edges(), c)) {
     const Point2 p = q.place.at;
-    const double bound = edges.ErrorBound(q.a, q.b, p);
-    if (!Claims(bound)) continue;
     ++exercised;
-    const double value = edges.Value(q.a, q.b, p);
     const Distance distance = CompareWithEdge(value, q.a, q.b, p, bound);
     if (!distance.within) {
       return EdgeViolation(q, exercised, "edge value outside its proven bound", HexText(value),

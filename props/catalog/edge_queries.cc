@@ -61,6 +61,15 @@ std::vector<EdgeQuery> SomeEdgeQueries(const Case& c) {
   return queries;
 }
 
+std::vector<EdgeAnswer> ClaimedEdgeValues(const EdgeEvaluator& edges, const Case& c) {
+  std::vector<EdgeAnswer> answers;
+  for (const EdgeQuery& q : SomeEdgeQueries(c)) {
+    const double bound = edges.ErrorBound(q.a, q.b, q.place.at);
+    if (Claims(bound)) answers.push_back({q, edges.Value(q.a, q.b, q.place.at), bound});
+  }
+  return answers;
+}
+
 Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& claim,
                       const std::string& observed, const std::string& expected) {
   return Verdict::Violated(
@@ -78,11 +87,8 @@ Verdict EdgeValuesFollow(Subject& subject, const Case& c, std::span<const EdgeMa
   if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
   const EdgeEvaluator& edges = *subject.Edges();
   std::uint64_t exercised = 0;
-  for (const EdgeQuery& q : SomeEdgeQueries(c)) {
+  for (const auto& [q, value, bound] : ClaimedEdgeValues(edges, c)) {
     const Point2 p = q.place.at;
-    const double bound = edges.ErrorBound(q.a, q.b, p);
-    if (!Claims(bound)) continue;
-    const double value = edges.Value(q.a, q.b, p);
     for (const EdgeMap& map : maps) {
       const std::optional<Point2> a = Image(map, q.a, subject.Info(), c.profile);
       const std::optional<Point2> b = Image(map, q.b, subject.Info(), c.profile);

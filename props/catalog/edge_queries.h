@@ -30,6 +30,16 @@ std::optional<Verdict> CannotAskEdges(const Subject& subject, const Case& c);
 /// Every edge of a few triangles, at samples near any of that triangle's edges.
 std::vector<EdgeQuery> SomeEdgeQueries(const Case& c);
 
+/// What the subject says at a query.
+struct EdgeAnswer {
+  EdgeQuery query;
+  double value = 0;
+  double bound = 0;
+};
+
+/// The subject's answers to SomeEdgeQueries, where its bound claims anything.
+std::vector<EdgeAnswer> ClaimedEdgeValues(const EdgeEvaluator& edges, const Case& c);
+
 /// A violation at a query: what the claim says, and the values that contradict it.
 Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& claim,
                       const std::string& observed, const std::string& expected);

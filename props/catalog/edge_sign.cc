@@ -10,23 +10,13 @@
 #include "props/catalog/witness.h"
 
 namespace rasterproof::props {
-namespace {
-
-int SignOf(double x) { return (x > 0) - (x < 0); }
-
-}  // namespace
 
 Verdict EdgeSignIsRightOutsideItsBand(Subject& subject, const Case& c) {
   if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
-  const EdgeEvaluator& edges = *subject.Edges();
   std::uint64_t exercised = 0;
-  for (const EdgeQuery& q : SomeEdgeQueries(c)) {
+  for (const auto& [q, value, bound] : ClaimedEdgeValues(*subject.Edges(), c)) {
     const Point2 p = q.place.at;
-    const double bound = edges.ErrorBound(q.a, q.b, p);
-    if (!Claims(bound)) continue;
-    const double value = edges.Value(q.a, q.b, p);
-    const int sign = exact::EdgeSign(q.a, q.b, p);
-    if (SignOf(value) == sign && value == value) {
+    if (HasSign(value, exact::EdgeSign(q.a, q.b, p))) {
       ++exercised;
       continue;
     }

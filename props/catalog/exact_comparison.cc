@@ -117,6 +117,11 @@ bool AgreeWithin(double x, double y, int sign, double bound_x, double bound_y) {
   return (Rational(x) + Rational(signed_y)).Abs() <= Rational(bound_x) + Rational(bound_y);
 }
 
+bool HasSign(double x, int sign) {
+  if (std::isnan(x)) return false;
+  return (x > 0) - (x < 0) == sign;
+}
+
 bool Claims(double bound) { return std::isfinite(bound) && bound >= 0; }
 
 }  // namespace rasterproof::props

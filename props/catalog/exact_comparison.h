@@ -26,6 +26,9 @@ Distance CompareWithEdge(double observed, Point2 a, Point2 b, Point2 p, double b
 /// Returns whether |x + sign * y| <= bound_x + bound_y, exactly. Not finite: false.
 bool AgreeWithin(double x, double y, int sign, double bound_x, double bound_y);
 
+/// Returns whether x is a number of this sign; both zeros have sign 0.
+bool HasSign(double x, int sign);
+
 /// Returns whether a bound that a subject gave claims anything.
 bool Claims(double bound);
 

@@ -22,26 +22,22 @@ Verdict WeightsFollowTheirVertices(Subject& subject, const Case& c) {
   if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
   const WeightEvaluator& evaluator = *subject.Weights();
   std::uint64_t exercised = 0;
-  for (const WeightQuery& q : SomeWeightQueries(c)) {
+  for (const auto& [q, form, weights, bounds] : WeightsAtQueries(evaluator, c)) {
     const Point2 p = q.place.at;
-    for (const BarycentricForm form : FormsFor(q)) {
-      const std::array<double, 3> weights = evaluator.Weights(form, q.v, p);
-      const std::array<double, 3> bounds = evaluator.WeightErrorBounds(form, q.v, p);
-      for (const Order& order : kOrders) {
-        const std::array<Point2, 3> v{q.v[order[0]], q.v[order[1]], q.v[order[2]]};
-        const std::array<double, 3> reordered = evaluator.Weights(form, v, p);
-        const std::array<double, 3> reordered_bounds = evaluator.WeightErrorBounds(form, v, p);
-        for (std::size_t k = 0; k < 3; ++k) {
-          const std::size_t i = order[k];
-          if (!Claims(bounds[i]) || !Claims(reordered_bounds[k])) continue;
-          ++exercised;
-          if (AgreeWithin(reordered[k], weights[i], -1, reordered_bounds[k], bounds[i])) continue;
-          return WeightViolation(
-              q, static_cast<int>(i), exercised,
-              "weight (" + std::string(FormName(form)) + ") does not follow its vertex",
-              HexText(reordered[k]) + " as entry " + std::to_string(k),
-              HexText(weights[i]) + " within " + HexText(bounds[i] + reordered_bounds[k]));
-        }
+    for (const Order& order : kOrders) {
+      const std::array<Point2, 3> v{q.v[order[0]], q.v[order[1]], q.v[order[2]]};
+      const std::array<double, 3> reordered = evaluator.Weights(form, v, p);
+      const std::array<double, 3> reordered_bounds = evaluator.WeightErrorBounds(form, v, p);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = order[k];
+        if (!Claims(bounds[i]) || !Claims(reordered_bounds[k])) continue;
+        ++exercised;
+        if (AgreeWithin(reordered[k], weights[i], -1, reordered_bounds[k], bounds[i])) continue;
+        return WeightViolation(
+            q, static_cast<int>(i), exercised,
+            "weight (" + std::string(FormName(form)) + ") does not follow its vertex",
+            HexText(reordered[k]) + " as entry " + std::to_string(k),
+            HexText(weights[i]) + " within " + HexText(bounds[i] + reordered_bounds[k]));
       }
     }
   }

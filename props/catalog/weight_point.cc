@@ -39,31 +39,26 @@ Reproduced Reproduce(const std::array<double, 3>& weights, const std::array<doub
 
 Verdict WeightsReproduceThePoint(Subject& subject, const Case& c) {
   if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
   std::uint64_t exercised = 0;
-  for (const WeightQuery& q : SomeWeightQueries(c)) {
+  for (const auto& [q, form, weights, bounds] : WeightsAtQueries(*subject.Weights(), c)) {
     const Point2 p = q.place.at;
-    for (const BarycentricForm form : FormsFor(q)) {
-      const std::array<double, 3> weights = evaluator.Weights(form, q.v, p);
-      const std::array<double, 3> bounds = evaluator.WeightErrorBounds(form, q.v, p);
-      if (!std::ranges::all_of(bounds, Claims)) continue;
-      ++exercised;
-      const std::string claim =
-          "weights (" + std::string(FormName(form)) + ") do not reproduce the sample";
-      const std::string observed =
-          HexText(weights[0]) + ", " + HexText(weights[1]) + ", " + HexText(weights[2]);
-      if (!std::ranges::all_of(weights, [](double x) { return std::isfinite(x); })) {
-        return WeightViolation(q, -1, exercised, claim, observed, "finite weights");
-      }
-      const Reproduced x = Reproduce(weights, bounds, {q.v[0].x, q.v[1].x, q.v[2].x}, p.x);
-      const Reproduced y = Reproduce(weights, bounds, {q.v[0].y, q.v[1].y, q.v[2].y}, p.y);
-      if (x.distance <= x.bound && y.distance <= y.bound) continue;
-      return WeightViolation(q, -1, exercised, claim, observed,
-                             "off by at most (" + HexText(x.bound.ToDoubleUp()) + ", " +
-                                 HexText(y.bound.ToDoubleUp()) + "), not (" +
-                                 HexText(x.distance.ToDouble()) + ", " +
-                                 HexText(y.distance.ToDouble()) + ")");
+    if (!std::ranges::all_of(bounds, Claims)) continue;
+    ++exercised;
+    const std::string claim =
+        "weights (" + std::string(FormName(form)) + ") do not reproduce the sample";
+    const std::string observed =
+        HexText(weights[0]) + ", " + HexText(weights[1]) + ", " + HexText(weights[2]);
+    if (!std::ranges::all_of(weights, [](double x) { return std::isfinite(x); })) {
+      return WeightViolation(q, -1, exercised, claim, observed, "finite weights");
     }
+    const Reproduced x = Reproduce(weights, bounds, {q.v[0].x, q.v[1].x, q.v[2].x}, p.x);
+    const Reproduced y = Reproduce(weights, bounds, {q.v[0].y, q.v[1].y, q.v[2].y}, p.y);
+    if (x.distance <= x.bound && y.distance <= y.bound) continue;
+    return WeightViolation(q, -1, exercised, claim, observed,
+                           "off by at most (" + HexText(x.bound.ToDoubleUp()) + ", " +
+                               HexText(y.bound.ToDoubleUp()) + "), not (" +
+                               HexText(x.distance.ToDouble()) + ", " +
+                               HexText(y.distance.ToDouble()) + ")");
   }
   return Verdict::Held(exercised);
 }

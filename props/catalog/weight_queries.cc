@@ -86,6 +86,17 @@ std::vector<BarycentricForm> FormsFor(const WeightQuery& q) {
   return forms;
 }
 
+std::vector<WeightAnswer> WeightsAtQueries(const WeightEvaluator& evaluator, const Case& c) {
+  std::vector<WeightAnswer> answers;
+  for (const WeightQuery& q : SomeWeightQueries(c)) {
+    for (const BarycentricForm form : FormsFor(q)) {
+      answers.push_back({q, form, evaluator.Weights(form, q.v, q.place.at),
+                         evaluator.WeightErrorBounds(form, q.v, q.place.at)});
+    }
+  }
+  return answers;
+}
+
 std::string_view FormName(BarycentricForm form) {
   switch (form) {
     case BarycentricForm::kVertexArea:

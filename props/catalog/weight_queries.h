@@ -38,6 +38,17 @@ std::vector<CornersPlace> SomeProperTriangles(const Case& c);
 std::vector<BarycentricForm> FormsFor(const WeightQuery& q);
 std::string_view FormName(BarycentricForm form);
 
+/// What the subject says at a query in one form.
+struct WeightAnswer {
+  WeightQuery query;
+  BarycentricForm form = BarycentricForm::kVertexArea;
+  std::array<double, 3> weights{};
+  std::array<double, 3> bounds{};
+};
+
+/// The subject's answers to SomeWeightQueries in every form that suits each.
+std::vector<WeightAnswer> WeightsAtQueries(const WeightEvaluator& evaluator, const Case& c);
+
 /// The exact lambda of the query.
 std::array<exact::Rational, 3> ExactWeights(const WeightQuery& q);
 

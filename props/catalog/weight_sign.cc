@@ -13,39 +13,29 @@
 #include "props/catalog/witness.h"
 
 namespace rasterproof::props {
-namespace {
-
-int SignOf(double x) { return (x > 0) - (x < 0); }
-
-}  // namespace
 
 Verdict WeightSignsAgreeWithTheEdges(Subject& subject, const Case& c) {
   if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
   std::uint64_t exercised = 0;
-  for (const WeightQuery& q : SomeWeightQueries(c)) {
+  for (const auto& [q, form, weights, bounds] : WeightsAtQueries(*subject.Weights(), c)) {
     const Point2 p = q.place.at;
     const int facing = exact::Facing(q.v);
-    for (const BarycentricForm form : FormsFor(q)) {
-      const std::array<double, 3> weights = evaluator.Weights(form, q.v, p);
-      const std::array<double, 3> bounds = evaluator.WeightErrorBounds(form, q.v, p);
-      for (int i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        if (!Claims(bounds[k])) continue;
-        // lambda_i = E_i / area: its sign is the product of theirs.
-        const int sign = exact::EdgeSign(EdgeStart(q.v, i), EdgeEnd(q.v, i), p) * facing;
-        if (SignOf(weights[k]) == sign && weights[k] == weights[k]) {
-          ++exercised;
-          continue;
-        }
-        const exact::Rational lambda = ExactWeights(q)[k];
-        if (bounds[k] > 0 && lambda.Abs() <= exact::Rational(bounds[k])) continue;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (!Claims(bounds[k])) continue;
+      // lambda_i = E_i / area: its sign is the product of theirs.
+      const int sign = exact::EdgeSign(EdgeStart(q.v, i), EdgeEnd(q.v, i), p) * facing;
+      if (HasSign(weights[k], sign)) {
         ++exercised;
-        return WeightViolation(
-            q, i, exercised,
-            "weight (" + std::string(FormName(form)) + ") of the wrong sign outside its band",
-            HexText(weights[k]), lambda.ToString() + ", band " + HexText(bounds[k]));
+        continue;
       }
+      const exact::Rational lambda = ExactWeights(q)[k];
+      if (bounds[k] > 0 && lambda.Abs() <= exact::Rational(bounds[k])) continue;
+      ++exercised;
+      return WeightViolation(
+          q, i, exercised,
+          "weight (" + std::string(FormName(form)) + ") of the wrong sign outside its band",
+          HexText(weights[k]), lambda.ToString() + ", band " + HexText(bounds[k]));
     }
   }
   return Verdict::Held(exercised);

@@ -95,6 +95,21 @@ double DrawMixedW(Sketch& sketch) {
   }
 }
 
+// A few triangles at places of the window, each vertex with a w of its own.
+Case ClipTriangles(BitSource& bits, const SubjectInfo& info, double (*draw_w)(Sketch&)) {
+  Sketch sketch(bits, info);
+  sketch.UseClipSpace();
+  const auto triangles = static_cast<std::int32_t>(bits.Int(1, 4));
+  for (std::int32_t t = 0; t < triangles; ++t) {
+    for (int v = 0; v < 3; ++v) {
+      const double w = draw_w(sketch);
+      AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(w));
+    }
+    sketch.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
 }  // namespace
 
 Case ClosedMesh(BitSource& bits, const SubjectInfo& info) {
@@ -127,33 +142,17 @@ Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info) {
 }
 
 Case Perspective(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  sketch.UseClipSpace();
-  const std::int32_t triangles = static_cast<std::int32_t>(bits.Int(1, 4));
-  for (std::int32_t t = 0; t < triangles; ++t) {
-    for (int v = 0; v < 3; ++v) {
-      // Powers of two keep the window place exact: ties stay ties.
-      const double w = bits.Chance(128) ? std::ldexp(1.0, static_cast<int>(bits.Int(-4, 4)))
-                                        : std::fabs(sketch.LogUniform(-4, 4));
-      AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(w));
-    }
-    sketch.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
-  }
-  return sketch.Done(Finish::kAnyOrder);
+  return ClipTriangles(bits, info, [](Sketch& sketch) {
+    // Powers of two keep the window place exact: ties stay ties.
+    if (!sketch.bits().Chance(128)) return std::fabs(sketch.LogUniform(-4, 4));
+    return std::ldexp(1.0, static_cast<int>(sketch.bits().Int(-4, 4)));
+  });
 }
 
 Case MixedW(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  sketch.UseClipSpace();
-  const std::int32_t triangles = static_cast<std::int32_t>(bits.Int(1, 4));
-  for (std::int32_t t = 0; t < triangles; ++t) {
-    for (int v = 0; v < 3; ++v) {
-      const double w = bits.Chance(96) ? 1.0 : DrawMixedW(sketch);
-      AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(w));
-    }
-    sketch.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
-  }
-  return sketch.Done(Finish::kAnyOrder);
+  return ClipTriangles(bits, info, [](Sketch& sketch) {
+    return sketch.bits().Chance(96) ? 1.0 : DrawMixedW(sketch);
+  });
 }
 
 }  // namespace rasterproof::props

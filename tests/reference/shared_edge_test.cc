@@ -64,6 +64,24 @@ TEST(SharedEdgeTest, CanonicalEdgesThatStartNowhereInParticularLeakNothing) {
   }
 }
 
+// Canonical order is by x, and by y where x is the same: along columns of samples.
+TEST(SharedEdgeTest, CanonicalEdgesAlongColumnsLeakNothing) {
+  RandomValues random(23);
+  RasterOptions canonical;
+  canonical.canonical_edges = true;
+  for (const char* const method : {"f32-direct-fma", "f32-affine", "f32-affine-fma"}) {
+    for (int n = 0; n < 300; ++n) {
+      const double x = random.Integer(1, 7) + 0.5;
+      const Point2 a{x, static_cast<float>(random.Uniform(-900, -1))};
+      const Point2 b{x, static_cast<float>(random.Uniform(9, 900))};
+      const Scene scene = WindowScene(8, 8, {a, b, {-9999, 4}, {9999, 4}}, {{0, 1, 3}, {1, 0, 2}});
+      const CoverageCounts counts = Draw(scene, method, canonical);
+      const std::size_t on_edge = counts.Index(static_cast<int>(x), 4);
+      ASSERT_EQ(counts.Count(on_edge), 1U) << method << ", pair " << n;
+    }
+  }
+}
+
 TEST(SharedEdgeTest, EdgesInEachTrianglesOwnDirectionLeak) {
   for (const char* const method : {"f32-direct", "f32-direct-fma", "f32-kahan"}) {
     const Leaks leaks = CountLeaks(method, false);

@@ -18,14 +18,8 @@ std::string FillRuleName(const FillRule& rule) {
 
 std::optional<FillRule> FillRuleFromName(std::string_view name) {
   if (name == "inclusive") return FillRule{.inclusive = true};
-  for (const bool y_first : {false, true}) {
-    for (const int sign_x : {+1, -1}) {
-      for (const int sign_y : {+1, -1}) {
-        const FillRule rule{static_cast<std::int8_t>(sign_x), static_cast<std::int8_t>(sign_y),
-                            y_first, false};
-        if (FillRuleName(rule) == name) return rule;
-      }
-    }
+  for (const FillRule& rule : kConsistentRules) {
+    if (FillRuleName(rule) == name) return rule;
   }
   return std::nullopt;
 }

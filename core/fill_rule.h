@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_CORE_FILL_RULE_H_
 #define RASTERPROOF_CORE_FILL_RULE_H_
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,16 @@ struct FillRule {
 };
 
 inline constexpr FillRule kTopLeft{};
+
+/// The eight consistent rules, top-left first.
+inline constexpr std::array<FillRule, 8> kConsistentRules{{{+1, +1, false, false},
+                                                           {+1, -1, false, false},
+                                                           {-1, +1, false, false},
+                                                           {-1, -1, false, false},
+                                                           {+1, +1, true, false},
+                                                           {+1, -1, true, false},
+                                                           {-1, +1, true, false},
+                                                           {-1, -1, true, false}}};
 
 /// Returns the rule's name: "top-left", "top-right", "bottom-left", "bottom-right", the same four
 /// with

@@ -1,13 +1,36 @@
 #include "core/snap.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rasterproof {
 namespace {
+
+template <class E>
+using NameTable = std::span<const std::pair<E, std::string_view>>;
+
+template <class E>
+std::string_view NameOf(E value, NameTable<E> names) {
+  for (const auto& [known, name] : names) {
+    if (known == value) return name;
+  }
+  return "";
+}
+
+template <class E>
+std::optional<E> FromName(std::string_view name, NameTable<E> names) {
+  for (const auto& [known, text] : names) {
+    if (text == name) return known;
+  }
+  return std::nullopt;
+}
 
 constexpr std::array<std::pair<SnapRule, std::string_view>, 5> kRuleNames{{
     {SnapRule::kNearestEven, "nearest-even"},
@@ -15,6 +38,12 @@ constexpr std::array<std::pair<SnapRule, std::string_view>, 5> kRuleNames{{
     {SnapRule::kHalfUp, "half-up"},
     {SnapRule::kFloor, "floor"},
     {SnapRule::kTruncate, "truncate"},
+}};
+
+constexpr std::array<std::pair<SnapForm, std::string_view>, 3> kFormNames{{
+    {SnapForm::kCoordinate, "coordinate"},
+    {SnapForm::kFloat32Difference, "float32-difference"},
+    {SnapForm::kExactDifference, "exact-difference"},
 }};
 
 // The fraction v - trunc(v) is exact for every v; v - floor(v) is not: for -0.5 + 2^-54 it rounds
@@ -40,30 +69,69 @@ double RoundByRule(double v, SnapRule rule) {
   return whole;
 }
 
+double SnapToMultiple(double x, int bits, SnapRule rule) {
+  constexpr double kAllIntegersFrom = 0x1p52;  // every double of this magnitude is an integer
+  if (std::fabs(x) >= kAllIntegersFrom) return x;
+  // Scaling by a power of two is exact: |x| 2^bits < 2^68, and a subnormal x only grows.
+  const double scaled = std::ldexp(x, bits);
+  if (std::fabs(scaled) >= kAllIntegersFrom) return x;
+  return std::ldexp(RoundByRule(scaled, rule), -bits) + 0.0;
+}
+
+// x - c rounded to odd: if it is no double, the neighbour of it whose last bit is one. Whatever is
+// decided next at a coarser place (which float, which side of a half step) is decided as by x - c
+// itself, because no such place lies between the two (Boldo and Melquiond, IEEE TC 2008).
+double DifferenceToOdd(double x, double c) {
+  const double difference = x - c;
+  const double from_x = difference + c;
+  const double missed = (x - from_x) - (c - (from_x - difference));  // Knuth's TwoSum of x and -c
+  const bool is_even = (std::bit_cast<std::uint64_t>(difference) & 1) == 0;
+  if (missed == 0 || !is_even) return difference;
+  return std::nextafter(difference, missed > 0 ? HUGE_VAL : -HUGE_VAL);
+}
+
+double RoundToFloat32(double x) {
+  return std::fabs(x) >= 0x1p127 ? x : static_cast<double>(static_cast<float>(x));
+}
+
 }  // namespace
 
 double SnapCoordinate(double x, const Snap& snap) {
   if (snap.IsNone() || !std::isfinite(x)) return x;
-  constexpr double kAllIntegersFrom = 0x1p52;  // every double of this magnitude is an integer
-  if (std::fabs(x) >= kAllIntegersFrom) return x;
-  // Scaling by a power of two is exact: |x| 2^bits < 2^68, and a subnormal x only grows.
-  const double scaled = std::ldexp(x, snap.bits);
-  if (std::fabs(scaled) >= kAllIntegersFrom) return x;
-  return std::ldexp(RoundByRule(scaled, snap.rule), -snap.bits) + 0.0;
+  if (snap.form == SnapForm::kCoordinate) return SnapToMultiple(x, snap.bits, snap.rule);
+  const double difference = DifferenceToOdd(x, snap.origin);
+  const double rounded =
+      snap.form == SnapForm::kFloat32Difference ? RoundToFloat32(difference) : difference;
+  return snap.origin + SnapToMultiple(rounded, snap.bits, snap.rule);
 }
 
-std::string_view SnapRuleName(SnapRule rule) {
-  for (const auto& [value, name] : kRuleNames) {
-    if (value == rule) return name;
+std::vector<double> GridPointsWithin(double x, const Snap& snap, double tolerance) {
+  constexpr double kCoarseFrom = 0x1p36;  // beyond, a step may be less than an ulp
+  const double own = SnapCoordinate(x, snap);
+  if (snap.IsNone() || !(std::fabs(x) < kCoarseFrom)) return {own};
+  Snap below = snap;
+  below.rule = SnapRule::kFloor;
+  if (below.form == SnapForm::kFloat32Difference) below.form = SnapForm::kExactDifference;
+  const double step = std::ldexp(1.0, -snap.bits);
+  const double first = SnapCoordinate(x, below);
+  std::vector<double> points;
+  for (int k = -1; k <= 2; ++k) {
+    const double point = first + k * step;
+    if (point == own || std::fabs(point - x) <= tolerance * step) points.push_back(point);
   }
-  return "";
+  return points;
 }
+
+std::string_view SnapRuleName(SnapRule rule) { return NameOf<SnapRule>(rule, kRuleNames); }
 
 std::optional<SnapRule> SnapRuleFromName(std::string_view name) {
-  for (const auto& [value, text] : kRuleNames) {
-    if (text == name) return value;
-  }
-  return std::nullopt;
+  return FromName<SnapRule>(name, kRuleNames);
+}
+
+std::string_view SnapFormName(SnapForm form) { return NameOf<SnapForm>(form, kFormNames); }
+
+std::optional<SnapForm> SnapFormFromName(std::string_view name) {
+  return FromName<SnapForm>(name, kFormNames);
 }
 
 }  // namespace rasterproof

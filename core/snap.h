@@ -5,17 +5,30 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace rasterproof {
 
 /// How a coordinate between two grid points is rounded.
 enum class SnapRule : std::uint8_t { kNearestEven, kNearestAway, kHalfUp, kFloor, kTruncate };
 
+/// What is rounded to the grid. The three differ only where x is rounded on its way, or where the
+/// rule looks at the sign or the parity of what it rounds.
+enum class SnapForm : std::uint8_t {
+  kCoordinate,         ///< snap(x)
+  kFloat32Difference,  ///< c + snap(fl32(x - c)): x - c is rounded to float32 first
+  kExactDifference     ///< c + snap(x - c)
+};
+
 /// The subpixel grid of a rasterizer: `bits` fractional bits, or none at all (real geometry).
 struct Snap {
   static constexpr int kNone = -1;
   int bits = kNone;
   SnapRule rule = SnapRule::kNearestEven;
+  SnapForm form = SnapForm::kCoordinate;
+  /// The constant c of the two differences, on both axes: a multiple of 2^-8 in [0, 1), often the
+  /// sample's place in its pixel. The grid is then c + 2^-bits Z. Without meaning for kCoordinate.
+  double origin = 0;
 
   bool IsNone() const { return bits == kNone; }
   friend bool operator==(const Snap&, const Snap&) = default;
@@ -26,13 +39,25 @@ inline constexpr int kMaxSubpixelBits = 16;
 /// Returns the grid point of `snap` that `x` rounds to.
 ///
 /// Domain:     any double; 0 <= snap.bits <= kMaxSubpixelBits, or kNone (returns x itself).
-/// Error:      none: the result is the exact multiple of 2^-bits that the rule names. Infinity and
-///             NaN come back unchanged; the result of a tiny negative x is +0.
+/// Error:      none: the result is the exact grid point that the rule names (of a difference: for
+///             |x| < 2^36; beyond, c + snapped is rounded to double). Infinity and NaN come back
+///             unchanged; the result of a tiny negative x is +0.
 double SnapCoordinate(double x, const Snap& snap);
+
+/// Returns the grid points of `snap` at most `tolerance` steps from x, in ascending order, and with
+/// them the one that x rounds to.
+///
+/// Domain:     as SnapCoordinate; 0 <= tolerance <= 1.
+/// Returns:    x alone if the snap is none, x is not finite, or |x| >= 2^36.
+std::vector<double> GridPointsWithin(double x, const Snap& snap, double tolerance);
 
 /// Names: "nearest-even", "nearest-away", "half-up", "floor", "truncate".
 std::string_view SnapRuleName(SnapRule rule);
 std::optional<SnapRule> SnapRuleFromName(std::string_view name);
+
+/// Names: "coordinate", "float32-difference", "exact-difference".
+std::string_view SnapFormName(SnapForm form);
+std::optional<SnapForm> SnapFormFromName(std::string_view name);
 
 }  // namespace rasterproof
 

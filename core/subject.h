@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,13 @@ class WeightEvaluator {
                                               Point2 p) const = 0;
 };
 
+/// What a subject's coverage comes back as.
+enum class CoverageKind : std::uint8_t {
+  kFacingCounts,  ///< how many triangles of each facing cover the sample
+  kCounts,        ///< how many triangles cover the sample, all of them in `front`
+  kMask           ///< 1 in `front` where anything covers the sample
+};
+
 /// What a subject says of itself.
 struct SubjectInfo {
   std::string name;
@@ -107,6 +115,11 @@ struct SubjectInfo {
   /// True if DrawOptions::threads is more than a wish: then equal coverage from any number is a
   /// claim.
   bool takes_threads = false;
+  /// Whether the other members of DrawOptions are obeyed.
+  bool takes_tiles = true;
+  bool takes_scissor = true;
+  bool takes_culling = true;
+  CoverageKind coverage = CoverageKind::kFacingCounts;
 };
 
 /// Anything that draws triangles.
@@ -119,10 +132,18 @@ class Subject {
   ///
   /// Domain:     a scene that Takes() accepts; counts of the scene's and the profile's shape.
   /// Properties: never writes outside the target or the scissor; equal calls give equal counts.
+  /// Error:      InputError if it refuses the scene; SubjectFault if it broke down over it (the
+  ///             next call starts it afresh).
   virtual void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) = 0;
   /// Optional capabilities; nullptr where the subject has none.
   virtual const EdgeEvaluator* Edges() const { return nullptr; }
   virtual const WeightEvaluator* Weights() const { return nullptr; }
+};
+
+/// A subject that died, hung, wrote where it must not, or answered what is no answer. A finding.
+class SubjectFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Returns whether the subject takes scenes of this kind and precision.

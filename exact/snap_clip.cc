@@ -36,6 +36,11 @@ double SnapQuotient(double x, double w, const Snap& snap) {
 }
 
 Scene SnapClipScene(const Scene& scene, const Profile& profile) {
+  if (profile.snap.form != SnapForm::kCoordinate) {
+    throw InputError("profile \"" + profile.name + "\"",
+                     "its snap form says nothing of the quotient x / w",
+                     "give window-space vertices, or a profile that snaps coordinates");
+  }
   Scene snapped = scene;
   snapped.precision = Precision::kFloat64;
   snapped.clip_space = false;

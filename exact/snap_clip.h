@@ -10,14 +10,14 @@ namespace rasterproof::exact {
 
 /// Returns the grid point of `snap` that the rational x / w rounds to.
 ///
-/// Domain:     finite; w > 0; a snap (not kNone); |x / w| < 2^(50 - snap.bits).
+/// Domain:     finite; w > 0; a snap (not kNone) of the form kCoordinate; |x / w| < 2^(50 - bits).
 /// Error:      none: the quotient is never rounded on its way to the grid. InputError outside.
 double SnapQuotient(double x, double w, const Snap& snap);
 
 /// Returns the window-space scene of the snapped vertices.
 ///
 /// Domain:     clip space, a profile that snaps. Throws InputError if a finite triangle has a w <=
-/// 0.
+///             0, or the profile snaps differences: they are of window coordinates.
 Scene SnapClipScene(const Scene& scene, const Profile& profile);
 
 }  // namespace rasterproof::exact

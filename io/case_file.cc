@@ -28,9 +28,11 @@ constexpr int kMaxThreads = 4096;
 
 constexpr std::array<std::string_view, 7> kCaseKeys{
     "rasterproof_case", "scene", "profile", "options", "subject", "property", "origin"};
-constexpr std::array<std::string_view, 8> kProfileKeys{
-    "name",   "subpixel_bits", "snap_rule", "sample_locations",
-    "y_axis", "fill_rule",     "contract",  "coordinate_limit"};
+constexpr std::array<std::string_view, 12> kProfileKeys{
+    "name",      "subpixel_bits",  "snap_rule",
+    "snap_form", "snap_origin",    "sample_locations",
+    "y_axis",    "fill_rule",      "coordinate_limit",
+    "contract",  "snap_tolerance", "any_tie_rule"};
 constexpr std::array<std::string_view, 4> kOptionKeys{"cull", "scissor", "tile", "threads"};
 
 // An enumeration's values and their names in files.
@@ -39,9 +41,12 @@ using Names = std::span<const std::pair<E, std::string_view>>;
 
 constexpr std::array<std::pair<YAxis, std::string_view>, 2> kYAxes{
     {{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
-constexpr std::array<std::pair<Contract, std::string_view>, 3> kContracts{
+constexpr std::array<std::pair<Contract, std::string_view>, 6> kContracts{
     {{Contract::kSampleExact, "sample-exact"},
      {Contract::kWatertight, "watertight"},
+     {Contract::kClosed, "closed"},
+     {Contract::kConservativeOver, "conservative-over"},
+     {Contract::kConservativeUnder, "conservative-under"},
      {Contract::kNone, "none"}}};
 constexpr std::array<std::pair<Cull, std::string_view>, 3> kCulls{
     {{Cull::kNone, "none"}, {Cull::kFront, "front"}, {Cull::kBack, "back"}}};
@@ -72,6 +77,13 @@ int Integer(const JsonValue& value, int least, int greatest) {
   return static_cast<int>(value.RequireInteger(least, greatest));
 }
 
+bool Boolean(const JsonValue& value) {
+  if (value.kind() != JsonKind::kBoolean) {
+    throw value.Error("is neither true nor false", "write true or false");
+  }
+  return value.text() == "true";
+}
+
 std::string PresetNames() {
   std::string names;
   for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
@@ -89,6 +101,13 @@ SnapRule SnapRuleFromJson(const JsonValue& value) {
                     "write nearest-even, nearest-away, half-up, floor or truncate");
 }
 
+SnapForm SnapFormFromJson(const JsonValue& value) {
+  const std::optional<SnapForm> form = SnapFormFromName(value.RequireString());
+  if (form) return *form;
+  throw value.Error(Quoted(value.text()) + " is no snap form",
+                    "write coordinate, float32-difference or exact-difference");
+}
+
 FillRule FillRuleFromJson(const JsonValue& value) {
   const std::optional<FillRule> rule = FillRuleFromName(value.RequireString());
   if (rule) return *rule;
@@ -97,14 +116,25 @@ FillRule FillRuleFromJson(const JsonValue& value) {
                     "(y moves first), or inclusive");
 }
 
-// A coordinate of a sample location. On multiples of 2^-8, pixel + location is exact.
-double LocationCoordinate(const JsonValue& value) {
+// A place within a pixel. On multiples of 2^-8, pixel + place is exact.
+double PlaceInPixel(const JsonValue& value, const std::string& what) {
   const double x = CoordinateFromJson(value, Precision::kFloat64);
   if (!(x >= 0 && x < 1) || x * 256 != std::floor(x * 256)) {
-    throw value.Error("is not a sample location",
-                      "write a multiple of 1/256 from 0 up to, not including, 1");
+    throw value.Error("is not " + what, "write a multiple of 1/256 from 0 up to, not including, 1");
   }
   return x;
+}
+
+double LocationCoordinate(const JsonValue& value) {
+  return PlaceInPixel(value, "a sample location");
+}
+
+double SnapOrigin(const JsonValue& value) { return PlaceInPixel(value, "a snap origin"); }
+
+double SnapTolerance(const JsonValue& value) {
+  const double steps = CoordinateFromJson(value, Precision::kFloat64);
+  if (steps >= 0 && steps <= kMaxSnapTolerance) return steps;
+  throw value.Error("is not a snap tolerance", "write a number of grid steps from 0 to 1");
 }
 
 SampleLattice LatticeFromJson(const JsonValue& list) {
@@ -144,12 +174,16 @@ Profile ProfileFromJson(const JsonValue& value) {
   profile.name = value.Get("name").RequireString();
   ReadIfThere(value, "subpixel_bits", profile.snap.bits, SubpixelBits);
   ReadIfThere(value, "snap_rule", profile.snap.rule, SnapRuleFromJson);
+  ReadIfThere(value, "snap_form", profile.snap.form, SnapFormFromJson);
+  ReadIfThere(value, "snap_origin", profile.snap.origin, SnapOrigin);
   ReadIfThere(value, "sample_locations", profile.lattice, LatticeFromJson);
   ReadIfThere(value, "y_axis", profile.y_axis,
               [](const JsonValue& v) { return FromName(v, Names<YAxis>(kYAxes)); });
   ReadIfThere(value, "fill_rule", profile.fill_rule, FillRuleFromJson);
   ReadIfThere(value, "contract", profile.contract,
               [](const JsonValue& v) { return FromName(v, Names<Contract>(kContracts)); });
+  ReadIfThere(value, "snap_tolerance", profile.freedom.snap_tolerance, SnapTolerance);
+  ReadIfThere(value, "any_tie_rule", profile.freedom.any_tie_rule, Boolean);
   ReadIfThere(value, "coordinate_limit", profile.coordinate_limit, LimitFromJson);
   return profile;
 }
@@ -223,10 +257,20 @@ std::string ProfileToJson(const Profile& profile) {
   json += line + "\"subpixel_bits\": ";
   json += profile.snap.IsNone() ? "null" : std::to_string(profile.snap.bits);
   json += line + "\"snap_rule\": " + InQuotes(SnapRuleName(profile.snap.rule));
+  // Keys of a later day than the others: left out where they say nothing, so that files without
+  // them stay as they are.
+  if (profile.snap.form != SnapForm::kCoordinate || profile.snap.origin != 0) {
+    json += line + "\"snap_form\": " + InQuotes(SnapFormName(profile.snap.form));
+    json += line + "\"snap_origin\": " + InQuotes(ExactText(profile.snap.origin));
+  }
   json += line + "\"sample_locations\": [" + locations + "]";
   json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));
   json += line + "\"fill_rule\": " + InQuotes(FillRuleName(profile.fill_rule));
   json += line + "\"contract\": " + InQuotes(NameOf(profile.contract, Names<Contract>(kContracts)));
+  if (!profile.freedom.IsNone()) {
+    json += line + "\"snap_tolerance\": " + InQuotes(ExactText(profile.freedom.snap_tolerance));
+    json += line + "\"any_tie_rule\": " + (profile.freedom.any_tie_rule ? "true" : "false");
+  }
   json += line + "\"coordinate_limit\": " + InQuotes(ExactText(profile.coordinate_limit));
   return json + "\n  }";
 }
@@ -274,8 +318,12 @@ Profile ReadProfile(const std::string& path_or_preset) {
     throw InputError("profile " + Quoted(path_or_preset), "is neither a preset nor a file",
                      "the presets are" + PresetNames());
   }
-  const std::string text = ReadFile(path_or_preset);
-  const JsonDocument document(text, NameOfFile(path_or_preset));
+  return ParseProfile(ReadFile(path_or_preset), NameOfFile(path_or_preset));
+}
+
+Profile ParseProfile(const std::string& text_or_preset, const std::string& place) {
+  if (const std::optional<Profile> preset = PresetProfile(text_or_preset)) return *preset;
+  const JsonDocument document(text_or_preset, place);
   return ProfileFromJson(document.root());
 }
 

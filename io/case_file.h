@@ -26,6 +26,10 @@ std::string CaseToJson(const CaseFile& file);
 /// The profile as CaseToJson writes it: the name of a preset, or an object.
 std::string ProfileToJson(const Profile& profile);
 
+/// The profile that a preset's name or the text of a profile file stands for; `place` names the
+/// text in errors.
+Profile ParseProfile(const std::string& text_or_preset, const std::string& place);
+
 /// A profile file: a preset's name, or an object whose keys are those that CaseToJson writes under
 /// "profile".
 Profile ReadProfile(const std::string& path_or_preset);

@@ -7,6 +7,7 @@
 #include "props/catalog/clipped_neighbours.h"
 #include "props/catalog/closed_around_eye.h"
 #include "props/catalog/closed_mesh.h"
+#include "props/catalog/conservative.h"
 #include "props/catalog/coverage_translation.h"
 #include "props/catalog/culling.h"
 #include "props/catalog/degenerate.h"
@@ -25,11 +26,13 @@
 #include "props/catalog/interpolation_error.h"
 #include "props/catalog/interpolation_hull.h"
 #include "props/catalog/interpolation_perspective.h"
+#include "props/catalog/joint_legality.h"
 #include "props/catalog/lifted_triangles.h"
 #include "props/catalog/model_coverage.h"
 #include "props/catalog/non_finite.h"
 #include "props/catalog/poison.h"
 #include "props/catalog/repeated_draw.h"
+#include "props/catalog/row_words.h"
 #include "props/catalog/scissor.h"
 #include "props/catalog/shared_edge.h"
 #include "props/catalog/target_guard.h"
@@ -56,27 +59,6 @@
 
 namespace rasterproof::props {
 namespace {
-
-// What several rows say alike.
-constexpr std::string_view kEdgeValues =
-    "the subject shows edge values and claims a finite bound there; window space within the limits";
-constexpr std::string_view kWeightValues =
-    "the subject shows weights and claims a finite bound there; window space within the limits, "
-    "area not zero";
-constexpr std::string_view kSampleExactOnly = "contract sample-exact; coordinates within the limit";
-constexpr std::string_view kInTheTriangle =
-    "the subject shows weights and claims a finite bound there; window space within the limits, "
-    "area not zero; sample in the closed triangle";
-constexpr std::string_view kBothBounds = "the sum of both proven ErrorBounds";
-constexpr std::string_view kOwnBound =
-    "the subject's proven ErrorBound; where that is 0, none: exact";
-constexpr std::string_view kWireframeBound =
-    "kWireframeErrorMultiplier and the proven WeightErrorBounds";
-
-constexpr std::string_view kWeightBounds = "the subject's proven WeightErrorBounds";
-constexpr std::string_view kInterpolationBound = "the subject's proven InterpolationErrorBound";
-constexpr std::string_view kWalkBounds = "the subject's proven WalkErrorBounds";
-constexpr std::string_view kExact = "none: exact";
 
 constexpr auto kProperties = std::to_array<Property>({
     {.name = "EdgeSignIsRightOutsideItsBand",
@@ -300,7 +282,7 @@ constexpr auto kProperties = std::to_array<Property>({
                "specification 3.4.2.1 (top-left rule); the profile names the rule).",
      .precondition = "contract sample-exact; coordinates within the limit; window space",
      .tolerance = kExact,
-     .domains = kCoverage,
+     .domains = kModelCoverage,
      .check = CoverageEqualsTheModel},
     {.name = "ClipSpaceCoverageEqualsTheModel",
      .group = "coverage",
@@ -345,8 +327,8 @@ constexpr auto kProperties = std::to_array<Property>({
     {.name = "ClosedMeshCancels",
      .group = "coverage",
      .clause = "A closed surface has no boundary: what it shows of its front it shows of its back.",
-     .precondition = "contract sample-exact; coordinates within the limit; window space; every "
-                     "edge is walked as often each way",
+     .precondition = "contract sample-exact or closed; coordinates within the limit; window space; "
+                     "every edge is walked as often each way",
      .tolerance = kExact,
      .domains = kClosed,
      .check = ClosedMeshCancels},
@@ -358,6 +340,24 @@ constexpr auto kProperties = std::to_array<Property>({
      .tolerance = kExact,
      .domains = kClosedClip,
      .check = ClosedSurfaceAroundTheEyeIsSeenEquallyOften},
+    {.name = "OneLegalModelExplainsTheMesh",
+     .group = "coverage",
+     .clause = "A vertex has one position for all triangles that use it, and a sample on an edge "
+               "one owner: D3D11.3 functional specification 3.4.1 (snapping within 0.6 ulp) and "
+               "3.4.2.1.",
+     .precondition = "contract sample-exact; the profile leaves grid points or the tie rule free; "
+                     "window space; coordinates within the limit",
+     .tolerance = "the profile's own freedom, jointly for all triangles",
+     .domains = kFreeSnaps,
+     .check = OneLegalModelExplainsTheMesh},
+    {.name = "ConservativeCoverageKeepsToItsSide",
+     .group = "coverage",
+     .clause = "Conservative coverage strays to one side only: an overestimate leaves no covered "
+               "sample out, an underestimate adds none.",
+     .precondition = "contract conservative over or under; coordinates within the limit",
+     .tolerance = kExact,
+     .domains = kCoverageAnySpace,
+     .check = ConservativeCoverageKeepsToItsSide},
     {.name = "VertexRotationKeepsCoverage",
      .group = "coverage",
      .clause = "A triangle is the same from whichever vertex it is told.",
@@ -477,7 +477,7 @@ constexpr auto kProperties = std::to_array<Property>({
     {.name = "EqualDrawsGiveEqualCounts",
      .group = "extremes",
      .clause = "Equal calls give equal counts, and counts are added to.",
-     .precondition = "contract sample-exact or watertight; coordinates within the limit",
+     .precondition = "any contract but none; coordinates within the limit",
      .tolerance = kExact,
      .domains = kCoverageAnySpace,
      .check = EqualDrawsGiveEqualCounts},

@@ -143,6 +143,11 @@ bool SampleCanLieOnAnEdge(const Scene& scene, const Profile& profile, int lattic
 }
 
 Scene SnapProjected(const Scene& scene, const Profile& profile) {
+  if (profile.snap.form != SnapForm::kCoordinate) {
+    throw InputError("profile \"" + profile.name + "\"",
+                     "it snaps differences of window coordinates, not x / w",
+                     "use a window-space scene, or a profile that snaps coordinates");
+  }
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   Scene snapped = scene;
   snapped.precision = Precision::kFloat64;

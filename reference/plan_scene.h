@@ -60,8 +60,8 @@ bool SampleCanLieOnAnEdge(const Scene& scene, const Profile& profile, int lattic
 /// The scene in window space that a clip-space scene in front of the eye snaps to: x / w goes to
 /// the grid without being rounded on its way.
 ///
-/// Error:      none inside the domain. InputError if a finite triangle has a w <= 0, or x / w needs
-///             more than 50 bits on the grid.
+/// Error:      none inside the domain. InputError if a finite triangle has a w <= 0, x / w needs
+///             more than 50 bits on the grid, or the profile snaps differences.
 Scene SnapProjected(const Scene& scene, const Profile& profile);
 
 }  // namespace rasterproof::reference

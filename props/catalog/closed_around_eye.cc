@@ -43,7 +43,8 @@ bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
 }  // namespace
 
 Verdict ClosedSurfaceAroundTheEyeIsSeenEquallyOften(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeSignedCoverage(subject, c, Space::kClip)) return *refusal;
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, {.space = Space::kClip}))
+    return *refusal;
   if (!c.profile.snap.IsNone()) {
     return Verdict::NotApplicable("snapping follows the division: a profile without it is needed");
   }

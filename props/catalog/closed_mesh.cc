@@ -10,8 +10,12 @@
 namespace rasterproof::props {
 
 Verdict ClosedMeshCancels(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeSignedCoverage(subject, c, Space::kWindow)) return *refusal;
-  if (!exact::ShapeOf(c.scene, c.profile).closed) {
+  const Need need{.space = Space::kWindow, .closed_suffices = true, .any_model_suffices = true};
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
+  // What is closed before it is snapped stays closed, whatever grid points are chosen.
+  Profile unsnapped = c.profile;
+  unsnapped.snap.bits = Snap::kNone;
+  if (!exact::ShapeOf(c.scene, HasOneModel(c.profile) ? c.profile : unsnapped).closed) {
     return {Outcome::kNotExercised, 0, 0, "the mesh has a boundary", std::nullopt};
   }
   const std::size_t size =

@@ -9,6 +9,7 @@
 namespace rasterproof::props {
 
 Verdict CullingRemovesOneFacing(Subject& subject, const Case& c) {
+  if (!subject.Info().takes_culling) return Verdict::NotApplicable("the subject does not cull");
   if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
   const CoverageCounts whole = Drawn(subject, c.scene, c.profile, WholeTarget(c));
   std::uint64_t exercised = 0;

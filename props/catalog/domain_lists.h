@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_CATALOG_DOMAIN_LISTS_H_
 #define RASTERPROOF_PROPS_CATALOG_DOMAIN_LISTS_H_
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -13,7 +14,7 @@ namespace rasterproof::props {
 // Samples on an edge or a few lattice steps from it.
 inline constexpr auto kNearEdges = std::to_array<std::string_view>(
     {"near-edge", "edges-through-centres", "hardest-pixel", "hardest-vertex", "f64-killer",
-     "centres", "caps", "needles", "sliver-1e30", "axis-aligned"});
+     "centres", "caps", "needles", "sliver-1e30", "axis-aligned", "tiny-ends", "sub-pixel"});
 
 // Every order of magnitude, and the near-edge ones that make errors largest.
 inline constexpr auto kMagnitudes = std::to_array<std::string_view>(
@@ -48,7 +49,18 @@ inline constexpr auto kCoverage =
                                      "overflow-products", "both-ends",
                                      "signed-zeros",      "windings",
                                      "degenerate",        "long-walk",
-                                     "size-ladder",       "t-junctions"});
+                                     "size-ladder",       "t-junctions",
+                                     "range-ends",        "tiny-ends",
+                                     "sub-pixel"});
+
+// The same, what only the model can tell, and enough samples to find what goes wrong once in a
+// million.
+inline constexpr auto kModelCoverage = [] {
+  constexpr std::array<std::string_view, 2> kMore{"deciding-ties", "full-targets"};
+  std::array<std::string_view, kCoverage.size() + kMore.size()> domains;
+  std::ranges::copy(kMore, std::ranges::copy(kCoverage, domains.begin()).out);
+  return domains;
+}();
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -79,6 +91,10 @@ inline constexpr auto kClipSpace = std::to_array<std::string_view>(
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(
     {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye"});
+
+// Vertices that a tolerance lets snap either way, meshes first.
+inline constexpr auto kFreeSnaps =
+    std::to_array<std::string_view>({"shared-snap-ties", "snap-ties", "shared-edge", "fans"});
 
 // Triangles of zero area.
 inline constexpr auto kDegenerate = std::to_array<std::string_view>({"degenerate", "signed-zeros"});

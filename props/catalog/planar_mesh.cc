@@ -53,7 +53,7 @@ bool OwnsEdgesConsistently(const Profile& profile) { return !profile.fill_rule.i
 Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view) {
   const exact::MeshShape shape = exact::ShapeOf(c.scene, c.profile);
   if (shape.folded) return NotExercised("the snapped mesh is folded");
-  const bool watertight_only = c.profile.contract == Contract::kWatertight;
+  const bool watertight_only = !HasOneModel(c.profile);
   if (watertight_only && shape.degenerate != 0) {
     return NotExercised("the snapped mesh has triangles of zero area");
   }

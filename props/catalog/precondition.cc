@@ -35,6 +35,29 @@ std::optional<Verdict> OutsideLimits(const Case& c) {
   return std::nullopt;
 }
 
+std::optional<Verdict> ContractDoesNotPromise(const Profile& profile, const Need& need) {
+  if (need.any_contract_suffices && profile.contract != Contract::kNone) return std::nullopt;
+  switch (profile.contract) {
+    case Contract::kSampleExact:
+      if (profile.freedom.IsNone() || need.any_model_suffices || need.watertight_suffices) {
+        return std::nullopt;
+      }
+      return Verdict::NotApplicable("the profile leaves the grid points or the tie rule free");
+    case Contract::kWatertight:
+      if (need.watertight_suffices) return std::nullopt;
+      return Verdict::NotApplicable("the profile's contract promises watertight meshes only");
+    case Contract::kClosed:
+      if (need.closed_suffices) return std::nullopt;
+      return Verdict::NotApplicable("the profile's contract promises closed surfaces only");
+    case Contract::kConservativeOver:
+    case Contract::kConservativeUnder:
+      return Verdict::NotApplicable("the profile's contract promises a bound on coverage only");
+    case Contract::kNone:
+      break;
+  }
+  return Verdict::NotApplicable("the profile's contract promises nothing about coverage");
+}
+
 }  // namespace
 
 std::optional<Verdict> CannotDraw(const Subject& subject, const Case& c, Space space) {
@@ -51,6 +74,10 @@ std::optional<Verdict> CannotDraw(const Subject& subject, const Case& c, Space s
   if (space == Space::kClip && !c.scene.clip_space) {
     return NotExercised("the case is in window space");
   }
+  if ((c.options.cull != Cull::kNone && !info.takes_culling) ||
+      (c.options.scissor && !info.takes_scissor)) {
+    return NotExercised("the case is culled or cut, and the subject does neither");
+  }
   if (!Takes(info, c.scene)) {
     return Verdict::NotApplicable("the subject does not take scenes of this kind or precision");
   }
@@ -62,12 +89,7 @@ std::optional<Verdict> CannotDraw(const Subject& subject, const Case& c, Space s
 
 std::optional<Verdict> CannotJudgeCoverage(const Subject& subject, const Case& c,
                                            const Need& need) {
-  if (c.profile.contract == Contract::kNone) {
-    return Verdict::NotApplicable("the profile's contract promises nothing about coverage");
-  }
-  if (c.profile.contract == Contract::kWatertight && !need.watertight_suffices) {
-    return Verdict::NotApplicable("the profile's contract promises watertight meshes only");
-  }
+  if (std::optional<Verdict> refusal = ContractDoesNotPromise(c.profile, need)) return refusal;
   if (std::optional<Verdict> refusal = CannotDraw(subject, c, need.space)) return refusal;
   return OutsideLimits(c);
 }

@@ -16,7 +16,15 @@ enum class Space : std::uint8_t { kWindow, kClip, kEither };
 struct Need {
   Space space = Space::kWindow;
   /// True for what a watertight subject promises too; false for what only a sample-exact one does.
+  /// A sample-exact subject that is free to choose its grid points or tie rule promises no more
+  /// than a watertight one: what else it does is judged jointly (OneLegalModelExplainsTheMesh).
   bool watertight_suffices = false;
+  /// True for what the contract `closed` promises as well.
+  bool closed_suffices = false;
+  /// True for what every model has, whichever one the subject chose among the legal ones.
+  bool any_model_suffices = false;
+  /// True for what every contract promises but `none`.
+  bool any_contract_suffices = false;
 };
 
 /// Returns the verdict to give instead of judging, or nothing if the coverage may be judged.
@@ -28,8 +36,9 @@ std::optional<Verdict> CannotJudgeCoverage(const Subject& subject, const Case& c
 /// The part of CannotJudgeCoverage that asks only whether the subject can be given the scene.
 ///
 /// Not applicable: the subject never takes scenes of this space or precision.
-/// Not exercised:  the case is of the other space; or of clip space, under a snapped profile, and
-///                 not wholly in front of the eye.
+/// Not exercised:  the case is of the other space; it culls or has a scissor, which the subject
+///                 does not take; or it is of clip space, under a snapped profile, and not wholly
+///                 in front of the eye.
 std::optional<Verdict> CannotDraw(const Subject& subject, const Case& c, Space space);
 
 /// Returns the verdict to give if the case is no window-space scene within the limits: what edge

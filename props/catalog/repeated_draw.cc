@@ -8,10 +8,8 @@
 namespace rasterproof::props {
 
 Verdict EqualDrawsGiveEqualCounts(Subject& subject, const Case& c) {
-  if (auto refusal =
-          CannotJudgeCoverage(subject, c, {.space = Space::kEither, .watertight_suffices = true})) {
-    return *refusal;
-  }
+  const Need need{.space = Space::kEither, .any_contract_suffices = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   CoverageCounts twice = Drawn(subject, c.scene, c.profile, c.options);
   CoverageCounts doubled = twice;
   for (std::uint32_t& count : doubled.front) count *= 2;

@@ -36,7 +36,11 @@ CoverageCounts Cut(const CoverageCounts& whole, const PixelRect& rect) {
 }  // namespace
 
 Verdict ScissorOnlyCutsCoverage(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  if (!subject.Info().takes_scissor) {
+    return Verdict::NotApplicable("the subject takes no scissor");
+  }
+  const Need need{.space = Space::kEither, .any_model_suffices = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   const CoverageCounts whole = Drawn(subject, c.scene, c.profile, WholeTarget(c));
   std::uint64_t exercised = 0;
   for (const PixelRect& rect : Scissors(c.scene)) {

@@ -9,8 +9,8 @@
 namespace rasterproof::props {
 
 std::optional<Verdict> CannotJudgeSignedCoverage(const Subject& subject, const Case& c,
-                                                 Space space) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = space})) return refusal;
+                                                 const Need& need) {
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return refusal;
   if (!OwnsEdgesConsistently(c.profile)) {
     return Verdict::NotApplicable("an inclusive fill rule covers shared edges twice");
   }

@@ -14,9 +14,9 @@
 
 namespace rasterproof::props {
 
-/// CannotJudgeCoverage for a sample-exact subject whose fill rule owns edges consistently.
+/// CannotJudgeCoverage for a subject whose fill rule owns edges consistently.
 std::optional<Verdict> CannotJudgeSignedCoverage(const Subject& subject, const Case& c,
-                                                 Space space);
+                                                 const Need& need);
 
 /// Holds if front minus back is `expected` at every sample, culling and scissor off.
 ///

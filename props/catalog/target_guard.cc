@@ -1,11 +1,11 @@
 #include "props/catalog/target_guard.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/scene.h"
 #include "props/catalog/precondition.h"
@@ -32,7 +32,8 @@ bool KeptItsShape(const CoverageCounts& counts, const CoverageCounts& before) {
 // Draws into a rectangle of a guarded target and looks at what surrounds it.
 Verdict DrawGuarded(Subject& subject, const Scene& scene, const Profile& profile,
                     DrawOptions options, const PixelRect& rect) {
-  options.scissor = rect;
+  const bool is_whole = rect == PixelRect{0, 0, scene.width, scene.height};
+  if (!is_whole) options.scissor = rect;
   CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
   std::ranges::fill(counts.front, kGuard);
   std::ranges::fill(counts.back, kGuard);
@@ -76,11 +77,11 @@ Verdict DrawStaysInsideItsTarget(Subject& subject, const Case& c) {
   Scene framed = c.scene;
   framed.width = std::min(w + kGuardColumns, kMaxTargetSide);
   framed.height = std::min(h + kGuardRows, kMaxTargetSide);
-  const std::array<std::pair<const Scene*, PixelRect>, 3> draws{{
-      {&framed, {0, 0, w, h}},
-      {&c.scene, {w / 4, h / 4, w - w / 4, h - h / 4}},
-      {&c.scene, {0, 0, w, h}},
-  }};
+  std::vector<std::pair<const Scene*, PixelRect>> draws{{&c.scene, {0, 0, w, h}}};
+  if (subject.Info().takes_scissor) {
+    draws.push_back({&framed, {0, 0, w, h}});
+    draws.push_back({&c.scene, {w / 4, h / 4, w - w / 4, h - h / 4}});
+  }
   std::uint64_t exercised = 0;
   for (const auto& [scene, rect] : draws) {
     Verdict verdict = DrawGuarded(subject, *scene, c.profile, WholeTarget(c), rect);

@@ -12,7 +12,8 @@ Verdict ThreadCountKeepsCoverage(Subject& subject, const Case& c) {
   if (!subject.Info().takes_threads) {
     return Verdict::NotApplicable("the subject draws in one thread");
   }
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  const Need need{.space = Space::kEither, .any_model_suffices = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   DrawOptions options = WholeTarget(c);
   options.threads = 1;
   const CoverageCounts expected = Drawn(subject, c.scene, c.profile, options);

@@ -16,7 +16,11 @@ constexpr std::array<int, 4> kTiles{1, 5, 8, 64};
 }  // namespace
 
 Verdict TileSizeKeepsCoverage(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  if (!subject.Info().takes_tiles) {
+    return Verdict::NotApplicable("the subject's tiles, if any, can't be chosen");
+  }
+  const Need need{.space = Space::kEither, .any_model_suffices = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   DrawOptions options = WholeTarget(c);
   options.tile = 0;
   const CoverageCounts expected = Drawn(subject, c.scene, c.profile, options);

@@ -9,7 +9,8 @@
 namespace rasterproof::props {
 
 Verdict TriangleOrderKeepsCoverage(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  const Need need{.space = Space::kEither, .any_model_suffices = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   if (c.scene.triangles.size() < 2) {
     return {Outcome::kNotExercised, 0, 0, "one triangle has one order", std::nullopt};
   }

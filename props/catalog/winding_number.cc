@@ -7,7 +7,8 @@
 namespace rasterproof::props {
 
 Verdict SignedCoverageEqualsTheWindingNumber(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeSignedCoverage(subject, c, Space::kWindow)) return *refusal;
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, {.space = Space::kWindow}))
+    return *refusal;
   Verdict verdict = SignedCoverageIs(subject, c, exact::BoundaryWinding(c.scene, c.profile),
                                      "the winding number of the boundary");
   if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);

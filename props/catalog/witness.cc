@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -75,15 +76,30 @@ Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& ex
   return witness;
 }
 
+namespace {
+
+// The subject's counts for the case, or nothing if it can't draw it: then that is not what failed.
+std::optional<CoverageCounts> DrawnIfPossible(Subject& subject, const Case& c,
+                                              const DrawOptions& options) {
+  try {
+    return Drawn(subject, c.scene, c.profile, options);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
   const std::size_t count = std::min(c.scene.triangles.size(), kMaxTrianglesBlamed);
   for (std::size_t t = 0; t < count; ++t) {
     const Case alone = OnlyTriangles(c, {t});
-    const CoverageCounts observed = Drawn(subject, alone.scene, alone.profile, options);
+    const std::optional<CoverageCounts> observed = DrawnIfPossible(subject, alone, options);
+    if (!observed) continue;
     const CoverageCounts expected = exact::Coverage(alone.scene, alone.profile, options);
     const std::size_t index = expected.Index(witness.x, witness.y, witness.sample);
-    if (observed.front[index] == expected.front[index] &&
-        observed.back[index] == expected.back[index]) {
+    if (observed->front[index] == expected.front[index] &&
+        observed->back[index] == expected.back[index]) {
       continue;
     }
     witness.triangle = static_cast<int>(t);

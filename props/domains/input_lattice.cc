@@ -10,7 +10,10 @@
 namespace rasterproof::props {
 
 InputLattice::InputLattice(const Profile& profile, Precision precision)
-    : precision_(precision), grid_{profile.snap.bits, SnapRule::kNearestEven} {
+    : precision_(precision), grid_(profile.snap) {
+  // The grid's points, whatever the rule and the rounding that lead to them.
+  grid_.rule = SnapRule::kNearestEven;
+  if (grid_.form != SnapForm::kCoordinate) grid_.form = SnapForm::kExactDifference;
   const double promised = std::fabs(profile.coordinate_limit);
   limit_ = Round(std::isnan(promised) ? 0 : std::min(promised, std::numeric_limits<double>::max()));
   if (limit_ > promised) limit_ = Move(limit_, -1);

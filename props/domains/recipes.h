@@ -36,6 +36,13 @@ Case BothEnds(BitSource& bits, const SubjectInfo& info);
 Case MixedMagnitude(BitSource& bits, const SubjectInfo& info);
 Case GuardBand(BitSource& bits, const SubjectInfo& info);
 
+// recipes_range.cc
+Case RangeEnds(BitSource& bits, const SubjectInfo& info);
+Case TinyEnds(BitSource& bits, const SubjectInfo& info);
+Case SubPixel(BitSource& bits, const SubjectInfo& info);
+Case DecidingTies(BitSource& bits, const SubjectInfo& info);
+Case FullTargets(BitSource& bits, const SubjectInfo& info);
+
 // recipes_degenerate.cc
 Case SnapTies(BitSource& bits, const SubjectInfo& info);
 Case Degenerate(BitSource& bits, const SubjectInfo& info);
@@ -47,6 +54,7 @@ Case SharedEdge(BitSource& bits, const SubjectInfo& info);
 Case Fans(BitSource& bits, const SubjectInfo& info);
 Case Strips(BitSource& bits, const SubjectInfo& info);
 Case Grids(BitSource& bits, const SubjectInfo& info);
+Case SharedSnapTies(BitSource& bits, const SubjectInfo& info);
 
 // recipes_subdivisions.cc
 Case Triangulations(BitSource& bits, const SubjectInfo& info);

@@ -173,4 +173,35 @@ Case Grids(BitSource& bits, const SubjectInfo& info) {
   return DoneGrid(sketch, DrawGridShape(sketch, columns, static_cast<int>(bits.Int(1, 6))));
 }
 
+Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const Snap& snap = sketch.profile().snap;
+  const double step = std::ldexp(1.0, -(snap.IsNone() ? 8 : snap.bits));
+  // Half of the coordinates lie half way between two grid points or within a sixteenth of that.
+  const auto between = [&] {
+    const std::int64_t kind = bits.Int(0, 7);
+    if (kind < 4) return 0.0;
+    return step * (0.5 + static_cast<double>(kind - 5) / 16);
+  };
+  const Point2 p = sketch.Sample();
+  auto dx = static_cast<double>(bits.Int(-3, 3));
+  const auto dy = static_cast<double>(bits.Int(-3, 3));
+  if (dx == 0 && dy == 0) dx = 1;
+  // Ends far enough apart that not even whole pixels fold a triangle.
+  const auto place = [&](double along, double across) {
+    const double off_x = between();
+    const double off_y = between();
+    return sketch.AddRaw(
+        {p.x + along * dx - across * dy + off_x, p.y + along * dy + across * dx + off_y});
+  };
+  const auto before = static_cast<double>(bits.Int(2, 6));
+  const std::int32_t a = place(-before, 0);
+  const std::int32_t b = place(static_cast<double>(bits.Int(2, 6)), 0);
+  const std::int32_t left = place(0, 4);
+  const std::int32_t right = place(0, -4);
+  sketch.AddTriangle(a, b, left);
+  sketch.AddTriangle(b, a, right);
+  return sketch.Done(Finish::kMesh);
+}
+
 }  // namespace rasterproof::props

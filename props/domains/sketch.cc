@@ -33,9 +33,7 @@ Sketch::Sketch(BitSource& source, const SubjectInfo& info) : Sketch(source, info
 }
 
 Sketch::Sketch(BitSource& source, const SubjectInfo& info, int width, int height)
-    : bits_(&source),
-      takes_window_(info.takes_window),
-      lattice_(info.profile, DrawPrecision(source, info)) {
+    : bits_(&source), info_(&info), lattice_(info.profile, DrawPrecision(source, info)) {
   case_.scene.width = width;
   case_.scene.height = height;
   case_.scene.precision = lattice_.precision();
@@ -139,7 +137,7 @@ void Sketch::DrawOptionsFor(Finish finish) {
 
 void Sketch::PutIntoClipSpace() {
   Scene& scene = case_.scene;
-  if (takes_window_ || scene.clip_space) return;
+  if (info_->takes_window || scene.clip_space) return;
   scene.clip_space = true;
   for (Vertex& v : scene.vertices) {
     // x w and y w must be exact, or the window position would move.
@@ -150,10 +148,18 @@ void Sketch::PutIntoClipSpace() {
   }
 }
 
+void Sketch::LeaveOutWhatIsNotTaken() {
+  DrawOptions& options = case_.options;
+  if (!info_->takes_tiles) options.tile = 0;
+  if (!info_->takes_scissor) options.scissor.reset();
+  if (!info_->takes_culling) options.cull = Cull::kNone;
+}
+
 Case Sketch::Done(Finish finish) {
   OrderTriangles(finish);
   if (bits_->Chance(32)) RepeatSharedVertices();
   DrawOptionsFor(finish);
+  LeaveOutWhatIsNotTaken();
   PutIntoClipSpace();
   return std::move(case_);
 }

@@ -66,10 +66,11 @@ class Sketch {
   void OrderTriangles(Finish finish);
   void RepeatSharedVertices();
   void DrawOptionsFor(Finish finish);
+  void LeaveOutWhatIsNotTaken();
   void PutIntoClipSpace();
 
   BitSource* bits_;
-  bool takes_window_;
+  const SubjectInfo* info_;
   bool within_limit_ = true;
   Case case_;
   InputLattice lattice_;

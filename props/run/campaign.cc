@@ -19,6 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kCasesPerProgress = 16;
+constexpr std::chrono::seconds kMostShrinking{60};
 
 Case DrawFrom(const std::vector<const Domain*>& domains, const SubjectInfo& info,
               std::uint64_t seed, std::uint64_t index) {
@@ -32,8 +33,11 @@ Case DrawFrom(const std::vector<const Domain*>& domains, const SubjectInfo& info
 
 Case Minimal(Subject& subject, const Property& property, const Case& failing,
              std::uint64_t budget) {
+  // A subject that hangs costs its whole time limit at every step.
+  const Clock::time_point end = Clock::now() + kMostShrinking;
   const auto fails = [&](const Case& candidate) {
-    return RunCase(subject, property, candidate).outcome == Outcome::kViolated;
+    return Clock::now() < end &&
+           RunCase(subject, property, candidate).outcome == Outcome::kViolated;
   };
   return Shrink(failing, fails, budget).minimal;
 }
@@ -80,6 +84,8 @@ Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
   } catch (const InputError& error) {
     // The oracle or the subject says that it takes no such scene.
     return Verdict::NotApplicable(error.what());
+  } catch (const SubjectFault& fault) {
+    return Verdict::Violated(1, std::string("the subject failed: ") + fault.what(), Witness{});
   } catch (const std::exception& error) {
     return threw(error.what());
   } catch (...) {

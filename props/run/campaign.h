@@ -19,9 +19,9 @@ struct CampaignOptions {
   /// Cases in all, spread evenly over the property's domains: case i is domain i % n, Philox(seed,
   /// i).
   std::uint64_t cases = kDefaultCases;
-  std::uint64_t first_case = 0;  ///< for shards and replays
-  double seconds = 0;            ///< stop after this long; 0: no limit
-  std::uint64_t shrink_budget = 2000;
+  std::uint64_t first_case = 0;        ///< for shards and replays
+  double seconds = 0;                  ///< stop after this long; 0: no limit
+  std::uint64_t shrink_budget = 2000;  ///< evaluations; a minute at most
   /// Called now and then with the number of cases done. May be empty.
   std::function<void(std::uint64_t)> progress;
 };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "gtest/gtest.h"
 
@@ -50,6 +51,71 @@ TEST(SnapTest, HugeAndNonFiniteValuesAreLeftAlone) {
 }
 
 TEST(SnapTest, NoGridMeansNoChange) { EXPECT_EQ(SnapCoordinate(0.1, Snap{}), 0.1); }
+
+double Difference(double x, SnapRule rule, SnapForm form) {
+  return SnapCoordinate(x, {8, rule, form, 0.5});
+}
+
+TEST(SnapTest, ADifferenceIsRoundedAboutItsOrigin) {
+  // 0.25 lies left of the origin: truncating goes right, and ties away from zero go left.
+  EXPECT_EQ(Difference(0.25 + kHalfStep, SnapRule::kTruncate, SnapForm::kExactDifference),
+            0.25 + 2 * kHalfStep);
+  EXPECT_EQ(Difference(0.25 + kHalfStep, SnapRule::kNearestAway, SnapForm::kExactDifference), 0.25);
+  EXPECT_EQ(Difference(0.75 + kHalfStep, SnapRule::kTruncate, SnapForm::kExactDifference), 0.75);
+  EXPECT_EQ(SnapCoordinate(3.2, {0, SnapRule::kNearestEven, SnapForm::kExactDifference, 0.5}), 3.5);
+  EXPECT_EQ(SnapCoordinate(3, {8, SnapRule::kFloor, SnapForm::kExactDifference, 0x1p-8}), 3);
+}
+
+// One step of float32 above a tie, where x - 1/2 is coarser than x.
+TEST(SnapTest, Float32RoundsTheDifferenceOntoATie) {
+  const double tie = 0.125 + kHalfStep;
+  const double above = tie + 0x1p-27;
+  EXPECT_EQ(Difference(above, SnapRule::kHalfUp, SnapForm::kExactDifference),
+            0.125 + 2 * kHalfStep);
+  EXPECT_EQ(Difference(above, SnapRule::kNearestAway, SnapForm::kExactDifference),
+            0.125 + 2 * kHalfStep);
+  EXPECT_EQ(Difference(above, SnapRule::kNearestAway, SnapForm::kFloat32Difference), 0.125);
+  EXPECT_EQ(Difference(tie - 0x1p-27, SnapRule::kHalfUp, SnapForm::kExactDifference), 0.125);
+  EXPECT_EQ(Difference(tie - 0x1p-27, SnapRule::kHalfUp, SnapForm::kFloat32Difference),
+            0.125 + 2 * kHalfStep);
+}
+
+TEST(SnapTest, NoDifferenceIsTooFineToBeExact) {
+  // Beside the origin a double has no room for 2^-1000, and the floor must see it all the same.
+  EXPECT_EQ(Difference(-0x1p-1000, SnapRule::kFloor, SnapForm::kExactDifference), -0x1p-8);
+  EXPECT_EQ(Difference(+0x1p-1000, SnapRule::kFloor, SnapForm::kExactDifference), 0);
+  EXPECT_EQ(Difference(-0x1p-1000, SnapRule::kFloor, SnapForm::kFloat32Difference), 0);
+  EXPECT_EQ(Difference(kHalfStep - 0x1p-60, SnapRule::kHalfUp, SnapForm::kExactDifference), 0);
+  // Twice rounded, 1/2 - 2^-26 - 2^-60 would pass through the float32 tie 1/2 - 2^-26.
+  EXPECT_EQ(SnapCoordinate(0x1p-26 + 0x1p-60,
+                           {16, SnapRule::kTruncate, SnapForm::kFloat32Difference, 0.5}),
+            0x1p-16);
+}
+
+TEST(SnapTest, AToleranceLeavesTheGridPointsNearby) {
+  using Points = std::vector<double>;
+  const Snap snap{2, SnapRule::kNearestEven};
+  EXPECT_EQ(GridPointsWithin(0.5, snap, 0), (Points{0.5}));
+  EXPECT_EQ(GridPointsWithin(0.5, snap, 0.6), (Points{0.5}));
+  EXPECT_EQ(GridPointsWithin(0.625, snap, 0.6), (Points{0.5, 0.75}));
+  EXPECT_EQ(GridPointsWithin(0.5625, snap, 0.6), (Points{0.5}));
+  EXPECT_EQ(GridPointsWithin(0.5625, snap, 1), (Points{0.5, 0.75}));
+  EXPECT_EQ(GridPointsWithin(0.5, snap, 1), (Points{0.25, 0.5, 0.75}));
+  EXPECT_EQ(GridPointsWithin(-0.625, snap, 0.6), (Points{-0.75, -0.5}));
+  // The rule's own point is legal even where the tolerance is less than the rule strays.
+  EXPECT_EQ(GridPointsWithin(0.7, {2, SnapRule::kFloor}, 0.5), (Points{0.5, 0.75}));
+  EXPECT_EQ(GridPointsWithin(3.4, {0, SnapRule::kNearestEven, SnapForm::kExactDifference, 0.5}, 1),
+            (Points{2.5, 3.5}));
+  EXPECT_EQ(GridPointsWithin(0.3, Snap{}, 1), (Points{0.3}));
+}
+
+TEST(SnapTest, FormNamesReadBack) {
+  for (const SnapForm form :
+       {SnapForm::kCoordinate, SnapForm::kFloat32Difference, SnapForm::kExactDifference}) {
+    EXPECT_EQ(SnapFormFromName(SnapFormName(form)), form);
+  }
+  EXPECT_EQ(SnapFormFromName("edge"), std::nullopt);
+}
 
 TEST(SnapTest, NamesReadBack) {
   for (const SnapRule rule : {SnapRule::kNearestEven, SnapRule::kNearestAway, SnapRule::kHalfUp,

@@ -70,6 +70,20 @@ TEST(SnapQuotient, HoldsFarFromTies) {
   }
 }
 
+TEST(SnapClipScene, RefusesFormsThatSayNothingOfAQuotient) {
+  Scene scene;
+  scene.clip_space = true;
+  scene.vertices = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  Profile profile;
+  profile.snap = {8, SnapRule::kNearestEven};
+  EXPECT_FALSE(SnapClipScene(scene, profile).clip_space);
+  for (const SnapForm form : {SnapForm::kFloat32Difference, SnapForm::kExactDifference}) {
+    profile.snap.form = form;
+    EXPECT_THROW(SnapClipScene(scene, profile), InputError);
+  }
+}
+
 TEST(SnapQuotient, RefusesWhatFitsNoGridPointOfADouble) {
   EXPECT_THROW(SnapQuotient(0x1p42, 1, {8, SnapRule::kFloor}), InputError);
   EXPECT_THROW(SnapQuotient(1e300, 1e-300, {8, SnapRule::kFloor}), InputError);

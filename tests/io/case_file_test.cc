@@ -51,7 +51,8 @@ TEST(CaseFileTest, EveryPartOfAProfileReadsBack) {
   file.value.scene.precision = Precision::kFloat64;
   Profile& profile = file.value.profile;
   profile.name = "d3d11";  // its name, but not its content
-  profile.snap = {4, SnapRule::kFloor};
+  profile.snap = {4, SnapRule::kFloor, SnapForm::kFloat32Difference, 0x1p-8};
+  profile.freedom = {0.6, true};
   profile.lattice.locations = {{0, 0}, {0x1.fep-1, 0x1p-8}, {0.375, 0.875}};
   profile.y_axis = YAxis::kUp;
   profile.fill_rule = {-1, +1, true, false};
@@ -60,8 +61,22 @@ TEST(CaseFileTest, EveryPartOfAProfileReadsBack) {
   ExpectReadsBack(file);
   profile.snap.bits = Snap::kNone;
   profile.fill_rule = FillRule{.inclusive = true};
-  profile.contract = Contract::kNone;
+  for (const Contract contract : {Contract::kClosed, Contract::kConservativeOver,
+                                  Contract::kConservativeUnder, Contract::kNone}) {
+    profile.contract = contract;
+    ExpectReadsBack(file);
+  }
+  profile.freedom = {0, true};
+  profile.snap = {8, SnapRule::kHalfUp, SnapForm::kExactDifference, 0};
   ExpectReadsBack(file);
+}
+
+TEST(CaseFileTest, WhatAProfileDoesNotUseIsNotWritten) {
+  Profile profile;
+  profile.name = "mine";
+  for (const char* key : {"snap_form", "snap_origin", "snap_tolerance", "any_tie_rule"}) {
+    EXPECT_EQ(ProfileToJson(profile).find(key), std::string::npos) << key;
+  }
 }
 
 TEST(CaseFileTest, ABareSceneIsACaseOfRealGeometry) {
@@ -129,6 +144,11 @@ TEST(CaseFileTest, BadCasesAreRefusedWithPlaceAndReason) {
       {profile(R"("subpixel_bits": 17)"), "profile.subpixel_bits: the number 17 is out of range"},
       {profile(R"("subpixel_bits": -1)"), "out of range"},
       {profile(R"("snap_rule": "up")"), "profile.snap_rule: \"up\" is no snap rule"},
+      {profile(R"("snap_form": "edge")"), "profile.snap_form: \"edge\" is no snap form"},
+      {profile(R"("snap_origin": 1)"), "profile.snap_origin: is not a snap origin"},
+      {profile(R"("snap_tolerance": -0.5)"), "is not a snap tolerance"},
+      {profile(R"("snap_tolerance": 1.5)"), "a number of grid steps from 0 to 1"},
+      {profile(R"("any_tie_rule": 1)"), "any_tie_rule: is neither true nor false"},
       {profile(R"("fill_rule": "left")"), "profile.fill_rule: \"left\" is no fill rule"},
       {profile(R"("y_axis": "left")"), "profile.y_axis: \"left\" is unknown"},
       {profile(R"("contract": "good")"), "profile.contract: \"good\" is unknown"},

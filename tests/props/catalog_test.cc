@@ -293,6 +293,50 @@ TEST(Fairness, AWatertightSubjectIsJudgedOnMeshesOnlyAndAwayFromTheirOutline) {
   EXPECT_EQ(Judge("SharedEdgeSamplesAreCoveredOnce", extra(4, 4), c).outcome, Outcome::kViolated);
 }
 
+// A bug that a contract does not speak of leaves every claim about coverage alone but its own.
+TEST(Fairness, WeakContractsAreHeldToTheirOwnClaimOnly) {
+  Case c = TwoTriangles();
+  const auto judged = [&](Contract contract, std::string_view property) {
+    c.profile.contract = contract;
+    return Judge(property, ExtraCount(), c).outcome;
+  };
+  for (const Contract contract :
+       {Contract::kClosed, Contract::kConservativeOver, Contract::kConservativeUnder}) {
+    for (const std::string_view property :
+         {"CoverageEqualsTheModel", "EmbeddedMeshSamplesAreCoveredOnce",
+          "SharedEdgeSamplesAreCoveredOnce", "SignedCoverageEqualsTheWindingNumber",
+          "TriangleOrderKeepsCoverage", "OneLegalModelExplainsTheMesh"}) {
+      EXPECT_EQ(judged(contract, property), Outcome::kNotApplicable) << property;
+    }
+    EXPECT_EQ(judged(contract, "EqualDrawsGiveEqualCounts"), Outcome::kHolds);
+  }
+  const std::string_view conservative = "ConservativeCoverageKeepsToItsSide";
+  EXPECT_EQ(judged(Contract::kConservativeOver, conservative), Outcome::kHolds);
+  EXPECT_EQ(judged(Contract::kConservativeUnder, conservative), Outcome::kViolated);
+  EXPECT_EQ(judged(Contract::kClosed, conservative), Outcome::kNotApplicable);
+  EXPECT_EQ(judged(Contract::kSampleExact, conservative), Outcome::kNotApplicable);
+  // Both sides of the sheet: a closed surface. The extra count has no counterpart behind.
+  c.scene.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(judged(Contract::kClosed, "ClosedMeshCancels"), Outcome::kViolated);
+  EXPECT_EQ(Judge("ClosedMeshCancels", {}, c).outcome, Outcome::kHolds);
+}
+
+TEST(Fairness, AFreeProfileIsNotHeldToTheCanonicalModel) {
+  Case c = TwoTriangles();
+  c.profile.snap.bits = 4;
+  c.profile.freedom.snap_tolerance = 0.6;
+  for (const std::string_view property :
+       {"CoverageEqualsTheModel", "SignedCoverageEqualsTheWindingNumber",
+        "IntegerTranslationMovesCoverage", "VertexRotationKeepsCoverage"}) {
+    EXPECT_EQ(Judge(property, ExtraCount(), c).outcome, Outcome::kNotApplicable) << property;
+  }
+  EXPECT_EQ(Judge("OneLegalModelExplainsTheMesh", ExtraCount(), c).outcome, Outcome::kViolated);
+  for (const std::string_view property :
+       {"TileSizeKeepsCoverage", "TriangleOrderKeepsCoverage", "OneLegalModelExplainsTheMesh"}) {
+    EXPECT_EQ(Judge(property, {}, c).outcome, Outcome::kHolds) << property;
+  }
+}
+
 TEST(Fairness, BeyondTheCoordinateLimitOnlyTheDrawItselfIsJudged) {
   Case c = TwoTriangles();
   c.profile.coordinate_limit = 4;

@@ -121,7 +121,13 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"perspective", 0xf20c58c1a51c01be},
       {"w-mixed", 0x21e374b0bc6c8f82},
       {"closed-around-eye", 0x7c899fa7e6d13906},
-      {"codec examples", 0xde4f75ba5550b934},
+      {"shared-snap-ties", 0xbaa76ab0e296de0e},
+      {"range-ends", 0xef1d65f2bac87a70},
+      {"tiny-ends", 0x9b4c1e855d07cb07},
+      {"sub-pixel", 0x92273b60fcf3495e},
+      {"deciding-ties", 0xa10c6481c1e1f3ff},
+      {"full-targets", 0x6397510bcbeff90d},
+      {"codec examples", 0x33736384c2c1bffd},
   };
   return golden;
 }

@@ -72,6 +72,27 @@ void DrawInclusively(Subject& sound, const Scene& scene, const DrawOptions& opti
   Add(counts, exact::Coverage(scene, profile, options));
 }
 
+void DrawBottomRight(Subject& sound, const Scene& scene, const DrawOptions& options,
+                     CoverageCounts& counts) {
+  Profile profile = sound.Info().profile;
+  profile.fill_rule = *FillRuleFromName("bottom-right");
+  Add(counts, exact::Coverage(scene, profile, options));
+}
+
+// Ties of the snap go up for some triangles and to even for others: each is within half a step, but
+// the two sides of an edge can part.
+void SnapByParity(Subject& sound, const Scene& scene, const DrawOptions& options,
+                  CoverageCounts& counts) {
+  for (const Triangle& t : scene.triangles) {
+    Profile profile = sound.Info().profile;
+    Scene one = scene;
+    one.triangles = {t};
+    profile.snap.rule =
+        std::max({t[0], t[1], t[2]}) % 2 == 0 ? SnapRule::kHalfUp : SnapRule::kNearestEven;
+    Add(counts, exact::Coverage(one, profile, options));
+  }
+}
+
 bool IsBehind(const Vertex& v) { return v.w <= 0; }
 bool LeavesTarget(const std::array<Vertex, 3>& v, const Scene& scene) {
   return std::ranges::any_of(v, [&](const Vertex& p) {
@@ -306,6 +327,26 @@ std::vector<Plant> CoveragePlants() {
        "every edge inclusive",
        "spans-exact",
        {.draw = DrawInclusively}},
+      {"OneLegalModelExplainsTheMesh",
+       "shared vertices snapped up for one triangle, down for the other",
+       "i32-snap4",
+       {.draw = SnapByParity,
+        .promises = [](Profile& profile) { profile.freedom.snap_tolerance = 0.6; }}},
+      {"OneLegalModelExplainsTheMesh",
+       "every edge inclusive",
+       "spans-exact",
+       {.draw = DrawInclusively,
+        .promises = [](Profile& profile) { profile.freedom.any_tie_rule = true; }}},
+      {"ConservativeCoverageKeepsToItsSide",
+       "no top edges, promised over",
+       "spans-exact",
+       {.draw = DrawBottomRight,
+        .promises = [](Profile& profile) { profile.contract = Contract::kConservativeOver; }}},
+      {"ConservativeCoverageKeepsToItsSide",
+       "every edge inclusive, promised under",
+       "spans-exact",
+       {.draw = DrawInclusively,
+        .promises = [](Profile& profile) { profile.contract = Contract::kConservativeUnder; }}},
       {"ClosedMeshCancels",
        "every triangle is front",
        "spans-exact",

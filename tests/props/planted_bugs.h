@@ -33,6 +33,8 @@ struct Bug {
   InterpolationBug interpolate = {};
   DistancesBug distances = {};
   bool claims_threads = false;
+  /// Changes what the subject promises, for claims that no built-in subject's promises bring up.
+  std::function<void(Profile&)> promises = {};
 };
 
 /// Claims the bounds of the sound subject, which its bug breaks.

@@ -9,6 +9,7 @@ PlantedSubject::PlantedSubject(std::unique_ptr<Subject> sound, Bug bug)
     : sound_(std::move(sound)), bug_(std::move(bug)), info_(sound_->Info()) {
   info_.name += " with a planted bug";
   info_.takes_threads = bug_.claims_threads;
+  if (bug_.promises) bug_.promises(info_.profile);
 }
 
 void PlantedSubject::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {

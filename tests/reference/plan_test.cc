@@ -165,6 +165,35 @@ TEST(PlanTest, DrawsWhatTheOracleSaysOnEveryLattice) {
   }
 }
 
+TEST(PlanTest, FollowsEverySnapForm) {
+  RandomValues random(36);
+  int differs = 0;
+  for (int n = 0; n < Cases(1500); ++n) {
+    std::vector<Point2> points;
+    for (int k = 0; k < 3; ++k) points.push_back(LatticePoint(random, -3, 0.25, 18 << 9, 9));
+    const Scene scene = WindowScene(16, 16, points, {{0, 1, 2}});
+    Profile profile = RandomProfile(random);
+    profile.snap.bits = random.Integer(0, 8);
+    const Profile plain = profile;
+    profile.snap.form = n % 2 == 0 ? SnapForm::kFloat32Difference : SnapForm::kExactDifference;
+    profile.snap.origin = std::ldexp(random.Integer(0, 255), -8);
+    const Plan plan = MakePlan(scene, profile, {}, kCoverageOnly);
+    const CoverageCounts expected = exact::Coverage(scene, profile);
+    ASSERT_EQ(DrawPlan(plan, scene, profile), expected) << "case " << n << ", " << plan.arithmetic;
+    differs += expected == exact::Coverage(scene, plain) ? 0 : 1;
+  }
+  EXPECT_GE(differs, Cases(100));
+}
+
+TEST(PlanTest, ClipSpaceHasNoDifferencesToSnap) {
+  Scene scene = WindowScene(8, 8, {{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
+  scene.clip_space = true;
+  Profile profile = *PresetProfile("gl");
+  profile.snap.form = SnapForm::kExactDifference;
+  const Plan plan = MakePlan(scene, profile, {}, kCoverageOnly);
+  EXPECT_THROW(DrawPlan(plan, scene, profile), InputError);
+}
+
 TEST(PlanTest, DrawsWhatTheOracleSaysAtTheSharpValues) {
   RandomValues random(32);
   struct Boundary {

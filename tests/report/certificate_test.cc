@@ -141,6 +141,12 @@ TEST(VerdictTest, WhatIsObservedIsNotJudged) {
   EXPECT_EQ(OverallVerdict(certificate), "holds");
   result.profile = "real";
 
+  // Where a profile leaves choices, a scene that differs from the canonical model may be legal.
+  certificate.subject.profile.freedom.snap_tolerance = 0.6;
+  EXPECT_EQ(OverallVerdict(certificate), "holds");
+  certificate.subject.profile.freedom = {};
+  EXPECT_EQ(OverallVerdict(certificate), "violated");
+
   certificate.subject.profile.contract = Contract::kNone;
   EXPECT_EQ(OverallVerdict(certificate), "holds");
   certificate.claims_exact = true;

@@ -1,0 +1,65 @@
+// The least that a rasterizer written in C++ must be: a type with a Draw.
+#ifndef RASTERPROOF_CORE_RASTERIZER_H_
+#define RASTERPROOF_CORE_RASTERIZER_H_
+
+#include <concepts>
+#include <string>
+#include <utility>
+
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/scene.h"
+#include "core/subject.h"
+
+namespace rasterproof {
+
+/// Adds the coverage of every triangle of a scene to counts of its shape. Culling, scissor and
+/// tiles are not asked for.
+template <class R>
+concept DrawsScenes =
+    std::default_initializable<R> &&
+    requires(R r, const Scene& scene, CoverageCounts& counts) { r.Draw(scene, counts); };
+
+/// The same, obeying the options.
+template <class R>
+concept DrawsScenesByOptions = std::default_initializable<R> &&
+                               requires(R r, const Scene& scene, const DrawOptions& options,
+                                        CoverageCounts& counts) { r.Draw(scene, options, counts); };
+
+template <class R>
+concept Rasterizer = DrawsScenes<R> || DrawsScenesByOptions<R>;
+
+/// A rasterizer may say what it promises: `static SubjectInfo Info()`.
+template <class R>
+concept DescribesItself = requires {
+  { R::Info() } -> std::same_as<SubjectInfo>;
+};
+
+/// A rasterizer as a subject.
+template <Rasterizer R>
+class RasterizerSubject final : public Subject {
+ public:
+  explicit RasterizerSubject(std::string name) {
+    if constexpr (DescribesItself<R>) info_ = R::Info();
+    info_.name = std::move(name);
+    if constexpr (!DrawsScenesByOptions<R>) {
+      info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
+    }
+  }
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    if constexpr (DrawsScenesByOptions<R>) {
+      rasterizer_.Draw(scene, options, counts);
+    } else {
+      rasterizer_.Draw(scene, counts);
+    }
+  }
+
+ private:
+  SubjectInfo info_;
+  R rasterizer_;
+};
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_RASTERIZER_H_

@@ -1,0 +1,134 @@
+#include "props/infer/infer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "exact/coverage.h"
+#include "props/infer/declarations.h"
+#include "props/infer/locate.h"
+#include "props/infer/race.h"
+#include "props/shrink/shrink.h"
+
+namespace rasterproof::props {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Case CaseOf(const Scene& scene, const Profile& profile) {
+  Case c;
+  c.scene = scene;
+  c.profile = profile;
+  c.origin = "infer";
+  return c;
+}
+
+bool Differs(Observer& observer, const Case& c) {
+  return observer.Draw(c.scene) != observer.Expected(exact::Coverage(c.scene, c.profile));
+}
+
+// The smallest case of its kind in which the subject does not draw as the profile does.
+Case Shrunken(Observer& observer, const Case& c) {
+  constexpr std::uint64_t kBudget = 600;
+  const auto differs = [&](const Case& candidate) {
+    return candidate.options == DrawOptions{} && !candidate.scene.clip_space &&
+           candidate.scene.precision == Precision::kFloat32 && Differs(observer, candidate);
+  };
+  return differs(c) ? Shrink(c, differs, kBudget).minimal : c;
+}
+
+void NameNearest(Observer& observer, const ModelSpace& space, Race& race, int checks,
+                 Inference& inference) {
+  race.Check(checks);
+  Model nearest;
+  inference.nearest = race.Nearest(&nearest);
+  // The profile's limit is the subject's own: what is beyond it is no witness.
+  inference.nearest->profile.coordinate_limit = observer.info().profile.coordinate_limit;
+  if (const Experiment* against = race.FirstAgainst(nearest)) {
+    inference.witness = Shrunken(observer, CaseOf(against->scene, space.ProfileOf(nearest)));
+  }
+}
+
+void RunRace(Race& race, const InferOptions& options) {
+  race.Split();
+  if (race.left().empty()) return;
+  race.Check(options.checks);
+  race.Split();
+}
+
+void Conclude(Observer& observer, const ModelSpace& space, const Race& race, Inference& inference) {
+  const Profile& declared = observer.info().profile;
+  for (const Model& model : race.left()) {
+    inference.remaining.push_back(space.ProfileOf(model));
+    inference.remaining.back().coordinate_limit = declared.coordinate_limit;
+  }
+  inference.declarations = VerifyDeclarations(declared, inference.facing, inference.remaining);
+  if (inference.Agrees()) return;
+  for (const Experiment& experiment : race.experiments()) {
+    const Case c = CaseOf(experiment.scene, declared);
+    if (observer.Expected(exact::Coverage(c.scene, c.profile)) == experiment.seen) continue;
+    inference.against_declared = Shrunken(observer, c);
+    break;
+  }
+}
+
+// Facings can be told from vertices before they are snapped, or by somebody who only believes the
+// profile: then the samples alone are explained. Returns whether they are.
+bool ConcludeWithoutFacings(Observer& observer, const ModelSpace& space,
+                            const InferOptions& options, Inference& inference) {
+  if (inference.facing == FacingReport::kNotTold) return false;
+  observer.SetFacing(FacingReport::kNotTold);
+  Race race(observer, space, options.seed);
+  RunRace(race, options);
+  if (race.left().empty()) {
+    observer.SetFacing(inference.facing);
+    return false;
+  }
+  inference.facing = FacingReport::kNotTold;
+  inference.message = "facings of some triangles are another matter than their samples: left out";
+  Conclude(observer, space, race, inference);
+  return true;
+}
+
+void FindModels(Observer& observer, const InferOptions& options, Inference& inference) {
+  const Location location = Locate(observer);
+  inference.facing = observer.facing();
+  const ModelSpace space(location.y_axis, location.lattices);
+  inference.models = space.models().size();
+  Race race(observer, space, options.seed);
+  RunRace(race, options);
+  if (location.complaint.empty()) {
+    if (!race.left().empty()) return Conclude(observer, space, race, inference);
+    if (ConcludeWithoutFacings(observer, space, options, inference)) return;
+  }
+  inference.message = location.complaint.empty()
+                          ? "each model draws some triangle in another way than the subject"
+                          : location.complaint;
+  NameNearest(observer, space, race, options.checks, inference);
+}
+
+}  // namespace
+
+bool Inference::Agrees() const {
+  return std::ranges::all_of(declarations, &DeclarationVerdict::agrees);
+}
+
+Inference Infer(Subject& subject, const InferOptions& options) {
+  const Clock::time_point start = Clock::now();
+  Observer observer(subject);
+  Inference inference;
+  try {
+    FindModels(observer, options, inference);
+  } catch (const std::exception& error) {
+    inference.remaining.clear();
+    inference.message = std::string("the subject broke off: ") + error.what();
+    inference.witness = CaseOf(observer.last_scene(), subject.Info().profile);
+  }
+  inference.experiments = observer.draws();
+  inference.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return inference;
+}
+
+}  // namespace rasterproof::props

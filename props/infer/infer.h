@@ -1,0 +1,75 @@
+// Fits a profile to a subject: directed experiments eliminate models until those that remain agree.
+#ifndef RASTERPROOF_PROPS_INFER_INFER_H_
+#define RASTERPROOF_PROPS_INFER_INFER_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/profile.h"
+#include "core/subject.h"
+#include "props/infer/observer.h"
+
+namespace rasterproof::props {
+
+struct InferOptions {
+  std::uint64_t seed = 1;
+  /// Cases drawn without a pair of models in mind, after the pairs: where elimination did not look.
+  int checks = 400;
+};
+
+/// The model that comes nearest where none fits.
+struct NearestModel {
+  Profile profile;
+  std::uint64_t wrong_samples = 0;
+  std::uint64_t samples = 0;  ///< in the triangles' boxes: inside-or-outside decisions
+  std::uint64_t wrong_experiments = 0;
+  std::uint64_t experiments = 0;
+};
+
+/// What became of one declaration.
+struct DeclarationVerdict {
+  std::string declaration;  ///< "subpixel bits", "fill rule", ...
+  std::string declared;
+  std::string found;  ///< every value among the remaining models, " or " between
+  bool agrees = false;
+};
+
+struct Inference {
+  /// Every model that explains all experiments, simplest first. More than one: no experiment that
+  /// was looked for tells them apart.
+  std::vector<Profile> remaining;
+  FacingReport facing = FacingReport::kNotTold;
+  std::uint64_t models = 0;       ///< models that were in the race
+  std::uint64_t experiments = 0;  ///< draws of the subject
+  /// Where one fits: what was left out, if anything. Where none fits: why, in one line, the case
+  /// that the nearest model gets wrong, and that model.
+  std::string message;
+  std::optional<Case> witness;
+  std::optional<NearestModel> nearest;
+  /// Each declaration of the subject's profile against what was found; empty if none fits.
+  std::vector<DeclarationVerdict> declarations;
+  /// A case in which the declared model itself is wrong.
+  std::optional<Case> against_declared;
+  double seconds = 0;
+
+  bool Fits() const { return !remaining.empty(); }
+  /// False if a declaration is contradicted.
+  bool Agrees() const;
+};
+
+/// Finds the models that explain the subject: subpixel bits 0 to 16 or none, five rules, three
+/// forms about 1/2 or a sample's own place, eight tie rules and `inclusive`, any sample locations
+/// on multiples of 2^-8, y down or up, facings as on screen or reversed.
+///
+/// Domain:     a subject that draws float32 scenes and takes coordinates up to 1026 (its profile's
+///             limit bounds what is drawn beside). Nothing that it declares is believed but the
+///             number of samples, the kind of its counts and its limit.
+/// Error:      none: a subject that throws or refuses fits no model, and says why.
+Inference Infer(Subject& subject, const InferOptions& options = {});
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_INFER_INFER_H_

@@ -1,0 +1,175 @@
+#include "props/infer/locate.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace rasterproof::props {
+namespace {
+
+constexpr int kLong = 648;  // a place that seems half a pixel off lies below 3/2
+constexpr int kShort = 8;
+constexpr int kPerPixel = 256;
+// Pixel row 3 of an edge that falls by one pixel in 256 columns from (2, 2): with ox > 0 it covers
+// the columns up to 257 + 256 oy.
+constexpr int kProbedRow = 3;
+constexpr int kLastColumnOfZero = 257;
+
+Scene OneTriangle(int width, int height, std::vector<Vertex> vertices) {
+  Scene scene;
+  scene.width = width;
+  scene.height = height;
+  scene.vertices = std::move(vertices);
+  scene.triangles = {{0, 1, 2}};
+  return scene;
+}
+
+std::uint64_t Sum(const std::vector<std::uint32_t>& counts) {
+  std::uint64_t sum = 0;
+  for (const std::uint32_t count : counts) sum += count;
+  return sum;
+}
+
+// The counts of the upper half of the target minus those of the lower.
+std::int64_t UpperExcess(CoverageCounts counts) {
+  JoinFacings(counts);
+  const auto half = static_cast<std::ptrdiff_t>(counts.size() / 2);
+  const std::vector<std::uint32_t> upper(counts.front.begin(), counts.front.begin() + half);
+  const std::vector<std::uint32_t> lower(counts.front.begin() + half, counts.front.end());
+  return static_cast<std::int64_t>(Sum(upper)) - static_cast<std::int64_t>(Sum(lower));
+}
+
+FacingReport FacingOf(const Observer& observer, const CoverageCounts& front,
+                      const CoverageCounts& back) {
+  if (observer.info().coverage != CoverageKind::kFacingCounts) return FacingReport::kNotTold;
+  if (Sum(front.back) == 0 && Sum(back.front) == 0) return FacingReport::kAsOnScreen;
+  if (Sum(front.front) == 0 && Sum(back.back) == 0) return FacingReport::kReversed;
+  return FacingReport::kNotTold;
+}
+
+// 256 times the place of sample s along one axis, as a grid that holds the integers shows it while
+// the place on the other axis is not 0; else it may be one less.
+int Probe(Observer& observer, bool along_y, YAxis y_axis, int s) {
+  const std::vector<Vertex> corners = along_y ? std::vector<Vertex>{{2, 2}, {1026, 6}, {2, 1026}}
+                                              : std::vector<Vertex>{{2, 2}, {6, 1026}, {1026, 2}};
+  const int width = along_y ? kLong : kShort;
+  const int height = along_y ? kShort : kLong;
+  const CoverageCounts counts = observer.Draw(OneTriangle(width, height, corners));
+  const auto row_of = [&](int y) { return y_axis == YAxis::kUp ? height - 1 - y : y; };
+  int last = 0;
+  for (int k = 0; k < kLong; ++k) {
+    const std::size_t index =
+        along_y ? counts.Index(k, row_of(kProbedRow), s) : counts.Index(kProbedRow, row_of(k), s);
+    if (counts.Count(index) != 0) last = k;
+  }
+  return last - kLastColumnOfZero;
+}
+
+struct Place {
+  int x;
+  int y;
+};
+
+int FloorInPixels(int place) {
+  return place >= 0 ? place / kPerPixel : -1 - (-1 - place) / kPerPixel;
+}
+
+// What (seen.x, seen.y) may stand for. The samples of a row lie at i + x: the last one that the
+// edge covers comes floor(x) columns earlier, and if x is whole one column later or not as the tie
+// rule has it. A grid that is half a pixel off seems to move places out of their pixel.
+std::vector<Place> PlacesSeenAs(Place seen) {
+  std::vector<Place> places;
+  for (const int whole_x : {0, -1, 1}) {
+    for (const int whole_y : {0, -1, 1}) {
+      for (const int dx : {0, 1}) {
+        for (const int dy : {0, 1}) {
+          const Place place{seen.x + whole_y - dx, seen.y + whole_x - dy};
+          if (FloorInPixels(place.x) != whole_x || FloorInPixels(place.y) != whole_y) continue;
+          if (dx == 1 && place.y % kPerPixel != 0) continue;
+          if (dy == 1 && place.x % kPerPixel != 0) continue;
+          places.push_back(place);
+        }
+      }
+    }
+  }
+  return places;
+}
+
+bool IsInPixel(Place p) { return p.x >= 0 && p.x < kPerPixel && p.y >= 0 && p.y < kPerPixel; }
+
+Point2 InPixels(Place p) {
+  return {static_cast<double>(p.x) / kPerPixel, static_cast<double>(p.y) / kPerPixel};
+}
+
+void AddCandidate(std::vector<LatticeCandidate>& candidates, const std::vector<Place>& places,
+                  int shift) {
+  LatticeCandidate candidate{.lattice = {{}}, .half_off = shift != 0};
+  for (const Place& p : places) {
+    const Place moved{p.x + shift, p.y + shift};
+    if (!IsInPixel(moved)) return;
+    candidate.lattice.locations.push_back(InPixels(moved));
+  }
+  candidates.push_back(std::move(candidate));
+}
+
+// One sample's readings are all followed up; of several samples each is taken at its first.
+std::vector<LatticeCandidate> CandidatesFor(const std::vector<Place>& seen) {
+  std::vector<std::vector<Place>> readings;
+  if (seen.size() == 1) {
+    for (const Place& place : PlacesSeenAs(seen.front())) readings.push_back({place});
+  } else {
+    readings.emplace_back();
+    for (const Place& p : seen) {
+      const std::vector<Place> places = PlacesSeenAs(p);
+      readings.back().push_back(places.empty() ? p : places.front());
+    }
+  }
+  std::vector<LatticeCandidate> candidates;
+  for (const int shift : {0, kPerPixel / 2, -kPerPixel / 2}) {
+    for (const std::vector<Place>& places : readings) AddCandidate(candidates, places, shift);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+Location Locate(Observer& observer) {
+  Location location;
+  // In the upper half with y down, in the lower with y up.
+  const Scene back_scene = OneTriangle(32, 32, {{2, 2}, {30, 2}, {2, 14}});
+  Scene front_scene = back_scene;
+  front_scene.triangles = {{0, 2, 1}};
+  CoverageCounts clockwise = observer.Raw(back_scene);
+  CoverageCounts counter = observer.Raw(front_scene);
+  // Both windings are asked: a subject may draw one of them only.
+  const std::int64_t excess = UpperExcess(clockwise) + UpperExcess(counter);
+  if (excess == 0) {
+    location.complaint = "a triangle in one half of the target covers nothing, or both halves";
+    location.complaint_scene = back_scene;
+  }
+  location.y_axis = excess < 0 ? YAxis::kUp : YAxis::kDown;
+  // With y up the same vertices turn the other way on screen.
+  if (location.y_axis == YAxis::kUp) std::swap(clockwise, counter);
+  observer.SetFacing(FacingOf(observer, counter, clockwise));
+  JoinFacings(counter);
+  JoinFacings(clockwise);
+  if (location.complaint.empty() && counter != clockwise) {
+    location.complaint = "a triangle covers other samples when its vertices turn the other way";
+    location.complaint_scene = front_scene;
+  }
+  std::vector<Place> seen;
+  for (int s = 0; s < observer.info().profile.lattice.samples(); ++s) {
+    const int x = Probe(observer, false, location.y_axis, s);
+    seen.push_back({x, Probe(observer, true, location.y_axis, s)});
+  }
+  location.lattices = CandidatesFor(seen);
+  if (std::ranges::all_of(location.lattices, &LatticeCandidate::half_off)) {
+    // Nothing that a plain grid explains: the race is run all the same, to name the nearest.
+    SampleLattice centres;
+    centres.locations.assign(seen.size(), {0.5, 0.5});
+    location.lattices.insert(location.lattices.begin(), {centres, false});
+  }
+  return location;
+}
+
+}  // namespace rasterproof::props

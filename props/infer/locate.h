@@ -1,0 +1,28 @@
+// Where a subject's samples lie, which way y grows and what its facings are, by large triangles
+// whose vertices lie on every grid that holds the even integers.
+#ifndef RASTERPROOF_PROPS_INFER_LOCATE_H_
+#define RASTERPROOF_PROPS_INFER_LOCATE_H_
+
+#include <string>
+#include <vector>
+
+#include "core/profile.h"
+#include "props/infer/model_space.h"
+#include "props/infer/observer.h"
+
+namespace rasterproof::props {
+
+struct Location {
+  YAxis y_axis = YAxis::kDown;
+  std::vector<LatticeCandidate> lattices;
+  /// Empty, or why no model can fit; then the rest is a guess.
+  std::string complaint;
+  Scene complaint_scene;
+};
+
+/// Draws four scenes and tells the observer what facings mean.
+Location Locate(Observer& observer);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_INFER_LOCATE_H_

@@ -1,0 +1,54 @@
+// Asks a subject and takes down what it drew, in one form for all kinds of subjects.
+#ifndef RASTERPROOF_PROPS_INFER_OBSERVER_H_
+#define RASTERPROOF_PROPS_INFER_OBSERVER_H_
+
+#include <cstdint>
+
+#include "core/coverage.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/subject.h"
+
+namespace rasterproof::props {
+
+/// What a subject's counts say of facings.
+enum class FacingReport : std::uint8_t {
+  kAsOnScreen,  ///< front is counter-clockwise on screen
+  kReversed,    ///< front is clockwise on screen
+  kNotTold      ///< all counts are in one place
+};
+
+/// Draws scenes with a subject.
+class Observer {
+ public:
+  explicit Observer(Subject& subject) : subject_(subject) {}
+
+  /// The subject's counts for a window-space scene, as they come.
+  CoverageCounts Raw(const Scene& scene);
+  /// The same in the form in which Expected() puts an exact draw: facings as on screen, or all in
+  /// front.
+  CoverageCounts Draw(const Scene& scene) { return Normal(Raw(scene)); }
+  CoverageCounts Expected(CoverageCounts exact) const;
+
+  void SetFacing(FacingReport facing) { facing_ = facing; }
+  FacingReport facing() const { return facing_; }
+  const SubjectInfo& info() const { return subject_.Info(); }
+  std::uint64_t draws() const { return draws_; }
+  /// What the subject was asked last.
+  const Scene& last_scene() const { return last_scene_; }
+
+ private:
+  CoverageCounts Normal(CoverageCounts counts) const;
+
+  Subject& subject_;
+  FacingReport facing_ = FacingReport::kNotTold;
+  std::uint64_t draws_ = 0;
+  Scene last_scene_;
+};
+
+/// Adds the back counts to the front ones.
+void JoinFacings(CoverageCounts& counts);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_INFER_OBSERVER_H_

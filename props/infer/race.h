@@ -1,0 +1,56 @@
+// Elimination: what was drawn, and which models still explain all of it.
+#ifndef RASTERPROOF_PROPS_INFER_RACE_H_
+#define RASTERPROOF_PROPS_INFER_RACE_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/scene.h"
+#include "props/domains/bit_source.h"
+#include "props/infer/infer.h"
+#include "props/infer/model_space.h"
+#include "props/infer/observer.h"
+
+namespace rasterproof::props {
+
+struct Experiment {
+  Scene scene;
+  CoverageCounts seen;
+};
+
+/// The models of a space, fewer after each experiment.
+class Race {
+ public:
+  Race(Observer& observer, const ModelSpace& space, std::uint64_t seed)
+      : observer_(observer), space_(space), seed_(seed), left_(space.models()) {}
+
+  /// Draws the scene with the subject and strikes out the models that draw another picture.
+  void Run(const Scene& scene);
+  /// Runs triangles on which two remaining models differ until none is found for any pair.
+  void Split();
+  /// Runs triangles without a pair in mind.
+  void Check(int count);
+
+  const std::vector<Model>& left() const { return left_; }
+  const std::vector<Experiment>& experiments() const { return experiments_; }
+  /// The model with the fewest wrong experiments; it was struck out if none fits.
+  NearestModel Nearest(Model* nearest) const;
+  /// The first experiment that the model does not explain; nullptr if it explains all.
+  const Experiment* FirstAgainst(const Model& model) const;
+
+ private:
+  bool SplitPair(const Model& a, const Model& b, int tries);
+  void SplitAtRandom();
+
+  Observer& observer_;
+  const ModelSpace& space_;
+  std::uint64_t seed_;
+  std::uint64_t drawn_ = 0;  ///< cases drawn so far: the next one's index
+  std::vector<Model> left_;
+  std::vector<Experiment> experiments_;
+};
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_INFER_RACE_H_

@@ -1,0 +1,81 @@
+#include "props/run/facings.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/profile.h"
+#include "exact/coverage.h"
+#include "props/domains/bit_source.h"
+#include "props/domains/domain.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The exact model, but its facings are lost; as a mask its counts as well.
+class Faceless final : public Subject {
+ public:
+  explicit Faceless(SubjectInfo info) : info_(std::move(info)) {}
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    ++draws;
+    const CoverageCounts drawn = exact::Coverage(scene, info_.profile, options);
+    const bool mask = info_.coverage == CoverageKind::kMask;
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      const std::uint32_t n = drawn.Count(k);
+      counts.front[k] += mask ? std::uint32_t{n != 0} : n;
+    }
+  }
+  int draws = 0;
+
+ private:
+  SubjectInfo info_;
+};
+
+void ExpectTheModel(CoverageKind kind, YAxis y_axis, const char* domain, bool clip) {
+  SubjectInfo info = clip ? testing::RealInfo() : testing::SnappedInfo(8);
+  info.takes_clip = clip;
+  info.profile.y_axis = y_axis;
+  info.coverage = kind;
+  const std::unique_ptr<Subject> subject = WithFacings(std::make_unique<Faceless>(info));
+  EXPECT_EQ(subject->Info().coverage, CoverageKind::kFacingCounts);
+  for (std::uint64_t index = 0; index < 40; ++index) {
+    PhiloxSource bits(1, index);
+    const Case c = FindDomain(domain)->draw(bits, info);
+    CoverageCounts counts(c.scene.width, c.scene.height, c.profile.lattice.samples());
+    subject->Draw(c.scene, c.options, counts);
+    EXPECT_EQ(counts, exact::Coverage(c.scene, c.profile, c.options)) << domain << " " << index;
+  }
+}
+
+TEST(Facings, OfCountsAndMasksAreThoseOfTheModel) {
+  for (const CoverageKind kind : {CoverageKind::kCounts, CoverageKind::kMask}) {
+    ExpectTheModel(kind, YAxis::kDown, "uniform-subpixel", false);
+    ExpectTheModel(kind, YAxis::kUp, "uniform-subpixel", false);
+    ExpectTheModel(kind, YAxis::kDown, "degenerate", false);
+    ExpectTheModel(kind, YAxis::kDown, "w-mixed", true);
+  }
+}
+
+TEST(Facings, TakeOneDrawForAMeshThatFacesOneWay) {
+  SubjectInfo info = testing::RealInfo();
+  info.coverage = CoverageKind::kCounts;
+  auto faceless = std::make_unique<Faceless>(info);
+  const Faceless& seen = *faceless;
+  const std::unique_ptr<Subject> subject = WithFacings(std::move(faceless));
+  Scene scene;
+  scene.width = scene.height = 4;
+  scene.vertices = {{0, 0}, {0, 4}, {4, 4}, {4, 0}};
+  scene.triangles = {{0, 1, 2}, {0, 2, 3}};
+  CoverageCounts counts(4, 4);
+  subject->Draw(scene, {}, counts);
+  EXPECT_EQ(seen.draws, 1);
+  EXPECT_EQ(counts, exact::Coverage(scene, info.profile));
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -1,0 +1,349 @@
+// Infer finds the model that was planted, and says so where there is none.
+#include "props/infer/infer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/fill_rule.h"
+#include "exact/coverage.h"
+#include "props/infer/directed.h"
+#include "subjects/builtin/builtin.h"
+#include "tests/props/planted_subjects.h"
+#include "tests/share.h"
+
+namespace rasterproof::props {
+namespace {
+
+using testing::PlantedSubject;
+using testing::RealInfo;
+
+// What is compared of a model: all but its name and what bounds verdicts only.
+Profile ModelPart(Profile profile) {
+  const Profile plain;
+  profile.name = plain.name;
+  profile.coordinate_limit = plain.coordinate_limit;
+  profile.contract = plain.contract;
+  return profile;
+}
+
+void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    counts.front[k] += more.front[k];
+    counts.back[k] += more.back[k];
+  }
+}
+
+// Draws as `model` does and declares `declared`.
+PlantedSubject Follows(const Profile& model, const Profile& declared) {
+  SubjectInfo info = RealInfo();
+  info.profile = declared;
+  return {info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+            AddTo(counts, exact::Coverage(scene, model, options));
+          }};
+}
+
+Profile Snapped(int bits, SnapRule rule, SnapForm form = SnapForm::kCoordinate, double origin = 0) {
+  Profile profile;
+  profile.snap = {bits, rule, form, origin};
+  profile.coordinate_limit = 0x1p15;
+  return profile;
+}
+
+std::string Describe(const Profile& p) {
+  return std::to_string(p.snap.bits) + " bits, " + std::string(SnapRuleName(p.snap.rule)) + ", " +
+         std::string(SnapFormName(p.snap.form)) + ", " + FillRuleName(p.fill_rule) + ", sample " +
+         std::to_string(p.lattice.locations[0].x) + " " + std::to_string(p.lattice.locations[0].y) +
+         (p.y_axis == YAxis::kUp ? ", up" : ", down");
+}
+
+// Draws of two models on triangles that no inference has seen.
+int Differences(const Profile& a, const Profile& b, int cases) {
+  SubjectInfo info = RealInfo();
+  info.profile = a;
+  info.profile.coordinate_limit = 0x1p13;
+  int differences = 0;
+  for (int k = 0; k < cases; ++k) {
+    PhiloxSource bits(77, static_cast<std::uint64_t>(k));
+    const Scene scene = OrdinaryTriangle(bits, info);
+    differences += exact::Coverage(scene, a) == exact::Coverage(scene, b) ? 0 : 1;
+  }
+  return differences;
+}
+
+void ExpectFound(const Profile& planted) {
+  SCOPED_TRACE(Describe(planted));
+  PlantedSubject subject = Follows(planted, planted);
+  const Inference inference = Infer(subject);
+  ASSERT_TRUE(inference.Fits()) << inference.message << "; nearest "
+                                << Describe(inference.nearest->profile);
+  EXPECT_TRUE(inference.Agrees());
+  EXPECT_EQ(inference.facing, FacingReport::kAsOnScreen);
+  const auto is_planted = [&](const Profile& p) { return ModelPart(p) == ModelPart(planted); };
+  EXPECT_EQ(std::ranges::count_if(inference.remaining, is_planted), 1);
+  // What is left beside it draws the same.
+  for (const Profile& other : inference.remaining) {
+    EXPECT_EQ(Differences(planted, other, 150), 0) << "remains: " << Describe(other);
+  }
+  ::testing::Test::RecordProperty(Describe(planted),
+                                  std::to_string(inference.models) + " models, " +
+                                      std::to_string(inference.experiments) + " draws, " +
+                                      std::to_string(inference.remaining.size()) + " remain, " +
+                                      std::to_string(inference.seconds) + " s");
+}
+
+constexpr std::array<SnapRule, 5> kRules{SnapRule::kNearestEven, SnapRule::kNearestAway,
+                                         SnapRule::kHalfUp, SnapRule::kFloor, SnapRule::kTruncate};
+constexpr std::array<SnapForm, 3> kForms{SnapForm::kCoordinate, SnapForm::kFloat32Difference,
+                                         SnapForm::kExactDifference};
+
+TEST(Infer, FindsEveryRuleAndFormAtEightBits) {
+  for (const SnapRule rule : kRules) {
+    for (const SnapForm form : kForms) {
+      ExpectFound(Snapped(8, rule, form, form == SnapForm::kCoordinate ? 0 : 0.5));
+    }
+  }
+}
+
+TEST(Infer, FindsEveryTieRule) {
+  std::vector<FillRule> rules(kConsistentRules.begin(), kConsistentRules.end());
+  rules.push_back({.inclusive = true});
+  constexpr std::array<int, 3> kBits{8, 4, Snap::kNone};
+  for (std::size_t k = 0; k < rules.size(); ++k) {
+    Profile planted = Snapped(kBits[k % 3], SnapRule::kNearestEven);
+    planted.fill_rule = rules[k];
+    ExpectFound(planted);
+  }
+}
+
+TEST(Infer, FindsGridsPlacesAndAxes) {
+  constexpr std::array<Point2, 3> kPlaces{Point2{0.5, 0.5}, Point2{0, 0}, Point2{0.25, 0.75}};
+  constexpr std::array<int, 5> kBits{0, 4, 8, 12, Snap::kNone};
+  std::size_t k = 0;
+  for (const int bits : kBits) {
+    for (const Point2 place : kPlaces) {
+      Profile planted = bits == Snap::kNone ? Profile{} : Snapped(bits, kRules[k % 5]);
+      planted.coordinate_limit = 0x1p15;
+      planted.lattice.locations = {place};
+      planted.y_axis = k % 2 == 0 ? YAxis::kDown : YAxis::kUp;
+      planted.fill_rule = kConsistentRules[(3 * k) % 8];
+      ExpectFound(planted);
+      ++k;
+    }
+  }
+}
+
+TEST(Infer, FindsDifferencesFromAnotherPlace) {
+  Profile planted = Snapped(8, SnapRule::kTruncate, SnapForm::kExactDifference, 0.25);
+  planted.lattice.locations = {{0.25, 0.75}};
+  ExpectFound(planted);
+}
+
+// On whole pixels about the centre no integer is a grid point: every place seems to be another one.
+TEST(Infer, FindsGridsThatHoldNoInteger) {
+  for (const SnapRule rule : kRules) {
+    for (const Point2 place : {Point2{0.5, 0.5}, Point2{0, 0}, Point2{0.25, 0.75}}) {
+      Profile planted = Snapped(0, rule, SnapForm::kExactDifference, 0.5);
+      planted.lattice.locations = {place};
+      ExpectFound(planted);
+    }
+  }
+}
+
+TEST(Infer, FindsSeveralSamplesAPixel) {
+  Profile planted = Snapped(8, SnapRule::kNearestEven);
+  planted.lattice.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+  ExpectFound(planted);
+}
+
+TEST(Infer, FindsTheBuiltInSubjectsAsTheyDeclareThemselves) {
+  for (const std::string_view name : {"i64-snap8", "i32-snap4", "spans-exact", "hom-exact"}) {
+    const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(name);
+    const Inference inference = Infer(*subject);
+    ASSERT_TRUE(inference.Fits()) << name << ": " << inference.message;
+    EXPECT_TRUE(inference.Agrees()) << name;
+    EXPECT_EQ(ModelPart(inference.remaining.front()), ModelPart(subject->Info().profile)) << name;
+  }
+}
+
+const DeclarationVerdict* Find(const Inference& inference, std::string_view declaration) {
+  for (const DeclarationVerdict& verdict : inference.declarations) {
+    if (verdict.declaration == declaration) return &verdict;
+  }
+  return nullptr;
+}
+
+TEST(Infer, ContradictsAnUntrueDeclarationWithACase) {
+  const Profile model = Snapped(4, SnapRule::kNearestEven);
+  const Profile declared = Snapped(8, SnapRule::kNearestEven);
+  PlantedSubject subject = Follows(model, declared);
+  const Inference inference = Infer(subject);
+  ASSERT_TRUE(inference.Fits()) << inference.message;
+  EXPECT_FALSE(inference.Agrees());
+  ASSERT_NE(Find(inference, "subpixel bits"), nullptr);
+  EXPECT_FALSE(Find(inference, "subpixel bits")->agrees);
+  EXPECT_EQ(Find(inference, "subpixel bits")->found, "4");
+  EXPECT_TRUE(Find(inference, "fill rule")->agrees);
+  ASSERT_TRUE(inference.against_declared.has_value());
+  const Scene& scene = inference.against_declared->scene;
+  EXPECT_NE(exact::Coverage(scene, model), exact::Coverage(scene, declared));
+}
+
+TEST(Infer, FreedomAllowsWhatItSaysAndNoMore) {
+  Profile declared = Snapped(8, SnapRule::kNearestEven);
+  declared.freedom = {0.6, true};
+  Profile away = Snapped(8, SnapRule::kNearestAway);
+  away.fill_rule = kConsistentRules[5];
+  PlantedSubject legal = Follows(away, declared);
+  EXPECT_TRUE(Infer(legal).Agrees());
+  PlantedSubject floor = Follows(Snapped(8, SnapRule::kFloor), declared);
+  EXPECT_FALSE(Infer(floor).Agrees()) << "up to a whole step is more than 0.6";
+  declared.freedom.snap_tolerance = 1;
+  PlantedSubject tolerated = Follows(Snapped(8, SnapRule::kFloor), declared);
+  EXPECT_TRUE(Infer(tolerated).Agrees());
+}
+
+TEST(Infer, AContractOfNoneIsObservedOnly) {
+  Profile declared = Snapped(8, SnapRule::kNearestEven);
+  declared.contract = Contract::kNone;
+  PlantedSubject subject = Follows(Snapped(4, SnapRule::kFloor), declared);
+  EXPECT_TRUE(Infer(subject).Agrees());
+}
+
+TEST(Infer, ToldReversedFacings) {
+  const Profile model = Snapped(8, SnapRule::kNearestEven);
+  SubjectInfo info = RealInfo();
+  info.profile = model;
+  PlantedSubject subject(
+      info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        CoverageCounts drawn = exact::Coverage(scene, model, options);
+        std::swap(drawn.front, drawn.back);
+        AddTo(counts, drawn);
+      });
+  const Inference inference = Infer(subject);
+  ASSERT_TRUE(inference.Fits()) << inference.message;
+  EXPECT_EQ(inference.facing, FacingReport::kReversed);
+  EXPECT_FALSE(inference.Agrees());
+}
+
+// Wrong facings are no model's, but the samples have one.
+TEST(Infer, FindsTheModelOfSamplesWhoseFacingsAreGuessed) {
+  const Profile model = Snapped(8, SnapRule::kFloor);
+  SubjectInfo info = RealInfo();
+  info.profile = model;
+  PlantedSubject subject(
+      info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        const CoverageCounts drawn = exact::Coverage(scene, model, options);
+        // On whole pixels a triangle can face the other way, or none.
+        const Scene coarse = SnapScene(scene, Snapped(0, SnapRule::kNearestEven));
+        const std::array<Vertex, 3> v = Corners(coarse, coarse.triangles[0]);
+        const int facing = exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])});
+        for (std::size_t k = 0; k < drawn.size(); ++k) {
+          (facing >= 0 ? counts.front : counts.back)[k] += drawn.Count(k);
+        }
+      });
+  const Inference inference = Infer(subject);
+  ASSERT_TRUE(inference.Fits()) << inference.message;
+  EXPECT_EQ(inference.facing, FacingReport::kNotTold);
+  EXPECT_NE(inference.message.find("facings"), std::string::npos);
+  EXPECT_TRUE(inference.Agrees());
+}
+
+TEST(Infer, TakesClipSpaceAndCountsWithoutFacings) {
+  const Profile model = Snapped(8, SnapRule::kHalfUp);
+  SubjectInfo info = RealInfo();
+  info.profile = model;
+  info.takes_window = false;
+  info.takes_clip = true;
+  info.coverage = CoverageKind::kCounts;
+  int window_scenes = 0;
+  PlantedSubject subject(
+      info, [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        window_scenes += scene.clip_space ? 0 : 1;
+        const CoverageCounts drawn = exact::Coverage(scene, model, options);
+        for (std::size_t k = 0; k < drawn.size(); ++k) counts.front[k] += drawn.Count(k);
+      });
+  const Inference inference = Infer(subject);
+  ASSERT_TRUE(inference.Fits()) << inference.message;
+  EXPECT_EQ(window_scenes, 0);
+  EXPECT_EQ(inference.facing, FacingReport::kNotTold);
+  EXPECT_EQ(ModelPart(inference.remaining.front()), ModelPart(model));
+  EXPECT_TRUE(inference.Agrees());
+}
+
+// Top-left in one tile, bottom-right in the next, as a checkerboard.
+PlantedSubject FlipsItsRuleByTile(const Profile& profile) {
+  SubjectInfo info = RealInfo();
+  info.profile = profile;
+  return {info, [profile](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+            Profile other = profile;
+            other.fill_rule = {-1, -1, false, false};
+            const CoverageCounts one = exact::Coverage(scene, profile, options);
+            const CoverageCounts two = exact::Coverage(scene, other, options);
+            for (int row = 0; row < scene.height; ++row) {
+              for (int x = 0; x < scene.width; ++x) {
+                const std::size_t k = counts.Index(x, row);
+                const CoverageCounts& from = (x / 8 + row / 8) % 2 == 0 ? one : two;
+                counts.front[k] += from.front[k];
+                counts.back[k] += from.back[k];
+              }
+            }
+          }};
+}
+
+TEST(Infer, NoModelFitsARuleThatFlipsByTile) {
+  PlantedSubject subject = FlipsItsRuleByTile(Snapped(8, SnapRule::kNearestEven));
+  const Inference inference = Infer(subject);
+  EXPECT_FALSE(inference.Fits());
+  EXPECT_FALSE(inference.message.empty());
+  ASSERT_TRUE(inference.nearest.has_value());
+  const NearestModel& nearest = *inference.nearest;
+  EXPECT_EQ(nearest.profile.snap.bits, 8) << Describe(nearest.profile);
+  EXPECT_GT(nearest.wrong_samples, 0U);
+  EXPECT_LT(nearest.wrong_samples * 20, nearest.samples);
+  EXPECT_LT(nearest.wrong_experiments, nearest.experiments);
+  ASSERT_TRUE(inference.witness.has_value());
+  const Case& witness = *inference.witness;
+  EXPECT_EQ(witness.scene.triangles.size(), 1U);
+  CoverageCounts counts(witness.scene.width, witness.scene.height);
+  subject.Draw(witness.scene, {}, counts);
+  EXPECT_NE(counts, exact::Coverage(witness.scene, nearest.profile));
+}
+
+TEST(Infer, NoModelFitsASubjectThatThrowsOrCulls) {
+  PlantedSubject throwing(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+    throw std::runtime_error("out of order");
+  });
+  const Inference broken = Infer(throwing);
+  EXPECT_FALSE(broken.Fits());
+  EXPECT_NE(broken.message.find("out of order"), std::string::npos);
+  EXPECT_TRUE(broken.witness.has_value());
+  DrawOptions front_only;
+  front_only.cull = Cull::kBack;
+  PlantedSubject culling(RealInfo(),
+                         [&](const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
+                           AddTo(counts, exact::Coverage(scene, Profile{}, front_only));
+                         });
+  const Inference culled = Infer(culling);
+  EXPECT_FALSE(culled.Fits());
+  EXPECT_NE(culled.message.find("turn the other way"), std::string::npos) << culled.message;
+}
+
+TEST(Infer, IsTheSameEveryTime) {
+  PlantedSubject subject = Follows(Snapped(8, SnapRule::kHalfUp), Snapped(8, SnapRule::kHalfUp));
+  const Inference once = Infer(subject);
+  const Inference twice = Infer(subject);
+  EXPECT_EQ(once.experiments, twice.experiments);
+  EXPECT_EQ(once.remaining, twice.remaining);
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -1,0 +1,115 @@
+// The recipes that reach the ends of the range, tiny ends, deciding ties and many samples do so.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "props/domains/bit_source.h"
+#include "props/domains/domain.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+using testing::RealInfo;
+using testing::SnappedInfo;
+
+Case Drawn(const Domain& domain, const SubjectInfo& info, std::uint64_t index) {
+  PhiloxSource bits(1, index);
+  return domain.draw(bits, info);
+}
+
+// How many of 200 cases of the domain are as `holds` says.
+template <class Holds>
+int CasesThat(std::string_view domain, const SubjectInfo& info, Holds holds) {
+  int cases = 0;
+  for (std::uint64_t i = 0; i < 200; ++i)
+    cases += holds(Drawn(*FindDomain(domain), info, i)) ? 1 : 0;
+  return cases;
+}
+
+TEST(RangeEnds, SpansThePromisedRangeFromEndToEnd) {
+  const SubjectInfo info = SnappedInfo(8);
+  const double limit = info.profile.coordinate_limit;
+  EXPECT_GE(CasesThat("range-ends", info,
+                      [&](const Case& c) {
+                        const auto [left, right] =
+                            std::ranges::minmax(c.scene.vertices, {}, &Vertex::x);
+                        return right.x - left.x > 1.99 * limit;
+                      }),
+            50);
+}
+
+TEST(DecidingTies, ChangeWhatIsCoveredWithTheRuleOfTheSnap) {
+  const SubjectInfo info = SnappedInfo(8);
+  const auto decided_by = [&](SnapRule rule) {
+    return CasesThat("deciding-ties", info, [&](const Case& c) {
+      Profile other = c.profile;
+      other.snap.rule = rule;
+      return exact::Coverage(c.scene, c.profile) != exact::Coverage(c.scene, other);
+    });
+  };
+  EXPECT_GE(decided_by(SnapRule::kNearestAway), 8);
+  EXPECT_GE(decided_by(SnapRule::kHalfUp), 8);
+  EXPECT_GE(decided_by(SnapRule::kFloor), 50);
+}
+
+TEST(FullTargets, CoverThreeQuartersOfManySamplesSeveralTimes) {
+  EXPECT_GE(CasesThat("full-targets", RealInfo(),
+                      [](const Case& c) {
+                        const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+                        std::uint64_t covered = 0;
+                        for (std::size_t k = 0; k < counts.size(); ++k) covered += counts.Count(k);
+                        return counts.size() >= (1 << 14) && covered >= 2 * counts.size();
+                      }),
+            150);
+}
+
+// The direct form in double: on float32 input its sign is wrong and not zero only if differences
+// round.
+bool MisleadsDoubles(const Case& c, const Triangle& t) {
+  const std::array<Vertex, 3> v = Corners(c.scene, t);
+  for (int row = 0; row < c.scene.height; ++row) {
+    for (int x = 0; x < c.scene.width; ++x) {
+      const Point2 p{x + 0.5, row + 0.5};
+      const double e = (p.x - v[0].x) * (v[1].y - v[0].y) - (p.y - v[0].y) * (v[1].x - v[0].x);
+      const int sign = exact::EdgeSign(WindowPoint(v[0]), WindowPoint(v[1]), p);
+      if (e != 0 && (e > 0 ? 1 : -1) != sign) return true;
+    }
+  }
+  return false;
+}
+
+TEST(TinyEnds, RoundTheDifferencesThatDecideTheSign) {
+  const auto misleads = [](const Case& c) {
+    return std::ranges::any_of(c.scene.triangles,
+                               [&](const Triangle& t) { return MisleadsDoubles(c, t); });
+  };
+  EXPECT_GE(CasesThat("tiny-ends", RealInfo(), misleads), 3);
+  EXPECT_EQ(CasesThat("uniform-subpixel", RealInfo(), misleads), 0);
+}
+
+TEST(SubPixel, KeepsWithinAPixelAndCoversSamples) {
+  const auto is_small = [](const Case& c) {
+    const auto [left, right] = std::ranges::minmax(c.scene.vertices, {}, &Vertex::x);
+    return c.scene.triangles.size() > 1 || right.x - left.x < 1;
+  };
+  const auto covers = [](const Case& c) {
+    const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+    return std::ranges::any_of(counts.front, [](auto n) { return n != 0; });
+  };
+  for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
+    EXPECT_EQ(CasesThat("sub-pixel", info, is_small), 200);
+    EXPECT_GE(CasesThat("sub-pixel", info, covers), 40);
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -1,0 +1,141 @@
+// rasterproof infer: which model a subject follows, found by experiment.
+#include <memory>
+#include <string>
+
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/output.h"
+#include "props/infer/declarations.h"
+#include "props/infer/infer.h"
+#include "report/json_writer.h"
+#include "tool/commands.h"
+#include "tool/session.h"
+
+namespace rasterproof::tool {
+namespace {
+
+std::string ModelText(const Profile& profile) {
+  const std::string bits =
+      profile.snap.IsNone()
+          ? "no grid"
+          : fmt::format("{} subpixel bits, {}", profile.snap.bits, props::SnapText(profile.snap));
+  return fmt::format("{}; {}; samples {}; y {}", bits, FillRuleName(profile.fill_rule),
+                     props::LatticeText(profile.lattice),
+                     profile.y_axis == YAxis::kUp ? "up" : "down");
+}
+
+std::string_view FacingText(props::FacingReport facing) {
+  switch (facing) {
+    case props::FacingReport::kAsOnScreen:
+      return "front is counter-clockwise on screen";
+    case props::FacingReport::kReversed:
+      return "front is clockwise on screen";
+    case props::FacingReport::kNotTold:
+      break;
+  }
+  return "facings are not told apart";
+}
+
+std::string FittingText(const props::Inference& inference) {
+  std::string text = inference.remaining.size() == 1
+                         ? "one model explains every draw\n"
+                         : fmt::format(
+                               "{} models explain every draw; no triangle that was looked "
+                               "for tells them apart\n",
+                               inference.remaining.size());
+  for (const Profile& profile : inference.remaining) text += "  " + ModelText(profile) + "\n";
+  text += fmt::format("facings          {}\n",
+                      inference.message.empty() ? FacingText(inference.facing) : inference.message);
+  for (const props::DeclarationVerdict& verdict : inference.declarations) {
+    text += fmt::format("{:<16} {:<16} declared {}{}\n", verdict.declaration,
+                        verdict.agrees ? "agrees" : "CONTRADICTED", verdict.declared,
+                        verdict.found == verdict.declared ? "" : ", found " + verdict.found);
+  }
+  return text;
+}
+
+std::string NoFitText(const props::Inference& inference) {
+  std::string text = fmt::format("no model fits: {}\n", inference.message);
+  if (const auto& nearest = inference.nearest) {
+    text += fmt::format(
+        "nearest          {}\nits error rate   {} of {} samples, {} of {} draws wrong\n",
+        ModelText(nearest->profile), nearest->wrong_samples, nearest->samples,
+        nearest->wrong_experiments, nearest->experiments);
+  }
+  return text;
+}
+
+std::string CaseText(const std::string& what, const Case& c, const std::string& subject) {
+  return what + "\n" + io::CaseToJson({c, subject, "CoverageEqualsTheModel"});
+}
+
+std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
+  report::JsonWriter json;
+  json.BeginObject();
+  json.Key("rasterproof_inference").Integer(1);
+  json.Key("subject").Text(info.name);
+  json.Key("declared").Value(io::ProfileToJson(info.profile));
+  json.Key("fits").Bool(inference.Fits());
+  json.Key("agrees").Bool(inference.Fits() && inference.Agrees());
+  json.Key("models").Integer(inference.models);
+  json.Key("experiments").Integer(inference.experiments);
+  json.Key("seconds").Rounded(inference.seconds);
+  json.Key("facing").Text(FacingText(inference.facing));
+  json.Key("remaining").BeginArray();
+  for (const Profile& profile : inference.remaining) json.Value(io::ProfileToJson(profile));
+  json.EndArray();
+  json.Key("declarations").BeginArray();
+  for (const props::DeclarationVerdict& verdict : inference.declarations) {
+    json.BeginObject();
+    json.Key("declaration").Text(verdict.declaration);
+    json.Key("declared").Text(verdict.declared);
+    json.Key("found").Text(verdict.found);
+    json.Key("agrees").Bool(verdict.agrees);
+    json.EndObject();
+  }
+  json.EndArray();
+  json.Key("message").Text(inference.message);
+  if (const auto& nearest = inference.nearest) {
+    json.Key("nearest").BeginObject();
+    json.Key("profile").Value(io::ProfileToJson(nearest->profile));
+    json.Key("wrong_samples").Integer(nearest->wrong_samples);
+    json.Key("samples").Integer(nearest->samples);
+    json.Key("wrong_experiments").Integer(nearest->wrong_experiments);
+    json.Key("experiments").Integer(nearest->experiments);
+    json.EndObject();
+  }
+  const auto& shown = inference.witness ? inference.witness : inference.against_declared;
+  if (shown) {
+    json.Key("witness").Value(io::CaseToJson({*shown, info.name, "CoverageEqualsTheModel"}));
+  }
+  json.EndObject();
+  return json.Finish();
+}
+
+}  // namespace
+
+int RunInfer(const InferOptions& options) {
+  RequireHonestEnvironment();
+  const std::unique_ptr<Subject> subject = MakeSubject(options.subject, options.profile);
+  props::InferOptions choice;
+  choice.seed = options.seed;
+  const props::Inference inference = props::Infer(*subject, choice);
+  const SubjectInfo& info = subject->Info();
+  std::string text = fmt::format("{}: {} models, {} draws, {:.2f} s\n", info.name, inference.models,
+                                 inference.experiments, inference.seconds);
+  text += inference.Fits() ? FittingText(inference) : NoFitText(inference);
+  if (inference.witness) {
+    text += CaseText("a case that it draws in another way:", *inference.witness, info.name);
+  }
+  if (inference.against_declared) {
+    text += CaseText("a case that the declared profile draws in another way:",
+                     *inference.against_declared, info.name);
+  }
+  if (!options.json.empty()) WriteOutput(options.json, ToJson(inference, info));
+  if (options.json != "-") io::WriteStandardOutput(text);
+  if (inference.Fits()) return inference.Agrees() ? kExitHolds : kExitViolated;
+  // A subject that promises nothing about its samples breaks no promise.
+  return info.profile.contract == Contract::kNone ? kExitInconclusive : kExitViolated;
+}
+
+}  // namespace rasterproof::tool

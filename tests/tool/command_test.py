@@ -56,6 +56,37 @@ class TemporaryFolder(unittest.TestCase):
         return path
 
 
+class InferTest(TemporaryFolder):
+    def test_a_subject_is_found_as_it_declares_itself(self):
+        result = run("infer", "--subject", "i32-snap4")
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn(b"4 subpixel bits, nearest-even", result.stdout)
+        self.assertNotIn(b"CONTRADICTED", result.stdout)
+
+    def test_an_untrue_declaration_is_contradicted_with_a_case(self):
+        path = os.path.join(self.folder.name, "inference.json")
+        result = run("infer", "--subject", "i32-snap4", "--profile", "d3d11", "--json", path)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertIn(b"CONTRADICTED     declared 8, found 4", result.stdout)
+        with open(path, encoding="utf-8") as file:
+            inference = json.load(file)
+        self.assertTrue(inference["fits"])
+        self.assertFalse(inference["agrees"])
+        self.assertEqual(inference["remaining"][0]["subpixel_bits"], 4)
+        case = self.write(json.dumps(inference["witness"]), "case.json")
+        self.assertEqual(run("replay", case, "--subject", "i32-snap4").returncode, 1)
+
+    def test_a_subject_that_no_model_fits_is_told_with_the_nearest(self):
+        result = run("infer", "--subject", "f32-incremental", "--json", "-")
+        inference = json.loads(result.stdout)
+        self.assertEqual(result.returncode, 1, inference["message"])
+        self.assertFalse(inference["fits"])
+        self.assertEqual(inference["remaining"], [])
+        self.assertIsNone(inference["nearest"]["profile"]["subpixel_bits"])
+        self.assertLess(inference["nearest"]["wrong_samples"], inference["nearest"]["samples"])
+        self.assertEqual(inference["witness"]["subject"], "f32-incremental")
+
+
 class CoverageTest(TemporaryFolder):
     def check(self, width, height, vertices, triangles, **more):
         path = self.write(scene_text(width, height, vertices, triangles, **more))
@@ -266,6 +297,26 @@ class VerdictTest(TemporaryFolder):
         result = run("check", "--subject", "i64-snap8", "--property", MODEL, "--cases", "50")
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertEqual(len(result.stdout.decode().splitlines()), 1)
+
+    def test_selftest_holds_where_mutants_die_and_legal_variants_live(self):
+        path = os.path.join(self.folder.name, "kills.json")
+        result = run("selftest", "--cases", "100", "--json", path, "--only",
+                     "mutant:ties-inclusive", "legal:snap-floor")
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn("1 of 1 killed", result.stdout.decode())
+        with open(path, encoding="utf-8") as file:
+            results = json.load(file)["results"]
+        self.assertEqual([r["violated"] for r in results], [True, False, False, False])
+        killed = results[0]
+        replay = run("replay", "--subject", killed["name"], "--property", killed["property"],
+                     "--seed", str(killed["seed"]), "--case", str(killed["case"]))
+        self.assertEqual(replay.returncode, 1, replay.stdout)
+
+    def test_selftest_fails_for_a_mutant_that_survives_and_for_an_unknown_name(self):
+        result = run("selftest", "--cases", "1", "--only", "mutant:lost-1-in-1e6")
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertIn("survived", result.stdout.decode())
+        self.assertEqual(run("selftest", "--only", "mutant:none-such").returncode, 2)
 
     def test_doctor_and_plan_verify(self):
         self.assertEqual(run("doctor").returncode, 0)

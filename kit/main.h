@@ -1,0 +1,38 @@
+// The whole command with a rasterizer of one's own as its subject.
+//
+//     #include "kit/main.h"
+//     struct Mine {
+//       void Draw(const rasterproof::Scene& scene, rasterproof::CoverageCounts& counts);
+//     };
+//     RASTERPROOF_MAIN(Mine)
+//
+// The program that comes of it takes the verbs of rasterproof; Mine is the subject where none is
+// named. It runs in a process of its own: a crash or a hang is a finding.
+#ifndef RASTERPROOF_KIT_MAIN_H_
+#define RASTERPROOF_KIT_MAIN_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/rasterizer.h"
+#include "core/subject.h"
+
+namespace rasterproof::kit {
+
+/// Runs the command. Returns its exit status.
+int Main(int argc, char** argv, const std::string& name,
+         std::function<std::unique_ptr<Subject>()> make);
+
+}  // namespace rasterproof::kit
+
+/// Defines main. `Type` models rasterproof::Rasterizer.
+#define RASTERPROOF_MAIN(Type)                                            \
+  int main(int argc, char** argv) {                                       \
+    return rasterproof::kit::Main(argc, argv, #Type, [] {                 \
+      return std::unique_ptr<rasterproof::Subject>(                       \
+          std::make_unique<rasterproof::RasterizerSubject<Type>>(#Type)); \
+    });                                                                   \
+  }
+
+#endif  // RASTERPROOF_KIT_MAIN_H_

@@ -1,0 +1,115 @@
+/* A rasterizer as a shared library: what it exports and what it is given.
+ *
+ * A library exports one function, rasterproof_plugin_describe(), which returns a description of
+ * itself with pointers to its calls. Only `draw` is required. `rasterproof check --plugin
+ * ./libmine.so` loads it in a process of its own: a crash, a hang or a write outside the target is
+ * a finding with its case, not the end of the run.
+ *
+ * C11 and C++. Version 1. Structures grow at their end only; `size` tells how much of one is there,
+ * so a library that was built against an older header goes on working.
+ */
+#ifndef RASTERPROOF_KIT_RASTERPROOF_PLUGIN_H_
+#define RASTERPROOF_KIT_RASTERPROOF_PLUGIN_H_
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define RASTERPROOF_PLUGIN_VERSION 1u
+
+/* What coverage comes back as. */
+enum rasterproof_coverage {
+  /* front and back: how many triangles of each facing cover the sample. Front is counter-clockwise
+   * as seen on the screen. */
+  RASTERPROOF_FACING_COUNTS = 0,
+  /* front alone: how many triangles cover the sample. */
+  RASTERPROOF_COUNTS = 1,
+  /* front alone: 1 where anything covers the sample. Triangles then come one to a call, so that
+   * overlaps still show. */
+  RASTERPROOF_MASK = 2
+};
+
+/* The number format in which the library computes its input. */
+enum rasterproof_input {
+  RASTERPROOF_FLOAT32 = 0, /* every coordinate is a float */
+  RASTERPROOF_FLOAT64 = 1
+};
+
+/* What the library takes, as bits of rasterproof_plugin.takes. None of them: window-space scenes,
+ * drawn whole. */
+#define RASTERPROOF_TAKES_CLIP_SPACE 1u      /* scenes with w; without this bit w is 1 */
+#define RASTERPROOF_TAKES_NO_WINDOW_SPACE 2u /* nothing but scenes with w */
+#define RASTERPROOF_TAKES_CULLING 4u
+#define RASTERPROOF_TAKES_SCISSOR 8u
+#define RASTERPROOF_TAKES_TILES 16u
+#define RASTERPROOF_TAKES_THREADS 32u
+
+enum rasterproof_cull {
+  RASTERPROOF_CULL_NONE = 0,
+  RASTERPROOF_CULL_FRONT = 1,
+  RASTERPROOF_CULL_BACK = 2
+};
+
+/* A mesh to draw. Window space: pixels, x right, y down (unless the profile says up), pixel (i, j)
+ * has its centre at (i + 1/2, j + 1/2). Clip space: x and y are scaled to the viewport already
+ * (window = x/w, y/w). */
+typedef struct rasterproof_scene {
+  uint32_t size; /* sizeof(rasterproof_scene) of the caller */
+  int32_t width;
+  int32_t height;
+  int32_t clip_space;       /* 0: window space, every w is 1 */
+  const double* vertices;   /* 4 a vertex: x, y, z, w; floats exactly, where the input is FLOAT32 */
+  const int32_t* triangles; /* 3 indices a triangle */
+  size_t vertex_count;
+  size_t triangle_count;
+  int32_t cull;       /* enum rasterproof_cull */
+  int32_t scissor[4]; /* x0, y0, x1, y1: columns [x0, x1), rows [y0, y1) from the top */
+  int32_t tile;       /* 0: the library's own choice */
+  int32_t threads;    /* 0: the library's own choice */
+} rasterproof_scene;
+
+/* Where the counts go: row-major, top row first, `samples` counts a pixel. Add to what is there.
+ * The samples of a row end before `stride`: what lies between, before and behind is guarded. */
+typedef struct rasterproof_target {
+  uint32_t size; /* sizeof(rasterproof_target) of the caller */
+  int32_t samples;
+  size_t stride; /* counts from one row to the next */
+  uint32_t* front;
+  uint32_t* back; /* NULL unless the coverage is FACING_COUNTS */
+} rasterproof_target;
+
+typedef struct rasterproof_plugin {
+  uint32_t version; /* RASTERPROOF_PLUGIN_VERSION */
+  uint32_t size;    /* sizeof(rasterproof_plugin) */
+  const char* name;
+  const char* summary;
+  /* What it promises: "real", "gl", "vulkan", "d3d11", or the text of a profile file (JSON).
+   * NULL: "real". */
+  const char* profile;
+  uint32_t input;    /* enum rasterproof_input */
+  uint32_t coverage; /* enum rasterproof_coverage */
+  uint32_t takes;    /* RASTERPROOF_TAKES_... */
+  /* Draws every triangle of the scene. 0: done; anything else: the scene is refused (it is then not
+   * judged, and the number of refusals is reported). */
+  int32_t (*draw)(void* state, const rasterproof_scene* scene, const rasterproof_target* target);
+  /* All optional. The state is what open returned, or NULL. */
+  void* (*open)(void);
+  void (*reset)(void* state); /* to what open left behind: earlier calls must not matter any more */
+  void (*close)(void* state);
+} rasterproof_plugin;
+
+/* The one function that the library exports. The description must outlive the library's use. */
+#if defined(__GNUC__)
+__attribute__((visibility("default")))
+#endif
+const rasterproof_plugin*
+rasterproof_plugin_describe(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* RASTERPROOF_KIT_RASTERPROOF_PLUGIN_H_ */

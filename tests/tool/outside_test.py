@@ -1,0 +1,160 @@
+"""Subjects outside: plugins, programs on a pipe, types of the user's own; sound, faulty and absent.
+
+usage: outside_test.py PROGRAM SOURCES EXAMPLES FAULTY
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:5])
+PYTHON_EXAMPLE = os.path.join(SOURCES, "kit/examples/program.py")
+MODEL = "CoverageEqualsTheModel"
+SHARED_EDGE = "SharedEdgeSamplesAreCoveredOnce"
+DEGENERATE = "DegenerateTrianglesCoverNothing"
+SCENE = "scenes/ties.json"
+
+
+def run(*arguments, program=PROGRAM, data=None):
+    return subprocess.run([program, *arguments], input=data, capture_output=True, cwd=SOURCES,
+                          timeout=300, check=False)  # fmt: skip
+
+
+def faulty(name):
+    return os.path.join(FAULTY, f"faulty_{name}.so")
+
+
+class SoundSubjects(unittest.TestCase):
+    def test_the_c_example_keeps_what_its_profile_promises(self):
+        done = run("check", "--plugin", f"{EXAMPLES}/example_plugin.so", "--cases", "70")
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertIn(b"holds", done.stdout)
+        self.assertNotIn(b"violated", done.stdout)
+
+    def test_a_plugin_draws_what_the_oracle_says(self):
+        drawn = run("coverage", SCENE, "--plugin", f"{EXAMPLES}/example_plugin.so")
+        exact = run("coverage", SCENE, "--profile", "gl")
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.assertEqual(drawn.stdout, exact.stdout)
+
+    def test_the_python_example_keeps_what_a_plain_program_promises(self):
+        done = run("check", "--exec", "kit/examples/program.py", "--cases", "5",
+                   "--property", MODEL, "--property", SHARED_EDGE)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+
+    def test_a_pipe_laid_by_hand_says_the_same(self):
+        requests = run("gen", "--cases", "6")
+        self.assertEqual(requests.returncode, 0, requests.stderr)
+        answers = run(program=PYTHON_EXAMPLE, data=requests.stdout)
+        verdict = run("ver", "--cases", "6", data=answers.stdout)
+        self.assertEqual(verdict.returncode, 0, verdict.stdout.decode() + verdict.stderr.decode())
+        self.assertIn(b"0 violated", verdict.stdout)
+
+    def test_a_wrong_answer_on_the_pipe_is_violated(self):
+        requests = run("gen", "--cases", "3")
+        answers = run(program=PYTHON_EXAMPLE, data=requests.stdout)
+        wrong = [
+            line.replace(b"0", b"1") if b"counts" not in line else line
+            for line in answers.stdout.split(b"\n")
+        ]
+        verdict = run("ver", "--cases", "3", data=b"\n".join(wrong))
+        self.assertEqual(verdict.returncode, 1, verdict.stderr)
+        self.assertIn(b"--case 0", verdict.stdout)
+
+    def test_a_type_of_ones_own_is_the_subject(self):
+        done = run("check", "--property", MODEL, program=f"{EXAMPLES}/example_own_type")
+        self.assertEqual(done.returncode, 1, done.stderr)  # float32 and no tie rule
+        self.assertIn(b"Naive", done.stdout)
+
+    def test_a_subject_file_says_what_a_program_promises(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mine.subject")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("# a program\ncommand kit/examples/program.py\nprofile real\n"
+                           "coverage counts\ninput float64\n")  # fmt: skip
+            done = run("check", "--subject", path, "--property", MODEL, "--cases", "3")
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+
+
+class FaultySubjects(unittest.TestCase):
+    def check(self, name, words, *more):
+        done = run("check", "--plugin", faulty(name), "--property", MODEL, "--property",
+                   DEGENERATE, "--cases", "30", *more)  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(words, done.stdout.decode())
+        self.assertIn("replay", done.stdout.decode())
+        # The run goes on: both properties were judged.
+        self.assertIn(DEGENERATE, done.stdout.decode())
+
+    def test_a_crash_is_a_finding_with_its_signal(self):
+        self.check("CRASH", "killed by signal 11")
+
+    def test_an_exit_is_a_finding_with_its_status(self):
+        self.check("EXIT", "ended with status 3")
+
+    def test_a_hang_is_a_finding_with_its_limit(self):
+        done = run("check", "--plugin", faulty("HANG"), "--property", DEGENERATE, "--cases", "30",
+                   "--time-limit", "0.05")  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("no answer within 0.05 s", done.stdout.decode())
+
+    def test_writes_outside_the_target_are_findings(self):
+        self.check("RIGHT_OF_ROW", "it wrote outside its target: column")
+        self.check("ABOVE", "it wrote outside its target: column 0 of row -1")
+        self.check("FAR_BELOW", "killed by signal 11")
+
+    def test_what_depends_on_earlier_calls_is_a_finding(self):
+        done = run("check", "--plugin", faulty("UNSTEADY"), "--property",
+                   "EqualDrawsGiveEqualCounts", "--cases", "20")  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stderr)
+
+    def test_what_a_plugin_prints_is_no_answer(self):
+        done = run("coverage", "scenes/slivers.json", "--plugin", faulty("PRINTS"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(b"this is no answer", done.stderr)
+
+    def test_a_refusal_is_inconclusive_not_green(self):
+        done = run("check", "--plugin", faulty("REFUSES"), "--property", MODEL, "--cases", "9")
+        self.assertEqual(done.returncode, 4, done.stdout)
+
+
+class BadNames(unittest.TestCase):
+    def check(self, *arguments, words):
+        done = run(*arguments)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertEqual(done.stdout, b"")
+        for word in words:
+            self.assertIn(word, done.stderr.decode())
+
+    def test_a_library_that_is_none(self):
+        self.check("check", "--plugin", "no/such.so", words=["no/such.so"])
+        self.check("check", "--plugin", "README.md", words=["README.md"])
+        self.check("check", "--plugin", faulty("NO_SYMBOL"), words=["rasterproof_plugin_describe"])
+        self.check("check", "--plugin", faulty("VERSION"), words=["version 99"])
+        self.check("check", "--plugin", faulty("PROFILE"), words=["profile", "snap"])
+        self.check("check", "--plugin", faulty("AT_LOAD"), words=["signal 6"])
+
+    def test_a_program_that_is_none(self):
+        self.check("coverage", SCENE, "--exec", "./no-such-program", words=["no-such-program"])
+
+    def test_a_subject_file_that_is_none(self):
+        self.check("coverage", SCENE, "--subject", "no.subject", words=["no.subject"])
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "x.subject")
+            for text, word in (
+                ("coverage some\n", "coverage"),
+                ("colour red\n", "colour"),
+                ("takes window\n", "command"),
+                ("command true\ntakes tiles\n", "neither window nor clip"),
+            ):
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(text)
+                self.check("coverage", SCENE, "--subject", path, words=[path])
+
+    def test_answers_that_end_early(self):
+        self.check("ver", "--cases", "1", words=["standard input", "ends before"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=0)

@@ -1,0 +1,416 @@
+// Options are parsed here, in one translation unit; cmd_*.cc do the work.
+#include "tool/command_line.h"
+
+#include <csignal>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <random>
+#include <string>
+
+#include "CLI/CLI.hpp"
+#include "core/error.h"
+#include "core/subject.h"
+#include "fmt/format.h"
+#include "tool/commands.h"
+#include "tool/outside.h"
+
+namespace rasterproof::tool {
+namespace {
+
+// "random", or a number that is what it says.
+std::uint64_t ParseSeed(const std::string& text) {
+  if (text == "random") {
+    std::random_device device;
+    const std::uint64_t seed = (std::uint64_t{device()} << 32) | device();
+    fmt::print(stderr, "seed {}\n", seed);
+    return seed;
+  }
+  std::size_t used = 0;
+  try {
+    const std::uint64_t seed = std::stoull(text, &used, 0);
+    if (used == text.size() && !text.starts_with('-')) return seed;
+  } catch (const std::exception&) {  // reported below, with the same words
+  }
+  throw InputError("--seed " + text, "not a seed", "give an integer of 0 to 2^64 - 1, or 'random'");
+}
+
+// Two more ways to name subjects, and what those may cost.
+void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& add) {
+  app->add_option_function<std::vector<std::string>>(
+      "--plugin",
+      [add](const std::vector<std::string>& paths) {
+        for (const std::string& path : paths) add(std::string(kPluginPrefix) + path);
+      },
+      "Shared library with the interface of kit/rasterproof_plugin.h");
+  app->add_option_function<std::vector<std::string>>(
+      "--exec",
+      [add](const std::vector<std::string>& commands) {
+        for (const std::string& command : commands) add(std::string(kExecPrefix) + command);
+      },
+      "Program that answers requests on a pipe (docs/subjects.md)");
+  app->add_option("--time-limit", OutsideLimits().seconds,
+                  "Seconds that a plugin or program may take for one answer")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app->add_option_function<double>(
+         "--memory-limit",
+         [](double gibibytes) {
+           OutsideLimits().bytes = static_cast<std::uint64_t>(gibibytes * 0x1p30);
+         },
+         "GiB of address space that it may have (0: no limit)")
+      ->check(CLI::NonNegativeNumber)
+      ->default_str("4");
+}
+
+void AddSubject(CLI::App* app, std::string& subject, const std::string& help = "Subject") {
+  app->add_option("--subject", subject, help)->capture_default_str();
+  AddOutside(app, [&subject](const std::string& name) { subject = name; });
+}
+
+void AddSubjects(CLI::App* app, std::vector<std::string>& subjects) {
+  CLI::Option* const named =
+      app->add_option("--subject", subjects, "Subjects")->capture_default_str();
+  // The first one from outside takes the place of the default.
+  bool replace = true;
+  AddOutside(app, [&subjects, named, replace](const std::string& name) mutable {
+    if (replace && named->count() == 0) subjects.clear();
+    replace = false;
+    subjects.push_back(name);
+  });
+}
+
+void AddScene(CLI::App* app, SceneOptions& scene) {
+  app->add_option("scene", scene.path,
+                  "Scene file (JSON; - for standard input) or mesh (obj, ply, off, stl, gltf, glb)")
+      ->required();
+  app->add_option("--camera", scene.camera,
+                  "For meshes: front, inside, or \"eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES\"");
+  app->add_option("--project", scene.project, "For meshes: window, clip or auto")
+      ->check(CLI::IsMember({"window", "clip", "auto"}))
+      ->capture_default_str();
+  app->add_option("--width", scene.width, "For meshes: width of the target")->capture_default_str();
+  app->add_option("--height", scene.height, "For meshes: height of the target")
+      ->capture_default_str();
+}
+
+void AddCampaign(CLI::App* app, CampaignChoice& campaign) {
+  app->add_option_function<std::string>(
+         "--seed", [&](const std::string& text) { campaign.seed = ParseSeed(text); },
+         "Seed of the generators, or 'random' (the one taken is printed)")
+      ->default_str("1");
+  app->add_option("--cases", campaign.cases, "Cases a property")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app->add_option("--seconds", campaign.seconds, "Most seconds a property (0: no limit)")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+void AddCase(CLI::App* app, CaseChoice& choice) {
+  app->add_option("case", choice.path, "Case or scene file (- for standard input)");
+  AddSubject(app, choice.subject, "Subject (default: the one the file names)");
+  app->add_option("--property", choice.property, "Property (default: the one the file names)");
+  app->add_option_function<std::string>(
+      "--seed", [&](const std::string& text) { choice.seed = ParseSeed(text); },
+      "Seed of a generated case");
+  app->add_option("--case", choice.index, "Number of a generated case")
+      ->check(CLI::NonNegativeNumber);
+}
+
+void AddPipe(CLI::App* app, PipeOptions& options) {
+  app->add_option("--property", options.property, "Claim to put to the test")
+      ->capture_default_str();
+  app->add_option("--description", options.description,
+                  "File that says what the program promises (docs/subjects.md)");
+  AddCampaign(app, options.campaign);
+}
+
+// Every verb adds its options and what is to be run. The option structures live as long as the
+// program.
+using Run = std::function<int()>;
+
+void AddList(CLI::App& app, Run& run) {
+  static ListOptions options;
+  CLI::App* verb = app.add_subcommand("list", "Subjects, properties, domains and profiles");
+  verb->add_option("what", options.what, "subjects, properties, domains, profiles, mutants or all")
+      ->check(CLI::IsMember({"subjects", "properties", "domains", "profiles", "mutants", "all"}))
+      ->capture_default_str();
+  verb->callback([&run] { run = [] { return RunList(options); }; });
+}
+
+void AddCoverage(CLI::App& app, Run& run) {
+  static CoverageOptions options;
+  CLI::App* verb = app.add_subcommand("coverage", "The count per sample, as rows of integers");
+  AddScene(verb, options.scene);
+  AddSubject(verb, options.subject);
+  verb->add_option("--profile", options.profile,
+                   "Profile of --subject exact: a preset or a file (default real)");
+  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
+  verb->callback([&run] { run = [] { return RunCoverage(options); }; });
+}
+
+void AddDiff(CLI::App& app, Run& run) {
+  static DiffOptions options;
+  CLI::App* verb = app.add_subcommand("diff", "Where two subjects disagree on a scene");
+  AddScene(verb, options.scene);
+  AddSubject(verb, options.subject);
+  verb->add_option("--against", options.against, "What to compare with")->capture_default_str();
+  verb->add_option("--profile", options.profile,
+                   "Profile of the oracle (default: the subject's own)");
+  verb->add_option("--png", options.png, "Picture of the difference");
+  verb->callback([&run] { run = [] { return RunDiff(options); }; });
+}
+
+void AddRender(CLI::App& app, Run& run) {
+  static RenderOptions options;
+  CLI::App* verb = app.add_subcommand("render", "Pictures (PNG) of what a method draws");
+  AddScene(verb, options.scene);
+  verb->add_option("--mode", options.mode,
+                   "flat, weights, depth, wireframe, coverage or difference")
+      ->check(CLI::IsMember({"flat", "weights", "depth", "wireframe", "coverage", "difference"}))
+      ->capture_default_str();
+  AddSubject(verb, options.subject);
+  verb->add_option("--line-width", options.line_width, "Half-width of wireframe lines in pixels")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("-o,--output", options.output, "PNG file (- for standard output)")->required();
+  verb->callback([&run] { run = [] { return RunRender(options); }; });
+}
+
+void AddCheck(CLI::App& app, Run& run, const std::string& own) {
+  static CheckOptions options;
+  options.subjects = {own};
+  CLI::App* verb =
+      app.add_subcommand("check", "The properties, on generated cases or on given scenes");
+  verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
+  AddSubjects(verb, options.subjects);
+  verb->add_option("--property", options.properties, "Properties (default: all)");
+  verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
+  verb->add_option("--save", options.save, "Folder for shrunken counterexamples");
+  AddCampaign(verb, options.campaign);
+  verb->callback([&run] { run = [] { return RunCheck(options); }; });
+}
+
+void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::string& own) {
+  static CertifyOptions options;
+  options.subjects = {own};
+  options.campaign.cases = 100;
+  options.command = command;
+  CLI::App* verb = app.add_subcommand("certify", "Certificate, JUnit file and report page");
+  AddSubjects(verb, options.subjects);
+  verb->add_flag(
+      "--all", options.all,
+      "Every built-in subject; the status then tells only whether each keeps its own claims");
+  verb->add_option("--scenes", options.scene_set, "Scene set to measure")->capture_default_str();
+  verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
+  AddCampaign(verb, options.campaign);
+  verb->callback([&run] { run = [] { return RunCertify(options); }; });
+}
+
+void AddInfer(CLI::App& app, Run& run) {
+  static InferOptions options;
+  CLI::App* verb =
+      app.add_subcommand("infer", "The model that a subject follows, found by experiment");
+  AddSubject(verb, options.subject);
+  verb->add_option("--profile", options.profile,
+                   "Verify this profile's declarations, not the subject's own");
+  verb->add_option_function<std::string>(
+          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
+          "Seed of the experiments, or 'random'")
+      ->default_str("1");
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  verb->callback([&run] { run = [] { return RunInfer(options); }; });
+}
+
+void AddReplay(CLI::App& app, Run& run) {
+  static ReplayOptions options;
+  CLI::App* verb = app.add_subcommand("replay", "Run one case again, saved or generated");
+  AddCase(verb, options.choice);
+  verb->callback([&run] { run = [] { return RunReplay(options); }; });
+}
+
+void AddExplain(CLI::App& app, Run& run) {
+  static ExplainOptions options;
+  CLI::App* verb =
+      app.add_subcommand("explain", "The pixel grid at the failing place, with exact edge values");
+  AddCase(verb, options.choice);
+  verb->add_option_function<std::vector<int>>(
+          "--pixel",
+          [](const std::vector<int>& at) {
+            options.x = at[0];
+            options.y = at[1];
+          },
+          "Column and row (from the top) to look at")
+      ->expected(2)
+      ->delimiter(',');
+  verb->add_option("--svg", options.svg, "Picture as SVG");
+  verb->add_option("--png", options.png, "Picture as PNG");
+  verb->add_flag("--colour", options.colour, "Colours in the terminal");
+  verb->callback([&run] { run = [] { return RunExplain(options); }; });
+}
+
+void AddShrink(CLI::App& app, Run& run) {
+  static ShrinkOptions options;
+  CLI::App* verb = app.add_subcommand("shrink", "Make a failing case as small as it gets");
+  AddCase(verb, options.choice);
+  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
+  verb->add_option("--budget", options.budget, "Most evaluations")->capture_default_str();
+  verb->callback([&run] { run = [] { return RunShrink(options); }; });
+}
+
+void AddPlan(CLI::App& app, Run& run) {
+  static PlanOptions options;
+  CLI::App* verb =
+      app.add_subcommand("plan", "The cheapest exact arithmetic for a scene, and what is left out");
+  AddScene(verb, options.scene);
+  verb->add_option("--profile", options.profile, "Preset or profile file")->capture_default_str();
+  verb->add_flag("--weights", options.weights, "Barycentric weights are needed");
+  verb->add_flag("--depth", options.depth, "Depth is needed");
+  verb->add_flag("--wireframe", options.wireframe, "Edge distances are needed");
+  verb->add_flag("--verify", options.verify, "Draw by the plan and compare with the oracle");
+  verb->callback([&run] { run = [] { return RunPlan(options); }; });
+}
+
+void AddBench(CLI::App& app, Run& run) {
+  static BenchOptions options;
+  CLI::App* verb = app.add_subcommand("bench", "Error against run time, as ratios within one run");
+  verb->add_option("--subject", options.subjects, "Subjects (default: every method)");
+  verb->add_option("--repetitions", options.repetitions, "Interleaved repetitions")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option_function<std::string>(
+      "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
+      "Seed of the scenes");
+  verb->add_option("--json", options.json, "Result as JSON");
+  verb->add_option("--plot", options.plot, "Vega-Lite specification of the plot");
+  verb->callback([&run] { run = [] { return RunBench(options); }; });
+}
+
+void AddDecode(CLI::App& app, Run& run) {
+  static DecodeOptions options;
+  CLI::App* verb = app.add_subcommand("decode", "The case that a fuzz input stands for, as a file");
+  verb->add_option("input", options.input, "Fuzz input (- for standard input)")->required();
+  verb->add_option("--subject", options.subject, "Subject it was run on")->required();
+  verb->add_option("--property", options.property, "Property it was run against");
+  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
+  verb->callback([&run] { run = [] { return RunDecode(options); }; });
+}
+
+void AddSelftest(CLI::App& app, Run& run) {
+  static SelftestOptions options;
+  CLI::App* verb = app.add_subcommand(
+      "selftest", "Whether the properties find planted bugs and let legal variants pass");
+  verb->add_option_function<std::string>(
+          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
+          "Seed of the generators; legal variants take the next two as well")
+      ->default_str("1");
+  verb->add_option("--cases", options.cases,
+                   "Most cases a property; a tenth of them for legal variants")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--only", options.only, "Mutants and legal variants (default: all)");
+  verb->add_option("--json", options.json, "Result as JSON");
+  verb->callback([&run] { run = [] { return RunSelftest(options); }; });
+}
+
+void AddDoctor(CLI::App& app, Run& run) {
+  CLI::App* verb =
+      app.add_subcommand("doctor", "Whether this machine and build can be trusted to judge");
+  verb->callback([&run] { run = [] { return RunDoctor(); }; });
+}
+
+void AddGen(CLI::App& app, Run& run) {
+  static PipeOptions options;
+  CLI::App* verb = app.add_subcommand("gen", "Requests to draw, for a program's standard input");
+  AddPipe(verb, options);
+  verb->callback([&run] { run = [] { return RunGen(options); }; });
+}
+
+void AddVer(CLI::App& app, Run& run) {
+  static PipeOptions options;
+  CLI::App* verb =
+      app.add_subcommand("ver", "Judge the answers to gen's requests, on standard input");
+  AddPipe(verb, options);
+  verb->callback([&run] { run = [] { return RunVer(options); }; });
+}
+
+void AddHost(CLI::App& app, Run& run) {
+  static HostOptions options;
+  CLI::App* verb = app.add_subcommand("host", "Answer requests by a plugin, on a pipe");
+  verb->add_option("subject", options.subject, "plugin:PATH")->required();
+  verb->add_flag("--describe", options.describe, "Say only what it promises");
+  verb->callback([&run] { run = [] { return HostSubject(options.subject, options.describe); }; });
+}
+
+std::string CommandLine(int argc, char** argv) {
+  std::string line = "rasterproof";
+  for (int k = 1; k < argc; ++k) line += std::string(" ") + argv[k];
+  return line;
+}
+
+int Parse(int argc, char** argv, const std::string& own) {
+  CLI::App app{"rasterproof: certify triangle rasterizers against exact arithmetic"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "rasterproof " RASTERPROOF_VERSION);
+  Run run;
+  AddCheck(app, run, own);
+  AddExplain(app, run);
+  AddReplay(app, run);
+  AddInfer(app, run);
+  AddCertify(app, run, CommandLine(argc, argv), own);
+  AddList(app, run);
+  AddCoverage(app, run);
+  AddRender(app, run);
+  AddPlan(app, run);
+  AddBench(app, run);
+  AddShrink(app, run);
+  AddDiff(app, run);
+  AddDecode(app, run);
+  AddSelftest(app, run);
+  AddGen(app, run);
+  AddVer(app, run);
+  AddHost(app, run);
+  AddDoctor(app, run);
+  // Left to itself the parser would say that a verb is missing, not that this one is unknown.
+  const auto is_verb = [&](const std::string& name) {
+    return !app.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == name; })
+                .empty();
+  };
+  if (argc > 1 && argv[1][0] != '-' && !is_verb(argv[1])) {
+    throw InputError(fmt::format("verb '{}'", argv[1]), "there is no such verb",
+                     "rasterproof --help lists them");
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitHolds : kExitUsage;
+  }
+  return run();
+}
+
+}  // namespace
+
+int RunCommandLine(int argc, char** argv, const std::string& own) {
+  // A closed pipe is an error that is reported, not a signal that kills.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return Parse(argc, argv, own);
+  } catch (const InputError& error) {
+    std::cerr << "rasterproof: " << error.what() << '\n';
+    return kExitUsage;
+  } catch (const SubjectFault& fault) {
+    std::cerr << "rasterproof: the subject failed: " << fault.what() << '\n';
+    return kExitViolated;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";
+    return kExitUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "rasterproof: fault of the program itself: " << error.what() << '\n';
+    return kExitFault;
+  }
+}
+
+}  // namespace rasterproof::tool

@@ -1,0 +1,115 @@
+#include "tool/description.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+
+namespace rasterproof::tool {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, CoverageKind>, 3> kCoverages{
+    {{"facing-counts", CoverageKind::kFacingCounts},
+     {"counts", CoverageKind::kCounts},
+     {"mask", CoverageKind::kMask}}};
+
+constexpr std::array<std::pair<std::string_view, bool SubjectInfo::*>, 6> kTakes{
+    {{"window", &SubjectInfo::takes_window},
+     {"clip", &SubjectInfo::takes_clip},
+     {"culling", &SubjectInfo::takes_culling},
+     {"scissor", &SubjectInfo::takes_scissor},
+     {"tiles", &SubjectInfo::takes_tiles},
+     {"threads", &SubjectInfo::takes_threads}}};
+
+template <class Table>
+std::string NamesIn(const Table& table) {
+  std::string names;
+  for (const auto& entry : table) names += (names.empty() ? "" : ", ") + std::string(entry.first);
+  return names;
+}
+
+template <class Table>
+auto Chosen(const Table& table, std::string_view name, const std::string& place) {
+  const auto found = std::ranges::find_if(table, [&](const auto& e) { return e.first == name; });
+  if (found != table.end()) return found->second;
+  throw InputError(place, fmt::format("'{}' is not known", name), "choose of: " + NamesIn(table));
+}
+
+void TakeLine(const std::string& key, const std::string& value, const std::string& place,
+              Description& description) {
+  SubjectInfo& info = description.info;
+  if (key == "name") {
+    info.name = value;
+  } else if (key == "summary") {
+    info.summary = value;
+  } else if (key == "command") {
+    description.command = value;
+  } else if (key == "profile") {
+    info.profile = io::ParseProfile(value, place + ": profile");
+  } else if (key == "coverage") {
+    info.coverage = Chosen(kCoverages, value, place);
+  } else if (key == "input") {
+    constexpr std::array<std::pair<std::string_view, Precision>, 2> kInputs{
+        {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
+    info.input = Chosen(kInputs, value, place);
+  } else if (key == "takes") {
+    for (const auto& [name, member] : kTakes) info.*member = false;
+    std::istringstream words(value);
+    for (std::string word; words >> word;) info.*Chosen(kTakes, word, place) = true;
+  } else {
+    throw InputError(place, fmt::format("there is no key '{}'", key),
+                     "use name, summary, command, input, coverage, takes or profile");
+  }
+}
+
+}  // namespace
+
+Description PlainDescription() {
+  Description description;
+  SubjectInfo& info = description.info;
+  info.takes_culling = info.takes_scissor = info.takes_tiles = false;
+  info.coverage = CoverageKind::kCounts;
+  return description;
+}
+
+Description ParseDescription(std::string_view text, const std::string& place) {
+  Description description = PlainDescription();
+  std::istringstream lines{std::string(text)};
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string::npos || line[begin] == '#') continue;
+    const std::size_t space = std::min(line.find_first_of(" \t", begin), line.size());
+    const std::size_t value = line.find_first_not_of(" \t", space);
+    const std::size_t end = line.find_last_not_of(" \t\r") + 1;
+    TakeLine(line.substr(begin, space - begin),
+             value == std::string::npos ? "" : line.substr(value, end - value),
+             fmt::format("{}: line {}", place, number), description);
+  }
+  if (!description.info.takes_window && !description.info.takes_clip) {
+    throw InputError(place, "it takes neither window nor clip space", "name one under takes");
+  }
+  return description;
+}
+
+std::string DescriptionText(const SubjectInfo& info, const std::string& profile) {
+  const auto coverage = std::ranges::find_if(
+      kCoverages, [&](const auto& entry) { return entry.second == info.coverage; });
+  std::string takes;
+  for (const auto& [name, member] : kTakes) {
+    if (info.*member) takes += " " + std::string(name);
+  }
+  std::string one_line = profile;
+  std::ranges::replace(one_line, '\n', ' ');
+  return fmt::format("name {}\nsummary {}\ninput {}\ncoverage {}\ntakes{}\nprofile {}\n", info.name,
+                     info.summary, info.input == Precision::kFloat64 ? "float64" : "float32",
+                     coverage->first, takes, one_line);
+}
+
+}  // namespace rasterproof::tool

@@ -1,0 +1,33 @@
+// What a subject outside this program says of itself, as text: one `key value` a line.
+#ifndef RASTERPROOF_TOOL_DESCRIPTION_H_
+#define RASTERPROOF_TOOL_DESCRIPTION_H_
+
+#include <string>
+#include <string_view>
+
+#include "core/subject.h"
+
+namespace rasterproof::tool {
+
+/// Keys, all optional but for `command` in a file: name, summary, command (run by the shell), input
+/// (float32 or float64), coverage (facing-counts, counts or mask), takes (any of window, clip,
+/// culling, scissor, tiles, threads), profile (a preset, or a profile file's JSON on the one line).
+/// Lines that begin with # are comments.
+struct Description {
+  SubjectInfo info;
+  std::string command;
+};
+
+/// What is assumed of a program that says nothing: float32, window space, counts without facings,
+/// no culling, scissor, tiles or threads, profile "real".
+Description PlainDescription();
+
+/// Error:      InputError with place, line and remedy.
+Description ParseDescription(std::string_view text, const std::string& place);
+
+/// The text that ParseDescription reads back; `profile` is a preset's name or JSON.
+std::string DescriptionText(const SubjectInfo& info, const std::string& profile);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_DESCRIPTION_H_

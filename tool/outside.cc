@@ -1,0 +1,131 @@
+#include "tool/outside.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <utility>
+
+#include "core/error.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/output.h"
+#include "props/run/facings.h"
+#include "subjects/plugin/plugin.h"
+#include "subjects/process/process.h"
+#include "subjects/process/serve.h"
+#include "tool/commands.h"
+#include "tool/description.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using Makers = std::map<std::string, std::function<std::unique_ptr<Subject>()>>;
+
+Makers& OwnMakers() {
+  static Makers makers;
+  return makers;
+}
+
+std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+std::unique_ptr<Subject> InAProcess(std::vector<std::string> command, SubjectInfo info) {
+  return props::WithFacings(std::make_unique<subjects::ProcessSubject>(
+      std::move(command), std::move(info), OutsideLimits()));
+}
+
+// This program once more, as the host of a library or an own type: what they break, they break
+// there.
+std::unique_ptr<Subject> Hosted(const std::string& name) {
+  const std::string text =
+      subjects::OutputOf({ThisProgram(), "host", name, "--describe"}, name, OutsideLimits());
+  SubjectInfo info = ParseDescription(text, name).info;
+  info.summary = info.name + (info.summary.empty() ? "" : ": ") + info.summary;
+  info.name = name;
+  return InAProcess({ThisProgram(), "host", name}, info);
+}
+
+std::unique_ptr<Subject> Executed(const Description& description, const std::string& name) {
+  if (description.command.empty()) {
+    throw InputError(name, "it names no command", "add a line: command PROGRAM ARGUMENT...");
+  }
+  SubjectInfo info = description.info;
+  info.name = name;
+  return InAProcess({"/bin/sh", "-c", "exec " + description.command}, info);
+}
+
+// A subject in this very process, and its profile as text.
+subjects::LoadedPlugin MakeHere(const std::string& name) {
+  if (name.starts_with(kPluginPrefix)) {
+    return subjects::LoadPlugin(name.substr(kPluginPrefix.size()));
+  }
+  const auto own = OwnMakers().find(name);
+  if (own == OwnMakers().end()) {
+    throw InputError("host " + name, "there is no such subject", "give plugin:PATH");
+  }
+  std::unique_ptr<Subject> subject = own->second();
+  std::string profile = io::ProfileToJson(subject->Info().profile);
+  if (profile.starts_with('"')) profile = subject->Info().profile.name;
+  return {std::move(subject), profile};
+}
+
+// Standard output for the answers alone: everything else that is printed there goes to standard
+// error from here on.
+int TakeStandardOutput() {
+  const int answers = dup(STDOUT_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  return answers;
+}
+
+void SayAll(int file, const std::string& text) {
+  for (std::size_t said = 0; said < text.size();) {
+    const ssize_t n = write(file, text.data() + said, text.size() - said);
+    if (n <= 0) throw InputError("standard output", "nobody reads the answers", "keep it open");
+    said += static_cast<std::size_t>(n);
+  }
+}
+
+}  // namespace
+
+subjects::ProcessLimits& OutsideLimits() {
+  static subjects::ProcessLimits limits;
+  return limits;
+}
+
+void RegisterOwn(const std::string& name, std::function<std::unique_ptr<Subject>()> make) {
+  OwnMakers()[name] = std::move(make);
+}
+
+std::vector<std::string> OwnNames() {
+  std::vector<std::string> names;
+  for (const auto& maker : OwnMakers()) names.push_back(maker.first);
+  return names;
+}
+
+std::unique_ptr<Subject> MakeOutside(const std::string& name) {
+  if (name.starts_with(kPluginPrefix) || OwnMakers().contains(name)) return Hosted(name);
+  if (name.starts_with(kExecPrefix)) {
+    Description description = PlainDescription();
+    description.command = name.substr(kExecPrefix.size());
+    return Executed(description, name);
+  }
+  if (name.ends_with(kDescriptionEnding)) {
+    return Executed(ParseDescription(io::ReadFile(name), name), name);
+  }
+  return nullptr;
+}
+
+int HostSubject(const std::string& name, bool describe) {
+  const int answers = TakeStandardOutput();
+  const subjects::LoadedPlugin here = MakeHere(name);
+  if (describe) {
+    SayAll(answers, DescriptionText(here.subject->Info(), here.profile));
+    return kExitHolds;
+  }
+  subjects::Serve(*here.subject, std::cin, [&](const std::string& text) { SayAll(answers, text); });
+  return kExitHolds;
+}
+
+}  // namespace rasterproof::tool

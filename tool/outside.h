@@ -1,0 +1,42 @@
+// Subjects that are not part of this program: shared libraries, other programs, types of a user.
+#ifndef RASTERPROOF_TOOL_OUTSIDE_H_
+#define RASTERPROOF_TOOL_OUTSIDE_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/subject.h"
+#include "subjects/process/process.h"
+
+namespace rasterproof::tool {
+
+/// How a subject outside is named:
+///   plugin:PATH       a shared library with the interface of kit/rasterproof_plugin.h
+///   exec:COMMAND      a program that speaks subjects/process/protocol.h, as PlainDescription says
+///   PATH.subject      a program and what it promises (description.h)
+inline constexpr std::string_view kPluginPrefix = "plugin:";
+inline constexpr std::string_view kExecPrefix = "exec:";
+inline constexpr std::string_view kDescriptionEnding = ".subject";
+
+/// How long and how large a subject outside may be. Set once, from the command line.
+subjects::ProcessLimits& OutsideLimits();
+
+/// Makes a type of the user's own known by a name (kit/main.h).
+void RegisterOwn(const std::string& name, std::function<std::unique_ptr<Subject>()> make);
+std::vector<std::string> OwnNames();
+
+/// The subject of that name in a process of its own, or nullptr if it is none of the above.
+///
+/// Error:      InputError if the library or the file is not what it should be.
+std::unique_ptr<Subject> MakeOutside(const std::string& name);
+
+/// What `rasterproof host NAME` does: loads the library or makes the own type here, and describes
+/// it or answers requests on standard input. What the subject itself prints goes to standard error.
+int HostSubject(const std::string& name, bool describe);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_OUTSIDE_H_

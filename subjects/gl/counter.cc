@@ -1,0 +1,139 @@
+#include "subjects/gl/counter.h"
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace rasterproof::subjects {
+namespace {
+
+constexpr double kHalfViewport = 8192;  // nothing within is clipped
+
+constexpr const char* kVertexShader = R"(#version 330 core
+layout(location = 0) in vec2 clip;
+void main() { gl_Position = vec4(clip, 0.0, 1.0); }
+)";
+constexpr const char* kFragmentShader = R"(#version 330 core
+out vec2 counts;
+void main() { counts = gl_FrontFacing ? vec2(1.0, 0.0) : vec2(0.0, 1.0); }
+)";
+
+GLuint Compile(GLenum stage, const char* text) {
+  const GLuint shader = glCreateShader(stage);
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  GLint done = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+  if (done != GL_TRUE) throw std::runtime_error("a shader does not compile");
+  return shader;
+}
+
+}  // namespace
+
+GlCounter::GlCounter(const char* gallium_driver, GlSubmission submission)
+    : context_(gallium_driver), submission_(submission) {
+  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (!renderer.starts_with(gallium_driver)) {
+    throw std::runtime_error("the renderer is " + renderer);
+  }
+  MakeProgram();
+  GLuint name = 0;
+  glGenVertexArrays(1, &name);
+  glBindVertexArray(name);
+  glGenBuffers(1, &name);
+  glBindBuffer(GL_ARRAY_BUFFER, name);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glGenBuffers(1, &name);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, name);
+  glGenFramebuffers(1, &framebuffer_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  // With y down, counter-clockwise on screen is clockwise in OpenGL's axes.
+  glFrontFace(GL_CW);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+}
+
+void GlCounter::MakeProgram() {
+  const GLuint program = glCreateProgram();
+  glAttachShader(program, Compile(GL_VERTEX_SHADER, kVertexShader));
+  glAttachShader(program, Compile(GL_FRAGMENT_SHADER, kFragmentShader));
+  glLinkProgram(program);
+  GLint done = GL_FALSE;
+  glGetProgramiv(program, GL_LINK_STATUS, &done);
+  if (done != GL_TRUE) throw std::runtime_error("the shaders do not link");
+  glUseProgram(program);
+}
+
+void GlCounter::Resize(int width, int height) {
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  if (texture_ != 0) glDeleteTextures(1, &texture_);
+  glGenTextures(1, &texture_);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, width, height, 0, GL_RG, GL_FLOAT, nullptr);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw std::runtime_error("the driver cannot draw into RG32F");
+  }
+  constexpr GLsizei kSide = 2 * static_cast<GLsizei>(kHalfViewport);
+  glViewport(-kSide / 2, -kSide / 2, kSide, kSide);
+  texels_.resize(2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+bool GlCounter::Upload(const rasterproof_scene& scene) {
+  clip_.clear();
+  for (std::size_t v = 0; v < scene.vertex_count; ++v) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double window = scene.vertices[4 * v + k];
+      // A NaN passes: what becomes of it is the driver's to say.
+      if (std::fabs(window) > kHalfViewport) return false;
+      const auto clip = static_cast<float>(window / kHalfViewport);
+      if (!std::isnan(window) && double{clip} * kHalfViewport != window) return false;
+      clip_.push_back(clip);
+    }
+  }
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(clip_.size() * sizeof(float)), clip_.data(),
+               GL_STREAM_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(3 * scene.triangle_count * sizeof(std::int32_t)),
+               scene.triangles, GL_STREAM_DRAW);
+  return true;
+}
+
+void GlCounter::Submit(const rasterproof_scene& scene) const {
+  const auto count = static_cast<GLsizei>(3 * scene.triangle_count);
+  if (submission_ == GlSubmission::kBatch) {
+    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr);
+    return;
+  }
+  for (GLsizei first = 0; first < count; first += 3) {
+    const auto offset = static_cast<std::size_t>(first) * sizeof(std::int32_t);
+    glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+    glFinish();
+  }
+}
+
+std::int32_t GlCounter::Draw(const rasterproof_scene& scene, const rasterproof_target& target) {
+  if (scene.width > kHalfViewport || scene.height > kHalfViewport || !Upload(scene)) return 1;
+  Resize(scene.width, scene.height);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  Submit(scene);
+  glReadPixels(0, 0, width_, height_, GL_RG, GL_FLOAT, texels_.data());
+  if (glGetError() != GL_NO_ERROR) return 1;
+  const float* texel = texels_.data();
+  for (int y = 0; y < height_; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y) * target.stride;
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x, texel += 2) {
+      target.front[row + x] += static_cast<std::uint32_t>(texel[0]);
+      target.back[row + x] += static_cast<std::uint32_t>(texel[1]);
+    }
+  }
+  return 0;
+}
+
+}  // namespace rasterproof::subjects

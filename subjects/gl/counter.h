@@ -1,0 +1,52 @@
+// Counts triangles in OpenGL: additive blending into floats, each facing in a channel of its own.
+#ifndef RASTERPROOF_SUBJECTS_GL_COUNTER_H_
+#define RASTERPROOF_SUBJECTS_GL_COUNTER_H_
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/glcorearb.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "kit/rasterproof_plugin.h"
+#include "subjects/gl/context.h"
+
+namespace rasterproof::subjects {
+
+/// How the triangles of a scene reach the driver.
+enum class GlSubmission : std::uint8_t {
+  kBatch,  ///< all in one draw call
+  kAlone   ///< each in a draw call that is finished before the next
+};
+
+/// Window coordinates arrive exactly: the viewport is centred on the origin and a power of two
+/// wide, so that window = clip * 8192 + 0, and clip = window / 8192 is exact for every float32 that
+/// does not leave the normal range. The target is the positive quadrant. Row j of the framebuffer
+/// is row j of the target: window y is taken as it is, and only its name ("up") differs.
+class GlCounter {
+ public:
+  /// Error:      throws std::runtime_error where there is no such driver.
+  GlCounter(const char* gallium_driver, GlSubmission submission);
+
+  /// Returns 0, or 1 if the scene is out of range.
+  std::int32_t Draw(const rasterproof_scene& scene, const rasterproof_target& target);
+
+ private:
+  void MakeProgram();
+  void Resize(int width, int height);
+  bool Upload(const rasterproof_scene& scene);
+  void Submit(const rasterproof_scene& scene) const;
+
+  GlContext context_;
+  GlSubmission submission_;
+  GLuint texture_ = 0;
+  GLuint framebuffer_ = 0;
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<float> clip_;    ///< 2 a vertex
+  std::vector<float> texels_;  ///< front and back
+};
+
+}  // namespace rasterproof::subjects
+
+#endif  // RASTERPROOF_SUBJECTS_GL_COUNTER_H_

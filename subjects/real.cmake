@@ -1,0 +1,114 @@
+# Rasterizers that nobody here wrote, as plugins in build/plugins/. Their packages are optional
+# (packages-subjects.apt): a subject whose package is missing is said to be so, and left out.
+# Nothing of this belongs to `all`: the target real_subjects builds what there is.
+find_package(PkgConfig)
+add_custom_target(real_subjects)
+
+function(rasterproof_missing_subject name install)
+  message(STATUS "subject ${name}: not available (install ${install})")
+endfunction()
+
+# rasterproof_real_subject(NAME SOURCES a.cc ... LINK target ... [DEFINITIONS a=b ...])
+function(rasterproof_real_subject name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;DEFINITIONS" ${ARGN})
+  add_library(plugin_${name} MODULE EXCLUDE_FROM_ALL ${ARG_SOURCES})
+  target_link_libraries(plugin_${name} PRIVATE rasterproof_flags ${ARG_LINK})
+  target_compile_definitions(plugin_${name} PRIVATE ${ARG_DEFINITIONS})
+  set_target_properties(plugin_${name} PROPERTIES
+    PREFIX "" OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins)
+  add_dependencies(real_subjects plugin_${name})
+endfunction()
+
+# rasterproof_subject_package(VARIABLE SUBJECT INSTALL module ...): pkg-config's modules as the
+# target PkgConfig::VARIABLE, or a line that says what to install; VARIABLE_FOUND tells which.
+macro(rasterproof_subject_package variable subject install)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(${variable} QUIET IMPORTED_TARGET ${ARGN})
+  endif()
+  if(NOT ${variable}_FOUND)
+    rasterproof_missing_subject(${subject} "${install}")
+  endif()
+endmacro()
+
+rasterproof_subject_package(SUBJECT_GL gl "libegl-dev libopengl-dev libgl1-mesa-dri" egl opengl)
+if(SUBJECT_GL_FOUND)
+  set(llvmpipe_bits 8)
+  set(softpipe_bits null)
+  foreach(driver llvmpipe softpipe)
+    foreach(submission Batch Alone)
+      string(TOLOWER "gl-${driver}-${submission}" name)
+      rasterproof_real_subject(${name}
+        SOURCES subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc
+        LINK PkgConfig::SUBJECT_GL
+        DEFINITIONS
+          RASTERPROOF_GL_NAME="${name}" RASTERPROOF_GL_DRIVER="${driver}"
+          RASTERPROOF_GL_BITS="${${driver}_bits}" RASTERPROOF_GL_SUBMISSION=k${submission})
+    endforeach()
+  endforeach()
+endif()
+
+find_program(GLSLANG glslangValidator)
+if(GLSLANG)
+  rasterproof_subject_package(SUBJECT_VULKAN vulkan-lavapipe
+    "libvulkan-dev mesa-vulkan-drivers glslang-tools" vulkan)
+else()
+  rasterproof_missing_subject(vulkan-lavapipe "glslang-tools libvulkan-dev mesa-vulkan-drivers")
+endif()
+if(SUBJECT_VULKAN_FOUND)
+  set(shaders ${CMAKE_BINARY_DIR}/shaders)
+  foreach(stage Vertex Fragment)
+    string(TOLOWER ${stage} suffix)
+    string(SUBSTRING ${suffix} 0 4 suffix) # vert, frag
+    add_custom_command(OUTPUT ${shaders}/triangle.${suffix}.h
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${shaders}
+      COMMAND ${GLSLANG} -V --quiet --vn k${stage}Shader -o ${shaders}/triangle.${suffix}.h
+        ${CMAKE_SOURCE_DIR}/subjects/vulkan/triangle.${suffix}
+      DEPENDS subjects/vulkan/triangle.${suffix} VERBATIM)
+  endforeach()
+  rasterproof_real_subject(vulkan-lavapipe
+    SOURCES
+      subjects/vulkan/vulkan.cc subjects/vulkan/counter.cc ${shaders}/triangle.vert.h
+      ${shaders}/triangle.frag.h
+    LINK PkgConfig::SUBJECT_VULKAN)
+  target_include_directories(plugin_vulkan-lavapipe PRIVATE ${shaders})
+endif()
+
+rasterproof_subject_package(SUBJECT_SDL2 sdl2 libsdl2-dev sdl2)
+if(SUBJECT_SDL2_FOUND)
+  rasterproof_real_subject(sdl2
+    SOURCES subjects/sdl2/sdl2.cc LINK PkgConfig::SUBJECT_SDL2
+    DEFINITIONS RASTERPROOF_SDL2_BATCH=false)
+  rasterproof_real_subject(sdl2-batch
+    SOURCES subjects/sdl2/sdl2.cc LINK PkgConfig::SUBJECT_SDL2
+    DEFINITIONS RASTERPROOF_SDL2_BATCH=true)
+endif()
+
+# One source file, one plugin.
+macro(rasterproof_simple_subject name folder variable install)
+  rasterproof_subject_package(${variable} ${name} ${install} ${ARGN})
+  if(${variable}_FOUND)
+    rasterproof_real_subject(${name}
+      SOURCES subjects/${folder}/${folder}.cc LINK PkgConfig::${variable})
+  endif()
+endmacro()
+
+rasterproof_simple_subject(pixman pixman SUBJECT_PIXMAN libpixman-1-dev pixman-1)
+rasterproof_simple_subject(cairo cairo SUBJECT_CAIRO libcairo2-dev cairo)
+rasterproof_simple_subject(freetype-mono freetype SUBJECT_FREETYPE libfreetype-dev freetype2)
+rasterproof_simple_subject(qt5 qt SUBJECT_QT qtbase5-dev Qt5Gui)
+rasterproof_simple_subject(allegro5 allegro SUBJECT_ALLEGRO liballegro5-dev
+  allegro-5 allegro_primitives-5)
+rasterproof_simple_subject(gd gd SUBJECT_GD libgd-dev gdlib)
+
+# OpenCV's description for pkg-config comes with all of its modules only.
+find_path(OPENCV_HEADERS opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
+find_library(OPENCV_CORE opencv_core)
+find_library(OPENCV_IMGPROC opencv_imgproc)
+if(OPENCV_HEADERS AND OPENCV_CORE AND OPENCV_IMGPROC)
+  rasterproof_real_subject(opencv
+    SOURCES subjects/opencv/opencv.cc LINK ${OPENCV_IMGPROC} ${OPENCV_CORE})
+  target_include_directories(plugin_opencv SYSTEM PRIVATE ${OPENCV_HEADERS})
+else()
+  rasterproof_missing_subject(opencv libopencv-imgproc-dev)
+endif()

@@ -1,0 +1,362 @@
+#include "subjects/vulkan/counter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "triangle.frag.h"
+#include "triangle.vert.h"
+
+namespace rasterproof::subjects {
+namespace {
+
+constexpr int kHalfViewport = 8192;  // nothing within is clipped
+constexpr float kHalf = kHalfViewport;
+constexpr VkViewport kViewport{-kHalf, -kHalf, 2 * kHalf, 2 * kHalf, 0, 1};
+constexpr VkDynamicState kScissor = VK_DYNAMIC_STATE_SCISSOR;
+constexpr VkFormat kFormat = VK_FORMAT_R32G32_SFLOAT;
+constexpr VkVertexInputBindingDescription kBinding{0, 2 * sizeof(float),
+                                                   VK_VERTEX_INPUT_RATE_VERTEX};
+constexpr VkVertexInputAttributeDescription kAttribute{0, 0, VK_FORMAT_R32G32_SFLOAT, 0};
+
+void Require(VkResult result, const char* what) {
+  if (result != VK_SUCCESS) throw std::runtime_error(what);
+}
+
+template <std::size_t n>
+VkShaderModule Module(VkDevice device, const std::uint32_t (&words)[n]) {
+  VkShaderModuleCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+  info.codeSize = sizeof(words);
+  info.pCode = words;
+  VkShaderModule module = VK_NULL_HANDLE;
+  Require(vkCreateShaderModule(device, &info, nullptr, &module), "no shader module");
+  return module;
+}
+
+VkPipelineShaderStageCreateInfo Stage(VkShaderStageFlagBits stage, VkShaderModule module) {
+  VkPipelineShaderStageCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  info.stage = stage;
+  info.module = module;
+  info.pName = "main";
+  return info;
+}
+
+VkPipelineColorBlendAttachmentState Additive() {
+  VkPipelineColorBlendAttachmentState add{};
+  add.blendEnable = VK_TRUE;
+  add.srcColorBlendFactor = add.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
+  add.srcAlphaBlendFactor = add.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  add.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT;
+  return add;
+}
+
+constexpr VkImageSubresourceRange kWhole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+
+void Transition(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to) {
+  VkImageMemoryBarrier barrier{};
+  barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+  barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
+  barrier.oldLayout = from;
+  barrier.newLayout = to;
+  barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = image;
+  barrier.subresourceRange = kWhole;
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
+}
+
+}  // namespace
+
+VulkanCounter::VulkanCounter() {
+  VkApplicationInfo application{};
+  application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+  application.apiVersion = VK_API_VERSION_1_3;
+  VkInstanceCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+  info.pApplicationInfo = &application;
+  Require(vkCreateInstance(&info, nullptr, &instance_), "no Vulkan");
+  MakeDevice();
+  MakePipeline();
+  MakeCommands();
+}
+
+void VulkanCounter::MakeDevice() {
+  std::uint32_t count = 0;
+  vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+  std::vector<VkPhysicalDevice> devices(count);
+  vkEnumeratePhysicalDevices(instance_, &count, devices.data());
+  for (VkPhysicalDevice device : devices) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    if (properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) physical_ = device;
+  }
+  if (physical_ == VK_NULL_HANDLE) throw std::runtime_error("no device that is a processor");
+  const float priority = 1;
+  VkDeviceQueueCreateInfo queue{};
+  queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+  queue.queueCount = 1;
+  queue.pQueuePriorities = &priority;
+  VkPhysicalDeviceVulkan13Features features{};
+  features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+  features.dynamicRendering = VK_TRUE;
+  VkDeviceCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+  info.pNext = &features;
+  info.queueCreateInfoCount = 1;
+  info.pQueueCreateInfos = &queue;
+  Require(vkCreateDevice(physical_, &info, nullptr, &device_), "no Vulkan device");
+  vkGetDeviceQueue(device_, 0, 0, &queue_);
+}
+
+void VulkanCounter::MakeCommands() {
+  VkCommandPoolCreateInfo pool{};
+  pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+  pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+  Require(vkCreateCommandPool(device_, &pool, nullptr, &pool_), "no command pool");
+  VkCommandBufferAllocateInfo buffer{};
+  buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+  buffer.commandPool = pool_;
+  buffer.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  buffer.commandBufferCount = 1;
+  Require(vkAllocateCommandBuffers(device_, &buffer, &commands_), "no command buffer");
+  VkFenceCreateInfo fence{};
+  fence.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+  Require(vkCreateFence(device_, &fence, nullptr, &fence_), "no fence");
+}
+
+void VulkanCounter::MakePipeline() {
+  VkPipelineLayoutCreateInfo layout{};
+  layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  Require(vkCreatePipelineLayout(device_, &layout, nullptr, &layout_), "no pipeline layout");
+  const std::array<VkPipelineShaderStageCreateInfo, 2> stages{
+      Stage(VK_SHADER_STAGE_VERTEX_BIT, Module(device_, kVertexShader)),
+      Stage(VK_SHADER_STAGE_FRAGMENT_BIT, Module(device_, kFragmentShader))};
+  VkPipelineVertexInputStateCreateInfo input{};
+  input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
+  input.vertexBindingDescriptionCount = 1;
+  input.pVertexBindingDescriptions = &kBinding;
+  input.vertexAttributeDescriptionCount = 1;
+  input.pVertexAttributeDescriptions = &kAttribute;
+  VkPipelineInputAssemblyStateCreateInfo assembly{};
+  assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
+  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  VkPipelineViewportStateCreateInfo views{};
+  views.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
+  views.viewportCount = 1;
+  views.pViewports = &kViewport;
+  views.scissorCount = 1;
+  VkPipelineRasterizationStateCreateInfo raster{};
+  raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
+  raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+  raster.lineWidth = 1;
+  VkPipelineMultisampleStateCreateInfo samples{};
+  samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
+  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  const VkPipelineColorBlendAttachmentState add = Additive();
+  VkPipelineColorBlendStateCreateInfo blend{};
+  blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
+  blend.attachmentCount = 1;
+  blend.pAttachments = &add;
+  VkPipelineDynamicStateCreateInfo dynamic{};
+  dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
+  dynamic.dynamicStateCount = 1;
+  dynamic.pDynamicStates = &kScissor;
+  VkPipelineRenderingCreateInfo rendering{};
+  rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
+  rendering.colorAttachmentCount = 1;
+  rendering.pColorAttachmentFormats = &kFormat;
+  VkGraphicsPipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
+  info.pNext = &rendering;
+  info.stageCount = 2;
+  info.pStages = stages.data();
+  info.pVertexInputState = &input;
+  info.pInputAssemblyState = &assembly;
+  info.pViewportState = &views;
+  info.pRasterizationState = &raster;
+  info.pMultisampleState = &samples;
+  info.pColorBlendState = &blend;
+  info.pDynamicState = &dynamic;
+  info.layout = layout_;
+  Require(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_),
+          "no pipeline");
+  for (const VkPipelineShaderStageCreateInfo& stage : stages) {
+    vkDestroyShaderModule(device_, stage.module, nullptr);
+  }
+}
+
+VkDeviceMemory VulkanCounter::Allocate(const VkMemoryRequirements& needs,
+                                       VkMemoryPropertyFlags wanted) {
+  VkPhysicalDeviceMemoryProperties types{};
+  vkGetPhysicalDeviceMemoryProperties(physical_, &types);
+  for (std::uint32_t k = 0; k < types.memoryTypeCount; ++k) {
+    if ((needs.memoryTypeBits >> k & 1U) == 0) continue;
+    if ((types.memoryTypes[k].propertyFlags & wanted) != wanted) continue;
+    VkMemoryAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    info.allocationSize = needs.size;
+    info.memoryTypeIndex = k;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    Require(vkAllocateMemory(device_, &info, nullptr, &memory), "no memory");
+    return memory;
+  }
+  throw std::runtime_error("no memory of that type");
+}
+
+void VulkanCounter::Release(VulkanBuffer& buffer) {
+  vkDestroyBuffer(device_, buffer.buffer, nullptr);
+  vkFreeMemory(device_, buffer.memory, nullptr);
+  buffer = {};
+}
+
+void VulkanCounter::Grow(VulkanBuffer& buffer, VkDeviceSize size, VkBufferUsageFlags usage) {
+  if (size <= buffer.size) return;
+  Release(buffer);
+  VkBufferCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+  info.size = size;
+  info.usage = usage;
+  Require(vkCreateBuffer(device_, &info, nullptr, &buffer.buffer), "no buffer");
+  VkMemoryRequirements needs{};
+  vkGetBufferMemoryRequirements(device_, buffer.buffer, &needs);
+  buffer.memory =
+      Allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+  Require(vkBindBufferMemory(device_, buffer.buffer, buffer.memory, 0), "no bound buffer");
+  Require(vkMapMemory(device_, buffer.memory, 0, VK_WHOLE_SIZE, 0, &buffer.mapped), "not mapped");
+  buffer.size = size;
+}
+
+void VulkanCounter::ReleaseImage() {
+  vkDestroyImageView(device_, view_, nullptr);
+  vkDestroyImage(device_, image_, nullptr);
+  vkFreeMemory(device_, image_memory_, nullptr);
+}
+
+void VulkanCounter::Resize(std::uint32_t width, std::uint32_t height) {
+  if (width == extent_.width && height == extent_.height) return;
+  ReleaseImage();
+  extent_ = {width, height};
+  VkImageCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+  info.imageType = VK_IMAGE_TYPE_2D;
+  info.format = kFormat;
+  info.extent = {width, height, 1};
+  info.mipLevels = 1;
+  info.arrayLayers = 1;
+  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  Require(vkCreateImage(device_, &info, nullptr, &image_), "no image");
+  VkMemoryRequirements needs{};
+  vkGetImageMemoryRequirements(device_, image_, &needs);
+  image_memory_ = Allocate(needs, 0);
+  Require(vkBindImageMemory(device_, image_, image_memory_, 0), "no bound image");
+  VkImageViewCreateInfo view{};
+  view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+  view.image = image_;
+  view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+  view.format = kFormat;
+  view.subresourceRange = kWhole;
+  Require(vkCreateImageView(device_, &view, nullptr, &view_), "no image view");
+}
+
+bool VulkanCounter::Upload(const rasterproof_scene& scene) {
+  std::vector<float> clip;
+  for (std::size_t v = 0; v < scene.vertex_count; ++v) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double window = scene.vertices[4 * v + k];
+      // A NaN passes: what becomes of it is the driver's to say.
+      if (std::fabs(window) > kHalfViewport) return false;
+      clip.push_back(static_cast<float>(window / kHalfViewport));
+      if (!std::isnan(window) && double{clip.back()} * kHalfViewport != window) return false;
+    }
+  }
+  const std::size_t index_bytes = 3 * scene.triangle_count * sizeof(std::int32_t);
+  Grow(vertices_, std::max<std::size_t>(clip.size() * sizeof(float), 64),
+       VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  Grow(indices_, std::max<std::size_t>(index_bytes, 64), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  if (!clip.empty()) std::memcpy(vertices_.mapped, clip.data(), clip.size() * sizeof(float));
+  if (index_bytes != 0) std::memcpy(indices_.mapped, scene.triangles, index_bytes);
+  return true;
+}
+
+void VulkanCounter::Record(std::uint32_t indices) {
+  VkCommandBufferBeginInfo begin{};
+  begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+  Require(vkBeginCommandBuffer(commands_, &begin), "no commands");
+  Transition(commands_, image_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+  VkRenderingAttachmentInfo color{};
+  color.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+  color.imageView = view_;
+  color.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
+  color.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  VkRenderingInfo rendering{};
+  rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+  rendering.renderArea = {{0, 0}, extent_};
+  rendering.layerCount = 1;
+  rendering.colorAttachmentCount = 1;
+  rendering.pColorAttachments = &color;
+  vkCmdBeginRendering(commands_, &rendering);
+  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+  vkCmdSetScissor(commands_, 0, 1, &rendering.renderArea);
+  const VkDeviceSize offset = 0;
+  vkCmdBindVertexBuffers(commands_, 0, 1, &vertices_.buffer, &offset);
+  vkCmdBindIndexBuffer(commands_, indices_.buffer, 0, VK_INDEX_TYPE_UINT32);
+  vkCmdDrawIndexed(commands_, indices, 1, 0, 0, 0);
+  vkCmdEndRendering(commands_);
+  Transition(commands_, image_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  VkBufferImageCopy copy{};
+  copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  copy.imageExtent = {extent_.width, extent_.height, 1};
+  vkCmdCopyImageToBuffer(commands_, image_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, texels_.buffer, 1,
+                         &copy);
+  Require(vkEndCommandBuffer(commands_), "no commands");
+}
+
+void VulkanCounter::Run() {
+  VkSubmitInfo submit{};
+  submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+  submit.commandBufferCount = 1;
+  submit.pCommandBuffers = &commands_;
+  Require(vkQueueSubmit(queue_, 1, &submit, fence_), "not submitted");
+  Require(vkWaitForFences(device_, 1, &fence_, VK_TRUE, UINT64_MAX), "not done");
+  Require(vkResetFences(device_, 1, &fence_), "no fence");
+}
+
+std::int32_t VulkanCounter::Draw(const rasterproof_scene& scene, const rasterproof_target& target) {
+  if (scene.width > kHalfViewport || scene.height > kHalfViewport || !Upload(scene)) return 1;
+  const auto width = static_cast<std::size_t>(scene.width);
+  const auto height = static_cast<std::size_t>(scene.height);
+  Resize(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
+  Grow(texels_, width * height * 8, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  Record(static_cast<std::uint32_t>(3 * scene.triangle_count));
+  Run();
+  const auto* texel = static_cast<const float*>(texels_.mapped);
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x, texel += 2) {
+      target.front[y * target.stride + x] += static_cast<std::uint32_t>(texel[0]);
+      target.back[y * target.stride + x] += static_cast<std::uint32_t>(texel[1]);
+    }
+  }
+  return 0;
+}
+
+VulkanCounter::~VulkanCounter() {
+  vkDeviceWaitIdle(device_);
+  for (VulkanBuffer* buffer : {&vertices_, &indices_, &texels_}) Release(*buffer);
+  ReleaseImage();
+  vkDestroyFence(device_, fence_, nullptr);
+  vkDestroyCommandPool(device_, pool_, nullptr);
+  vkDestroyPipeline(device_, pipeline_, nullptr);
+  vkDestroyPipelineLayout(device_, layout_, nullptr);
+  vkDestroyDevice(device_, nullptr);
+  vkDestroyInstance(instance_, nullptr);
+}
+
+}  // namespace rasterproof::subjects

@@ -1,0 +1,71 @@
+// Counts triangles in Vulkan: additive blending into floats, each facing in a channel of its own.
+#ifndef RASTERPROOF_SUBJECTS_VULKAN_COUNTER_H_
+#define RASTERPROOF_SUBJECTS_VULKAN_COUNTER_H_
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kit/rasterproof_plugin.h"
+
+namespace rasterproof::subjects {
+
+/// Memory that both sides see.
+struct VulkanBuffer {
+  VkBuffer buffer = VK_NULL_HANDLE;
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+  void* mapped = nullptr;
+  VkDeviceSize size = 0;
+};
+
+/// Draws with the first device that is a processor (Mesa's lavapipe), a scene in one draw.
+///
+/// Window coordinates arrive exactly, as in subjects/gl/counter.h: the viewport is +-8192 about the
+/// origin.
+class VulkanCounter {
+ public:
+  /// Error:      throws std::runtime_error where there is no such device.
+  VulkanCounter();
+  ~VulkanCounter();
+  VulkanCounter(const VulkanCounter&) = delete;
+  VulkanCounter& operator=(const VulkanCounter&) = delete;
+
+  /// Returns 0, or 1 if the scene is out of range.
+  std::int32_t Draw(const rasterproof_scene& scene, const rasterproof_target& target);
+
+ private:
+  void MakeDevice();
+  void MakePipeline();
+  void MakeCommands();
+  VkDeviceMemory Allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted);
+  void Grow(VulkanBuffer& buffer, VkDeviceSize size, VkBufferUsageFlags usage);
+  void Release(VulkanBuffer& buffer);
+  void Resize(std::uint32_t width, std::uint32_t height);
+  void ReleaseImage();
+  bool Upload(const rasterproof_scene& scene);
+  void Record(std::uint32_t indices);
+  void Run();
+
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  VkFence fence_ = VK_NULL_HANDLE;
+  VkExtent2D extent_{};
+  VkImage image_ = VK_NULL_HANDLE;
+  VkDeviceMemory image_memory_ = VK_NULL_HANDLE;
+  VkImageView view_ = VK_NULL_HANDLE;
+  VulkanBuffer vertices_;
+  VulkanBuffer indices_;
+  VulkanBuffer texels_;
+};
+
+}  // namespace rasterproof::subjects
+
+#endif  // RASTERPROOF_SUBJECTS_VULKAN_COUNTER_H_

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,17 +64,36 @@ SceneResult Measure(Subject& subject, MeasuredScene& measured, const Profile& pr
   return result;
 }
 
+// A breakdown over a given scene, as a violation of the claim that a draw comes back.
+PropertyResult BrokeDown(const SubjectInfo& info, const Scene& scene, const std::string& failure) {
+  const props::Property& property = *props::FindProperty("DrawStaysInsideItsTarget");
+  PropertyResult result;
+  result.property = property.name;
+  result.subject = info.name;
+  result.clause = property.clause;
+  result.tolerance = property.tolerance;
+  result.outcome = Outcome::kViolated;
+  result.cases = result.cases_exercised = result.exercised = 1;
+  result.message = scene.name + ": " + failure;
+  return result;
+}
+
 void MeasureScenes(Subject& subject, std::vector<std::unique_ptr<MeasuredScene>>& scenes,
                    report::Certificate& certificate) {
   const Profile real = *PresetProfile("real");
   for (const std::unique_ptr<MeasuredScene>& measured : scenes) {
     const SubjectInfo& info = subject.Info();
     const auto start = Clock::now();
-    CoverageCounts observed;
-    const bool takes = Takes(info, measured->scene());
-    if (takes) observed = Draw(subject, measured->scene());
+    std::optional<CoverageCounts> observed;
+    std::string failure;
+    if (Takes(info, measured->scene())) {
+      observed = DrawUnlessItFails(subject, measured->scene(), {}, failure);
+    }
+    if (!failure.empty()) {
+      certificate.tested.push_back(BrokeDown(info, measured->scene(), failure));
+    }
     const double seconds = SecondsSince(start);
-    const CoverageCounts* counts = takes ? &observed : nullptr;
+    const CoverageCounts* counts = observed ? &*observed : nullptr;
     certificate.measured.push_back(Measure(subject, *measured, info.profile, counts, seconds));
     if (!SameModel(info.profile, real) && info.profile.lattice == real.lattice) {
       certificate.measured.push_back(Measure(subject, *measured, real, counts, seconds));

@@ -42,8 +42,10 @@ void PictureFailure(const std::string& name, MeasuredScene& measured,
                     std::vector<report::Picture>& pictures) {
   const std::unique_ptr<Subject> subject = MakeSubject(name);
   if (!Takes(subject->Info(), measured.scene())) return;
-  const CoverageCounts observed = Draw(*subject, measured.scene());
-  const CoverageDifference difference = Compare(observed, measured.Truth(subject->Info().profile));
+  std::string failure;
+  const auto observed = DrawUnlessItFails(*subject, measured.scene(), {}, failure);
+  if (!observed) return;  // told among the properties
+  const CoverageDifference difference = Compare(*observed, measured.Truth(subject->Info().profile));
   if (difference.wrong == 0) return;
   Case c;
   c.scene = measured.scene();

@@ -24,7 +24,10 @@ namespace {
 // Without a property the claim is the plainest one: the counts are the model's.
 Verdict CompareWithModel(Subject& subject, const Case& c) {
   const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
-  const CoverageCounts observed = Draw(subject, c.scene, c.options);
+  std::string failure;
+  const auto drawn = DrawUnlessItFails(subject, c.scene, c.options, failure);
+  if (!drawn) return Verdict::Violated(1, failure, Witness{});
+  const CoverageCounts& observed = *drawn;
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(difference.samples);
   const std::size_t pixel = difference.first_wrong / static_cast<std::size_t>(expected.samples);

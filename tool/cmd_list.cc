@@ -7,6 +7,7 @@
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "subjects/builtin/builtin.h"
+#include "subjects/mutants/mutants.h"
 #include "tool/commands.h"
 #include "tool/session.h"
 
@@ -62,6 +63,14 @@ std::string ListProfiles() {
   return text;
 }
 
+std::string ListMutants() {
+  std::string text = "mutants and legal variants: sound rasterizers, but ...\n";
+  for (const subjects::MutantInfo& mutant : subjects::Mutants()) {
+    text += fmt::format("  {:<34} {}\n", mutant.name, mutant.change);
+  }
+  return text;
+}
+
 }  // namespace
 
 int RunList(const ListOptions& options) {
@@ -71,6 +80,7 @@ int RunList(const ListOptions& options) {
   if (all || options.what == "properties") text += ListProperties();
   if (all || options.what == "domains") text += ListDomains();
   if (all || options.what == "profiles") text += ListProfiles();
+  if (all || options.what == "mutants") text += ListMutants();
   io::WriteStandardOutput(text);
   return kExitHolds;
 }

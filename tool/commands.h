@@ -33,7 +33,7 @@ struct CampaignChoice {
 };
 
 struct ListOptions {
-  std::string what = "all";  ///< "subjects", "properties", "domains", "profiles", "all"
+  std::string what = "all";  ///< "subjects", "properties", "domains", "profiles", "mutants", "all"
 };
 int RunList(const ListOptions& options);
 
@@ -82,6 +82,14 @@ struct CertifyOptions {
   std::string command;  ///< the command line, for the record
 };
 int RunCertify(const CertifyOptions& options);
+
+struct InferOptions {
+  std::string subject = "spans-exact";
+  std::string profile;  ///< declared in place of the subject's own
+  std::uint64_t seed = 1;
+  std::string json;  ///< file; empty: none
+};
+int RunInfer(const InferOptions& options);
 
 /// A saved case, or the number of a generated one.
 struct CaseChoice {
@@ -140,6 +148,28 @@ struct DecodeOptions {
   std::string output = "-";
 };
 int RunDecode(const DecodeOptions& options);
+
+/// What goes through a pipe by hand: gen | PROGRAM | ver.
+struct PipeOptions {
+  std::string property = "CoverageEqualsTheModel";
+  std::string description;  ///< file; empty: what is assumed of a program that says nothing
+  CampaignChoice campaign;
+};
+int RunGen(const PipeOptions& options);
+int RunVer(const PipeOptions& options);
+
+struct HostOptions {
+  std::string subject;
+  bool describe = false;
+};
+
+struct SelftestOptions {
+  std::vector<std::string> only;  ///< names; empty: every mutant and legal variant
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 1000;  ///< most cases a property
+  std::string json;
+};
+int RunSelftest(const SelftestOptions& options);
 
 int RunDoctor();
 

@@ -84,7 +84,10 @@ report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verd
   explanation.lattice = c.profile.lattice;
   explanation.y_axis = c.profile.y_axis;
   explanation.expected = exact::Coverage(c.scene, c.profile, c.options);
-  explanation.observed = Draw(subject, c.scene, c.options);
+  std::string failure;  // is told by the verdict; the picture then shows that nothing was drawn
+  explanation.observed =
+      DrawUnlessItFails(subject, c.scene, c.options, failure)
+          .value_or(CoverageCounts(c.scene.width, c.scene.height, c.profile.lattice.samples()));
   const auto [wrong_x, wrong_y] = FirstWrongPixel(explanation.observed, explanation.expected);
   const bool witness = verdict.witness && verdict.witness->x >= 0 && verdict.witness->y >= 0;
   explanation.focus_x = witness ? verdict.witness->x : wrong_x;

@@ -20,6 +20,8 @@
 #include "io/scene_file.h"
 #include "props/run/campaign.h"
 #include "subjects/builtin/builtin.h"
+#include "subjects/mutants/mutants.h"
+#include "tool/outside.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -106,6 +108,7 @@ void RequireHonestEnvironment() {
 std::vector<std::string> SubjectNames() {
   std::vector<std::string> names = subjects::BuiltinNames();
   for (const auto& oracle : kOracles) names.emplace_back(oracle.first);
+  for (const std::string& own : OwnNames()) names.push_back(own);
   return names;
 }
 
@@ -122,9 +125,12 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& p
   const Profile named = profile.empty() ? Profile{} : io::ReadProfile(profile);
   if (std::unique_ptr<Subject> oracle = MakeOracle(name, named)) return oracle;
   std::unique_ptr<Subject> subject = subjects::MakeBuiltin(name);
+  if (subject == nullptr) subject = subjects::MakeMutant(name);
+  if (subject == nullptr) subject = MakeOutside(std::string(name));
   if (subject == nullptr) {
     throw InputError(fmt::format("subject '{}'", name), "there is no such subject",
-                     fmt::format("choose one of: {}", fmt::join(SubjectNames(), ", ")));
+                     fmt::format("choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
+                                 fmt::join(SubjectNames(), ", ")));
   }
   if (profile.empty()) return subject;
   return std::make_unique<JudgedSubject>(std::move(subject), named);
@@ -162,6 +168,16 @@ CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& opt
   CoverageCounts counts(scene.width, scene.height, subject.Info().profile.lattice.samples());
   subject.Draw(scene, options, counts);
   return counts;
+}
+
+std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& scene,
+                                                const DrawOptions& options, std::string& reason) {
+  try {
+    return Draw(subject, scene, options);
+  } catch (const SubjectFault& fault) {
+    reason = std::string("the subject failed: ") + fault.what();
+    return std::nullopt;
+  }
 }
 
 void RequireTakes(const Subject& subject, const Scene& scene, const std::string& place) {

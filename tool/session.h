@@ -3,6 +3,7 @@
 #define RASTERPROOF_TOOL_SESSION_H_
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,10 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
 
 /// Draws the scene on fresh counts of the subject's shape.
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options = {});
+
+/// The same, or nothing if the subject breaks down over it; then `reason` says how.
+std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& scene,
+                                                const DrawOptions& options, std::string& reason);
 
 /// Throws InputError unless the subject takes the scene; says what to do instead.
 void RequireTakes(const Subject& subject, const Scene& scene, const std::string& place);

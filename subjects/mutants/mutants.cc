@@ -1,0 +1,80 @@
+#include "subjects/mutants/mutants.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "subjects/mutants/planted.h"
+
+namespace rasterproof::subjects {
+namespace {
+
+using mutants::Planted;
+
+struct Row {
+  MutantInfo info;
+  Planted planted;
+};
+
+std::vector<Row> MakeRows() {
+  std::vector<Row> rows;
+  const auto add = [&](std::vector<Planted> table, std::string_view prefix, bool legal, bool late) {
+    for (Planted& planted : table) {
+      MutantInfo info{std::string(prefix) + std::string(planted.name), std::string(planted.change),
+                      std::string(planted.source), legal, late};
+      rows.push_back({std::move(info), std::move(planted)});
+    }
+  };
+  for (const auto table :
+       {mutants::FillRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
+        mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
+        mutants::RealMutants, mutants::ShownValueMutants}) {
+    add(table(), "mutant:", false, false);
+  }
+  add(mutants::LateMutants(), "mutant:", false, true);
+  add(mutants::LegalVariants(), "legal:", true, false);
+  return rows;
+}
+
+const std::vector<Row>& Rows() {
+  static const std::vector<Row> rows = MakeRows();
+  return rows;
+}
+
+struct Maker {
+  const MutantInfo& info;
+  std::unique_ptr<Subject> operator()(const mutants::FixedStages& stages) const {
+    return mutants::MakeFixedPoint(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::RealStages& stages) const {
+    return mutants::MakeRealGeometry(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::ClipStages& stages) const {
+    return mutants::MakeClipSpace(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::ValueStages& stages) const {
+    return mutants::MakeShownValues(info.name, info.change, stages);
+  }
+};
+
+}  // namespace
+
+const std::vector<MutantInfo>& Mutants() {
+  static const std::vector<MutantInfo> infos = [] {
+    std::vector<MutantInfo> all;
+    for (const Row& row : Rows()) all.push_back(row.info);
+    return all;
+  }();
+  return infos;
+}
+
+std::unique_ptr<Subject> MakeMutant(std::string_view name) {
+  for (const Row& row : Rows()) {
+    if (row.info.name == name) return std::visit(Maker{row.info}, row.planted.stages);
+  }
+  return nullptr;
+}
+
+}  // namespace rasterproof::subjects

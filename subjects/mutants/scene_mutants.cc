@@ -1,0 +1,189 @@
+// Bugs in how triangles are taken: state that leaks, input that is no triangle, samples that are
+// lost.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "subjects/mutants/planted.h"
+
+namespace rasterproof::subjects::mutants {
+namespace {
+
+using Drops = bool (*)(const std::array<Vertex, 3>&);
+FixedStages Dropping(Drops drops) {
+  return {.drops = [drops](const Scene& scene, std::size_t number) {
+    return drops(Corners(scene, scene.triangles[number]));
+  }};
+}
+
+double Extent(double a, double b, double c) { return std::max({a, b, c}) - std::min({a, b, c}); }
+double TwiceArea(const std::array<Vertex, 3>& v) {
+  return std::fabs((v[2].x - v[0].x) * (v[1].y - v[0].y) - (v[2].y - v[0].y) * (v[1].x - v[0].x));
+}
+bool HasNan(const std::array<Vertex, 3>& v) {
+  return std::ranges::any_of(v, [](const Vertex& p) { return std::isnan(p.x) || std::isnan(p.y); });
+}
+
+// Replaces what is no number, so that the triangle is drawn.
+FixedStages Taking(double (*number)(double)) {
+  return {.vertices = [number](std::array<Vertex, 3>& v) {
+    for (Vertex& p : v) p = {number(p.x), number(p.y), p.z, p.w};
+  }};
+}
+
+// A hash of the sample and the triangle that is equally often below any share.
+std::uint64_t HashOf(const Sample& at, const GridTriangle& t) {
+  std::uint64_t hash = 0x9e3779b97f4a7c15U;
+  for (const std::int64_t n : {at.at.x, at.at.y, std::int64_t{at.s}, t.v[0].x, t.v[0].y, t.v[1].x,
+                               t.v[1].y, t.v[2].x, t.v[2].y}) {
+    hash = (hash ^ static_cast<std::uint64_t>(n)) * 0xff51afd7ed558ccdU;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+FixedStages LosingOneIn(std::uint64_t n) {
+  return {.times = [n](const Sample& at, const GridTriangle& t) {
+    return HashOf(at, t) % n == 0 ? 0U : 1U;
+  }};
+}
+
+std::vector<Planted> Leaks() {
+  return {
+      {"leak-owner", "the first edge owns its samples as that of the triangle before did", "",
+       FixedStages{.edges =
+                       [last = true](GridTriangle& t) mutable {
+                         const bool own = t.edges[0].owns;
+                         if (t.number != 0) t.edges[0].owns = last;
+                         last = own;
+                       }}},
+      {"leak-facing", "a triangle that shares its first vertex with the last one faces as it did",
+       "",
+       FixedStages{.facing =
+                       [last = GridTriangle{}](GridTriangle& t) mutable {
+                         const bool shares = t.number != 0 && t.indices[0] == last.indices[0];
+                         const bool front = t.front;
+                         if (shares) t.front = last.front;
+                         last = t;
+                         last.front = front;
+                       }}},
+      {"leak-repeated", "a triangle with the vertices of the one before is not drawn", "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         if (number == 0) return false;
+                         Triangle a = scene.triangles[number - 1];
+                         Triangle b = scene.triangles[number];
+                         std::ranges::sort(a);
+                         std::ranges::sort(b);
+                         return a == b;
+                       }}},
+      {"leak-after-degenerate", "the triangle after one without area is not drawn", "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         return number != 0 &&
+                                TwiceArea(Corners(scene, scene.triangles[number - 1])) == 0;
+                       }}},
+      {"leak-cached-vertex", "vertices 65, 129, ... are lost from the cache, with their triangles",
+       "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         return std::ranges::any_of(scene.triangles[number], [](std::int32_t i) {
+                           return i >= 64 && i % 64 == 1;
+                         });
+                       }}},
+  };
+}
+
+std::vector<Planted> BadInput() {
+  return {
+      {"nan-as-zero", "NaN is taken for zero, and the triangle drawn", "",
+       Taking([](double x) { return std::isnan(x) ? 0.0 : x; })},
+      {"nan-by-comparison", "min and max leave NaN out, and the triangle is drawn", "",
+       Taking([](double x) { return std::isnan(x) ? 64.0 : x; })},
+      {"infinity-clamped", "infinity is clamped to the limit, and the triangle drawn", "",
+       Taking([](double x) { return std::isinf(x) ? std::copysign(0x1p15, x) : x; })},
+      {"nan-poisons", "nothing is drawn after a triangle with NaN", "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         for (std::size_t t = 0; t < number; ++t) {
+                           if (HasNan(Corners(scene, scene.triangles[t]))) return true;
+                         }
+                         return false;
+                       }}},
+      {"degenerate-line", "a triangle without area is drawn as a line", "",
+       FixedStages{.area =
+                       [](const std::array<GridPoint, 3>& v) {
+                         const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
+                         return area == 0 ? 1 : area;
+                       },
+                   .owns =
+                       [](const GridEdge& e, const GridTriangle& t, const Sample&) {
+                         return GridEdge{t.v[0], t.v[1]}.At(t.v[2]) == 0 || e.owns;
+                       }}},
+      {"degenerate-repeated-index", "a repeated vertex is drawn as if it were two pixels away", "",
+       FixedStages{.vertices =
+                       [](std::array<Vertex, 3>& v) {
+                         if (v[0] == v[1]) v[1].x += 2;
+                       }}},
+  };
+}
+
+std::vector<Planted> Losses() {
+  return {
+      {"lost-1-in-1e4", "one sample in 10^4 is not drawn", "", LosingOneIn(10'000)},
+      {"lost-1-in-1e6", "one sample in 10^6 is not drawn", "", LosingOneIn(1'000'000)},
+      {"lost-small", "triangles of less than a pixel's area are culled",
+       "passes the published conformance checks",
+       Dropping([](const std::array<Vertex, 3>& v) { return TwiceArea(v) < 2; })},
+      {"lost-small-box", "triangles whose box is smaller than a pixel are culled", "",
+       Dropping([](const std::array<Vertex, 3>& v) {
+         return Extent(v[0].x, v[1].x, v[2].x) < 1 && Extent(v[0].y, v[1].y, v[2].y) < 1;
+       })},
+      {"lost-thin", "triangles thinner than 1/16 pixel are culled", "",
+       Dropping([](const std::array<Vertex, 3>& v) {
+         const double length =
+             std::max(Extent(v[0].x, v[1].x, v[2].x), Extent(v[0].y, v[1].y, v[2].y));
+         return TwiceArea(v) < length / 16;
+       })},
+      {"lost-huge", "triangles of more than 8192 pixels a side are not drawn",
+       "passes the published conformance checks", Dropping([](const std::array<Vertex, 3>& v) {
+         return std::max(Extent(v[0].x, v[1].x, v[2].x), Extent(v[0].y, v[1].y, v[2].y)) > 8192;
+       })},
+      {"lost-after-64", "the triangles of a scene from the 65th on are not drawn", "",
+       FixedStages{.drops = [](const Scene&, std::size_t number) { return number >= 64; }}},
+      {"lost-at-vertices", "a sample exactly on a vertex is not drawn", "",
+       FixedStages{.times =
+                       [](const Sample& at, const GridTriangle& t) {
+                         return std::ranges::any_of(t.v,
+                                                    [&](const GridPoint& p) {
+                                                      return p.x == at.at.x && p.y == at.at.y;
+                                                    })
+                                    ? 0U
+                                    : 1U;
+                       }}},
+      {"doubled-on-middle-line", "samples level with the middle vertex are counted twice",
+       "triangles that are drawn in an upper and a lower half",
+       FixedStages{.times =
+                       [](const Sample& at, const GridTriangle& t) {
+                         const std::int64_t middle =
+                             std::max(std::min(t.v[0].y, t.v[1].y),
+                                      std::min(std::max(t.v[0].y, t.v[1].y), t.v[2].y));
+                         const bool is_split = std::ranges::count(t.v, middle, &GridPoint::y) == 1;
+                         return is_split && at.at.y == middle ? 2U : 1U;
+                       }}},
+  };
+}
+
+}  // namespace
+
+std::vector<Planted> SceneMutants() {
+  std::vector<Planted> table = Leaks();
+  for (Planted& planted : BadInput()) table.push_back(std::move(planted));
+  for (Planted& planted : Losses()) table.push_back(std::move(planted));
+  return table;
+}
+
+}  // namespace rasterproof::subjects::mutants

@@ -1,0 +1,137 @@
+// Planted bugs are found, legal variants pass, and both are what they say.
+#include "subjects/mutants/mutants.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/error.h"
+#include "tests/share.h"
+#include "tests/subjects/conformance_baseline.h"
+#include "tool/selftest.h"
+#include "tool/session.h"
+
+namespace rasterproof {
+namespace {
+
+using subjects::MutantInfo;
+using subjects::Mutants;
+
+TEST(Mutants, AreAtLeastSixtyAndLegalVariantsFifteen) {
+  EXPECT_GE(std::ranges::count(Mutants(), false, &MutantInfo::legal), 60);
+  EXPECT_GE(std::ranges::count(Mutants(), true, &MutantInfo::legal), 15);
+}
+
+TEST(Mutants, HaveNamesOfTheirOwnUnderWhichTheyAreMade) {
+  std::set<std::string> names;
+  for (const MutantInfo& mutant : Mutants()) {
+    EXPECT_TRUE(names.insert(mutant.name).second) << mutant.name;
+    EXPECT_TRUE(mutant.name.starts_with(mutant.legal ? "legal:" : "mutant:")) << mutant.name;
+    EXPECT_FALSE(mutant.change.empty()) << mutant.name;
+    const std::unique_ptr<Subject> subject = tool::MakeSubject(mutant.name);
+    EXPECT_EQ(subject->Info().name, mutant.name);
+    EXPECT_EQ(subject->Info().summary, mutant.change);
+  }
+  EXPECT_EQ(subjects::MakeMutant("mutant:none-such"), nullptr);
+  EXPECT_THROW(tool::MakeSubject("mutant:none-such"), InputError);
+}
+
+// A share that holds a mutant of every base and of most stages; selftest runs all of them.
+TEST(Mutants, AreFoundByTheCatalogueInASample) {
+  constexpr std::size_t kEvery = kOneCaseIn > 1 ? 29 : 7;
+  std::size_t number = 0;
+  for (const MutantInfo& mutant : Mutants()) {
+    if (mutant.legal || number++ % kEvery != 0) continue;
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
+    const tool::Hunt hunt = tool::HuntBug(*subject, {.cases = 600, .shrink_budget = 50});
+    EXPECT_TRUE(hunt.violation.has_value()) << mutant.name << " survives " << hunt.cases;
+  }
+}
+
+TEST(LegalVariants, KeepTheirProfilesInASample) {
+  constexpr std::uint64_t kCases = Cases<std::uint64_t>(24);
+  for (const MutantInfo& variant : Mutants()) {
+    if (!variant.legal) continue;
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(variant.name);
+    const tool::Hunt hunt = tool::HuntBug(*subject, {.seed = 11, .cases = kCases});
+    EXPECT_FALSE(hunt.violation.has_value())
+        << variant.name << ": " << hunt.violation->property << ", " << hunt.violation->message;
+    EXPECT_GT(hunt.exercised, 0U) << variant.name;
+  }
+}
+
+TEST(Hunt, CountsTheCasesOfEveryPropertyAndEndsWithTheFirstViolation) {
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant("mutant:ties-inclusive");
+  std::uint64_t reported = 0;
+  const tool::Hunt hunt =
+      tool::HuntBug(*subject, {.cases = 100, .progress = [&](std::uint64_t n) { reported = n; }});
+  ASSERT_TRUE(hunt.violation.has_value());
+  EXPECT_GT(reported, 0U);
+  EXPECT_LT(hunt.cases, 100U * 50);
+  EXPECT_LE(hunt.violation->counterexample->scene.triangles.size(), 2U);
+}
+
+TEST(Selftest, SaysWhatSurvivesAndWhatIsNotLegal) {
+  tool::HuntResult survivor{{"mutant:shy", "it hides", "", false, false}, 1, {}};
+  tool::HuntResult wronged{{"legal:wronged", "it is judged", "", true, false}, 1, {}};
+  EXPECT_FALSE(survivor.AsItShould());
+  EXPECT_TRUE(wronged.AsItShould());
+  wronged.hunt.violation.emplace();
+  wronged.hunt.violation->property = "SomeClaim";
+  EXPECT_FALSE(wronged.AsItShould());
+  const std::string text = tool::SelftestText({survivor, wronged}, 10, 1, 0);
+  EXPECT_NE(text.find("| shy | it hides | **survived** |"), std::string::npos) << text;
+  EXPECT_NE(text.find("0 of 1 killed"), std::string::npos) << text;
+  EXPECT_NE(text.find("legal:wronged under seed 1 violates SomeClaim"), std::string::npos) << text;
+}
+
+// The baseline is sound: what is right passes it.
+TEST(ConformanceBaseline, PassesSoundRasterizers) {
+  for (const char* name : {"legal:ties-top-left", "legal:samples-four", "legal:y-up",
+                           "legal:real-exact", "legal:clip-exact"}) {
+    EXPECT_EQ(CtsLike(*subjects::MakeMutant(name)), Baseline::kPasses) << name;
+    EXPECT_EQ(PiglitLike(*subjects::MakeMutant(name)), Baseline::kPasses) << name;
+  }
+}
+
+TEST(ConformanceBaseline, FindsWhatIsGrosslyWrong) {
+  EXPECT_EQ(CtsLike(*subjects::MakeMutant("mutant:sample-corner")), Baseline::kFails);
+  EXPECT_EQ(PiglitLike(*subjects::MakeMutant("mutant:ties-per-tile")), Baseline::kFails);
+  EXPECT_EQ(PiglitLike(*subjects::MakeMutant("mutant:ties-inclusive")), Baseline::kSkips);
+}
+
+// Not an assertion about them but the table of the two beside the catalogue: docs/selftest.md.
+TEST(ConformanceBaseline, IsCountedOverAllMutants) {
+  int mutants = 0, by_cts = 0, by_piglit = 0, skipped = 0;
+  std::string missed;
+  for (const MutantInfo& mutant : Mutants()) {
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
+    if (mutant.legal || subject->Info().profile.contract == Contract::kNone) continue;
+    ++mutants;
+    const Baseline cts = CtsLike(*subject);
+    const Baseline piglit = PiglitLike(*subjects::MakeMutant(mutant.name));
+    by_cts += cts == Baseline::kFails ? 1 : 0;
+    by_piglit += piglit == Baseline::kFails ? 1 : 0;
+    skipped += piglit == Baseline::kSkips ? 1 : 0;
+    const auto word = [](Baseline b) {
+      return b == Baseline::kFails ? "fails" : b == Baseline::kPasses ? "passes" : "skips";
+    };
+    std::printf("| %s | %s | %s |\n", mutant.name.c_str(), word(cts), word(piglit));
+  }
+  std::printf("of %d mutants that draw: CTS-like %d, Piglit-like %d (skips %d)\n", mutants, by_cts,
+              by_piglit, skipped);
+  EXPECT_GT(by_cts, 0);
+  EXPECT_GT(by_piglit, 0);
+  EXPECT_LT(by_cts, mutants);
+  EXPECT_LT(by_piglit, mutants);
+}
+
+}  // namespace
+}  // namespace rasterproof

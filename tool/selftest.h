@@ -1,0 +1,58 @@
+// Hunting a planted bug: every property in turn, a few cases at a time.
+#ifndef RASTERPROOF_TOOL_SELFTEST_H_
+#define RASTERPROOF_TOOL_SELFTEST_H_
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "core/subject.h"
+#include "subjects/mutants/mutants.h"
+
+namespace rasterproof::tool {
+
+struct HuntOptions {
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 1000;  ///< most cases a property
+  std::uint64_t shrink_budget = 2000;
+  /// Called now and then with the number of cases run. May be empty.
+  std::function<void(std::uint64_t)> progress = {};
+};
+
+/// What a hunt ended with.
+struct Hunt {
+  /// The violation that ended it, shrunken; nothing if every property held.
+  std::optional<PropertyResult> violation;
+  std::uint64_t cases = 0;      ///< run in all, over all properties, the violating one included
+  std::uint64_t exercised = 0;  ///< cases that put a claim to the test
+  double seconds = 0;           ///< shrinking included
+};
+
+/// Runs the catalogue on the subject until a property is violated.
+///
+/// Every property has its turn in rounds that grow fourfold: a bug that any property sees at once
+/// does not wait for the thousandth case of another one. A property that says in the first round
+/// that it does not apply is asked no more.
+Hunt HuntBug(Subject& subject, const HuntOptions& options);
+
+/// A mutant or legal variant, and what a hunt found of it.
+struct HuntResult {
+  subjects::MutantInfo mutant;
+  std::uint64_t seed = 0;
+  Hunt hunt;
+
+  bool AsItShould() const { return hunt.violation.has_value() != mutant.legal; }
+};
+
+/// What a self-test found, as Markdown: a table row a mutant, then the figures.
+std::string SelftestText(const std::vector<HuntResult>& results, std::uint64_t cases,
+                         std::uint64_t legal_cases, double seconds);
+/// The same as JSON.
+std::string SelftestJson(const std::vector<HuntResult>& results);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_SELFTEST_H_

@@ -47,10 +47,19 @@ std::unique_ptr<Subject> Hosted(const std::string& name) {
   return InAProcess({ThisProgram(), "host", name}, info);
 }
 
+// A program that is not there is the caller's to mend, and is told before anything is run.
+void RequireProgram(const std::string& command, const std::string& name) {
+  const std::string program = command.substr(0, command.find_first_of(" \t"));
+  if (program.find_first_of("'\"\\$") != std::string::npos) return;  // the shell's business
+  subjects::OutputOf({"/bin/sh", "-c", "command -v -- \"$0\"", program},
+                     name + ": program " + program, OutsideLimits());
+}
+
 std::unique_ptr<Subject> Executed(const Description& description, const std::string& name) {
   if (description.command.empty()) {
     throw InputError(name, "it names no command", "add a line: command PROGRAM ARGUMENT...");
   }
+  RequireProgram(description.command, name);
   SubjectInfo info = description.info;
   info.name = name;
   return InAProcess({"/bin/sh", "-c", "exec " + description.command}, info);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "core/coverage.h"
@@ -82,9 +83,14 @@ std::vector<Fit> Rank(const std::vector<Profile>& models, const std::vector<Draw
     }
     fits.push_back(fit);
   }
-  std::ranges::stable_sort(fits, {}, &Fit::wrong);
-  if (fits.size() > kKept) fits.resize(kKept);
-  return fits;
+  // Of equally wrong models the first comes first. (clang calls what std::stable_sort uses
+  // deprecated.)
+  std::vector<std::size_t> order(fits.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t k) { return std::pair(fits[k].wrong, k); });
+  std::vector<Fit> best;
+  for (std::size_t k = 0; k < std::min(order.size(), kKept); ++k) best.push_back(fits[order[k]]);
+  return best;
 }
 
 }  // namespace

@@ -41,11 +41,11 @@ if(RASTERPROOF_FUZZ)
   target_compile_options(rasterproof_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# Reading standard headers is a third of what the sanitized build costs. Precompiled there alone: the
-# optimised build reads what each file includes, so a missing include still shows.
+# Reading standard headers is a third of what the sanitized build costs. Precompiled there alone:
+# the optimised build reads what each file includes, so a missing include still shows.
 if(RASTERPROOF_SANITIZE)
-  set(standard_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory>
-    <optional> <span> <string> <string_view> <vector>)
+  set(standard_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits>
+    <memory> <optional> <span> <string> <string_view> <vector>)
   file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cc "")
   add_library(rasterproof_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
   target_link_libraries(rasterproof_precompiled PRIVATE rasterproof_flags)

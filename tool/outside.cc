@@ -47,12 +47,17 @@ std::unique_ptr<Subject> Hosted(const std::string& name) {
   return InAProcess({ThisProgram(), "host", name}, info);
 }
 
-// A program that is not there is the caller's to mend, and is told before anything is run.
+// A program that is not there is the caller's to mend, and told before anything is run. The shell
+// looks it up, as it will to start it.
 void RequireProgram(const std::string& command, const std::string& name) {
   const std::string program = command.substr(0, command.find_first_of(" \t"));
-  if (program.find_first_of("'\"\\$") != std::string::npos) return;  // the shell's business
-  subjects::OutputOf({"/bin/sh", "-c", "command -v -- \"$0\"", program},
-                     name + ": program " + program, OutsideLimits());
+  if (program.find_first_of("'\"\\$") != std::string::npos) return;  // only the shell knows
+  try {
+    subjects::OutputOf({"/bin/sh", "-c", "command -v -- \"$0\"", program}, name, OutsideLimits());
+  } catch (const InputError&) {
+    throw InputError(name, "there is no program " + program,
+                     "give one that this user may run, with its path");
+  }
 }
 
 std::unique_ptr<Subject> Executed(const Description& description, const std::string& name) {

@@ -28,7 +28,7 @@ std::string SecondsText(double seconds) {
 class ProcessSubject::Child {
  public:
   Child(const std::vector<std::string>& command, const ProcessLimits& limits)
-      : process_(command, limits.bytes), program_(command.back()), limits_(limits) {}
+      : process_(command, limits.bytes), limits_(limits) {}
 
   void Ask(std::string request) { process_.Say(std::move(request)); }
 
@@ -36,25 +36,18 @@ class ProcessSubject::Child {
     std::string line;
     switch (process_.ReadLine(deadline, limits_.answer_bytes, line)) {
       case PipeEnd::kOpen:
-        has_answered_ = true;
         return line;
       case PipeEnd::kTimedOut:
         throw SubjectFault("it gave no answer within " + SecondsText(limits_.seconds));
       case PipeEnd::kClosed:
         break;
     }
-    const std::string ending = process_.Ending();
-    if (!has_answered_ && ending == "ended with status 127") {  // what a shell says of no program
-      throw InputError(program_, "it can't be started", "give a program that this user may run");
-    }
-    throw SubjectFault("it " + ending + " before its answer was whole");
+    throw SubjectFault("it " + process_.Ending() + " before its answer was whole");
   }
 
  private:
   ChildProcess process_;
-  std::string program_;
   ProcessLimits limits_;
-  bool has_answered_ = false;
 };
 
 ProcessSubject::ProcessSubject(std::vector<std::string> command, SubjectInfo info,

@@ -137,7 +137,7 @@ class BadNames(unittest.TestCase):
 
     def test_a_program_that_is_none(self):
         self.check("coverage", SCENE, "--exec", "./no-such-program", words=["no-such-program"])
-        self.check("check", "--exec", "./no-such-program -x", words=["program ./no-such-program"])
+        self.check("check", "--exec", "./nothing -x", words=["no program ./nothing"])
 
     def test_a_subject_file_that_is_none(self):
         self.check("coverage", SCENE, "--subject", "no.subject", words=["no.subject"])

@@ -22,7 +22,8 @@ std::optional<Profile> PresetProfile(std::string_view name) {
 }
 
 Scene SnapScene(const Scene& scene, const Profile& profile) {
-  Scene snapped = scene;
+  Scene snapped =
+      scene.clip_space && profile.transform ? ToWindow(scene, *profile.transform) : scene;
   if (profile.snap.IsNone()) return snapped;
   // The grid point of a float32 can need more bits than float32 has.
   snapped.precision = Precision::kFloat64;

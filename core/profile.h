@@ -12,6 +12,7 @@
 #include "core/sample_lattice.h"
 #include "core/scene.h"
 #include "core/snap.h"
+#include "core/transform.h"
 
 namespace rasterproof {
 
@@ -56,11 +57,18 @@ inline constexpr double kMaxSnapTolerance = 1;
 struct Profile {
   std::string name = "real";
   Snap snap;
+  /// Where an edge crosses a row of samples, x is rounded to this grid before samples are compared
+  /// with it, as scanline rasterizers do. None: the crossing is the real one. A sample at a rounded
+  /// crossing is owned as one on a vertical edge.
+  Snap crossing;
   SampleLattice lattice;
   YAxis y_axis = YAxis::kDown;
   FillRule fill_rule;
   Contract contract = Contract::kSampleExact;
   Freedom freedom;
+  /// The way from clip space to window space that the rasterizer computes itself. None: clip space is
+  /// held to its exact quotients.
+  std::optional<Transform> transform;
   /// Coordinates beyond +-limit are outside what is promised. Binds verdicts, never the oracle.
   double coordinate_limit = 0x1p127;
 
@@ -72,10 +80,16 @@ struct Profile {
 std::optional<Profile> PresetProfile(std::string_view name);
 inline constexpr std::array<std::string_view, 4> kPresetProfiles{"real", "d3d11", "vulkan", "gl"};
 
+/// Returns whether the profile's model of the scene is that of homogeneous coordinates: clip space
+/// that no transform of the rasterizer's own takes to the window.
+inline bool IsHomogeneous(const Scene& scene, const Profile& profile) {
+  return scene.clip_space && !profile.transform;
+}
+
 /// Returns the scene with x and y of every vertex on the profile's subpixel grid.
 ///
-/// Domain:     window-space scenes; w is 1. (Clip-space vertices snap after the division: see
-/// exact/.)
+/// Domain:     window-space scenes; w is 1. Clip-space scenes that are not homogeneous: they go
+///             through the profile's transform first. (Others snap after the division: see exact/.)
 Scene SnapScene(const Scene& scene, const Profile& profile);
 
 /// Returns whether exactly one result is legal for every scene within the limits.

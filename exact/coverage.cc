@@ -43,8 +43,9 @@ bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule, Deci
 
 CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options,
                         Decider decider) {
-  const Scene snapped = scene.clip_space && !profile.snap.IsNone() ? SnapClipScene(scene, profile)
-                                                                   : SnapScene(scene, profile);
+  const Scene snapped = IsHomogeneous(scene, profile) && !profile.snap.IsNone()
+                            ? SnapClipScene(scene, profile)
+                            : SnapScene(scene, profile);
   const SampleFrame frame(scene, profile, options);
   CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
   SpanTarget target(counts);
@@ -55,7 +56,7 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
     const int facing =
         snapped.clip_space ? HomogeneousFacing(*v, decider) : Facing(WindowPoints(*v), decider);
     if (IsCulled(facing, options.cull)) continue;
-    if (decider != Decider::kFast) {
+    if (decider != Decider::kFast && frame.crossing.IsNone()) {
       ScanSamples(*v, snapped.clip_space, facing, frame, decider, counts);
     } else if (snapped.clip_space) {
       AddHomogeneousSpans(*v, facing, frame, target);
@@ -63,7 +64,7 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
       AddWindowSpans(WindowPoints(*v), facing, frame, target);
     }
   }
-  if (decider == Decider::kFast) target.Sum();
+  if (decider == Decider::kFast || !frame.crossing.IsNone()) target.Sum();
   return counts;
 }
 

@@ -58,6 +58,10 @@ class RowEdge {
   /// The first column of the clip rectangle whose Side in the row is at least least_sign.
   int FirstColumnAtSide(const SampleFrame& frame, int row, std::size_t s, int least_sign,
                         std::uint64_t& certain) const {
+    if (!frame.crossing.IsNone()) {
+      ++certain;
+      return FirstColumnAtRounded(frame, row, s, least_sign);
+    }
     const Guess guess = At(row + frame.offsets[s].y, frame.offsets[s].x);
     return FirstColumn(guess, frame.clip.x0, frame.clip.x1, certain, [&](int column) {
       return Side(frame.At(column, row, s), frame.rule) >= least_sign;
@@ -65,6 +69,8 @@ class RowEdge {
   }
 
  private:
+  int FirstColumnAtRounded(const SampleFrame& frame, int row, std::size_t s, int least_sign) const;
+
   Point2 upper_;
   Point2 lower_;
   double slope_ = 0;

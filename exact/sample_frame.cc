@@ -23,6 +23,7 @@ bool IsLocation(double c) {
 SampleFrame::SampleFrame(const Scene& scene, const Profile& profile, const DrawOptions& options)
     : clip{0, 0, scene.width, scene.height},
       rule(profile.fill_rule),
+      crossing(profile.crossing),
       y_up(profile.y_axis == YAxis::kUp) {
   for (const Point2& l : profile.lattice.locations) {
     if (!IsLocation(l.x) || !IsLocation(l.y)) {

@@ -23,6 +23,7 @@ struct SampleFrame {
   std::vector<Point2> offsets;
   PixelRect clip;  ///< target and scissor
   FillRule rule;
+  Snap crossing;  ///< of the profile
   bool y_up = false;
 
   /// Error: InputError if a location is not a multiple of 2^-20 in [0, 1), as then pixel + location

@@ -80,7 +80,7 @@ std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
 report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verdict,
                             const std::string& replay) {
   report::Explanation explanation;
-  explanation.scene = c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile);
+  explanation.scene = IsHomogeneous(c.scene, c.profile) ? c.scene : SnapScene(c.scene, c.profile);
   explanation.lattice = c.profile.lattice;
   explanation.y_axis = c.profile.y_axis;
   explanation.expected = exact::Coverage(c.scene, c.profile, c.options);

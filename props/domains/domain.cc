@@ -177,7 +177,9 @@ const Domain* FindDomain(std::string_view name) {
 }
 
 bool Suits(const Domain& domain, const SubjectInfo& info) {
-  return domain.clip ? info.takes_clip : info.takes_window || info.takes_clip;
+  // A transform of its own says nothing of what lies behind the eye.
+  return domain.clip ? info.takes_clip && !info.profile.transform
+                     : info.takes_window || info.takes_clip;
 }
 
 }  // namespace rasterproof::props

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/error.h"
+
 namespace rasterproof::props {
 
 CoverageCounts Observer::Raw(const Scene& scene) {
@@ -13,6 +15,12 @@ CoverageCounts Observer::Raw(const Scene& scene) {
   if (info().takes_window) {
     subject_.Draw(scene, {}, counts);
   } else {
+    const auto& transform = info().profile.transform;
+    if (transform && transform->viewport != ViewportForm::kNone) {
+      throw InputError("subject " + info().name,
+                       "its viewport takes no vertex to most of the places that infer looks at",
+                       "infer a variant that takes window space, or whose viewport is none");
+    }
     Scene clip = scene;  // w is 1 already
     clip.clip_space = true;
     subject_.Draw(clip, {}, counts);

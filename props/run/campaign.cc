@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
+#include "props/run/own_transform.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
 #include "props/shrink/shrink.h"
@@ -80,7 +81,7 @@ Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
     return Verdict::Violated(1, "the subject threw: " + what, Witness{});
   };
   try {
-    return property.check(subject, c);
+    return CheckSeen(subject, property, c);
   } catch (const InputError& error) {
     // The oracle or the subject says that it takes no such scene.
     return Verdict::NotApplicable(error.what());

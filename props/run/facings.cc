@@ -37,7 +37,8 @@ class FacingSubject final : public Subject {
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    const Scene snapped = scene.clip_space ? scene : SnapScene(scene, info_.profile);
+    const Scene snapped =
+        IsHomogeneous(scene, info_.profile) ? scene : SnapScene(scene, info_.profile);
     std::vector<Triangle> front;
     std::vector<Triangle> back;
     for (const Triangle& t : scene.triangles) {

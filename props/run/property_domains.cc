@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "props/run/own_transform.h"
+
 namespace rasterproof::props {
 namespace {
 
@@ -34,7 +36,7 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
 }
 
 Case DrawNamed(const Domain& domain, BitSource& bits, const SubjectInfo& info) {
-  Case c = domain.draw(bits, info);
+  Case c = PutBehindTransform(domain.draw(bits, AsSeenByRecipes(info)), info, bits);
   c.scene.name = domain.name;
   return c;
 }

@@ -8,6 +8,7 @@
 
 #include "props/run/campaign.h"
 #include "props/run/near_edge.h"
+#include "props/run/own_transform.h"
 #include "props/run/property_domains.h"
 
 namespace rasterproof::props {
@@ -42,7 +43,7 @@ void Tally::AddCase(std::size_t domain, const Case& c, const Verdict& verdict) {
   result_.exercised += verdict.exercised;
   if (verdict.exercised != 0) ++result_.cases_exercised;
   result_.worst_ratio = std::max(result_.worst_ratio, verdict.worst_ratio);
-  const NearEdgeCounts counts = CountNearEdges(c);
+  const NearEdgeCounts counts = CountNearEdges(SeenCase(c));
   ++drawn_[domain];
   Add(near_edge_[domain], counts);
   Add(result_.near_edge, counts);

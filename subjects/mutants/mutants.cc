@@ -30,7 +30,7 @@ std::vector<Row> MakeRows() {
   for (const auto table :
        {mutants::FillRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
         mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
-        mutants::RealMutants, mutants::ShownValueMutants}) {
+        mutants::RealMutants, mutants::TransformMutants, mutants::ShownValueMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);
@@ -56,6 +56,9 @@ struct Maker {
   }
   std::unique_ptr<Subject> operator()(const mutants::ValueStages& stages) const {
     return mutants::MakeShownValues(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::TransformStages& stages) const {
+    return mutants::MakeOwnTransform(info.name, info.change, stages);
   }
 };
 

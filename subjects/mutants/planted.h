@@ -9,6 +9,7 @@
 #include "core/profile.h"
 #include "subjects/mutants/clip_space.h"
 #include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/own_transform.h"
 #include "subjects/mutants/real_geometry.h"
 #include "subjects/mutants/shown_values.h"
 
@@ -19,7 +20,7 @@ struct Planted {
   std::string_view name;
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
-  std::variant<FixedStages, RealStages, ClipStages, ValueStages> stages;
+  std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages> stages;
 };
 
 /// Eight subpixel bits and four samples a pixel, on a rotated grid.
@@ -33,11 +34,13 @@ std::vector<Planted> TraversalMutants();   // box, tiles, walks
 std::vector<Planted> TargetMutants();      // scissor, culling, target size, threads
 std::vector<Planted> SceneMutants();       // state, degenerate and non-finite input, lost triangles
 std::vector<Planted> RealMutants();        // exact geometry, clip space
+std::vector<Planted> TransformMutants();   // clip space to window
 std::vector<Planted> ShownValueMutants();  // edge values, walks, weights
 /// Written after the generators and the properties were frozen.
 std::vector<Planted> LateMutants();
 
 std::vector<Planted> LegalVariants();
+std::vector<Planted> TransformVariants();  // a part of them
 
 }  // namespace rasterproof::subjects::mutants
 

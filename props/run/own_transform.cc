@@ -1,0 +1,126 @@
+#include "props/run/own_transform.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "core/error.h"
+#include "core/transform.h"
+
+namespace rasterproof::props {
+namespace {
+
+// A place by its bits: NaN is a place as well, and -0 is not +0.
+using Place = std::array<std::uint64_t, 2>;
+
+Place PlaceOf(const Vertex& v) {
+  return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
+}
+
+// What the subject takes that is nearest to the vertex.
+Vertex Rounded(Vertex v, Precision input) {
+  if (input == Precision::kFloat64) return v;
+  for (double* const x : {&v.x, &v.y, &v.w}) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    // What is infinite on purpose stays so, and nothing else becomes it.
+    *x = static_cast<float>(std::isfinite(*x) ? std::clamp(*x, -kLargest, kLargest) : *x);
+  }
+  return v;
+}
+
+// A power of two, with which many divisions are exact, or any float of [1/16, 16).
+double DrawW(BitSource& bits) {
+  const double power = std::ldexp(1.0, static_cast<int>(bits.Int(-4, 3)));
+  if (bits.Chance(96)) return power;
+  return power * (1 + std::ldexp(static_cast<double>(bits.Bits(23)), -23));
+}
+
+SubjectInfo SeenInfo(SubjectInfo info) {
+  info.input = info.profile.transform->precision;
+  info.takes_window = true;
+  info.takes_clip = false;
+  info.profile.transform.reset();
+  return info;
+}
+
+// Takes window-space scenes made of a clip-space scene's transformed vertices, and draws those.
+class SeenSubject final : public Subject {
+ public:
+  SeenSubject(Subject& subject, const Scene& clip, const Scene& window)
+      : subject_(subject), info_(SeenInfo(subject.Info())), precision_(clip.precision) {
+    for (std::size_t k = 0; k < clip.vertices.size(); ++k) {
+      clip_of_.emplace(PlaceOf(window.vertices[k]), clip.vertices[k]);
+    }
+  }
+  const SubjectInfo& Info() const override { return info_; }
+
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    Scene clip = scene;
+    clip.clip_space = true;
+    clip.precision = precision_;
+    for (Vertex& v : clip.vertices) {
+      const auto found = clip_of_.find(PlaceOf(v));
+      if (found == clip_of_.end()) {
+        throw InputError("subject " + info_.name, "its transform takes no vertex to this place",
+                         "choose another property");
+      }
+      v = found->second;
+    }
+    subject_.Draw(clip, options, counts);
+  }
+
+ private:
+  Subject& subject_;
+  SubjectInfo info_;
+  Precision precision_;
+  std::map<Place, Vertex> clip_of_;
+};
+
+}  // namespace
+
+SubjectInfo AsSeenByRecipes(const SubjectInfo& info) {
+  return OwnsTransform(info) ? SeenInfo(info) : info;
+}
+
+Case PutBehindTransform(Case window, const SubjectInfo& info, BitSource& bits) {
+  if (!OwnsTransform(info)) return window;
+  Scene& scene = window.scene;
+  std::map<Place, Vertex> clip_of;
+  for (Vertex& v : scene.vertices) {
+    const auto [found, is_new] = clip_of.try_emplace(PlaceOf(v));
+    if (is_new) {
+      found->second = Rounded(
+          ToClip(v, DrawW(bits), *info.profile.transform, scene.width, scene.height), info.input);
+    }
+    const double z = v.z;
+    v = found->second;
+    v.z = z;
+  }
+  scene.clip_space = true;
+  scene.precision = info.input;
+  window.profile = info.profile;
+  return window;
+}
+
+Case SeenCase(const Case& c) {
+  if (!c.profile.transform || !c.scene.clip_space) return c;
+  Case seen = c;
+  seen.scene = ToWindow(c.scene, *c.profile.transform);
+  seen.profile.transform.reset();
+  return seen;
+}
+
+Verdict CheckSeen(Subject& subject, const Property& property, const Case& c) {
+  if (!c.profile.transform || !c.scene.clip_space) return property.check(subject, c);
+  const Case seen = SeenCase(c);
+  SeenSubject window_subject(subject, c.scene, seen.scene);
+  return property.check(window_subject, seen);
+}
+
+}  // namespace rasterproof::props

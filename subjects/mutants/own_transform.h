@@ -1,0 +1,29 @@
+// The base of mutants that own the transform from clip space to the window.
+#ifndef RASTERPROOF_SUBJECTS_MUTANTS_OWN_TRANSFORM_H_
+#define RASTERPROOF_SUBJECTS_MUTANTS_OWN_TRANSFORM_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/scene.h"
+#include "core/subject.h"
+#include "core/transform.h"
+#include "core/vertex.h"
+
+namespace rasterproof::subjects::mutants {
+
+/// What the subject promises, and what it does with a vertex in front of the eye.
+struct TransformStages {
+  Transform promised;
+  std::function<Point2(const Vertex& clip, const Scene& scene)> to_window;
+};
+
+/// The fixed-point rasterizer behind a transform. A vertex that is not finite or not in front of
+/// the eye has no place: its triangles are not drawn.
+std::unique_ptr<Subject> MakeOwnTransform(const std::string& name, const std::string& summary,
+                                          TransformStages stages);
+
+}  // namespace rasterproof::subjects::mutants
+
+#endif  // RASTERPROOF_SUBJECTS_MUTANTS_OWN_TRANSFORM_H_

@@ -51,7 +51,7 @@ inline constexpr auto kCoverage =
                                      "degenerate",        "long-walk",
                                      "size-ladder",       "t-junctions",
                                      "range-ends",        "tiny-ends",
-                                     "sub-pixel"});
+                                     "sub-pixel",         "far-negative-corners"});
 
 // The same, what only the model can tell, and enough samples to find what goes wrong once in a
 // million.
@@ -70,12 +70,12 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 
 // Planar subdivisions.
 inline constexpr auto kMeshes = std::to_array<std::string_view>(
-    {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions"});
+    {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans"});
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>(
     {"shared-edge", "fans", "grids", "triangulations", "subdivisions", "t-junctions", "closed-mesh",
-     "strips", "windings", "degenerate", "near-edge"});
+     "strips", "windings", "degenerate", "near-edge", "covering-fans"});
 
 // Closed surfaces.
 inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh"});
@@ -89,8 +89,9 @@ inline constexpr auto kClipSpace = std::to_array<std::string_view>(
      "hardest-vertex", "centres", "axis-aligned", "needles", "grids", "mixed-magnitude"});
 
 // Meshes that leave the target or pass behind the eye.
-inline constexpr auto kClipped = std::to_array<std::string_view>(
-    {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye"});
+inline constexpr auto kClipped =
+    std::to_array<std::string_view>({"fans", "grids", "triangulations", "shared-edge", "strips",
+                                     "closed-around-eye", "covering-fans"});
 
 // Vertices that a tolerance lets snap either way, meshes first.
 inline constexpr auto kFreeSnaps =

@@ -38,6 +38,7 @@ Case GuardBand(BitSource& bits, const SubjectInfo& info);
 
 // recipes_range.cc
 Case RangeEnds(BitSource& bits, const SubjectInfo& info);
+Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info);
 Case TinyEnds(BitSource& bits, const SubjectInfo& info);
 Case SubPixel(BitSource& bits, const SubjectInfo& info);
 Case DecidingTies(BitSource& bits, const SubjectInfo& info);
@@ -60,6 +61,7 @@ Case SharedSnapTies(BitSource& bits, const SubjectInfo& info);
 Case Triangulations(BitSource& bits, const SubjectInfo& info);
 Case Subdivisions(BitSource& bits, const SubjectInfo& info);
 Case TJunctions(BitSource& bits, const SubjectInfo& info);
+Case CoveringFans(BitSource& bits, const SubjectInfo& info);
 
 // recipes_closed.cc
 Case ClosedMesh(BitSource& bits, const SubjectInfo& info);

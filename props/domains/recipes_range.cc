@@ -13,9 +13,6 @@
 namespace rasterproof::props {
 namespace {
 
-// The promised range; for real geometry one whose edge values are still of a readable size.
-double RangeOf(const Sketch& sketch) { return std::min(sketch.lattice().limit(), 0x1p24); }
-
 // An end of the range or up to two steps inside, and sometimes an ordinary place.
 double EndOfRange(Sketch& sketch, double range, bool along_y) {
   if (sketch.bits().Chance(48)) {
@@ -36,7 +33,7 @@ Point2 OnOutline(Sketch& sketch, double range) {
 
 Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
-  const double range = RangeOf(sketch);
+  const double range = sketch.Range();
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     if (bits.Chance(128)) {
@@ -69,6 +66,26 @@ Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
       continue;
     }
     sketch.AddTriangle({q, far, Nudged(sketch, bits.Chance(128) ? far : q, 2)});
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const int most = std::max(5, std::ilogb(sketch.Range()) - 1);
+  const auto far = [&] { return -std::fabs(sketch.LogUniform(4, most)); };
+  const std::int64_t triangles = bits.Int(1, 3);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    // One corner far to the left, one far above, either or both of them far both ways; the third on
+    // the target or beyond it.
+    const double left = far();
+    const double above = far();
+    const double y = bits.Chance(128) ? far() : sketch.Coordinate(sketch.height(), true);
+    const double x = bits.Chance(128) ? far() : sketch.Coordinate(sketch.width(), false);
+    const double times = bits.Chance(128) ? 1 : std::fabs(sketch.LogUniform(0, most - 5));
+    const Point2 third = sketch.Place();
+    const Point2 end{times * third.x, times * third.y};
+    sketch.AddTriangle({Point2{left, y}, Point2{x, above}, end});
   }
   return sketch.Done(Finish::kAnyOrder);
 }

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_DOMAINS_SKETCH_H_
 #define RASTERPROOF_PROPS_DOMAINS_SKETCH_H_
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -32,6 +33,8 @@ class Sketch {
   const Profile& profile() const { return case_.profile; }
   int width() const { return case_.scene.width; }
   int height() const { return case_.scene.height; }
+  /// The promised range; for real geometry one whose edge values are still of a readable size.
+  double Range() const { return std::min(lattice_.limit(), 0x1p24); }
 
   /// A sample of the target: exact, and a lattice place of every lattice that can hold it.
   Point2 Sample();

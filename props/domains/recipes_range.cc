@@ -72,8 +72,9 @@ Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
 
 Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
-  const int most = std::max(5, std::ilogb(sketch.Range()) - 1);
-  const auto far = [&] { return -std::fabs(sketch.LogUniform(4, most)); };
+  const double range = sketch.Range();
+  const int most = std::max(5, std::ilogb(range));
+  const auto far = [&] { return -std::min(std::fabs(sketch.LogUniform(4, most)), range); };
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // One corner far to the left, one far above, either or both of them far both ways; the third on

@@ -51,10 +51,11 @@ EdgeMiddle DrawMiddle(Sketch& sketch, const PlanarMesh& mesh) {
 // A fan around a sample of the target, its rim one corner in each outer quadrant, up to the end of
 // the range: it covers the target, however far the corners are.
 PlanarMesh DrawCoveringFan(Sketch& sketch) {
-  const int most = std::max(4, std::ilogb(sketch.Range()) - 1);
+  const double range = sketch.Range();
+  const int most = std::max(4, std::ilogb(range));
   const auto beyond = [&] {
     const int least = sketch.bits().Chance(128) ? 1 : most - 3;
-    return std::fabs(sketch.LogUniform(least, most));
+    return std::min(std::fabs(sketch.LogUniform(least, most)), range);
   };
   PlanarMesh mesh;
   for (const Point2 side : {Point2{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {

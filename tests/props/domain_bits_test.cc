@@ -127,9 +127,9 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"sub-pixel", 0x92273b60fcf3495e},
       {"deciding-ties", 0xa10c6481c1e1f3ff},
       {"full-targets", 0x6397510bcbeff90d},
-      {"far-negative-corners", 0x850f10b116e3c88},
-      {"covering-fans", 0x8ad4f19c3009f741},
-      {"codec examples", 0xe34d7dba667783a3},
+      {"far-negative-corners", 0x1ee96610e9d44a16},
+      {"covering-fans", 0x33c6cf90b23d30b4},
+      {"codec examples", 0x6ce81aa64a60876b},
   };
   return golden;
 }

@@ -49,9 +49,11 @@ EdgeMiddle DrawMiddle(Sketch& sketch, const PlanarMesh& mesh) {
 }
 
 // A fan around a sample of the target, its rim one corner in each outer quadrant, up to the end of
-// the range: it covers the target, however far the corners are.
+// the range: it covers the target, however far the corners are. Real geometry, whose range is
+// large, would have all of the target count as beside the outline of two neighbours: 2^17 at most.
 PlanarMesh DrawCoveringFan(Sketch& sketch) {
-  const double range = sketch.Range();
+  const bool is_real = sketch.profile().snap.IsNone();
+  const double range = is_real ? std::min(sketch.Range(), 0x1p17) : sketch.Range();
   const int most = std::max(4, std::ilogb(range));
   const auto beyond = [&] {
     const int least = sketch.bits().Chance(128) ? 1 : most - 3;

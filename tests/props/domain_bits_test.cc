@@ -128,8 +128,8 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"deciding-ties", 0xa10c6481c1e1f3ff},
       {"full-targets", 0x6397510bcbeff90d},
       {"far-negative-corners", 0x1ee96610e9d44a16},
-      {"covering-fans", 0x33c6cf90b23d30b4},
-      {"codec examples", 0x6ce81aa64a60876b},
+      {"covering-fans", 0x9b726aa059a568b6},
+      {"codec examples", 0xbf28859c5d5ca479},
   };
   return golden;
 }

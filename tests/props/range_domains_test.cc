@@ -83,7 +83,7 @@ TEST(FarNegativeCorners, ReachTheTargetFromFarToTheLeftAndFarAbove) {
 
 TEST(CoveringFans, CoverEverySampleOnceFromFarAway) {
   for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8), SnappedInfo(4)}) {
-    const double far = std::min(info.profile.coordinate_limit, 0x1p24) / 8;
+    const double far = std::min(info.profile.coordinate_limit, 0x1p17) / 8;
     const auto covers = [](const Case& c) {
       const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
       return CoveredOnce(counts) == counts.size();

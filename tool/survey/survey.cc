@@ -26,7 +26,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kStallSeconds = 10;
-constexpr std::uint64_t kFittingTriangles = 600;
 constexpr int kMostEnds = 4;  // deaths of one family before it is given up
 
 double Since(Clock::time_point begun) {
@@ -273,7 +272,8 @@ Profile ProfileOf(const std::string& text, const std::string& place) {
       .value.profile;
 }
 
-void Introduce(const std::string& path, Introduction& into) {
+void Introduce(const SurveyOptions& options, Introduction& into) {
+  const std::string& path = options.path;
   const subjects::LoadedPlugin loaded = Load(path);
   const SubjectInfo& info = loaded.subject->Info();
   Put(std::filesystem::path(info.name).stem().string(), into.name);
@@ -282,7 +282,7 @@ void Introduce(const std::string& path, Introduction& into) {
   into.input = info.input;
   into.loaded = true;
   for (const Fit& fit :
-       FitModels(*loaded.subject, ProfileOf(loaded.profile, path), kFittingTriangles)) {
+       FitModels(*loaded.subject, ProfileOf(loaded.profile, path), options.fitting_triangles)) {
     const Profile& m = fit.model;
     into.fit[into.fits++] = {m.snap, m.lattice.locations[0], m.fill_rule, fit.wrong, fit.samples};
   }
@@ -293,7 +293,7 @@ void Introduce(const std::string& path, Introduction& into) {
 Survey RunSurvey(const SurveyOptions& options) {
   Shared<Introduction> met;
   Survey survey;
-  survey.trouble = RunIsolated([&] { Introduce(options.path, *met); }, met->step, 120);
+  survey.trouble = RunIsolated([&] { Introduce(options, *met); }, met->step, 120);
   if (!met->loaded) throw InputError(options.path, survey.trouble, "look at what it printed");
   survey.subject = met->name.data();
   survey.summary = met->summary.data();

@@ -20,6 +20,7 @@ struct SurveyOptions {
   std::string path;            ///< a plugin, or the description of a program on a pipe
   std::uint64_t cases = 2000;  ///< scenes of each family
   double seconds = 20;         ///< at most, for each family
+  std::uint64_t fitting_triangles = 600;
   std::uint64_t shrink_budget = 400;
 };
 

@@ -146,9 +146,11 @@ class SubjectFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Returns whether the subject takes scenes of this kind and precision.
+/// Returns whether the subject takes scenes of this kind and precision, and coordinates that its
+/// fixed-point input can be given.
 inline bool Takes(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space ? !info.takes_clip : !info.takes_window) return false;
+  if (!CanBeGiven(scene, info.profile)) return false;
   return info.input == Precision::kFloat64 || scene.precision == Precision::kFloat32;
 }
 

@@ -59,7 +59,9 @@ bool Exceeds(const std::array<Point2, 3>& corners, const MaxExtent& extent) {
 
 Scene SnapScene(const Scene& scene, const Profile& own) {
   Scene snapped = scene;
-  const Profile profile = ForTarget(own, scene.width, scene.height);
+  std::optional<Profile> resolved;
+  const Profile& profile =
+      own.targets.empty() ? own : resolved.emplace(ForTarget(own, scene.width, scene.height));
   for (Vertex& v : snapped.vertices) {
     if (profile.fixed) v = {profile.fixed->Wrapped(v.x), profile.fixed->Wrapped(v.y), v.z, v.w};
     v.x = SnapCoordinate(v.x, profile.snap);
@@ -100,6 +102,7 @@ bool IsUnwrapped(const Scene& scene, const Profile& profile) {
 
 bool IsUnclipped(const Scene& scene, const Profile& profile) {
   if (!profile.no_clip) return true;
+  if (scene.clip_space) return false;  // the rectangle is of window space
   const auto holds = [&](const Scene& placed) {
     return std::ranges::all_of(placed.triangles, [&](const Triangle& t) {
       return std::ranges::all_of(

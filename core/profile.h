@@ -76,9 +76,9 @@ struct WindowBox {
 struct TargetModel {
   int max_width = kMaxTargetSide;
   int max_height = kMaxTargetSide;
-  Snap snap;
-  SampleLattice lattice;  ///< as many locations as the profile's own
-  FillRule fill_rule;
+  Snap snap = {};
+  SampleLattice lattice = {};  ///< as many locations as the profile's own
+  FillRule fill_rule = {};
 
   bool Fits(int width, int height) const { return width <= max_width && height <= max_height; }
   friend bool operator==(const TargetModel&, const TargetModel&) = default;
@@ -163,6 +163,11 @@ bool WithinLimits(const Scene& scene, const Profile& profile);
 /// Returns whether a subject of this profile can be given the scene at all: of a fixed-point input,
 /// window space alone, and coordinates that its integers hold.
 bool CanBeGiven(const Scene& scene, const Profile& profile);
+
+/// Returns whether the profile says where a clip-space scene's vertices lie.
+inline bool PlacesClipSpace(const Profile& profile) {
+  return !profile.fixed && !profile.max_extent;
+}
 
 /// Returns whether no coordinate is beyond the range of the profile's fixed-point input: then
 /// nothing wraps, and moving a scene moves all of it.

@@ -150,7 +150,7 @@ class SubjectFault : public std::runtime_error {
 /// fixed-point input can be given.
 inline bool Takes(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space ? !info.takes_clip : !info.takes_window) return false;
-  if (!CanBeGiven(scene, info.profile)) return false;
+  if (info.profile.fixed) return CanBeGiven(scene, info.profile);  // as integers
   return info.input == Precision::kFloat64 || scene.precision == Precision::kFloat32;
 }
 

@@ -35,7 +35,8 @@ enum rasterproof_coverage {
 /* The number format in which the library computes its input. */
 enum rasterproof_input {
   RASTERPROOF_FLOAT32 = 0, /* every coordinate is a float */
-  RASTERPROOF_FLOAT64 = 1
+  RASTERPROOF_FLOAT64 = 1,
+  RASTERPROOF_FIXED = 2 /* every x and y is a multiple of 2^-fixed_fraction_bits; window space */
 };
 
 /* What the library takes, as bits of rasterproof_plugin.takes. None of them: window-space scenes,
@@ -69,6 +70,9 @@ typedef struct rasterproof_scene {
   int32_t scissor[4]; /* x0, y0, x1, y1: columns [x0, x1), rows [y0, y1) from the top */
   int32_t tile;       /* 0: the library's own choice */
   int32_t threads;    /* 0: the library's own choice */
+  /* Where the input is FIXED: 2 a vertex, x and y in units of 2^-fixed_fraction_bits; not wrapped.
+   * Else NULL. The vertices hold the same places. */
+  const int64_t* fixed;
 } rasterproof_scene;
 
 /* Where the counts go: row-major, top row first, `samples` counts a pixel. Add to what is there.
@@ -99,6 +103,14 @@ typedef struct rasterproof_plugin {
   void* (*open)(void);
   void (*reset)(void* state); /* to what open left behind: earlier calls must not matter any more */
   void (*close)(void* state);
+  /* Where the input is FIXED: its bits before the point (1 to 31, the sign is one of them) and
+   * after it (0 to 16), whether it is signed, and whether what is beyond its range is given too and
+   * taken modulo 2^fixed_integer_bits. Descriptions that end before these fields are of other
+   * input. */
+  uint32_t fixed_integer_bits;
+  uint32_t fixed_fraction_bits;
+  uint32_t fixed_is_signed;
+  uint32_t fixed_wraps;
 } rasterproof_plugin;
 
 /* The one function that the library exports. The description must outlive the library's use. */

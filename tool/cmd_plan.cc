@@ -17,7 +17,12 @@ namespace rasterproof::tool {
 int RunPlan(const PlanOptions& options) {
   RequireHonestEnvironment();
   const Scene scene = LoadScene(options.scene);
-  const Profile profile = io::ReadProfile(options.profile);
+  const Profile profile = ForTarget(io::ReadProfile(options.profile), scene.width, scene.height);
+  if (scene.clip_space && !PlacesClipSpace(profile)) {
+    throw InputError("--profile " + options.profile,
+                     "its fixed-point input or its largest extent is of window space",
+                     "give vertices [x, y]");
+  }
   const reference::Needs needs{options.weights, options.depth, options.wireframe};
   const reference::Plan plan = reference::MakePlan(scene, profile, {}, needs);
   std::string text = fmt::format("scene       {}\nprofile     {}\narithmetic  {}\n",

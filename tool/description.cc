@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <istream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -40,6 +42,67 @@ auto Chosen(const Table& table, std::string_view name, const std::string& place)
   throw InputError(place, fmt::format("'{}' is not known", name), "choose of: " + NamesIn(table));
 }
 
+// "12.4 signed wrap", as it stands after "fixed".
+FixedInput FixedInputFrom(std::istream& words, const std::string& place) {
+  const auto refused = [&](const std::string& reason) {
+    return InputError(place, reason,
+                      fmt::format("write fixed N.M, N from 1 to {} and M from 0 to {}, then signed "
+                                  "or unsigned, then wrap if it wraps",
+                                  kMaxIntegerBits, kMaxSubpixelBits));
+  };
+  FixedInput fixed;
+  char point = ' ';
+  std::string sign;
+  if (!(words >> fixed.integer_bits >> point >> fixed.fraction_bits) || point != '.' ||
+      fixed.integer_bits < 1 || fixed.integer_bits > kMaxIntegerBits || fixed.fraction_bits < 0 ||
+      fixed.fraction_bits > kMaxSubpixelBits) {
+    throw refused("the fixed-point format is not one");
+  }
+  if (!(words >> sign) || (sign != "signed" && sign != "unsigned")) {
+    throw refused("it is not said whether the fixed-point format is signed");
+  }
+  fixed.is_signed = sign == "signed";
+  std::string wrap;
+  fixed.wraps = static_cast<bool>(words >> wrap);
+  if (fixed.wraps && wrap != "wrap") throw refused(fmt::format("'{}' is not known", wrap));
+  if (words >> wrap) throw refused(fmt::format("'{}' is one word too many", wrap));
+  return fixed;
+}
+
+void TakeInput(const std::string& value, const std::string& place, Description& description) {
+  constexpr std::array<std::pair<std::string_view, Precision>, 2> kInputs{
+      {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
+  std::istringstream words(value);
+  std::string kind;
+  words >> kind;
+  if (kind == "fixed") {
+    description.fixed = FixedInputFrom(words, place);
+  } else {
+    description.info.input = Chosen(kInputs, value, place);
+  }
+}
+
+// The input and the profile are one promise, whichever of the two states it.
+void JoinFixedInput(Description& description, const std::string& place) {
+  std::optional<FixedInput>& promised = description.info.profile.fixed;
+  if (promised && description.fixed && *promised != *description.fixed) {
+    throw InputError(place, "its input and its profile state different fixed-point formats",
+                     "state one of them, or both alike");
+  }
+  if (description.fixed) promised = description.fixed;
+  if (promised && description.info.takes_clip) {
+    throw InputError(place, "its input is fixed point, and it takes clip space",
+                     "leave clip out of takes");
+  }
+}
+
+std::string InputText(const SubjectInfo& info) {
+  if (!info.profile.fixed) return info.input == Precision::kFloat64 ? "float64" : "float32";
+  const FixedInput& fixed = *info.profile.fixed;
+  return fmt::format("fixed {}.{} {}{}", fixed.integer_bits, fixed.fraction_bits,
+                     fixed.is_signed ? "signed" : "unsigned", fixed.wraps ? " wrap" : "");
+}
+
 void TakeLine(const std::string& key, const std::string& value, const std::string& place,
               Description& description) {
   SubjectInfo& info = description.info;
@@ -54,9 +117,7 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
   } else if (key == "coverage") {
     info.coverage = Chosen(kCoverages, value, place);
   } else if (key == "input") {
-    constexpr std::array<std::pair<std::string_view, Precision>, 2> kInputs{
-        {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
-    info.input = Chosen(kInputs, value, place);
+    TakeInput(value, place, description);
   } else if (key == "takes") {
     for (const auto& [name, member] : kTakes) info.*member = false;
     std::istringstream words(value);
@@ -95,6 +156,7 @@ Description ParseDescription(std::string_view text, const std::string& place) {
   if (!description.info.takes_window && !description.info.takes_clip) {
     throw InputError(place, "it takes neither window nor clip space", "name one under takes");
   }
+  JoinFixedInput(description, place);
   return description;
 }
 
@@ -108,8 +170,7 @@ std::string DescriptionText(const SubjectInfo& info, const std::string& profile)
   std::string one_line = profile;
   std::ranges::replace(one_line, '\n', ' ');
   return fmt::format("name {}\nsummary {}\ninput {}\ncoverage {}\ntakes{}\nprofile {}\n", info.name,
-                     info.summary, info.input == Precision::kFloat64 ? "float64" : "float32",
-                     coverage->first, takes, one_line);
+                     info.summary, InputText(info), coverage->first, takes, one_line);
 }
 
 }  // namespace rasterproof::tool

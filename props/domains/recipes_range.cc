@@ -14,7 +14,9 @@ namespace rasterproof::props {
 namespace {
 
 // The promised range; for real geometry one whose edge values are still of a readable size.
-double RangeOf(const Sketch& sketch) { return std::min(sketch.lattice().limit(), 0x1p24); }
+constexpr double kMostRange = 0x1p24;
+
+double RangeOf(const Sketch& sketch) { return std::min(sketch.lattice().limit(), kMostRange); }
 
 // An end of the range or up to two steps inside, and sometimes an ordinary place.
 double EndOfRange(Sketch& sketch, double range, bool along_y) {
@@ -22,7 +24,9 @@ double EndOfRange(Sketch& sketch, double range, bool along_y) {
     return sketch.Coordinate(along_y ? sketch.height() : sketch.width(), along_y);
   }
   const double sign = sketch.Sign();
-  return sign * sketch.lattice().Move(range, -sketch.bits().Int(0, 2));
+  const std::int64_t steps = sketch.bits().Int(0, 2);
+  if (sign > 0) return sketch.lattice().Move(range, -steps);
+  return sketch.lattice().Move(std::max(-kMostRange, sketch.lattice().lowest()), steps);
 }
 
 // Somewhere on the outline of the range.
@@ -128,8 +132,8 @@ Case SubPixel(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case DecidingTies(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+void AddDecidingTies(Sketch& sketch) {
+  BitSource& bits = sketch.bits();
   const Snap& snap = sketch.profile().snap;
   const int subpixel_bits = snap.IsNone() ? 8 : snap.bits;
   // Log-uniform places: next to the origin an ulp is far below the grid's step, and forms of the
@@ -161,6 +165,11 @@ Case DecidingTies(BitSource& bits, const SubjectInfo& info) {
     const std::int32_t decided = sketch.AddRaw(tie);
     sketch.AddTriangle(decided, end, sketch.Add(sketch.Place()));
   }
+}
+
+Case DecidingTies(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  AddDecidingTies(sketch);
   return sketch.Done(Finish::kAnyOrder);
 }
 

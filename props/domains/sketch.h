@@ -29,7 +29,8 @@ class Sketch {
 
   BitSource& bits() { return *bits_; }
   const InputLattice& lattice() const { return lattice_; }
-  const Profile& profile() const { return case_.profile; }
+  /// The subject's profile, as it is on a target of this size.
+  const Profile& profile() const { return profile_; }
   int width() const { return case_.scene.width; }
   int height() const { return case_.scene.height; }
 
@@ -73,6 +74,7 @@ class Sketch {
   const SubjectInfo* info_;
   bool within_limit_ = true;
   Case case_;
+  Profile profile_;
   InputLattice lattice_;
 };
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
+
+#include "props/domains/input_lattice.h"
 
 namespace rasterproof::props {
 
@@ -18,6 +21,20 @@ CoverageCounts Observer::Raw(const Scene& scene) {
     subject_.Draw(clip, {}, counts);
   }
   return counts;
+}
+
+std::optional<Scene> Observer::Given(const Scene& scene) const {
+  // Where the subject may take a vertex, not where a grid of its own may put it.
+  Profile ungridded = declared_;
+  ungridded.snap = {};
+  Scene given = scene;
+  if (declared_.fixed) given.precision = PrecisionOf(*declared_.fixed);
+  const InputLattice lattice(ungridded, given.precision);
+  for (Vertex& v : given.vertices) {
+    v.x = lattice.RoundWithinLimit(v.x);
+    v.y = lattice.RoundWithinLimit(v.y);
+  }
+  return IsUnclipped(given, declared_) ? std::optional(given) : std::nullopt;
 }
 
 CoverageCounts Observer::Normal(CoverageCounts counts) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "props/catalog/redraw.h"
@@ -30,16 +31,17 @@ void Race::Run(const Scene& scene) {
   experiments_.push_back({scene, observer_.Draw(scene)});
   const CoverageCounts& seen = experiments_.back().seen;
   Prediction prediction(scene, space_, observer_.facing());
-  std::erase_if(left_, [&](const Model& model) { return prediction.Of(model) != seen; });
+  std::erase_if(left_, [&](const Model& model) { return !prediction.Explains(model, seen); });
 }
 
 bool Race::SplitPair(const Model& a, const Model& b, int tries) {
   for (int attempt = 0; attempt < tries; ++attempt) {
     PhiloxSource bits(seed_, drawn_++);
-    const Scene scene = SplittingTriangle(bits, space_, a, b);
-    Prediction prediction(scene, space_, observer_.facing());
-    if (prediction.Of(a) == prediction.Of(b)) continue;
-    Run(scene);
+    const std::optional<Scene> scene = observer_.Given(SplittingTriangle(bits, space_, a, b));
+    if (!scene) continue;
+    Prediction prediction(*scene, space_, observer_.facing());
+    if (!prediction.Parts(a, b)) continue;
+    Run(*scene);
     return true;
   }
   return false;
@@ -84,7 +86,8 @@ void Race::Check(int count) {
     if (!left_.empty()) info.profile = space_.ProfileOf(left_.front());
     info.profile.coordinate_limit = limit;
     PhiloxSource bits(seed_, drawn_++);
-    Run(OrdinaryTriangle(bits, info));
+    const std::optional<Scene> scene = observer_.Given(OrdinaryTriangle(bits, info));
+    if (scene) Run(*scene);
   }
 }
 
@@ -123,7 +126,7 @@ NearestModel Race::Nearest(Model* nearest) const {
 const Experiment* Race::FirstAgainst(const Model& model) const {
   for (const Experiment& experiment : experiments_) {
     Prediction prediction(experiment.scene, space_, observer_.facing());
-    if (prediction.Of(model) != experiment.seen) return &experiment;
+    if (!prediction.Explains(model, experiment.seen)) return &experiment;
   }
   return nullptr;
 }

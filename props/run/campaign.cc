@@ -1,12 +1,16 @@
 #include "props/run/campaign.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "props/catalog/degenerate.h"
+#include "props/catalog/redraw.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 #include "props/run/property_domains.h"
@@ -63,6 +67,32 @@ PropertyResult RunCases(Subject& subject, const Property& property, const Campai
   return tally.Concluded();
 }
 
+// Checks what the profile promises of the case: its model is the one for the target's size, and
+// triangles of zero area are taken out where it leaves them unspecified.
+Verdict CheckAsPromised(Subject& subject, const Property& property, const Case& c) {
+  if (c.profile.targets.empty() && c.profile.zero_area == ZeroArea::kNothing) {
+    return property.check(subject, c);
+  }
+  Case judged = c;
+  judged.profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  if (c.profile.zero_area == ZeroArea::kNothing) return property.check(subject, judged);
+  if (c.scene.clip_space && !judged.profile.snap.IsNone()) {
+    return {Outcome::kNotExercised, 0, 0, "the area after the division and snapping is not decided",
+            std::nullopt};
+  }
+  const std::vector<std::size_t> flat = FlatTriangles(judged);
+  std::vector<std::size_t> kept;
+  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
+    if (!std::ranges::binary_search(flat, t)) kept.push_back(t);
+  }
+  Verdict verdict = property.check(subject, OnlyTriangles(judged, kept));
+  if (verdict.witness && verdict.witness->triangle >= 0) {
+    const auto among_kept = static_cast<std::size_t>(verdict.witness->triangle);
+    verdict.witness->triangle = static_cast<int>(kept[among_kept]);
+  }
+  return verdict;
+}
+
 }  // namespace
 
 Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t seed,
@@ -80,7 +110,7 @@ Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
     return Verdict::Violated(1, "the subject threw: " + what, Witness{});
   };
   try {
-    return property.check(subject, c);
+    return CheckAsPromised(subject, property, c);
   } catch (const InputError& error) {
     // The oracle or the subject says that it takes no such scene.
     return Verdict::NotApplicable(error.what());

@@ -144,7 +144,7 @@ std::vector<Planted> OtherBases() {
 
 std::vector<Planted> LegalVariants() {
   std::vector<Planted> table = TieRules();
-  for (const auto more : {Snaps, Samples, Freedoms, OtherBases}) {
+  for (const auto more : {Snaps, Samples, Freedoms, OtherBases, PromiseVariants}) {
     for (Planted& planted : more()) table.push_back(std::move(planted));
   }
   return table;

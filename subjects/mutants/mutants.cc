@@ -30,7 +30,7 @@ std::vector<Row> MakeRows() {
   for (const auto table :
        {mutants::FillRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
         mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
-        mutants::RealMutants, mutants::ShownValueMutants}) {
+        mutants::RealMutants, mutants::ShownValueMutants, mutants::PromiseMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);

@@ -34,10 +34,12 @@ std::vector<Planted> TargetMutants();      // scissor, culling, target size, thr
 std::vector<Planted> SceneMutants();       // state, degenerate and non-finite input, lost triangles
 std::vector<Planted> RealMutants();        // exact geometry, clip space
 std::vector<Planted> ShownValueMutants();  // edge values, walks, weights
+std::vector<Planted> PromiseMutants();     // fixed-point input, target sizes, extents, overdraw
 /// Written after the generators and the properties were frozen.
 std::vector<Planted> LateMutants();
 
 std::vector<Planted> LegalVariants();
+std::vector<Planted> PromiseVariants();  // those of profiles with the rarer keys
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -2,9 +2,12 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,11 +22,28 @@ constexpr const char* kSymbol = "rasterproof_plugin_describe";
 
 bool Has(const rasterproof_plugin& plugin, std::uint32_t bit) { return (plugin.takes & bit) != 0; }
 
+// Of a description that ends before a field the field is zero.
+constexpr std::size_t kFirstSize = offsetof(rasterproof_plugin, fixed_integer_bits);
+
+rasterproof_plugin Whole(const rasterproof_plugin& described) {
+  rasterproof_plugin plugin{};
+  std::memcpy(&plugin, &described, std::min<std::size_t>(described.size, sizeof(plugin)));
+  return plugin;
+}
+
+std::optional<FixedInput> FixedInputOf(const rasterproof_plugin& plugin) {
+  if (plugin.input != RASTERPROOF_FIXED) return std::nullopt;
+  return FixedInput{static_cast<int>(plugin.fixed_integer_bits),
+                    static_cast<int>(plugin.fixed_fraction_bits), plugin.fixed_is_signed != 0,
+                    plugin.fixed_wraps != 0};
+}
+
 SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   SubjectInfo info;
   info.name = plugin.name == nullptr ? path : plugin.name;
   info.summary = plugin.summary == nullptr ? "" : plugin.summary;
   info.input = plugin.input == RASTERPROOF_FLOAT64 ? Precision::kFloat64 : Precision::kFloat32;
+  info.profile.fixed = FixedInputOf(plugin);
   info.coverage = static_cast<CoverageKind>(plugin.coverage);
   info.takes_clip = Has(plugin, RASTERPROOF_TAKES_CLIP_SPACE);
   info.takes_window = !Has(plugin, RASTERPROOF_TAKES_NO_WINDOW_SPACE);
@@ -37,7 +57,13 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
 // The scene as the library sees it; the vectors hold what it points to.
 class PluginScene {
  public:
-  PluginScene(const Scene& scene, const DrawOptions& options) {
+  PluginScene(const Scene& scene, const DrawOptions& options,
+              const std::optional<FixedInput>& fixed) {
+    if (fixed) {
+      for (const Vertex& v : scene.vertices) {
+        fixed_.insert(fixed_.end(), {fixed->Raw(v.x), fixed->Raw(v.y)});
+      }
+    }
     for (const Vertex& v : scene.vertices) vertices_.insert(vertices_.end(), {v.x, v.y, v.z, v.w});
     for (const Triangle& t : scene.triangles) {
       triangles_.insert(triangles_.end(), {t[0], t[1], t[2]});
@@ -54,13 +80,15 @@ class PluginScene {
              .cull = static_cast<std::int32_t>(options.cull),
              .scissor = {cut.x0, cut.y0, cut.x1, cut.y1},
              .tile = options.tile,
-             .threads = options.threads};
+             .threads = options.threads,
+             .fixed = fixed ? fixed_.data() : nullptr};
   }
   const rasterproof_scene& view() const { return view_; }
 
  private:
   std::vector<double> vertices_;
   std::vector<std::int32_t> triangles_;
+  std::vector<std::int64_t> fixed_;
   rasterproof_scene view_{};
 };
 
@@ -99,7 +127,12 @@ class PluginSubject final : public Subject {
                                     .stride = front.stride(),
                                     .front = front.data(),
                                     .back = facings ? back.data() : nullptr};
-    const PluginScene given(scene, options);
+    const std::optional<FixedInput> fixed = FixedInputOf(plugin_);
+    if (fixed && !CanBeGiven(scene, info_.profile)) {
+      throw InputError("subject " + info_.name, "its integers do not hold a coordinate",
+                       "give it multiples of its step within its range");
+    }
+    const PluginScene given(scene, options, fixed);
     const std::int32_t refused = plugin_.draw(state_, &given.view(), &target);
     for (const GuardedCounts* side : {&front, &back}) {
       const std::string damage = side->Damage();
@@ -127,15 +160,31 @@ void RequireSound(const rasterproof_plugin* plugin, const std::string& path) {
   require(plugin->version == RASTERPROOF_PLUGIN_VERSION,
           "it is written for version " + std::to_string(plugin->version) + " of the interface",
           "build it with the header of version 1");
-  require(plugin->size >= sizeof(rasterproof_plugin),
+  require(plugin->size >= kFirstSize,
           "its description has " + std::to_string(plugin->size) + " bytes, not " +
               std::to_string(sizeof(rasterproof_plugin)),
           "set size to sizeof(rasterproof_plugin)");
   require(plugin->draw != nullptr, "it has no draw function", "set draw");
-  require(plugin->input <= RASTERPROOF_FLOAT64, "its input is " + std::to_string(plugin->input),
+  require(plugin->input <= RASTERPROOF_FIXED, "its input is " + std::to_string(plugin->input),
           "use enum rasterproof_input");
   require(plugin->coverage <= RASTERPROOF_MASK,
           "its coverage is " + std::to_string(plugin->coverage), "use enum rasterproof_coverage");
+}
+
+void RequireSoundFixedInput(const rasterproof_plugin& plugin, const std::string& path) {
+  if (plugin.input != RASTERPROOF_FIXED) return;
+  if (plugin.fixed_integer_bits < 1 || plugin.fixed_integer_bits > kMaxIntegerBits ||
+      plugin.fixed_fraction_bits > kMaxSubpixelBits) {
+    throw InputError(path,
+                     "its fixed-point input has " + std::to_string(plugin.fixed_integer_bits) +
+                         " bits before the point and " +
+                         std::to_string(plugin.fixed_fraction_bits) + " after it",
+                     "set fixed_integer_bits from 1 to 31 and fixed_fraction_bits from 0 to 16");
+  }
+  if (Has(plugin, RASTERPROOF_TAKES_CLIP_SPACE) || Has(plugin, RASTERPROOF_TAKES_NO_WINDOW_SPACE)) {
+    throw InputError(path, "its input is fixed point, and it takes clip space",
+                     "leave the bits for clip space out of takes");
+  }
 }
 
 }  // namespace
@@ -156,7 +205,9 @@ LoadedPlugin LoadPlugin(const std::string& path) {
   const auto describe = reinterpret_cast<const rasterproof_plugin* (*)()>(symbol);
   const rasterproof_plugin* const plugin = describe();
   RequireSound(plugin, path);
-  return {std::make_unique<PluginSubject>(*plugin, path),
+  const rasterproof_plugin whole = Whole(*plugin);
+  RequireSoundFixedInput(whole, path);
+  return {std::make_unique<PluginSubject>(whole, path),
           plugin->profile == nullptr ? "real" : plugin->profile};
 }
 

@@ -32,6 +32,17 @@ class SoundSubjects(unittest.TestCase):
         self.assertIn(b"holds", done.stdout)
         self.assertNotIn(b"violated", done.stdout)
 
+    def test_the_console_example_keeps_what_its_profile_promises(self):
+        done = run("check", "--plugin", f"{EXAMPLES}/example_console.so", "--cases", "120")
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertIn(b"holds", done.stdout)
+        self.assertNotIn(b"violated", done.stdout)
+
+    def test_a_library_of_the_first_header_still_loads(self):
+        done = run("check", "--plugin", faulty("FIRST_SIZE"), "--property", DEGENERATE,
+                   "--cases", "10")  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+
     def test_a_plugin_draws_what_the_oracle_says(self):
         drawn = run("coverage", SCENE, "--plugin", f"{EXAMPLES}/example_plugin.so")
         exact = run("coverage", SCENE, "--profile", "gl")
@@ -134,6 +145,8 @@ class BadNames(unittest.TestCase):
         self.check("check", "--plugin", faulty("VERSION"), words=["version 99"])
         self.check("check", "--plugin", faulty("PROFILE"), words=["profile", "snap"])
         self.check("check", "--plugin", faulty("AT_LOAD"), words=["signal 6"])
+        self.check("check", "--plugin", faulty("FIXED_BITS"),
+                   words=["32 bits before the point", "set fixed_integer_bits"])  # fmt: skip
 
     def test_a_program_that_is_none(self):
         self.check("coverage", SCENE, "--exec", "./no-such-program", words=["no-such-program"])
@@ -144,14 +157,21 @@ class BadNames(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "x.subject")
             for text, word in (
-                ("coverage some\n", "coverage"),
+                ("coverage some\n", "facing-counts"),
                 ("colour red\n", "colour"),
                 ("takes window\n", "command"),
                 ("command true\ntakes tiles\n", "neither window nor clip"),
+                ("command true\ninput fixed 12 signed\n", "line 2: the fixed-point format is not"),
+                ("command true\ninput fixed 32.4 signed\n", "N from 1 to 31"),
+                ("command true\ninput fixed 12.4\n", "whether the fixed-point format is signed"),
+                ("command true\ninput fixed 12.4 signed wraps\n", "'wraps' is not known"),
+                ("command true\ninput fixed 12.4 signed\ntakes clip\n", "takes clip space"),
+                ('command true\ninput fixed 12.4 signed\nprofile {"name": "p", "fixed": '
+                 '{"integer_bits": 11, "fraction_bits": 4}}\n', "different fixed-point formats"),
             ):
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
-                self.check("coverage", SCENE, "--subject", path, words=[path])
+                self.check("coverage", SCENE, "--subject", path, words=[path, word])
 
     def test_answers_that_end_early(self):
         self.check("ver", "--cases", "1", words=["standard input", "ends before"])

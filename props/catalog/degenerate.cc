@@ -1,5 +1,6 @@
 #include "props/catalog/degenerate.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -29,7 +30,8 @@ std::vector<std::size_t> FlatTriangles(const Case& c) {
   const Scene snapped = c.scene.clip_space ? c.scene : SnapScene(c.scene, all_sizes);
   std::vector<std::size_t> flat;
   for (std::size_t t = 0; t < snapped.triangles.size(); ++t) {
-    if (HasNoArea(snapped, Corners(snapped, snapped.triangles[t]))) flat.push_back(t);
+    const std::array<Vertex, 3> v = Corners(snapped, snapped.triangles[t]);
+    if (std::ranges::all_of(v, IsFinite) && HasNoArea(snapped, v)) flat.push_back(t);
   }
   return flat;
 }

@@ -90,15 +90,18 @@ Case NoClipEnds(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   const WindowBox box = info.profile.no_clip.value_or(WindowBox{-64, -64, 64, 64});
   // On a side of the rectangle, a step or two inside or outside it, well outside, or well inside.
+  // Now and then all ends lie inside, or single samples would hardly ever be judged.
+  const bool all_inside = bits.Chance(112);
   const auto end = [&](double side, double outwards) {
     const std::int64_t kind = bits.Int(0, 5);
-    if (kind == 0) return side + outwards * sketch.Uniform(1, 64);
+    if (kind == 0 && !all_inside) return side + outwards * sketch.Uniform(1, 64);
     if (kind == 1) return side - outwards * sketch.Uniform(1, 8);
-    return side + static_cast<double>(bits.Int(-2, 2)) * StepAt(sketch.lattice(), side);
+    const auto steps = static_cast<double>(bits.Int(-2, all_inside ? 0 : 2));
+    return side + outwards * steps * StepAt(sketch.lattice(), side);
   };
   // Two triangles on either side of an edge across the target, or a fan of four about a place in
   // it: neighbours share edges that leave the rectangle.
-  const Point2 hub = sketch.Place();
+  const Point2 hub = bits.Chance(128) ? sketch.Sample() : sketch.Place();
   const Point2 left{end(box.x0, -1), sketch.Coordinate(sketch.height(), true)};
   const Point2 top{sketch.Coordinate(sketch.width(), false), end(box.y0, -1)};
   const Point2 right{end(box.x1, 1), sketch.Coordinate(sketch.height(), true)};
@@ -122,11 +125,11 @@ Case TargetEnds(BitSource& bits, const SubjectInfo& info) {
   const std::span<const TargetModel> models =
       info.profile.targets.empty() ? std::span(&any, 1) : std::span(info.profile.targets);
   const TargetModel& model = bits.OneOf(models);
-  // One side of the largest size of the model or one pixel more, the other small.
+  // One side of the largest size of the model, or one pixel more or less, the other small.
   const bool wide = bits.Chance(128);
   const int most = wide ? model.max_width : model.max_height;
-  const int side =
-      static_cast<int>(std::clamp<std::int64_t>(most + bits.Int(-1, 1), 1, kMaxTargetSide));
+  const std::int64_t beside = bits.Chance(128) ? 0 : bits.Int(-1, 1);
+  const int side = static_cast<int>(std::clamp<std::int64_t>(most + beside, 1, kMaxTargetSide));
   const int other = static_cast<int>(bits.Int(1, 16));
   Sketch sketch(bits, info, wide ? side : other, wide ? other : side);
   AddDecidingTies(sketch);

@@ -142,8 +142,8 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"full-targets", 0x6397510bcbeff90d},
       {"wrapped-coordinates", 0xfabbadb6b9cdd84d},
       {"extent-ends", 0xd5d891f584c51d35},
-      {"no-clip-ends", 0xf51208045adc0930},
-      {"target-ends", 0x7d2c89f0fcdbfaf6},
+      {"no-clip-ends", 0x6af4e7cc0bf789ab},
+      {"target-ends", 0x2aa69fc6edb2fa35},
       {"codec examples", 0x33736384c2c1bffd},
   };
   return golden;

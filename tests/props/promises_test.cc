@@ -319,6 +319,21 @@ TEST(ZeroArea, LeftUnspecifiedIsNotJudged) {
   EXPECT_EQ(verdict.witness->triangle, 1);
 }
 
+TEST(ZeroArea, LeftUnspecifiedIsNoLeaveToCrashNorAboutWhatIsNotFinite) {
+  SubjectInfo info = SnappedInfo(8);
+  info.profile.zero_area = ZeroArea::kUnspecified;
+  PlantedSubject crashing(info, [](const Scene& scene, const DrawOptions&, CoverageCounts&) {
+    for (const Triangle& t : scene.triangles) {
+      if (t[0] == t[1]) throw SubjectFault("it died");
+    }
+  });
+  Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}}, {{0, 0, 1}});
+  EXPECT_EQ(Judged(crashing, "DrawStaysInsideItsTarget", c).outcome, Outcome::kViolated);
+  c.scene.vertices[0].x = std::nan("");
+  Recording sound(info, SnappedInfo(8).profile);
+  EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kNotExercised);
+}
+
 TEST(MaxExtent, IsVerifiedBothWays) {
   SubjectInfo info = FixedInfo({12, 4, true, false});
   info.profile.max_extent = MaxExtent{64, 32};

@@ -88,7 +88,7 @@ Case ExtentEnds(BitSource& bits, const SubjectInfo& info) {
 
 Case NoClipEnds(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
-  const WindowBox box = info.profile.no_clip.value_or(WindowBox{-64, -64, 64, 64});
+  const WindowBox box = info.profile.no_clip.value_or(WindowBox{-256, -256, 256, 256});
   // On a side of the rectangle, a step or two inside or outside it, well outside, or well inside.
   // Now and then all ends lie inside, or single samples would hardly ever be judged.
   const bool all_inside = bits.Chance(112);

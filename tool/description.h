@@ -10,9 +10,10 @@
 namespace rasterproof::tool {
 
 /// Keys, all optional but for `command` in a file: name, summary, command (run by the shell), input
-/// (float32 or float64), coverage (facing-counts, counts or mask), takes (any of window, clip,
-/// culling, scissor, tiles, threads), profile (a preset, or a profile file's JSON on the one line).
-/// Lines that begin with # are comments.
+/// (float32 or float64), coverage (facing-counts, counts, mask, winning-id or fragments), wins
+/// (last-drawn or first-drawn), weights-of (given or snapped), weight-error and depth-error
+/// (absolute), takes (any of window, clip, culling, scissor, tiles, threads, batches), profile (a
+/// preset, or a profile file's JSON on the one line). Lines that begin with # are comments.
 struct Description {
   SubjectInfo info;
   std::string command;

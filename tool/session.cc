@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -68,6 +69,11 @@ class JudgedSubject final : public Subject {
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     subject_->Draw(scene, options, counts);
   }
+  Drawing Show(const DrawJob& job) override { return subject_->Show(job); }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    return subject_->DrawMany(jobs);
+  }
+  Subject& Whole() override { return subject_->Whole(); }
   const EdgeEvaluator* Edges() const override { return subject_->Edges(); }
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 

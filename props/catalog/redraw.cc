@@ -67,8 +67,9 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
 }
 
 Verdict JudgeAgainstTheModel(Subject& subject, const Case& c) {
-  const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+  // The draw first: it may be put off, and then nothing was worked out in vain.
   const CoverageCounts observed = Drawn(subject, c.scene, c.profile, c.options);
+  const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
   Verdict verdict = SameCounts(observed, expected, DecisionsOf(c), "the model's");
   if (verdict.witness) BlameTriangle(subject, c, c.options, *verdict.witness);
   return verdict;

@@ -6,16 +6,26 @@
 
 namespace rasterproof::props {
 
+DrawJob Observer::JobOf(const Scene& scene) const {
+  DrawJob job{scene, {}, info().profile.lattice.samples()};
+  if (!info().takes_window) job.scene.clip_space = true;  // w is 1 already
+  return job;
+}
+
 CoverageCounts Observer::Raw(const Scene& scene) {
-  CoverageCounts counts(scene.width, scene.height, info().profile.lattice.samples());
   ++draws_;
   last_scene_ = scene;
-  if (info().takes_window) {
-    subject_.Draw(scene, {}, counts);
-  } else {
-    Scene clip = scene;  // w is 1 already
-    clip.clip_space = true;
-    subject_.Draw(clip, {}, counts);
+  return subject_.Show(JobOf(scene)).counts;
+}
+
+std::vector<CoverageCounts> Observer::Draw(std::span<const Scene> scenes) {
+  std::vector<DrawJob> jobs;
+  for (const Scene& scene : scenes) jobs.push_back(JobOf(scene));
+  std::vector<CoverageCounts> counts;
+  for (const DrawOutcome& outcome : subject_.DrawMany(jobs)) {
+    ++draws_;
+    last_scene_ = scenes[counts.size()];
+    counts.push_back(Normal(outcome.Get().counts));
   }
   return counts;
 }

@@ -3,8 +3,11 @@
 #define RASTERPROOF_PROPS_INFER_OBSERVER_H_
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/coverage.h"
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
@@ -28,6 +31,8 @@ class Observer {
   /// The same in the form in which Expected() puts an exact draw: facings as on screen, or all in
   /// front.
   CoverageCounts Draw(const Scene& scene) { return Normal(Raw(scene)); }
+  /// The counts of several scenes, in as few calls as the subject can do with.
+  std::vector<CoverageCounts> Draw(std::span<const Scene> scenes);
   CoverageCounts Expected(CoverageCounts exact) const;
 
   void SetFacing(FacingReport facing) { facing_ = facing; }
@@ -38,6 +43,7 @@ class Observer {
   const Scene& last_scene() const { return last_scene_; }
 
  private:
+  DrawJob JobOf(const Scene& scene) const;
   CoverageCounts Normal(CoverageCounts counts) const;
 
   Subject& subject_;

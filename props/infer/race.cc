@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "props/catalog/redraw.h"
 #include "props/infer/directed.h"
@@ -16,6 +17,9 @@ namespace {
 constexpr int kTriesAtRandom = 24;
 constexpr int kTriesForEachPair = 600;
 constexpr int kFailuresInARow = 8;
+// Checks that are drawn in one call. Triangles aimed at a pair come one by one: each pair is chosen
+// by what the last triangle left.
+constexpr int kInOneCall = 16;
 
 std::uint64_t Decisions(const Scene& scene, const Profile& profile) {
   Case c;
@@ -26,11 +30,12 @@ std::uint64_t Decisions(const Scene& scene, const Profile& profile) {
 
 }  // namespace
 
-void Race::Run(const Scene& scene) {
-  experiments_.push_back({scene, observer_.Draw(scene)});
-  const CoverageCounts& seen = experiments_.back().seen;
+void Race::Run(const Scene& scene) { Learn(scene, observer_.Draw(scene)); }
+
+void Race::Learn(const Scene& scene, CoverageCounts seen) {
   Prediction prediction(scene, space_, observer_.facing());
   std::erase_if(left_, [&](const Model& model) { return prediction.Of(model) != seen; });
+  experiments_.push_back({scene, std::move(seen)});
 }
 
 bool Race::SplitPair(const Model& a, const Model& b, int tries) {
@@ -79,12 +84,23 @@ void Race::Check(int count) {
   SubjectInfo info = observer_.info();
   constexpr double kFarthest = 0x1p13;
   const double limit = std::min(info.profile.coordinate_limit, kFarthest);
-  for (int k = 0; k < count; ++k) {
+  while (count > 0) {
     // As if the subject were what is left of the race: cases aim at its grid and its samples.
     if (!left_.empty()) info.profile = space_.ProfileOf(left_.front());
     info.profile.coordinate_limit = limit;
-    PhiloxSource bits(seed_, drawn_++);
-    Run(OrdinaryTriangle(bits, info));
+    std::vector<Scene> scenes;
+    for (int k = 0; k < std::min(count, kInOneCall); ++k) {
+      PhiloxSource bits(seed_, drawn_ + scenes.size());
+      scenes.push_back(OrdinaryTriangle(bits, info));
+    }
+    std::vector<CoverageCounts> seen = observer_.Draw(scenes);
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      const std::size_t before = left_.size();
+      Learn(scenes[k], std::move(seen[k]));
+      ++drawn_;
+      --count;
+      if (left_.size() != before) break;  // what follows was aimed at a model that may be gone
+    }
   }
 }
 

@@ -1,10 +1,11 @@
 #include "subjects/process/serve.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <istream>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "subjects/process/protocol.h"
@@ -17,11 +18,10 @@ std::string OneLine(std::string text) {
   return text;
 }
 
-std::string Answer(Subject& subject, const DrawRequest& request) {
+std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, CoverageKind kind) {
   const std::string id = std::to_string(request.id);
-  CoverageCounts counts(request.scene.width, request.scene.height, request.samples);
   try {
-    subject.Draw(request.scene, request.options, counts);
+    return AnswerText(request.id, outcome.Get(), kind);
   } catch (const InputError& error) {
     return "refused " + id + " " + OneLine(error.what()) + "\n";
   } catch (const std::exception& error) {
@@ -29,13 +29,23 @@ std::string Answer(Subject& subject, const DrawRequest& request) {
   } catch (...) {
     return "fault " + id + " it threw something that is no std::exception\n";
   }
-  return CountsText(request.id, counts, subject.Info().coverage == CoverageKind::kFacingCounts);
 }
 
 }  // namespace
 
 void Serve(Subject& subject, std::istream& in, const std::function<void(const std::string&)>& say) {
-  while (const std::optional<DrawRequest> request = ReadRequest(in)) say(Answer(subject, *request));
+  for (;;) {
+    const std::vector<DrawRequest> call = ReadCall(in);
+    if (call.empty()) return;
+    std::vector<DrawJob> jobs;
+    for (const DrawRequest& request : call) jobs.push_back(request.job);
+    const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
+    std::string answers;
+    for (std::size_t k = 0; k < outcomes.size(); ++k) {
+      answers += Answer(call[k], outcomes[k], subject.Info().coverage);
+    }
+    say(answers);
+  }
 }
 
 }  // namespace rasterproof::subjects

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -180,6 +182,31 @@ TEST(Serve, AnswersRefusesAndConfesses) {
       said,
       "refused 1 place: too small; more\nfault 2 it broke\ncounts 3\n5 0 0\n0 0 0\n0 6 0\n0 0 "
       "0\n");
+}
+
+class Short final : public Subject {
+ public:
+  explicit Short(CoverageKind kind) { info_.coverage = kind; }
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene&, const DrawOptions&, CoverageCounts&) override {}
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    return Subject::DrawMany(jobs.first(jobs.size() - 1));
+  }
+
+ private:
+  SubjectInfo info_;
+};
+
+TEST(Serve, ConfessesWhatIsLeftOutOrLacksAPart) {
+  const auto said_of = [](CoverageKind kind) {
+    const auto subject = std::make_unique<Short>(kind);
+    std::istringstream in("batch 2\ndraw 1 1 1 1 window 0 0\ndraw 2 1 1 1 window 0 0\n");
+    std::string said;
+    Serve(*subject, in, [&](const std::string& text) { said += text; });
+    return said;
+  };
+  EXPECT_EQ(said_of(CoverageKind::kFacingCounts), "counts 1\n0\n0\nfault 2 it left out a scene\n");
+  EXPECT_EQ(said_of(CoverageKind::kFragments).substr(0, 7), "fault 1") << "it shows none";
 }
 
 TEST(Serve, AnswersABatchUpToTheFirstFault) {

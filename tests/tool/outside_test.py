@@ -81,6 +81,13 @@ class SoundSubjects(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stderr)  # float32 and no tie rule
         self.assertIn(b"Naive", done.stdout)
 
+    def test_a_type_of_ones_own_shows_winners_in_batches(self):
+        own = ("WinnerFollowsTheDeclaredOrder", "BatchDrawsLikeSingleCalls", MODEL, SHARED_EDGE)
+        chosen = [word for p in own for word in ("--property", p)]
+        done = run("check", "--cases", "30", *chosen, program=f"{EXAMPLES}/own_winners")
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertEqual(held(done.stdout.decode()), 4, done.stdout)
+
     def test_a_subject_file_says_what_a_program_promises(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "mine.subject")

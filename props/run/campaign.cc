@@ -48,7 +48,7 @@ Case Minimal(Subject& subject, const Property& property, const Case& failing,
 
 // Cases that are run together; the draws of one chunk share calls.
 std::size_t ChunkSize(Subject& subject, const Property& property) {
-  constexpr std::size_t kCasesInABatch = 64;
+  constexpr std::size_t kCasesInABatch = 32;
   const bool batches = BatchingOf(subject) != nullptr && !property.is_about_sequence;
   return batches ? kCasesInABatch : 1;
 }

@@ -212,6 +212,7 @@ class Batches(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("killed by signal 6", text)
         self.assertIn("replay", text)
+        self.assertNotIn("alone", text)
 
     def test_a_crash_of_scenes_together_names_the_run_that_does_it(self):
         status, text = self.verdicts("BATCH_CRASH_TOGETHER")

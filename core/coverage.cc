@@ -5,6 +5,14 @@
 
 namespace rasterproof {
 
+CoverageCounts& CoverageCounts::operator+=(const CoverageCounts& more) {
+  for (std::size_t k = 0; k < size(); ++k) {
+    front[k] += more.front[k];
+    back[k] += more.back[k];
+  }
+  return *this;
+}
+
 CoverageDifference Compare(const CoverageCounts& observed, const CoverageCounts& expected) {
   CoverageDifference difference;
   difference.samples = expected.size();

@@ -41,6 +41,9 @@ struct CoverageCounts {
     return std::int64_t{front[index]} - std::int64_t{back[index]};
   }
 
+  /// Adds counts of the same shape.
+  CoverageCounts& operator+=(const CoverageCounts& more);
+
   friend bool operator==(const CoverageCounts&, const CoverageCounts&) = default;
 };
 

@@ -10,6 +10,7 @@ namespace rasterproof {
 // down into the one whose *top* edge it lay on: sign +1 names left and top.
 std::string FillRuleName(const FillRule& rule) {
   if (rule.inclusive) return "inclusive";
+  if (rule.exclusive) return "exclusive";
   std::string name = rule.sign_y > 0 ? "top" : "bottom";
   name += rule.sign_x > 0 ? "-left" : "-right";
   if (rule.y_first) name += "-y";
@@ -18,6 +19,7 @@ std::string FillRuleName(const FillRule& rule) {
 
 std::optional<FillRule> FillRuleFromName(std::string_view name) {
   if (name == "inclusive") return FillRule{.inclusive = true};
+  if (name == "exclusive") return FillRule{.exclusive = true};
   for (const FillRule& rule : kConsistentRules) {
     if (FillRuleName(rule) == name) return rule;
   }

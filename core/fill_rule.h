@@ -22,6 +22,11 @@ struct FillRule {
   /// True for "a sample on any edge is inside" (`>=` on all edges). It is not a consistent rule:
   /// shared edges are covered twice. Only the profile of a subject that does this uses it.
   bool inclusive = false;
+  /// True for "a sample on any edge is outside" (`>` on all edges): shared edges are covered never.
+  bool exclusive = false;
+
+  /// Whether a planar subdivision owns every sample once.
+  bool IsConsistent() const { return !inclusive && !exclusive; }
 
   friend bool operator==(const FillRule&, const FillRule&) = default;
 };
@@ -29,18 +34,18 @@ struct FillRule {
 inline constexpr FillRule kTopLeft{};
 
 /// The eight consistent rules, top-left first.
-inline constexpr std::array<FillRule, 8> kConsistentRules{{{+1, +1, false, false},
-                                                           {+1, -1, false, false},
-                                                           {-1, +1, false, false},
-                                                           {-1, -1, false, false},
-                                                           {+1, +1, true, false},
-                                                           {+1, -1, true, false},
-                                                           {-1, +1, true, false},
-                                                           {-1, -1, true, false}}};
+inline constexpr std::array<FillRule, 8> kConsistentRules{{{+1, +1, false, false, false},
+                                                           {+1, -1, false, false, false},
+                                                           {-1, +1, false, false, false},
+                                                           {-1, -1, false, false, false},
+                                                           {+1, +1, true, false, false},
+                                                           {+1, -1, true, false, false},
+                                                           {-1, +1, true, false, false},
+                                                           {-1, -1, true, false, false}}};
 
 /// Returns the rule's name: "top-left", "top-right", "bottom-left", "bottom-right", the same four
 /// with
-/// "-y" appended when y moves first ("top-left-y"), or "inclusive".
+/// "-y" appended when y moves first ("top-left-y"), "inclusive" or "exclusive".
 std::string FillRuleName(const FillRule& rule);
 
 /// Returns the rule of a name that FillRuleName gives, or nothing.

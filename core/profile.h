@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/fill_rule.h"
+#include "core/fixed_input.h"
 #include "core/sample_lattice.h"
 #include "core/scene.h"
 #include "core/snap.h"
@@ -46,6 +48,43 @@ struct Freedom {
 /// three if it is one.
 inline constexpr double kMaxSnapTolerance = 1;
 
+/// What is promised of a triangle that has no area after snapping.
+enum class ZeroArea : std::uint8_t {
+  kNothing,     ///< it covers nothing
+  kUnspecified  ///< it may cover something: it is left out of what is judged
+};
+
+/// The largest triangle that is drawn, in pixels: one that is wider or higher covers nothing.
+struct MaxExtent {
+  double width = 0;
+  double height = 0;
+
+  friend bool operator==(const MaxExtent&, const MaxExtent&) = default;
+};
+
+/// A rectangle of window coordinates, its sides included.
+struct WindowBox {
+  double x0 = 0;
+  double y0 = 0;
+  double x1 = 0;
+  double y1 = 0;
+
+  bool Contains(double x, double y) const { return x >= x0 && x <= x1 && y >= y0 && y <= y1; }
+  friend bool operator==(const WindowBox&, const WindowBox&) = default;
+};
+
+/// What differs on targets of up to so many pixels a side.
+struct TargetModel {
+  int max_width = kMaxTargetSide;
+  int max_height = kMaxTargetSide;
+  Snap snap = {};
+  SampleLattice lattice = {};  ///< as many locations as the profile's own
+  FillRule fill_rule = {};
+
+  bool Fits(int width, int height) const { return width <= max_width && height <= max_height; }
+  friend bool operator==(const TargetModel&, const TargetModel&) = default;
+};
+
 /// The promises of a rasterizer.
 ///
 /// A profile denotes a set of models: the canonical one that its members state, and with freedom
@@ -53,7 +92,10 @@ inline constexpr double kMaxSnapTolerance = 1;
 /// allows. A result is legal if one of them explains all of it.
 ///
 /// Not finite: a triangle with a NaN or infinite x, y or w covers nothing (z is free).
-/// Zero area:  a triangle whose area is zero after snapping covers nothing.
+/// Zero area:  a triangle whose area is zero after snapping covers nothing, unless `zero_area` says
+///             otherwise.
+/// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
+///             `max_extent` are dropped. The last three keys speak of window space alone.
 struct Profile {
   std::string name = "real";
   Snap snap;
@@ -71,6 +113,19 @@ struct Profile {
   std::optional<Transform> transform;
   /// Coordinates beyond +-limit are outside what is promised. Binds verdicts, never the oracle.
   double coordinate_limit = 0x1p127;
+  ZeroArea zero_area = ZeroArea::kNothing;
+  /// A sample on an edge belongs to the triangle that the fill rule names, and may belong to every
+  /// other one that has the edge. Meshes are then covered at least once.
+  bool overdraw = false;
+  /// Models of smaller targets. The first entry that fits a target holds there, else what the
+  /// profile itself says. See ForTarget.
+  std::vector<TargetModel> targets;
+  /// The integers that coordinates come as, for a subject that takes no floats.
+  std::optional<FixedInput> fixed;
+  std::optional<MaxExtent> max_extent;
+  /// A triangle with a vertex outside is clipped by the subject, and its edges may move: what
+  /// single samples do is then not promised, what meshes do is.
+  std::optional<WindowBox> no_clip;
 
   friend bool operator==(const Profile&, const Profile&) = default;
 };
@@ -86,19 +141,54 @@ inline bool IsHomogeneous(const Scene& scene, const Profile& profile) {
   return scene.clip_space && !profile.transform;
 }
 
-/// Returns the scene with x and y of every vertex on the profile's subpixel grid.
+/// Returns the profile with the snap, the sample locations and the fill rule that it has on a
+/// target of this size.
+///
+/// Properties: ForTarget(ForTarget(p, a...), b...) is ForTarget(p, b...) in all that it promises.
+///             A profile without `targets` comes back as it is.
+Profile ForTarget(const Profile& profile, int width, int height);
+
+/// Returns the scene as the profile's model places it: x and y of every vertex wrapped into the
+/// range of its fixed-point input and on the subpixel grid; a triangle larger than `max_extent` has
+/// its three corners in one place. Indices of triangles stay what they are.
 ///
 /// Domain:     window-space scenes; w is 1. Clip-space scenes that are not homogeneous: they go
 ///             through the profile's transform first. (Others snap after the division: see exact/.)
 Scene SnapScene(const Scene& scene, const Profile& profile);
 
+/// Returns whether a window-space triangle of these corners is larger than the extent. Exact.
+bool Exceeds(const std::array<Point2, 3>& corners, const MaxExtent& extent);
+
 /// Returns whether exactly one result is legal for every scene within the limits.
 inline bool HasOneModel(const Profile& profile) {
-  return profile.contract == Contract::kSampleExact && profile.freedom.IsNone();
+  return profile.contract == Contract::kSampleExact && profile.freedom.IsNone() &&
+         !profile.overdraw;
 }
 
-/// Returns whether every coordinate of the scene is finite and within the profile's limit.
+/// Returns whether a planar subdivision covers every sample exactly once.
+inline bool OwnsEdgesOnce(const Profile& profile) {
+  return profile.fill_rule.IsConsistent() && !profile.overdraw;
+}
+
+/// Returns whether every coordinate of the scene is finite, within the profile's limit, and one
+/// that its fixed-point input can be given.
 bool WithinLimits(const Scene& scene, const Profile& profile);
+
+/// Returns whether a subject of this profile can be given the scene at all: of a fixed-point input,
+/// window space alone, and coordinates that its integers hold.
+bool CanBeGiven(const Scene& scene, const Profile& profile);
+
+/// Returns whether the profile says where a clip-space scene's vertices lie.
+inline bool PlacesClipSpace(const Profile& profile) {
+  return !profile.fixed && !profile.max_extent && profile.crossing.IsNone();
+}
+
+/// Returns whether no coordinate is beyond the range of the profile's fixed-point input: then
+/// nothing wraps, and moving a scene moves all of it.
+bool IsUnwrapped(const Scene& scene, const Profile& profile);
+
+/// Returns whether the no-clip rectangle, if there is one, holds every vertex that a triangle uses.
+bool IsUnclipped(const Scene& scene, const Profile& profile);
 
 }  // namespace rasterproof
 

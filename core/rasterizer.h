@@ -3,11 +3,14 @@
 #define RASTERPROOF_CORE_RASTERIZER_H_
 
 #include <concepts>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
+#include "core/drawing.h"
 #include "core/scene.h"
 #include "core/subject.h"
 
@@ -26,8 +29,20 @@ concept DrawsScenesByOptions = std::default_initializable<R> &&
                                requires(R r, const Scene& scene, const DrawOptions& options,
                                         CoverageCounts& counts) { r.Draw(scene, options, counts); };
 
+/// Gives all that a call shows: counts, winners, weights and depths, as its Info() says.
 template <class R>
-concept Rasterizer = DrawsScenes<R> || DrawsScenesByOptions<R>;
+concept ShowsDrawings = std::default_initializable<R> && requires(R r, const DrawJob& job) {
+  { r.Show(job) } -> std::same_as<Drawing>;
+};
+
+/// Draws several scenes in one call: as many drawings, in their order.
+template <class R>
+concept DrawsBatches = ShowsDrawings<R> && requires(R r, std::span<const DrawJob> jobs) {
+  { r.ShowMany(jobs) } -> std::same_as<std::vector<Drawing>>;
+};
+
+template <class R>
+concept Rasterizer = DrawsScenes<R> || DrawsScenesByOptions<R> || ShowsDrawings<R>;
 
 /// A rasterizer may say what it promises: `static SubjectInfo Info()`.
 template <class R>
@@ -42,16 +57,37 @@ class RasterizerSubject final : public Subject {
   explicit RasterizerSubject(std::string name) {
     if constexpr (DescribesItself<R>) info_ = R::Info();
     info_.name = std::move(name);
-    if constexpr (!DrawsScenesByOptions<R>) {
+    info_.takes_batches = DrawsBatches<R>;
+    if constexpr (!DrawsScenesByOptions<R> && !ShowsDrawings<R>) {
       info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
     }
   }
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    if constexpr (DrawsScenesByOptions<R>) {
+    if constexpr (ShowsDrawings<R>) {
+      counts += Show({scene, options, counts.samples}).counts;
+    } else if constexpr (DrawsScenesByOptions<R>) {
       rasterizer_.Draw(scene, options, counts);
     } else {
       rasterizer_.Draw(scene, counts);
+    }
+  }
+  Drawing Show(const DrawJob& job) override {
+    if constexpr (ShowsDrawings<R>) {
+      return rasterizer_.Show(job);
+    } else {
+      return Subject::Show(job);
+    }
+  }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    if constexpr (DrawsBatches<R>) {
+      std::vector<DrawOutcome> outcomes;
+      for (Drawing& drawing : rasterizer_.ShowMany(jobs)) {
+        outcomes.emplace_back().drawing = std::move(drawing);
+      }
+      return outcomes;
+    } else {
+      return Subject::DrawMany(jobs);
     }
   }
 

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
@@ -99,7 +101,25 @@ class WeightEvaluator {
 enum class CoverageKind : std::uint8_t {
   kFacingCounts,  ///< how many triangles of each facing cover the sample
   kCounts,        ///< how many triangles cover the sample, all of them in `front`
-  kMask           ///< 1 in `front` where anything covers the sample
+  kMask,          ///< 1 in `front` where anything covers the sample
+  kWinners,       ///< which triangle won the sample
+  kFragments      ///< the winner, its weights and its depth
+};
+
+/// Which of several triangles on a sample wins it.
+enum class WinnerOrder : std::uint8_t { kLastDrawn, kFirstDrawn };
+
+/// The vertices that a subject's weights belong to: as given, or on the profile's subpixel grid.
+enum class WeightsOf : std::uint8_t { kGiven, kSnapped };
+
+/// What a subject says of the fragments that it shows.
+struct FragmentClaims {
+  WinnerOrder order = WinnerOrder::kLastDrawn;
+  WeightsOf weights_of = WeightsOf::kGiven;
+  /// Most that a weight is off, absolute. 0: it says nothing.
+  double weight_error = 0;
+  /// Most that a depth is off, absolute, in the unit of z. 0: it says nothing.
+  double depth_error = 0;
 };
 
 /// What a subject says of itself.
@@ -120,7 +140,16 @@ struct SubjectInfo {
   bool takes_scissor = true;
   bool takes_culling = true;
   CoverageKind coverage = CoverageKind::kFacingCounts;
+  /// True if it draws several scenes in one call.
+  bool takes_batches = false;
+  /// For the kinds kWinners and kFragments.
+  FragmentClaims fragments;
 };
+
+/// Returns whether a call tells which triangle won each sample.
+inline bool ShowsWinners(const SubjectInfo& info) {
+  return info.coverage == CoverageKind::kWinners || info.coverage == CoverageKind::kFragments;
+}
 
 /// Anything that draws triangles.
 class Subject {
@@ -135,6 +164,19 @@ class Subject {
   /// Error:      InputError if it refuses the scene; SubjectFault if it broke down over it (the
   ///             next call starts it afresh).
   virtual void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) = 0;
+  /// Draws onto a target of its own and gives back all that the subject shows.
+  ///
+  /// Error:      as Draw.
+  virtual Drawing Show(const DrawJob& job);
+  /// Draws independent scenes, in order, each onto a target of its own: in one call where the
+  /// subject takes batches.
+  ///
+  /// Returns:    one outcome for each job; fewer if the subject broke down, and then the last one
+  ///             holds what it threw. A scene that it refuses is no breakdown.
+  virtual std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs);
+  /// The subject whose calls each go to the rasterizer as they are. Another one than this where
+  /// this splits a scene, to tell facings or overlaps that the rasterizer does not tell.
+  virtual Subject& Whole() { return *this; }
   /// Optional capabilities; nullptr where the subject has none.
   virtual const EdgeEvaluator* Edges() const { return nullptr; }
   virtual const WeightEvaluator* Weights() const { return nullptr; }
@@ -146,9 +188,11 @@ class SubjectFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Returns whether the subject takes scenes of this kind and precision.
+/// Returns whether the subject takes scenes of this kind and precision, and coordinates that its
+/// fixed-point input can be given.
 inline bool Takes(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space ? !info.takes_clip : !info.takes_window) return false;
+  if (info.profile.fixed) return CanBeGiven(scene, info.profile);  // as integers
   return info.input == Precision::kFloat64 || scene.precision == Precision::kFloat32;
 }
 

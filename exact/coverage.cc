@@ -2,9 +2,11 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
+#include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "exact/edge.h"
@@ -25,6 +27,18 @@ bool IsCulled(int facing, Cull cull) {
   return facing == 0 || (facing > 0 && cull == Cull::kFront) || (facing < 0 && cull == Cull::kBack);
 }
 
+Scene PlacedScene(const Scene& scene, const Profile& profile) {
+  if (!IsHomogeneous(scene, profile)) return SnapScene(scene, profile);
+  if (!PlacesClipSpace(profile)) {
+    throw InputError(
+        "profile \"" + profile.name + "\"",
+        "its fixed-point input, largest extent or rounded crossings are of window space",
+        "give vertices [x, y]");
+  }
+  const bool snaps = !ForTarget(profile, scene.width, scene.height).snap.IsNone();
+  return snaps ? SnapClipScene(scene, profile) : scene;
+}
+
 }  // namespace
 
 int Facing(const std::array<Point2, 3>& v, Decider decider) {
@@ -43,9 +57,7 @@ bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule, Deci
 
 CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options,
                         Decider decider) {
-  const Scene snapped = IsHomogeneous(scene, profile) && !profile.snap.IsNone()
-                            ? SnapClipScene(scene, profile)
-                            : SnapScene(scene, profile);
+  const Scene snapped = PlacedScene(scene, profile);
   const SampleFrame frame(scene, profile, options);
   CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
   SpanTarget target(counts);

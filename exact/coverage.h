@@ -16,7 +16,10 @@ namespace rasterproof::exact {
 /// Returns the counts of the profile's canonical model for the scene, under the options' culling
 /// and scissor.
 ///
-/// Domain:     any scene. Triangles with a non-finite x, y or w, or with zero area after snapping,
+/// The model is the one that the profile has on targets of the scene's size: coordinates wrap into
+/// its fixed-point range, snap, and triangles beyond its largest extent are dropped.
+/// Domain:     any scene; window space if the profile has fixed-point input or a largest extent.
+///             Triangles with a non-finite x, y or w, or with zero area after snapping,
 ///             cover nothing. Clip space with a snapped profile: every w of a triangle must be
 ///             positive (snapping follows the division, and what clipping does is not the
 ///             profile's to say), and |x / w| and |y / w| below 2^(50 - bits).

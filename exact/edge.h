@@ -39,8 +39,8 @@ void ResetTiers();
 /// Properties: EdgeSign(b, a, p) == -EdgeSign(a, b, p) == EdgeSign(a, p, b).
 int EdgeSign(Point2 a, Point2 b, Point2 p, Decider decider = Decider::kFast);
 
-/// The sign of E(a, b; p) at p shifted as the fill rule says. 0 only if a == b (or rule.inclusive
-/// and E == 0).
+/// The sign of E(a, b; p) at p shifted as the fill rule says. 0 only if a == b (or E == 0
+/// and the rule is inclusive or exclusive).
 int ShiftedEdgeSign(Point2 a, Point2 b, Point2 p, const FillRule& rule,
                     Decider decider = Decider::kFast);
 

@@ -39,7 +39,7 @@ int RowEdge::FirstColumnAtRounded(const SampleFrame& frame, int row, std::size_t
       low == high ? low : SnapCoordinate(ToOdd(CrossingOf(upper_, lower_, y)), frame.crossing);
   // Exact near the target: a column of 17 bits, and at most 20 fractional ones in either.
   const double column = x - frame.offsets[s].x;
-  const bool owns = least_sign == 0 || frame.rule.sign_x > 0;
+  const bool owns = least_sign == 0 || (frame.rule.IsConsistent() && frame.rule.sign_x > 0);
   return ClampedCeiling(owns ? column : std::floor(column) + 1, frame.clip.x0, frame.clip.x1);
 }
 

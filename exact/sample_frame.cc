@@ -20,11 +20,13 @@ bool IsLocation(double c) {
 
 }  // namespace
 
-SampleFrame::SampleFrame(const Scene& scene, const Profile& profile, const DrawOptions& options)
-    : clip{0, 0, scene.width, scene.height},
-      rule(profile.fill_rule),
-      crossing(profile.crossing),
-      y_up(profile.y_axis == YAxis::kUp) {
+SampleFrame::SampleFrame(const Scene& scene, const Profile& own, const DrawOptions& options)
+    : clip{0, 0, scene.width, scene.height}, y_up(own.y_axis == YAxis::kUp) {
+  std::optional<Profile> resolved;
+  const Profile& profile =
+      own.targets.empty() ? own : resolved.emplace(ForTarget(own, scene.width, scene.height));
+  rule = profile.fill_rule;
+  crossing = profile.crossing;
   for (const Point2& l : profile.lattice.locations) {
     if (!IsLocation(l.x) || !IsLocation(l.y)) {
       throw InputError("profile \"" + profile.name + "\"",

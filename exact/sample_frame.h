@@ -26,6 +26,7 @@ struct SampleFrame {
   Snap crossing;  ///< of the profile
   bool y_up = false;
 
+  /// Of the profile: what it says of targets of the scene's size.
   /// Error: InputError if a location is not a multiple of 2^-20 in [0, 1), as then pixel + location
   ///        could round.
   SampleFrame(const Scene& scene, const Profile& profile, const DrawOptions& options);

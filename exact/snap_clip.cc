@@ -35,7 +35,8 @@ double SnapQuotient(double x, double w, const Snap& snap) {
   return SnapCoordinate(std::ldexp(representative, -snap.bits), snap);
 }
 
-Scene SnapClipScene(const Scene& scene, const Profile& profile) {
+Scene SnapClipScene(const Scene& scene, const Profile& own) {
+  const Profile profile = ForTarget(own, scene.width, scene.height);
   if (profile.snap.form != SnapForm::kCoordinate) {
     throw InputError("profile \"" + profile.name + "\"",
                      "its snap form says nothing of the quotient x / w",

@@ -11,9 +11,9 @@ namespace rasterproof::exact {
 ///
 /// dx_sign and dy_sign are the signs of df/dx and df/dy. The first axis of the shift decides unless
 /// f does not change along it.
-/// Returns:    0 if f is constant, or if the rule does not shift (inclusive).
+/// Returns:    0 if f is constant, or if the rule does not shift (inclusive, exclusive).
 inline int TieSign(int dx_sign, int dy_sign, const FillRule& rule) {
-  if (rule.inclusive) return 0;
+  if (!rule.IsConsistent()) return 0;
   const int along_x = rule.sign_x * dx_sign;
   const int along_y = rule.sign_y * dy_sign;
   const int first = rule.y_first ? along_y : along_x;

@@ -123,7 +123,7 @@ void AddCrossings(const BoundaryEdge& b, const SampleFrame& frame, const Coverag
 
 std::vector<std::int64_t> BoundaryWinding(const Scene& scene, const Profile& profile) {
   SampleFrame frame(scene, profile, {});
-  if (frame.rule.inclusive) frame.rule = kTopLeft;
+  if (!frame.rule.IsConsistent()) frame.rule = kTopLeft;
   CoverageCounts shape;
   shape.width = scene.width;
   shape.height = scene.height;

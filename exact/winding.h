@@ -15,8 +15,8 @@ namespace rasterproof::exact {
 ///
 /// The boundary is what is left of the directed edges (keyed by position bits, not by index) after
 /// opposite pairs cancel. Window space; the scene is snapped by the profile first; triangles with a
-/// non-finite vertex are left out. The inclusive rule, which no sample's shift expresses, counts as
-/// top-left.
+/// non-finite vertex are left out, and so are those that the profile drops for their extent. The
+/// inclusive and the exclusive rule, which no sample's shift expresses, count as top-left.
 /// Shape:      as CoverageCounts.
 /// Error:      none; throws InputError for a clip-space scene.
 /// Properties: equals the signed coverage, docs/mathematics.md.

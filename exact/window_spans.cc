@@ -22,16 +22,23 @@ class Band {
   void AddSpans(const SampleFrame& frame, std::size_t s, int facing, SpanTarget& target,
                 std::uint64_t& certain) const {
     // The first column whose shifted sample lies right of the edge. Under the inclusive rule the
-    // samples on an edge belong to the span at either end of it.
+    // samples on an edge belong to the span at either end of it, under the exclusive rule at
+    // neither.
     for (int row = begin_; row < end_; ++row) {
       const int a = a_->FirstColumnAtSide(frame, row, s, +1, certain);
       const int b = b_->FirstColumnAtSide(frame, row, s, +1, certain);
       int first = std::min(a, b);
-      if (frame.rule.inclusive) {
-        first = std::min(a_->FirstColumnAtSide(frame, row, s, 0, certain),
-                         b_->FirstColumnAtSide(frame, row, s, 0, certain));
+      int last = std::max(a, b);
+      if (!frame.rule.IsConsistent()) {
+        const int on_a = a_->FirstColumnAtSide(frame, row, s, 0, certain);
+        const int on_b = b_->FirstColumnAtSide(frame, row, s, 0, certain);
+        if (frame.rule.inclusive) {
+          first = std::min(on_a, on_b);
+        } else {
+          last = std::max(on_a, on_b);
+        }
       }
-      target.Row(row, static_cast<int>(s), facing).Add(first, std::max(a, b));
+      target.Row(row, static_cast<int>(s), facing).Add(first, last);
     }
   }
 
@@ -54,12 +61,16 @@ void AddWindowSpans(const std::array<Point2, 3>& v, int facing, const SampleFram
 
   // A row exactly at a vertex belongs to the band below it if the samples shift down, else to the
   // one above. Under the inclusive rule the bands are closed, save that the lower one leaves the
-  // middle row to the upper one if that is there.
+  // middle row to the upper one if that is there. Under the exclusive rule they are open, save that
+  // the upper one takes the middle row if the lower one is there to go on from it.
   const FillRule& rule = frame.rule;
-  const bool below_end_only = !rule.inclusive && rule.sign_y < 0;
-  const bool through_end = rule.inclusive || rule.sign_y < 0;
   const bool upper_band = top.y < middle.y;
-  const bool middle_taken = rule.inclusive ? upper_band : below_end_only;
+  const bool lower_band = middle.y < bottom.y;
+  const bool shifts_up = rule.IsConsistent() && rule.sign_y < 0;
+  const bool skips_top = shifts_up || rule.exclusive;
+  const bool through_end = shifts_up || rule.inclusive;
+  const bool upper_takes_middle = rule.exclusive ? lower_band : through_end;
+  const bool lower_skips_middle = rule.inclusive ? upper_band : skips_top;
 
   const RowEdge longest(top, bottom);
   const RowEdge upper(top, middle);
@@ -71,10 +82,10 @@ void AddWindowSpans(const std::array<Point2, 3>& v, int facing, const SampleFram
     };
     const int end = row_of(bottom.y, through_end);
     if (upper_band) {
-      Band(longest, upper, row_of(top.y, below_end_only), row_of(middle.y, through_end))
+      Band(longest, upper, row_of(top.y, skips_top), row_of(middle.y, upper_takes_middle))
           .AddSpans(frame, s, facing, target, certain);
     }
-    Band(longest, lower, row_of(middle.y, middle_taken), end)
+    Band(longest, lower, row_of(middle.y, lower_skips_middle), end)
         .AddSpans(frame, s, facing, target, certain);
   }
   ThreadTiers().filter += certain;

@@ -1,22 +1,19 @@
 #include "io/case_file.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "io/json_document.h"
-#include "io/number_text.h"
+#include "io/json_members.h"
 #include "io/output.h"
+#include "io/profile_json.h"
 #include "io/scene_json.h"
 
 namespace rasterproof::io {
@@ -28,165 +25,10 @@ constexpr int kMaxThreads = 4096;
 
 constexpr std::array<std::string_view, 7> kCaseKeys{
     "rasterproof_case", "scene", "profile", "options", "subject", "property", "origin"};
-constexpr std::array<std::string_view, 12> kProfileKeys{
-    "name",      "subpixel_bits",  "snap_rule",
-    "snap_form", "snap_origin",    "sample_locations",
-    "y_axis",    "fill_rule",      "coordinate_limit",
-    "contract",  "snap_tolerance", "any_tie_rule"};
 constexpr std::array<std::string_view, 4> kOptionKeys{"cull", "scissor", "tile", "threads"};
 
-// An enumeration's values and their names in files.
-template <class E>
-using Names = std::span<const std::pair<E, std::string_view>>;
-
-constexpr std::array<std::pair<YAxis, std::string_view>, 2> kYAxes{
-    {{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
-constexpr std::array<std::pair<Contract, std::string_view>, 6> kContracts{
-    {{Contract::kSampleExact, "sample-exact"},
-     {Contract::kWatertight, "watertight"},
-     {Contract::kClosed, "closed"},
-     {Contract::kConservativeOver, "conservative-over"},
-     {Contract::kConservativeUnder, "conservative-under"},
-     {Contract::kNone, "none"}}};
 constexpr std::array<std::pair<Cull, std::string_view>, 3> kCulls{
     {{Cull::kNone, "none"}, {Cull::kFront, "front"}, {Cull::kBack, "back"}}};
-
-template <class E>
-std::string_view NameOf(E value, Names<E> names) {
-  return std::ranges::find(names, value, &std::pair<E, std::string_view>::first)->second;
-}
-
-template <class E>
-E FromName(const JsonValue& value, Names<E> names) {
-  const std::string_view text = value.RequireString();
-  std::string remedy = "known here are";
-  for (const auto& [known, name] : names) {
-    if (name == text) return known;
-    remedy += " \"" + std::string(name) + "\"";
-  }
-  throw value.Error(Quoted(text) + " is unknown", remedy);
-}
-
-// The member `key`, turned by `read`, if the object has it.
-template <class T, class Read>
-void ReadIfThere(const JsonValue& object, std::string_view key, T& into, Read read) {
-  if (const std::optional<JsonValue> value = object.Find(key)) into = read(*value);
-}
-
-int Integer(const JsonValue& value, int least, int greatest) {
-  return static_cast<int>(value.RequireInteger(least, greatest));
-}
-
-bool Boolean(const JsonValue& value) {
-  if (value.kind() != JsonKind::kBoolean) {
-    throw value.Error("is neither true nor false", "write true or false");
-  }
-  return value.text() == "true";
-}
-
-std::string PresetNames() {
-  std::string names;
-  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
-  return names;
-}
-
-int SubpixelBits(const JsonValue& value) {
-  return value.kind() == JsonKind::kNull ? Snap::kNone : Integer(value, 0, kMaxSubpixelBits);
-}
-
-SnapRule SnapRuleFromJson(const JsonValue& value) {
-  const std::optional<SnapRule> rule = SnapRuleFromName(value.RequireString());
-  if (rule) return *rule;
-  throw value.Error(Quoted(value.text()) + " is no snap rule",
-                    "write nearest-even, nearest-away, half-up, floor or truncate");
-}
-
-SnapForm SnapFormFromJson(const JsonValue& value) {
-  const std::optional<SnapForm> form = SnapFormFromName(value.RequireString());
-  if (form) return *form;
-  throw value.Error(Quoted(value.text()) + " is no snap form",
-                    "write coordinate, float32-difference or exact-difference");
-}
-
-FillRule FillRuleFromJson(const JsonValue& value) {
-  const std::optional<FillRule> rule = FillRuleFromName(value.RequireString());
-  if (rule) return *rule;
-  throw value.Error(Quoted(value.text()) + " is no fill rule",
-                    "write top-left, top-right, bottom-left, bottom-right, one of them with -y "
-                    "(y moves first), or inclusive");
-}
-
-// A place within a pixel. On multiples of 2^-8, pixel + place is exact.
-double PlaceInPixel(const JsonValue& value, const std::string& what) {
-  const double x = CoordinateFromJson(value, Precision::kFloat64);
-  if (!(x >= 0 && x < 1) || x * 256 != std::floor(x * 256)) {
-    throw value.Error("is not " + what, "write a multiple of 1/256 from 0 up to, not including, 1");
-  }
-  return x;
-}
-
-double LocationCoordinate(const JsonValue& value) {
-  return PlaceInPixel(value, "a sample location");
-}
-
-double SnapOrigin(const JsonValue& value) { return PlaceInPixel(value, "a snap origin"); }
-
-double SnapTolerance(const JsonValue& value) {
-  const double steps = CoordinateFromJson(value, Precision::kFloat64);
-  if (steps >= 0 && steps <= kMaxSnapTolerance) return steps;
-  throw value.Error("is not a snap tolerance", "write a number of grid steps from 0 to 1");
-}
-
-SampleLattice LatticeFromJson(const JsonValue& list) {
-  std::vector<Point2> locations;
-  const JsonValue::Items items = list.RequireArray();
-  const std::size_t size = items.size();
-  if (size < 1 || size > std::size_t{kMaxSamplesPerPixel}) {
-    throw list.Error("has " + std::to_string(size) + " sample locations",
-                     "write from 1 to " + std::to_string(kMaxSamplesPerPixel));
-  }
-  for (const JsonValue item : items) {
-    const JsonValue::Items pair = item.RequireArray();
-    if (pair.size() != 2) {
-      throw item.Error("has " + std::to_string(pair.size()) + " coordinates", "write [x, y]");
-    }
-    JsonValue::Iterator coordinate = pair.begin();
-    const double x = LocationCoordinate(*coordinate);
-    locations.push_back({x, LocationCoordinate(*++coordinate)});
-  }
-  return {std::move(locations)};
-}
-
-double LimitFromJson(const JsonValue& value) {
-  const double limit = CoordinateFromJson(value, Precision::kFloat64);
-  if (limit > 0 && std::isfinite(limit)) return limit;
-  throw value.Error("is not a limit", "write a positive finite number");
-}
-
-Profile ProfileFromJson(const JsonValue& value) {
-  if (value.kind() == JsonKind::kString) {
-    if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
-    throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
-                      "write an object, or one of the presets" + PresetNames());
-  }
-  value.RequireObject(kProfileKeys);
-  Profile profile;
-  profile.name = value.Get("name").RequireString();
-  ReadIfThere(value, "subpixel_bits", profile.snap.bits, SubpixelBits);
-  ReadIfThere(value, "snap_rule", profile.snap.rule, SnapRuleFromJson);
-  ReadIfThere(value, "snap_form", profile.snap.form, SnapFormFromJson);
-  ReadIfThere(value, "snap_origin", profile.snap.origin, SnapOrigin);
-  ReadIfThere(value, "sample_locations", profile.lattice, LatticeFromJson);
-  ReadIfThere(value, "y_axis", profile.y_axis,
-              [](const JsonValue& v) { return FromName(v, Names<YAxis>(kYAxes)); });
-  ReadIfThere(value, "fill_rule", profile.fill_rule, FillRuleFromJson);
-  ReadIfThere(value, "contract", profile.contract,
-              [](const JsonValue& v) { return FromName(v, Names<Contract>(kContracts)); });
-  ReadIfThere(value, "snap_tolerance", profile.freedom.snap_tolerance, SnapTolerance);
-  ReadIfThere(value, "any_tie_rule", profile.freedom.any_tie_rule, Boolean);
-  ReadIfThere(value, "coordinate_limit", profile.coordinate_limit, LimitFromJson);
-  return profile;
-}
 
 std::optional<PixelRect> ScissorFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kNull) return std::nullopt;
@@ -240,42 +82,6 @@ CaseFile CaseFromJson(const JsonValue& object) {
   ReadIfThere(object, "property", file.property, TextFromJson);
   return file;
 }
-
-std::string InQuotes(std::string_view text) { return '"' + std::string(text) + '"'; }
-
-}  // namespace
-
-std::string ProfileToJson(const Profile& profile) {
-  if (PresetProfile(profile.name) == profile) return JsonString(profile.name);
-  std::string locations;
-  for (const Point2& l : profile.lattice.locations) {
-    locations += locations.empty() ? "[" : ", [";
-    locations += InQuotes(ExactText(l.x)) + ", " + InQuotes(ExactText(l.y)) + "]";
-  }
-  const std::string line = ",\n    ";
-  std::string json = "{\n    \"name\": " + JsonString(profile.name);
-  json += line + "\"subpixel_bits\": ";
-  json += profile.snap.IsNone() ? "null" : std::to_string(profile.snap.bits);
-  json += line + "\"snap_rule\": " + InQuotes(SnapRuleName(profile.snap.rule));
-  // Keys of a later day than the others: left out where they say nothing, so that files without
-  // them stay as they are.
-  if (profile.snap.form != SnapForm::kCoordinate || profile.snap.origin != 0) {
-    json += line + "\"snap_form\": " + InQuotes(SnapFormName(profile.snap.form));
-    json += line + "\"snap_origin\": " + InQuotes(ExactText(profile.snap.origin));
-  }
-  json += line + "\"sample_locations\": [" + locations + "]";
-  json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));
-  json += line + "\"fill_rule\": " + InQuotes(FillRuleName(profile.fill_rule));
-  json += line + "\"contract\": " + InQuotes(NameOf(profile.contract, Names<Contract>(kContracts)));
-  if (!profile.freedom.IsNone()) {
-    json += line + "\"snap_tolerance\": " + InQuotes(ExactText(profile.freedom.snap_tolerance));
-    json += line + "\"any_tie_rule\": " + (profile.freedom.any_tie_rule ? "true" : "false");
-  }
-  json += line + "\"coordinate_limit\": " + InQuotes(ExactText(profile.coordinate_limit));
-  return json + "\n  }";
-}
-
-namespace {
 
 std::string OptionsToJson(const DrawOptions& options) {
   std::string json = "{\"cull\": " + InQuotes(NameOf(options.cull, Names<Cull>(kCulls)));

@@ -29,13 +29,24 @@ enum rasterproof_coverage {
   RASTERPROOF_COUNTS = 1,
   /* front alone: 1 where anything covers the sample. Triangles then come one to a call, so that
    * overlaps still show. */
-  RASTERPROOF_MASK = 2
+  RASTERPROOF_MASK = 2,
+  /* winners: which triangle won each sample, as winner_order says. front is NULL. */
+  RASTERPROOF_WINNERS = 3,
+  /* winners, and weights and depths of the winner at each sample. front is NULL. */
+  RASTERPROOF_FRAGMENTS = 4
 };
+
+/* Which of several triangles on a sample wins it. */
+enum rasterproof_winner_order { RASTERPROOF_LAST_DRAWN = 0, RASTERPROOF_FIRST_DRAWN = 1 };
+
+/* The vertices that weights belong to: as given, or on the profile's subpixel grid. */
+enum rasterproof_weights_of { RASTERPROOF_OF_GIVEN = 0, RASTERPROOF_OF_SNAPPED = 1 };
 
 /* The number format in which the library computes its input. */
 enum rasterproof_input {
   RASTERPROOF_FLOAT32 = 0, /* every coordinate is a float */
-  RASTERPROOF_FLOAT64 = 1
+  RASTERPROOF_FLOAT64 = 1,
+  RASTERPROOF_FIXED = 2 /* every x and y is a multiple of 2^-fixed_fraction_bits; window space */
 };
 
 /* What the library takes, as bits of rasterproof_plugin.takes. None of them: window-space scenes,
@@ -69,16 +80,26 @@ typedef struct rasterproof_scene {
   int32_t scissor[4]; /* x0, y0, x1, y1: columns [x0, x1), rows [y0, y1) from the top */
   int32_t tile;       /* 0: the library's own choice */
   int32_t threads;    /* 0: the library's own choice */
+  /* Where the input is FIXED: 2 a vertex, x and y in units of 2^-fixed_fraction_bits; not wrapped.
+   * Else NULL. The vertices hold the same places. */
+  const int64_t* fixed;
 } rasterproof_scene;
 
-/* Where the counts go: row-major, top row first, `samples` counts a pixel. Add to what is there.
- * The samples of a row end before `stride`: what lies between, before and behind is guarded. */
+/* Where the answer goes: row-major, top row first, `samples` entries a pixel. Add counts to what is
+ * there. The samples of a row end before `stride`: what lies between, before and behind is guarded.
+ * Rows of weights are 3 * stride apart. */
 typedef struct rasterproof_target {
   uint32_t size; /* sizeof(rasterproof_target) of the caller */
   int32_t samples;
-  size_t stride; /* counts from one row to the next */
+  size_t stride; /* samples from one row to the next */
   uint32_t* front;
   uint32_t* back; /* NULL unless the coverage is FACING_COUNTS */
+  /* NULL unless the coverage is WINNERS or FRAGMENTS. Full of -1, which says that nothing won. */
+  int32_t* winners;
+  /* NULL unless the coverage is FRAGMENTS. weights + 3 * k belongs to sample k: the barycentric
+   * coordinates of the sample, for the winner's three vertices. */
+  double* weights;
+  double* depths; /* the winner's z at the sample */
 } rasterproof_target;
 
 typedef struct rasterproof_plugin {
@@ -99,6 +120,24 @@ typedef struct rasterproof_plugin {
   void* (*open)(void);
   void (*reset)(void* state); /* to what open left behind: earlier calls must not matter any more */
   void (*close)(void* state);
+  /* Where the input is FIXED: its bits before the point (1 to 31, the sign is one of them) and
+   * after it (0 to 16), whether it is signed, and whether what is beyond its range is given too and
+   * taken modulo 2^fixed_integer_bits. Descriptions that end before these fields are of other
+   * input. */
+  uint32_t fixed_integer_bits;
+  uint32_t fixed_fraction_bits;
+  uint32_t fixed_is_signed;
+  uint32_t fixed_wraps;
+  /* Optional. Draws n scenes that have nothing to do with each other, each onto its own target:
+   * what draw would give for each. 0: done; anything else: the batch is refused, and its scenes
+   * then come one by one. Pointers to structures, so that their sizes may grow. */
+  int32_t (*draw_many)(void* state, const rasterproof_scene* const* scenes,
+                       const rasterproof_target* const* targets, size_t n);
+  /* For the coverages WINNERS and FRAGMENTS. */
+  uint32_t winner_order; /* enum rasterproof_winner_order */
+  uint32_t weights_of;   /* enum rasterproof_weights_of */
+  double weight_error;   /* most that a weight is off, absolute; 0: nothing is said */
+  double depth_error;    /* most that a depth is off, in the unit of z; 0: nothing is said */
 } rasterproof_plugin;
 
 /* The one function that the library exports. The description must outlive the library's use. */

@@ -1,6 +1,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "props/catalog/clip_coverage.h"
 #include "props/catalog/clip_scaling.h"
@@ -30,8 +31,8 @@
 #include "props/catalog/lifted_triangles.h"
 #include "props/catalog/model_coverage.h"
 #include "props/catalog/non_finite.h"
+#include "props/catalog/outputs.h"
 #include "props/catalog/poison.h"
-#include "props/catalog/repeated_draw.h"
 #include "props/catalog/row_words.h"
 #include "props/catalog/scissor.h"
 #include "props/catalog/shared_edge.h"
@@ -474,18 +475,19 @@ constexpr auto kProperties = std::to_array<Property>({
      .tolerance = kExact,
      .domains = kExtremes,
      .check = BadTrianglesPoisonNoOthers},
-    {.name = "EqualDrawsGiveEqualCounts",
-     .group = "extremes",
-     .clause = "Equal calls give equal counts, and counts are added to.",
-     .precondition = "any contract but none; coordinates within the limit",
-     .tolerance = kExact,
-     .domains = kCoverageAnySpace,
-     .check = EqualDrawsGiveEqualCounts},
 });
 
 }  // namespace
 
-std::span<const Property> Catalog() { return kProperties; }
+std::span<const Property> Catalog() {
+  static const std::vector<Property> all = [] {
+    std::vector<Property> joined(kProperties.begin(), kProperties.end());
+    const std::span<const Property> more = OutputProperties();
+    joined.insert(joined.end(), more.begin(), more.end());
+    return joined;
+  }();
+  return all;
+}
 
 const Property* FindProperty(std::string_view name) {
   for (const Property& property : Catalog()) {

@@ -25,6 +25,8 @@ struct Property {
   /// Never throws for a legal subject; says kNotApplicable or kNotExercised rather than passing
   /// vacuously.
   Verdict (*check)(Subject&, const Case&);
+  /// True if the claim is about calls that follow each other: no others may come in between.
+  bool is_about_sequence = false;
 };
 
 /// Every property, in the order of the documentation.

@@ -34,7 +34,7 @@ struct HomogeneousNormal {
 /// and the value with it by (sign_x e) N.x and (sign_y e^2) N.y, in the rule's order.
 template <class T>
 bool OwnsTies(T nx, T ny, const FillRule& rule) {
-  if (rule.inclusive) return true;
+  if (!rule.IsConsistent()) return rule.inclusive;
   const T by_x = rule.sign_x > 0 ? nx : -nx;
   const T by_y = rule.sign_y > 0 ? ny : -ny;
   const T first = rule.y_first ? by_y : by_x;

@@ -220,10 +220,28 @@ Plan PlanWindowSpace(const Scene& scene, const Profile& profile, const DrawOptio
   return plan;
 }
 
+// What wraps or is dropped is so before any kernel, and the extent of the rest is not examined.
+Plan PlanPlaced(const Needs& needs) {
+  Plan plan;
+  plan.arithmetic = "wide exact";
+  plan.draw = &DrawWide<true>;
+  plan.reasons = {{"edge arithmetic", plan.arithmetic,
+                   "the profile wraps coordinates or drops large triangles: not examined"},
+                  {"snap", "kept", "coordinates are placed before they are drawn"},
+                  {"clip", "kept", "boxes are clamped to the draw area"},
+                  {"cull", "kept", "facings are those of the placed triangles"},
+                  {"tie rule", "kept", "samples may lie on edges: not examined"},
+                  {"perspective", "left out", "window space: every w is 1"}};
+  AddOutputReasons(plan, needs);
+  return plan;
+}
+
 }  // namespace
 
 Plan MakePlan(const Scene& scene, const Profile& profile, const DrawOptions& options,
               const Needs& needs) {
+  const bool owns_transform = scene.clip_space && profile.transform;
+  if (!PlacesClipSpace(profile) || owns_transform) return PlanPlaced(needs);
   return scene.clip_space ? PlanClipSpace(scene, profile, options, needs)
                           : PlanWindowSpace(scene, profile, options, needs);
 }

@@ -28,7 +28,9 @@ struct Plan {
   void (*draw)(const Scene&, const Profile&, const DrawOptions&, CoverageCounts&) = nullptr;
 };
 
-/// Domain:     any scene, any profile of core/. Clip space gets the homogeneous kernel.
+/// Domain:     any scene, any profile of core/ as ForTarget gives it for the scene's target. Clip
+///             space gets the homogeneous kernel; a profile with fixed-point input or a largest
+///             extent takes window space only.
 Plan MakePlan(const Scene& scene, const Profile& profile, const DrawOptions& options,
               const Needs& needs);
 

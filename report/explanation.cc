@@ -28,6 +28,7 @@ constexpr double kLabel = 10;
 constexpr double kTitle = 20;
 constexpr double kLeading = 1.5;  // line height over text size
 constexpr double kImageScale = 2;
+constexpr double kLeastWidth = 680;  // of the legend
 constexpr std::array<std::string_view, 3> kPanels{"expected", "actual", "difference"};
 
 // Breaks at blanks, and inside words that are longer than a line.
@@ -64,7 +65,7 @@ class Layout {
     const int high = view_.y1 - view_.y0;
     cell_ = std::clamp(std::floor(352.0 / std::max({wide, high, 1})), 8.0, 56.0);
     panel_width_ = std::max(cell_ * wide, kAdvance * kText * 10);
-    drawing_.width = std::max(2 * kMargin + kGutter + 3 * panel_width_ + 2 * kGap, 640.0);
+    drawing_.width = std::max(2 * kMargin + kGutter + 3 * panel_width_ + 2 * kGap, kLeastWidth);
     columns_ = static_cast<std::size_t>((drawing_.width - 2 * kMargin) / (kAdvance * kText));
   }
 

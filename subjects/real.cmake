@@ -50,10 +50,9 @@ endif()
 
 find_program(GLSLANG glslangValidator)
 if(GLSLANG)
-  rasterproof_subject_package(SUBJECT_VULKAN vulkan-lavapipe
-    "libvulkan-dev mesa-vulkan-drivers glslang-tools" vulkan)
+  rasterproof_subject_package(SUBJECT_VULKAN vulkan "libvulkan-dev glslang-tools" vulkan)
 else()
-  rasterproof_missing_subject(vulkan-lavapipe "glslang-tools libvulkan-dev mesa-vulkan-drivers")
+  rasterproof_missing_subject(vulkan "glslang-tools libvulkan-dev")
 endif()
 if(SUBJECT_VULKAN_FOUND)
   set(shaders ${CMAKE_BINARY_DIR}/shaders)
@@ -66,12 +65,28 @@ if(SUBJECT_VULKAN_FOUND)
         ${CMAKE_SOURCE_DIR}/subjects/vulkan/triangle.${suffix}
       DEPENDS subjects/vulkan/triangle.${suffix} VERBATIM)
   endforeach()
-  rasterproof_real_subject(vulkan-lavapipe
-    SOURCES
-      subjects/vulkan/vulkan.cc subjects/vulkan/counter.cc ${shaders}/triangle.vert.h
-      ${shaders}/triangle.frag.h
-    LINK PkgConfig::SUBJECT_VULKAN)
-  target_include_directories(plugin_vulkan-lavapipe PRIVATE ${shaders})
+  # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE BITS HALF_VIEWPORT)
+  function(rasterproof_vulkan_subject name install description device bits half)
+    file(GLOB found ${description})
+    if(NOT found)
+      rasterproof_missing_subject(${name} ${install})
+      return()
+    endif()
+    rasterproof_real_subject(${name}
+      SOURCES
+        subjects/vulkan/vulkan.cc subjects/vulkan/counter.cc ${shaders}/triangle.vert.h
+        ${shaders}/triangle.frag.h
+      LINK PkgConfig::SUBJECT_VULKAN
+      DEFINITIONS
+        RASTERPROOF_VULKAN_NAME="${name}" RASTERPROOF_VULKAN_ICD="${found}"
+        RASTERPROOF_VULKAN_DEVICE="${device}" RASTERPROOF_VULKAN_BITS=${bits}
+        RASTERPROOF_VULKAN_HALF_VIEWPORT=${half})
+    target_include_directories(plugin_${name} PRIVATE ${shaders})
+  endfunction()
+  rasterproof_vulkan_subject(vulkan-lavapipe mesa-vulkan-drivers
+    "/usr/share/vulkan/icd.d/lvp_icd.*.json" llvmpipe 8 8192)
+  rasterproof_vulkan_subject(vulkan-swiftshader chromium-common
+    /usr/lib/chromium/vk_swiftshader_icd.json SwiftShader 4 4096)
 endif()
 
 rasterproof_subject_package(SUBJECT_SDL2 sdl2 libsdl2-dev sdl2)
@@ -111,4 +126,17 @@ if(OPENCV_HEADERS AND OPENCV_CORE AND OPENCV_IMGPROC)
   target_include_directories(plugin_opencv SYSTEM PRIVATE ${OPENCV_HEADERS})
 else()
   rasterproof_missing_subject(opencv libopencv-imgproc-dev)
+endif()
+
+# Programs on pipes, described rather than built.
+find_program(NODE node)
+find_program(NPM npm)
+if(NODE AND EXISTS ${CMAKE_SOURCE_DIR}/subjects/canvaskit/node_modules/canvaskit-wasm)
+  foreach(mode paths vertices)
+    configure_file(subjects/canvaskit/canvaskit.subject.in plugins/canvaskit-${mode}.subject @ONLY)
+  endforeach()
+elseif(NODE AND NPM)
+  rasterproof_missing_subject(canvaskit "its modules: npm ci --prefix subjects/canvaskit")
+else()
+  rasterproof_missing_subject(canvaskit "nodejs npm")
 endif()

@@ -17,6 +17,7 @@
 #include "exact/environment.h"
 #include "fmt/format.h"
 #include "io/scene_set.h"
+#include "props/catalog/degenerate.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "subjects/builtin/builtin.h"
@@ -34,7 +35,28 @@ double SecondsSince(Clock::time_point start) {
 // What a profile's counts depend on: not its name, its limit or its contract.
 bool SameModel(const Profile& a, const Profile& b) {
   return a.snap == b.snap && a.lattice == b.lattice && a.y_axis == b.y_axis &&
-         a.fill_rule == b.fill_rule;
+         a.fill_rule == b.fill_rule && a.targets == b.targets && a.fixed == b.fixed &&
+         a.max_extent == b.max_extent;
+}
+
+// Empty if the counts of the scene's samples are promised.
+std::string WhyNotJudged(const Scene& scene, const Profile& profile) {
+  if (!WithinLimits(scene, profile)) {
+    return "coordinates beyond what the profile promises: observed, not judged";
+  }
+  if (!IsUnclipped(scene, profile)) {
+    return "triangles leave the profile's no-clip rectangle: observed, not judged";
+  }
+  if (profile.zero_area == ZeroArea::kNothing) return "";
+  if (scene.clip_space && !profile.snap.IsNone()) {
+    return "areas after the division and snapping are not decided: observed, not judged";
+  }
+  Case c;
+  c.scene = scene;
+  c.profile = profile;
+  return props::FlatTriangles(c).empty()
+             ? ""
+             : "triangles of zero area, which the profile leaves unspecified: observed, not judged";
 }
 
 SceneResult Measure(Subject& subject, MeasuredScene& measured, const Profile& profile,
@@ -47,7 +69,9 @@ SceneResult Measure(Subject& subject, MeasuredScene& measured, const Profile& pr
   result.seconds = seconds;
   if (observed == nullptr) {
     result.applicable = false;
-    result.message = measured.scene().clip_space   ? "the scene is in clip space"
+    result.message = measured.scene().clip_space ? "the scene is in clip space"
+                     : subject.Info().profile.fixed
+                         ? "coordinates that the subject's integers do not hold"
                      : subject.Info().takes_window ? "the scene is float64"
                                                    : "the scene is in window space";
     return result;
@@ -58,9 +82,7 @@ SceneResult Measure(Subject& subject, MeasuredScene& measured, const Profile& pr
     result.applicable = false;
     result.message = error.what();
   }
-  if (result.applicable && !WithinLimits(measured.scene(), profile)) {
-    result.message = "coordinates beyond what the profile promises: observed, not judged";
-  }
+  if (result.applicable) result.message = WhyNotJudged(measured.scene(), profile);
   return result;
 }
 

@@ -36,10 +36,11 @@ std::string CountsToText(const CoverageCounts& counts) {
 
 // A subject without a grid of its own draws what the profile's snap leaves of the scene.
 Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& name) {
-  const Profile profile = io::ReadProfile(name);
-  const Profile& own = subject.Info().profile;
+  const Profile profile = ForTarget(io::ReadProfile(name), scene.width, scene.height);
+  const Profile own = ForTarget(subject.Info().profile, scene.width, scene.height);
   if (profile.snap == own.snap && profile.lattice == own.lattice &&
-      profile.fill_rule == own.fill_rule && profile.y_axis == own.y_axis) {
+      profile.fill_rule == own.fill_rule && profile.y_axis == own.y_axis &&
+      profile.fixed == own.fixed && profile.max_extent == own.max_extent) {
     return scene;
   }
   if (!own.snap.IsNone() || profile.lattice != own.lattice || profile.fill_rule != own.fill_rule ||

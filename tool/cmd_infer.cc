@@ -55,6 +55,7 @@ std::string FittingText(const props::Inference& inference) {
 }
 
 std::string NoFitText(const props::Inference& inference) {
+  if (inference.is_inconclusive) return fmt::format("inconclusive: {}\n", inference.message);
   std::string text = fmt::format("no model fits: {}\n", inference.message);
   if (const auto& nearest = inference.nearest) {
     text += fmt::format(
@@ -134,6 +135,7 @@ int RunInfer(const InferOptions& options) {
   if (!options.json.empty()) WriteOutput(options.json, ToJson(inference, info));
   if (options.json != "-") io::WriteStandardOutput(text);
   if (inference.Fits()) return inference.Agrees() ? kExitHolds : kExitViolated;
+  if (inference.is_inconclusive) return kExitInconclusive;
   // A subject that promises nothing about its samples breaks no promise.
   return info.profile.contract == Contract::kNone ? kExitInconclusive : kExitViolated;
 }

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <istream>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "core/error.h"
@@ -13,18 +19,28 @@
 namespace rasterproof::tool {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, CoverageKind>, 3> kCoverages{
-    {{"facing-counts", CoverageKind::kFacingCounts},
-     {"counts", CoverageKind::kCounts},
-     {"mask", CoverageKind::kMask}}};
+template <class T, std::size_t n>
+using Names = std::array<std::pair<std::string_view, T>, n>;
 
-constexpr std::array<std::pair<std::string_view, bool SubjectInfo::*>, 6> kTakes{
-    {{"window", &SubjectInfo::takes_window},
-     {"clip", &SubjectInfo::takes_clip},
-     {"culling", &SubjectInfo::takes_culling},
-     {"scissor", &SubjectInfo::takes_scissor},
-     {"tiles", &SubjectInfo::takes_tiles},
-     {"threads", &SubjectInfo::takes_threads}}};
+constexpr Names<CoverageKind, 5> kCoverages{{{"facing-counts", CoverageKind::kFacingCounts},
+                                             {"counts", CoverageKind::kCounts},
+                                             {"mask", CoverageKind::kMask},
+                                             {"winning-id", CoverageKind::kWinners},
+                                             {"fragments", CoverageKind::kFragments}}};
+constexpr Names<Precision, 2> kInputs{
+    {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
+constexpr Names<WinnerOrder, 2> kOrders{
+    {{"last-drawn", WinnerOrder::kLastDrawn}, {"first-drawn", WinnerOrder::kFirstDrawn}}};
+constexpr Names<WeightsOf, 2> kWeightsOf{
+    {{"given", WeightsOf::kGiven}, {"snapped", WeightsOf::kSnapped}}};
+
+constexpr Names<bool SubjectInfo::*, 7> kTakes{{{"window", &SubjectInfo::takes_window},
+                                                {"clip", &SubjectInfo::takes_clip},
+                                                {"culling", &SubjectInfo::takes_culling},
+                                                {"scissor", &SubjectInfo::takes_scissor},
+                                                {"tiles", &SubjectInfo::takes_tiles},
+                                                {"threads", &SubjectInfo::takes_threads},
+                                                {"batches", &SubjectInfo::takes_batches}}};
 
 template <class Table>
 std::string NamesIn(const Table& table) {
@@ -38,6 +54,81 @@ auto Chosen(const Table& table, std::string_view name, const std::string& place)
   const auto found = std::ranges::find_if(table, [&](const auto& e) { return e.first == name; });
   if (found != table.end()) return found->second;
   throw InputError(place, fmt::format("'{}' is not known", name), "choose of: " + NamesIn(table));
+}
+
+template <class Table>
+std::string_view NameOf(const Table& table, const typename Table::value_type::second_type& value) {
+  return std::ranges::find_if(table, [&](const auto& e) { return e.second == value; })->first;
+}
+
+double ErrorOf(const std::string& value, const std::string& place) {
+  double error = 0;
+  const char* const end = value.data() + value.size();
+  const auto [stop, problem] = std::from_chars(value.data(), end, error);
+  if (problem == std::errc{} && stop == end && std::isfinite(error) && error > 0) return error;
+  throw InputError(place, fmt::format("'{}' is no error", value),
+                   "give a positive number, or leave the line out to say nothing");
+}
+
+// "12.4 signed wrap", as it stands after "fixed".
+FixedInput FixedInputFrom(std::istream& words, const std::string& place) {
+  const auto refused = [&](const std::string& reason) {
+    return InputError(place, reason,
+                      fmt::format("write fixed N.M, N from 1 to {} and M from 0 to {}, then signed "
+                                  "or unsigned, then wrap if it wraps",
+                                  kMaxIntegerBits, kMaxSubpixelBits));
+  };
+  FixedInput fixed;
+  char point = ' ';
+  std::string sign;
+  if (!(words >> fixed.integer_bits >> point >> fixed.fraction_bits) || point != '.' ||
+      fixed.integer_bits < 1 || fixed.integer_bits > kMaxIntegerBits || fixed.fraction_bits < 0 ||
+      fixed.fraction_bits > kMaxSubpixelBits) {
+    throw refused("the fixed-point format is not one");
+  }
+  if (!(words >> sign) || (sign != "signed" && sign != "unsigned")) {
+    throw refused("it is not said whether the fixed-point format is signed");
+  }
+  fixed.is_signed = sign == "signed";
+  std::string wrap;
+  fixed.wraps = static_cast<bool>(words >> wrap);
+  if (fixed.wraps && wrap != "wrap") throw refused(fmt::format("'{}' is not known", wrap));
+  if (words >> wrap) throw refused(fmt::format("'{}' is one word too many", wrap));
+  return fixed;
+}
+
+void TakeInput(const std::string& value, const std::string& place, Description& description) {
+  constexpr std::array<std::pair<std::string_view, Precision>, 2> kInputs{
+      {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
+  std::istringstream words(value);
+  std::string kind;
+  words >> kind;
+  if (kind == "fixed") {
+    description.fixed = FixedInputFrom(words, place);
+  } else {
+    description.info.input = Chosen(kInputs, value, place);
+  }
+}
+
+// The input and the profile are one promise, whichever of the two states it.
+void JoinFixedInput(Description& description, const std::string& place) {
+  std::optional<FixedInput>& promised = description.info.profile.fixed;
+  if (promised && description.fixed && *promised != *description.fixed) {
+    throw InputError(place, "its input and its profile state different fixed-point formats",
+                     "state one of them, or both alike");
+  }
+  if (description.fixed) promised = description.fixed;
+  if (promised && description.info.takes_clip) {
+    throw InputError(place, "its input is fixed point, and it takes clip space",
+                     "leave clip out of takes");
+  }
+}
+
+std::string InputText(const SubjectInfo& info) {
+  if (!info.profile.fixed) return info.input == Precision::kFloat64 ? "float64" : "float32";
+  const FixedInput& fixed = *info.profile.fixed;
+  return fmt::format("fixed {}.{} {}{}", fixed.integer_bits, fixed.fraction_bits,
+                     fixed.is_signed ? "signed" : "unsigned", fixed.wraps ? " wrap" : "");
 }
 
 void TakeLine(const std::string& key, const std::string& value, const std::string& place,
@@ -54,16 +145,39 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
   } else if (key == "coverage") {
     info.coverage = Chosen(kCoverages, value, place);
   } else if (key == "input") {
-    constexpr std::array<std::pair<std::string_view, Precision>, 2> kInputs{
-        {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
-    info.input = Chosen(kInputs, value, place);
+    TakeInput(value, place, description);
+  } else if (key == "wins") {
+    info.fragments.order = Chosen(kOrders, value, place);
+  } else if (key == "weights-of") {
+    info.fragments.weights_of = Chosen(kWeightsOf, value, place);
+  } else if (key == "weight-error") {
+    info.fragments.weight_error = ErrorOf(value, place);
+  } else if (key == "depth-error") {
+    info.fragments.depth_error = ErrorOf(value, place);
   } else if (key == "takes") {
     for (const auto& [name, member] : kTakes) info.*member = false;
     std::istringstream words(value);
     for (std::string word; words >> word;) info.*Chosen(kTakes, word, place) = true;
   } else {
     throw InputError(place, fmt::format("there is no key '{}'", key),
-                     "use name, summary, command, input, coverage, takes or profile");
+                     "use name, summary, command, input, coverage, wins, weights-of, weight-error, "
+                     "depth-error, takes or profile");
+  }
+}
+
+// What is said of winners by a program that shows none is a mistake.
+void RequireWhatItShows(const SubjectInfo& info, const std::string& place) {
+  const FragmentClaims& claims = info.fragments;
+  const FragmentClaims nothing;
+  const bool says_weights = claims.weights_of != nothing.weights_of || claims.weight_error != 0 ||
+                            claims.depth_error != 0;
+  if (says_weights && info.coverage != CoverageKind::kFragments) {
+    throw InputError(place, "it says something of weights or depths and shows none",
+                     "add a line: coverage fragments");
+  }
+  if (claims.order != nothing.order && !ShowsWinners(info)) {
+    throw InputError(place, "it says which triangle wins and does not show it",
+                     "add a line: coverage winning-id");
   }
 }
 
@@ -92,24 +206,32 @@ Description ParseDescription(std::string_view text, const std::string& place) {
              value == std::string::npos ? "" : line.substr(value, end - value),
              fmt::format("{}: line {}", place, number), description);
   }
+  RequireWhatItShows(description.info, place);
   if (!description.info.takes_window && !description.info.takes_clip) {
     throw InputError(place, "it takes neither window nor clip space", "name one under takes");
   }
+  JoinFixedInput(description, place);
   return description;
 }
 
 std::string DescriptionText(const SubjectInfo& info, const std::string& profile) {
-  const auto coverage = std::ranges::find_if(
-      kCoverages, [&](const auto& entry) { return entry.second == info.coverage; });
   std::string takes;
   for (const auto& [name, member] : kTakes) {
     if (info.*member) takes += " " + std::string(name);
   }
   std::string one_line = profile;
   std::ranges::replace(one_line, '\n', ' ');
-  return fmt::format("name {}\nsummary {}\ninput {}\ncoverage {}\ntakes{}\nprofile {}\n", info.name,
-                     info.summary, info.input == Precision::kFloat64 ? "float64" : "float32",
-                     coverage->first, takes, one_line);
+  std::string text = fmt::format(
+      "name {}\nsummary {}\ninput {}\ncoverage {}\ntakes{}\nprofile {}\n", info.name, info.summary,
+      InputText(info), NameOf(kCoverages, info.coverage), takes, one_line);
+  if (!ShowsWinners(info)) return text;
+  const FragmentClaims& claims = info.fragments;
+  text += fmt::format("wins {}\n", NameOf(kOrders, claims.order));
+  if (info.coverage != CoverageKind::kFragments) return text;
+  text += fmt::format("weights-of {}\n", NameOf(kWeightsOf, claims.weights_of));
+  if (claims.weight_error > 0) text += fmt::format("weight-error {}\n", claims.weight_error);
+  if (claims.depth_error > 0) text += fmt::format("depth-error {}\n", claims.depth_error);
+  return text;
 }
 
 }  // namespace rasterproof::tool

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_TOOL_DESCRIPTION_H_
 #define RASTERPROOF_TOOL_DESCRIPTION_H_
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,12 +11,16 @@
 namespace rasterproof::tool {
 
 /// Keys, all optional but for `command` in a file: name, summary, command (run by the shell), input
-/// (float32 or float64), coverage (facing-counts, counts or mask), takes (any of window, clip,
-/// culling, scissor, tiles, threads), profile (a preset, or a profile file's JSON on the one line).
-/// Lines that begin with # are comments.
+/// (float32, float64, or as "fixed 12.4 signed wrap": fixed point, signed or unsigned, wrap or
+/// nothing), coverage (facing-counts, counts, mask, winning-id or fragments), wins (last-drawn or
+/// first-drawn), weights-of (given or snapped), weight-error and depth-error (absolute), takes (any of
+/// window, clip, culling, scissor, tiles, threads, batches), profile (a preset, or a profile file's
+/// JSON on the one line). Lines that begin with # are comments.
 struct Description {
   SubjectInfo info;
   std::string command;
+  /// What the line `input` says; info.profile.fixed holds it, or what the profile says.
+  std::optional<FixedInput> fixed;
 };
 
 /// What is assumed of a program that says nothing: float32, window space, counts without facings,

@@ -77,10 +77,15 @@ std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
 
 }  // namespace
 
-report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verdict,
+report::Explanation Explain(Subject& subject, const Case& given, const Verdict& verdict,
                             const std::string& replay) {
+  Case c = given;
+  c.profile = ForTarget(given.profile, given.scene.width, given.scene.height);
   report::Explanation explanation;
-  explanation.scene = IsHomogeneous(c.scene, c.profile) ? c.scene : SnapScene(c.scene, c.profile);
+  // A triangle that is dropped for its extent is shown where it lies.
+  Profile all_sizes = c.profile;
+  all_sizes.max_extent.reset();
+  explanation.scene = IsHomogeneous(c.scene, c.profile) ? c.scene : SnapScene(c.scene, all_sizes);
   explanation.lattice = c.profile.lattice;
   explanation.y_axis = c.profile.y_axis;
   explanation.expected = exact::Coverage(c.scene, c.profile, c.options);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -62,12 +63,20 @@ class JudgedSubject final : public Subject {
  public:
   JudgedSubject(std::unique_ptr<Subject> subject, const Profile& profile)
       : subject_(std::move(subject)), info_(subject_->Info()) {
+    // What it can be given is no matter of judgement.
+    const std::optional<FixedInput> fixed = info_.profile.fixed;
     info_.profile = profile;
+    if (!profile.fixed) info_.profile.fixed = fixed;
   }
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     subject_->Draw(scene, options, counts);
   }
+  Drawing Show(const DrawJob& job) override { return subject_->Show(job); }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    return subject_->DrawMany(jobs);
+  }
+  Subject& Whole() override { return subject_->Whole(); }
   const EdgeEvaluator* Edges() const override { return subject_->Edges(); }
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
@@ -192,6 +201,16 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
     throw InputError(place,
                      "the scene is in window space and subject " + info.name + " takes clip space",
                      "give vertices [x, y, z, w], or use another subject");
+  }
+  if (info.profile.fixed) {
+    const FixedInput& fixed = *info.profile.fixed;
+    throw InputError(
+        place,
+        fmt::format("a coordinate is none that subject {} takes: fixed point {}.{}, {}", info.name,
+                    fixed.integer_bits, fixed.fraction_bits,
+                    fixed.is_signed ? "signed" : "unsigned"),
+        fmt::format("give multiples of 2^-{} from {} to {}", fixed.fraction_bits, fixed.Least(),
+                    fixed.Largest()));
   }
   throw InputError(place, "the scene is float64 and subject " + info.name + " computes in float32",
                    "use a float64 subject (f64-..., spans-exact), or \"precision\": \"float32\"");

@@ -2,9 +2,9 @@
  *
  *   cc freetype_mono_seam.c $(pkg-config --cflags --libs freetype2) -lm && ./a.out
  *
- * The triangles lie on either side of the edge from (27.671875, 24.609375) to (70, 75), on which
- * the centre of pixel (38, 37) lies exactly. FreeType takes centres on an outline as inside: both
- * should cover it. Prints how many do, of it and of its neighbours to the left and right.
+ * The triangles lie on either side of the edge from (7, 3.25) to (-3.5, 7), on which the centre of
+ * pixel (3, 4) lies exactly. FreeType takes centres on an outline as inside: both should cover it.
+ * Prints how many do, of it and of its neighbours to the left and right.
  */
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -13,13 +13,12 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double kCorners[4][2] = {
-    {27.671875, 24.609375}, {70, 75}, {67, -11}, {36.515625, 63.03125}};
-static const int kTriangles[2][3] = {{1, 0, 2}, {3, 0, 1}};
+static const double kCorners[4][2] = {{7, 3.25}, {2.5, -8}, {-3.5, 7}, {2.5, 9.5}};
+static const int kTriangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
 
 int main(void) {
-  static unsigned char bits[64][8];
-  static int counts[64][64];
+  static unsigned char bits[8];
+  static int counts[8][8];
   FT_Library library;
   int major, minor, patch;
   if (FT_Init_FreeType(&library) != 0) return 2;
@@ -37,16 +36,16 @@ int main(void) {
       points[k].x = lrint(64 * kCorners[kTriangles[t][k]][0]);
       points[k].y = lrint(64 * kCorners[kTriangles[t][k]][1]);
     }
-    bitmap.rows = bitmap.width = 64;
-    bitmap.pitch = -8;
-    bitmap.buffer = &bits[0][0];
+    bitmap.rows = bitmap.width = 8;
+    bitmap.pitch = -1;
+    bitmap.buffer = bits;
     bitmap.pixel_mode = FT_PIXEL_MODE_MONO;
     FT_Outline_Get_Bitmap(library, &outline, &bitmap);
-    for (int y = 0; y < 64; ++y) {
-      for (int x = 0; x < 64; ++x) counts[y][x] += bits[y][x / 8] >> (7 - x % 8) & 1;
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 8; ++x) counts[y][x] += bits[y] >> (7 - x) & 1;
     }
   }
-  printf("%d %d %d\n", counts[37][37], counts[37][38], counts[37][39]);
+  printf("%d %d %d\n", counts[4][2], counts[4][3], counts[4][4]);
   FT_Done_FreeType(library);
   return 0;
 }

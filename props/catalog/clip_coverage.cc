@@ -6,7 +6,8 @@
 namespace rasterproof::props {
 
 Verdict ClipSpaceCoverageEqualsTheModel(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kClip})) return *refusal;
+  const Need need{.space = Space::kClip, .judges_overdraw = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   return JudgeAgainstTheModel(subject, c);
 }
 

@@ -52,14 +52,11 @@ Verdict ClipPairsCoverLikeTheModel(Subject& subject, const Case& c) {
 }  // namespace
 
 Verdict NeighboursAreClippedAlike(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(
-          subject, c, {.space = Space::kEither, .watertight_suffices = !c.scene.clip_space})) {
-    return *refusal;
-  }
+  const Need need{
+      .space = Space::kEither, .watertight_suffices = !c.scene.clip_space, .judges_clipped = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   if (c.scene.clip_space) return ClipPairsCoverLikeTheModel(subject, c);
-  if (!OwnsEdgesConsistently(c.profile)) {
-    return Verdict::NotApplicable("an inclusive fill rule covers shared edges twice");
-  }
+  if (auto refusal = OwnsNoEdges(c.profile)) return *refusal;
   return PairsCoverOnce(subject, c, [&](const Neighbours& pair) {
     return LeavesTarget(c.scene, pair.first) || LeavesTarget(c.scene, pair.second);
   });

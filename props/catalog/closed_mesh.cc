@@ -10,11 +10,15 @@
 namespace rasterproof::props {
 
 Verdict ClosedMeshCancels(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kWindow, .closed_suffices = true, .any_model_suffices = true};
+  const Need need{.space = Space::kWindow,
+                  .closed_suffices = true,
+                  .any_model_suffices = true,
+                  .judges_clipped = true};
   if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
   // What is closed before it is snapped stays closed, whatever grid points are chosen.
   Profile unsnapped = c.profile;
   unsnapped.snap.bits = Snap::kNone;
+  unsnapped.targets.clear();
   if (!exact::ShapeOf(c.scene, HasOneModel(c.profile) ? c.profile : unsnapped).closed) {
     return {Outcome::kNotExercised, 0, 0, "the mesh has a boundary", std::nullopt};
   }

@@ -37,7 +37,9 @@ std::optional<Scene> Moved(const Case& c, int dx, int dy) {
     v.x = *x;
     v.y = *y;
   }
-  return WithinLimits(moved, c.profile) ? std::optional(moved) : std::nullopt;
+  const bool is_judged = WithinLimits(moved, c.profile) && IsUnwrapped(moved, c.profile) &&
+                         IsUnclipped(moved, c.profile);
+  return is_judged ? std::optional(moved) : std::nullopt;
 }
 
 // What a target of the same size shows of `counts` when they are moved by (dx, dy) pixels: samples
@@ -60,6 +62,9 @@ CoverageCounts MovedCounts(const CoverageCounts& counts, int dx, int dy) {
 
 Verdict IntegerTranslationMovesCoverage(Subject& subject, const Case& c) {
   if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kWindow})) return *refusal;
+  if (!IsUnwrapped(c.scene, c.profile)) {
+    return {Outcome::kNotExercised, 0, 0, "a coordinate wraps", std::nullopt};
+  }
   const CoverageCounts still = Drawn(subject, c.scene, c.profile, WholeTarget(c));
   std::uint64_t exercised = 0;
   for (const auto& [dx, dy] : kShifts) {

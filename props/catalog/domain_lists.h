@@ -51,12 +51,14 @@ inline constexpr auto kCoverage =
                                      "degenerate",        "long-walk",
                                      "size-ladder",       "t-junctions",
                                      "range-ends",        "tiny-ends",
-                                     "sub-pixel"});
+                                     "sub-pixel",         "far-negative-corners"});
 
 // The same, what only the model can tell, and enough samples to find what goes wrong once in a
 // million.
 inline constexpr auto kModelCoverage = [] {
-  constexpr std::array<std::string_view, 2> kMore{"deciding-ties", "full-targets"};
+  constexpr auto kMore =
+      std::to_array<std::string_view>({"deciding-ties", "full-targets", "wrapped-coordinates",
+                                       "extent-ends", "target-ends", "no-clip-ends"});
   std::array<std::string_view, kCoverage.size() + kMore.size()> domains;
   std::ranges::copy(kMore, std::ranges::copy(kCoverage, domains.begin()).out);
   return domains;
@@ -70,12 +72,14 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 
 // Planar subdivisions.
 inline constexpr auto kMeshes = std::to_array<std::string_view>(
-    {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions"});
+    {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans",
+     "no-clip-ends"});
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>(
     {"shared-edge", "fans", "grids", "triangulations", "subdivisions", "t-junctions", "closed-mesh",
-     "strips", "windings", "degenerate", "near-edge"});
+     "strips", "windings", "degenerate", "near-edge", "covering-fans", "wrapped-coordinates",
+     "no-clip-ends"});
 
 // Closed surfaces.
 inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh"});
@@ -89,8 +93,9 @@ inline constexpr auto kClipSpace = std::to_array<std::string_view>(
      "hardest-vertex", "centres", "axis-aligned", "needles", "grids", "mixed-magnitude"});
 
 // Meshes that leave the target or pass behind the eye.
-inline constexpr auto kClipped = std::to_array<std::string_view>(
-    {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye"});
+inline constexpr auto kClipped =
+    std::to_array<std::string_view>({"fans", "grids", "triangulations", "shared-edge", "strips",
+                                     "closed-around-eye", "covering-fans", "no-clip-ends"});
 
 // Vertices that a tolerance lets snap either way, meshes first.
 inline constexpr auto kFreeSnaps =
@@ -105,7 +110,8 @@ inline constexpr auto kNonFinite = std::to_array<std::string_view>({"non-finite"
 // Whatever input there is.
 inline constexpr auto kExtremes = std::to_array<std::string_view>(
     {"non-finite", "overflow-products", "both-ends", "guard-band", "subnormal", "sliver-1e30",
-     "degenerate", "mixed-magnitude", "size-ladder", "near-edge", "w-mixed"});
+     "degenerate", "mixed-magnitude", "size-ladder", "near-edge", "w-mixed", "wrapped-coordinates",
+     "target-ends"});
 
 }  // namespace rasterproof::props
 

@@ -27,6 +27,7 @@ std::optional<double> ExactAffine(double x, double scale, double shift) {
 }
 
 bool IsInput(double x, const SubjectInfo& info, const Profile& profile) {
+  if (profile.fixed && !(profile.fixed->InRange(x) && profile.fixed->IsGiven(x))) return false;
   return (info.input == Precision::kFloat64 || IsFloat32(x)) &&
          SnapCoordinate(x, profile.snap) == x && std::fabs(x) <= profile.coordinate_limit;
 }

@@ -7,13 +7,9 @@
 namespace rasterproof::props {
 
 Verdict EmbeddedMeshSamplesAreCoveredOnce(Subject& subject, const Case& c) {
-  if (auto refusal =
-          CannotJudgeCoverage(subject, c, {.space = Space::kWindow, .watertight_suffices = true})) {
-    return *refusal;
-  }
-  if (!OwnsEdgesConsistently(c.profile)) {
-    return Verdict::NotApplicable("an inclusive fill rule covers shared edges twice");
-  }
+  const Need need{.space = Space::kWindow, .watertight_suffices = true, .judges_clipped = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  if (auto refusal = OwnsNoEdges(c.profile)) return *refusal;
   Verdict verdict = JudgePlanarMesh(subject, c, {});
   if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);
   return verdict;

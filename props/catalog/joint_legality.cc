@@ -97,6 +97,9 @@ Verdict OneLegalModelExplainsTheMesh(Subject& subject, const Case& c) {
   if (c.profile.freedom.IsNone()) {
     return Verdict::NotApplicable("the profile leaves nothing free: one model is legal");
   }
+  if (c.profile.overdraw) {
+    return Verdict::NotApplicable("the profile leaves it open how often an edge is drawn");
+  }
   if (c.profile.contract != Contract::kSampleExact) {
     return Verdict::NotApplicable(
         "the profile's contract does not say what single triangles cover");

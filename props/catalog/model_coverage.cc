@@ -6,7 +6,8 @@
 namespace rasterproof::props {
 
 Verdict CoverageEqualsTheModel(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kWindow})) return *refusal;
+  const Need need{.space = Space::kWindow, .judges_overdraw = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   return JudgeAgainstTheModel(subject, c);
 }
 

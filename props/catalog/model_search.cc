@@ -17,9 +17,10 @@ namespace {
 
 std::vector<Point2> LegalPoints(const Vertex& v, const Profile& profile) {
   const double tolerance = profile.freedom.snap_tolerance;
-  const std::vector<double> ys = GridPointsWithin(v.y, profile.snap, tolerance);
+  const auto wrapped = [&](double x) { return profile.fixed ? profile.fixed->Wrapped(x) : x; };
+  const std::vector<double> ys = GridPointsWithin(wrapped(v.y), profile.snap, tolerance);
   std::vector<Point2> points;
-  for (const double x : GridPointsWithin(v.x, profile.snap, tolerance)) {
+  for (const double x : GridPointsWithin(wrapped(v.x), profile.snap, tolerance)) {
     for (const double y : ys) points.push_back({x, y});
   }
   return points;
@@ -39,15 +40,20 @@ std::vector<FillRule> AllowedRules(const Profile& profile) {
   return {kConsistentRules.begin(), kConsistentRules.end()};
 }
 
-ModelSearch::ModelSearch(const Case& c)
-    : triangles_(c.scene.triangles), one_(c), rules_(AllowedRules(c.profile)) {
+ModelSearch::ModelSearch(const Case& c) : triangles_(c.scene.triangles), one_(c) {
+  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  rules_ = AllowedRules(profile);
   std::map<std::pair<double, double>, std::size_t> positions;  // -0 and +0 are one place
   for (const Vertex& v : c.scene.vertices) {
     const auto [known, is_new] = positions.try_emplace({v.x, v.y}, grid_points_.size());
-    if (is_new) grid_points_.push_back(LegalPoints(v, c.profile));
+    if (is_new) grid_points_.push_back(LegalPoints(v, profile));
     position_of_vertex_.push_back(known->second);
   }
+  // Its corners are grid points: nothing is left to wrap or to snap.
+  one_.profile = profile;
   one_.profile.snap.bits = Snap::kNone;
+  one_.profile.fixed.reset();
+  one_.profile.targets.clear();
   one_.scene.precision = Precision::kFloat64;
   one_.scene.vertices.resize(3);
   one_.scene.triangles = {{0, 1, 2}};
@@ -63,8 +69,9 @@ std::uint8_t ModelSearch::RulesThatDraw(const std::array<Point2, 3>& corners,
     profile.fill_rule = rule;
     return Joined(exact::Coverage(scene, profile, one_.options));
   };
-  const std::vector<std::uint32_t> first = draws_it(rules_.front());
   const auto all = static_cast<std::uint8_t>((1U << rules_.size()) - 1);
+  if (profile.zero_area == ZeroArea::kUnspecified && exact::Facing(corners) == 0) return all;
+  const std::vector<std::uint32_t> first = draws_it(rules_.front());
   // A triangle has no sample on its edges, and all rules draw it alike, iff `inclusive` and two
   // opposite rules do: of opposite shifts at most one leads from an edge or a vertex inside.
   const bool has_ties = rules_.size() > 1 && (draws_it({.inclusive = true}) != first ||

@@ -3,6 +3,7 @@
 #define RASTERPROOF_PROPS_CATALOG_PLANAR_MESH_H_
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/case.h"
@@ -26,13 +27,15 @@ struct MeshView {
 /// number exceeds 1 in size. Then all areas have one sign, so the count *is* the size of the signed
 /// coverage, and that is the winding number.
 ///
+/// Where the profile allows overdraw, a sample inside must be covered at least once.
+///
 /// A watertight subject promises where its meshes have no gap, not where their outline lies: for it
 /// meshes with triangles of zero area are not judged, nor samples near the outline (a T-junction
-/// is one), whatever the view.
+/// is one), whatever the view. So with a mesh that the subject clips (the profile's no_clip).
 Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view);
 
-/// Returns whether the profile's fill rule gives each sample of an edge to one side.
-bool OwnsEdgesConsistently(const Profile& profile);
+/// Not applicable: the profile's fill rule does not give each sample of an edge to one side.
+std::optional<Verdict> OwnsNoEdges(const Profile& profile);
 
 }  // namespace rasterproof::props
 

@@ -27,7 +27,7 @@ bool IsGood(const Case& c, const Triangle& t) {
 
 // Puts a bad triangle before and after every good one: with one vertex NaN, one infinite, two of
 // them infinite with opposite signs, or all three the same.
-Scene Poisoned(const Scene& good) {
+Scene Poisoned(const Scene& good, ZeroArea zero_area) {
   Scene scene = good;
   const auto first = static_cast<std::int32_t>(scene.vertices.size());
   scene.vertices.push_back({kNan, 1, 0, 1});
@@ -39,7 +39,9 @@ Scene Poisoned(const Scene& good) {
     const auto bad = first + static_cast<std::int32_t>(t % 3);
     scene.triangles.push_back({triangle[0], bad, triangle[2]});
     scene.triangles.push_back(triangle);
-    scene.triangles.push_back({triangle[1], triangle[1], triangle[1]});
+    if (zero_area == ZeroArea::kNothing) {
+      scene.triangles.push_back({triangle[1], triangle[1], triangle[1]});
+    }
     scene.triangles.push_back({bad, first + 2, triangle[0]});
   }
   return scene;
@@ -52,11 +54,15 @@ Verdict BadTrianglesPoisonNoOthers(Subject& subject, const Case& c) {
     return Verdict::NotApplicable(
         "the profile's contract does not say what single triangles cover");
   }
+  if (c.profile.fixed) {
+    return Verdict::NotApplicable("the subject's integers hold nothing that is not finite");
+  }
   if (auto refusal = CannotDraw(subject, c, Space::kEither)) return *refusal;
   Case good = c;
   std::erase_if(good.scene.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
   const CoverageCounts expected = Drawn(subject, good.scene, c.profile, WholeTarget(c));
-  const CoverageCounts observed = Drawn(subject, Poisoned(good.scene), c.profile, WholeTarget(c));
+  const CoverageCounts observed =
+      Drawn(subject, Poisoned(good.scene, c.profile.zero_area), c.profile, WholeTarget(c));
   return SameCounts(observed, expected, DecisionsOf(good), "that without the bad triangles");
 }
 

@@ -35,14 +35,20 @@ std::optional<Verdict> OutsideLimits(const Case& c) {
   return std::nullopt;
 }
 
+bool LeavesAChoice(const Profile& profile, const Need& need) {
+  return !profile.freedom.IsNone() || (profile.overdraw && !need.judges_overdraw);
+}
+
 std::optional<Verdict> ContractDoesNotPromise(const Profile& profile, const Need& need) {
   if (need.any_contract_suffices && profile.contract != Contract::kNone) return std::nullopt;
   switch (profile.contract) {
     case Contract::kSampleExact:
-      if (profile.freedom.IsNone() || need.any_model_suffices || need.watertight_suffices) {
+      if (!LeavesAChoice(profile, need) || need.any_model_suffices || need.watertight_suffices) {
         return std::nullopt;
       }
-      return Verdict::NotApplicable("the profile leaves the grid points or the tie rule free");
+      return Verdict::NotApplicable(
+          profile.freedom.IsNone() ? "the profile leaves it open how often an edge is drawn"
+                                   : "the profile leaves the grid points or the tie rule free");
     case Contract::kWatertight:
       if (need.watertight_suffices) return std::nullopt;
       return Verdict::NotApplicable("the profile's contract promises watertight meshes only");
@@ -78,6 +84,9 @@ std::optional<Verdict> CannotDraw(const Subject& subject, const Case& c, Space s
       (c.options.scissor && !info.takes_scissor)) {
     return NotExercised("the case is culled or cut, and the subject does neither");
   }
+  if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || c.profile.no_clip)) {
+    return NotExercised("the case is in clip space, the profile speaks of window space");
+  }
   if (!Takes(info, c.scene)) {
     return Verdict::NotApplicable("the subject does not take scenes of this kind or precision");
   }
@@ -91,11 +100,16 @@ std::optional<Verdict> CannotJudgeCoverage(const Subject& subject, const Case& c
                                            const Need& need) {
   if (std::optional<Verdict> refusal = ContractDoesNotPromise(c.profile, need)) return refusal;
   if (std::optional<Verdict> refusal = CannotDraw(subject, c, need.space)) return refusal;
-  return OutsideLimits(c);
+  if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
+  if (!need.judges_clipped && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
+    return NotExercised("a triangle leaves the profile's no-clip rectangle");
+  }
+  return std::nullopt;
 }
 
 std::optional<Verdict> CannotEvaluate(const Subject& subject, const Case& c) {
   if (std::optional<Verdict> refusal = CannotDraw(subject, c, Space::kWindow)) return refusal;
+  if (!IsUnwrapped(c.scene, c.profile)) return NotExercised("a coordinate wraps");
   return OutsideLimits(c);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/profile.h"
 #include "core/scene.h"
@@ -39,8 +40,15 @@ Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {
 std::uint64_t DecisionsOf(const Case& c) {
   const auto samples = static_cast<std::uint64_t>(c.profile.lattice.samples());
   std::uint64_t decisions = 0;
-  for (const Triangle& t : c.scene.triangles) {
-    const std::array<Vertex, 3> v = Corners(c.scene, t);
+  std::optional<Scene> wrapped;
+  if (!IsUnwrapped(c.scene, c.profile)) {
+    Profile fixed_alone;
+    fixed_alone.fixed = c.profile.fixed;
+    wrapped = SnapScene(c.scene, fixed_alone);
+  }
+  const Scene& scene = wrapped ? *wrapped : c.scene;
+  for (const Triangle& t : scene.triangles) {
+    const std::array<Vertex, 3> v = Corners(scene, t);
     if (!std::ranges::all_of(v, IsFinite)) continue;
     if (c.scene.clip_space) {
       decisions += CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.lattice.samples());
@@ -66,9 +74,30 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
                            WitnessOfCounts(observed, expected, difference.first_wrong));
 }
 
+namespace {
+
+// What the profile's overdraw leaves open is taken as it was drawn: on an edge, anything from what
+// the fill rule gives to every triangle that has it.
+void AcceptOverdraw(const Case& c, const CoverageCounts& observed, CoverageCounts& expected) {
+  Profile inclusive = ForTarget(c.profile, c.scene.width, c.scene.height);
+  inclusive.targets.clear();
+  inclusive.fill_rule = {.inclusive = true};
+  const CoverageCounts most = exact::Coverage(c.scene, inclusive, c.options);
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    expected.front[k] = std::clamp(observed.front[k], expected.front[k], most.front[k]);
+    expected.back[k] = std::clamp(observed.back[k], expected.back[k], most.back[k]);
+  }
+}
+
+}  // namespace
+
 Verdict JudgeAgainstTheModel(Subject& subject, const Case& c) {
-  const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+  // The draw first: it may be put off, and then nothing was worked out in vain.
   const CoverageCounts observed = Drawn(subject, c.scene, c.profile, c.options);
+  CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+  if (c.profile.overdraw && c.profile.fill_rule.IsConsistent()) {
+    AcceptOverdraw(c, observed, expected);
+  }
   Verdict verdict = SameCounts(observed, expected, DecisionsOf(c), "the model's");
   if (verdict.witness) BlameTriangle(subject, c, c.options, *verdict.witness);
   return verdict;

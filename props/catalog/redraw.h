@@ -33,7 +33,8 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
                    std::uint64_t exercised, const std::string& claim);
 
 /// Draws the case as its options say and compares the counts with those of the profile's canonical
-/// model. A violation names the triangle that the subject alone gets wrong, if there is one.
+/// model, or with what is left of them where the profile allows overdraw. A violation names the
+/// triangle that the subject alone gets wrong, if there is one.
 Verdict JudgeAgainstTheModel(Subject& subject, const Case& c);
 
 /// Holds if the subject draws the variation as it draws the case itself, culling and scissor off.

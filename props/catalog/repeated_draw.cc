@@ -8,7 +8,7 @@
 namespace rasterproof::props {
 
 Verdict EqualDrawsGiveEqualCounts(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kEither, .any_contract_suffices = true};
+  const Need need{.space = Space::kEither, .any_contract_suffices = true, .judges_clipped = true};
   if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
   CoverageCounts twice = Drawn(subject, c.scene, c.profile, c.options);
   CoverageCounts doubled = twice;

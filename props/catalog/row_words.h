@@ -11,6 +11,11 @@ inline constexpr std::string_view kEdgeValues =
 inline constexpr std::string_view kWeightValues =
     "the subject shows weights and claims a finite bound there; window space within the limits, "
     "area not zero";
+inline constexpr std::string_view kFragmentValues =
+    "the subject shows fragments; window space within the limits, area not zero";
+inline constexpr std::string_view kDepthTolerance =
+    "the declared depth error; none declared: the weights' tolerances and 6 u, times the vertices' "
+    "depths";
 inline constexpr std::string_view kSampleExactOnly =
     "contract sample-exact; coordinates within the limit";
 inline constexpr std::string_view kInTheTriangle =

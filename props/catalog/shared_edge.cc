@@ -7,13 +7,9 @@
 namespace rasterproof::props {
 
 Verdict SharedEdgeSamplesAreCoveredOnce(Subject& subject, const Case& c) {
-  if (auto refusal =
-          CannotJudgeCoverage(subject, c, {.space = Space::kWindow, .watertight_suffices = true})) {
-    return *refusal;
-  }
-  if (!OwnsEdgesConsistently(c.profile)) {
-    return Verdict::NotApplicable("an inclusive fill rule covers shared edges twice");
-  }
+  const Need need{.space = Space::kWindow, .watertight_suffices = true, .judges_clipped = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  if (auto refusal = OwnsNoEdges(c.profile)) return *refusal;
   return PairsCoverOnce(subject, c, [](const Neighbours&) { return true; });
 }
 

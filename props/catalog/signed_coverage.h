@@ -10,6 +10,7 @@
 #include "core/case.h"
 #include "core/subject.h"
 #include "core/verdict.h"
+#include "props/catalog/outline.h"
 #include "props/catalog/precondition.h"
 
 namespace rasterproof::props {
@@ -18,11 +19,12 @@ namespace rasterproof::props {
 std::optional<Verdict> CannotJudgeSignedCoverage(const Subject& subject, const Case& c,
                                                  const Need& need);
 
-/// Holds if front minus back is `expected` at every sample, culling and scissor off.
+/// Holds if front minus back is `expected` at every sample that is not `spared`, culling and
+/// scissor off.
 ///
 /// Shape:      expected: as CoverageCounts.
 Verdict SignedCoverageIs(Subject& subject, const Case& c, const std::vector<std::int64_t>& expected,
-                         const std::string& what);
+                         const std::string& what, const Outline& spared = {});
 
 }  // namespace rasterproof::props
 

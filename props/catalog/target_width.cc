@@ -36,6 +36,9 @@ Verdict TargetWidthKeepsCoverage(Subject& subject, const Case& c) {
     wider.width = width;
     const auto samples = CoverageCounts::Size(width, c.scene.height, c.profile.lattice.samples());
     if (width > kMaxTargetSide || samples > kMaxTargetSamples) continue;
+    // A profile can state another model for wider targets.
+    const Profile wide = ForTarget(c.profile, width, c.scene.height);
+    if (wide != ForTarget(c.profile, c.scene.width, c.scene.height)) continue;
     const CoverageCounts observed =
         LeftPart(Drawn(subject, wider, c.profile, WholeTarget(c)), c.scene.width);
     const Verdict verdict =

@@ -20,14 +20,6 @@ constexpr int kTriangles = 2;
 constexpr std::size_t kNearEdges = 5;
 constexpr double kLargestAttribute = 0x1p20;
 
-bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p) {
-  const int facing = exact::Facing(v);
-  for (int i = 0; i < 3; ++i) {
-    if (exact::EdgeSign(EdgeStart(v, i), EdgeEnd(v, i), p) * facing < 0) return false;
-  }
-  return true;
-}
-
 int PixelOf(double x, int size) {
   if (!(x > 0)) return 0;
   return x >= size ? size - 1 : static_cast<int>(x);
@@ -49,6 +41,14 @@ void AddInner(const Case& c, const std::array<Point2, 3>& v, std::vector<SampleP
 }
 
 }  // namespace
+
+bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p) {
+  const int facing = exact::Facing(v);
+  for (int i = 0; i < 3; ++i) {
+    if (exact::EdgeSign(EdgeStart(v, i), EdgeEnd(v, i), p) * facing < 0) return false;
+  }
+  return true;
+}
 
 std::optional<Verdict> CannotAskWeights(const Subject& subject, const Case& c) {
   if (subject.Weights() == nullptr) return Verdict::NotApplicable("the subject shows no weights");

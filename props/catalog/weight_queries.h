@@ -25,6 +25,11 @@ struct WeightQuery {
   bool inside = false;  ///< in the closed triangle, decided exactly
 };
 
+/// Whether p lies in the triangle or on its outline, decided exactly.
+///
+/// Domain:     an area that is not zero.
+bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p);
+
 /// The verdict to give if the subject shows no weights or the case has none to ask about.
 std::optional<Verdict> CannotAskWeights(const Subject& subject, const Case& c);
 

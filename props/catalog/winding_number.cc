@@ -7,10 +7,12 @@
 namespace rasterproof::props {
 
 Verdict SignedCoverageEqualsTheWindingNumber(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeSignedCoverage(subject, c, {.space = Space::kWindow}))
-    return *refusal;
+  const Need need{.space = Space::kWindow, .judges_clipped = true};
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
+  const bool clipped = !IsUnclipped(c.scene, c.profile);
   Verdict verdict = SignedCoverageIs(subject, c, exact::BoundaryWinding(c.scene, c.profile),
-                                     "the winding number of the boundary");
+                                     "the winding number of the boundary",
+                                     clipped ? Outline(c, true) : Outline());
   if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);
   return verdict;
 }

@@ -140,6 +140,7 @@ std::vector<CodecExample> CodecExamples() {
   constexpr std::uint64_t kExampleBytes = 96;
   std::uint8_t number = 0;
   for (const Domain& domain : Domains()) {
+    if (domain.is_promised != nullptr) continue;  // few subjects would decode it to that
     CodecExample example{std::string(domain.name),
                          {static_cast<std::uint8_t>(kFirstRecipeByte), number}};
     PhiloxSource random(0, number++);

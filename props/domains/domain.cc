@@ -76,6 +76,9 @@ constexpr std::array kDomains{
     Domain{.name = "range-ends",
            .summary = "triangles and needles from one end of the promised range to the other",
            .draw = RangeEnds},
+    Domain{.name = "far-negative-corners",
+           .summary = "a corner far to the left and one far above, as where a picture is tiled",
+           .draw = FarNegativeCorners},
     Domain{.name = "tiny-ends",
            .summary = "an end next to the origin, the sample's differences with it rounded",
            .near_edge = true,
@@ -99,6 +102,7 @@ constexpr std::array kDomains{
     Domain{.name = "non-finite",
            .summary = "NaN and infinities in some coordinates",
            .beyond_limits = true,
+           .non_finite = true,
            .draw = NonFinite},
     Domain{
         .name = "windings", .summary = "one triangle in all six vertex orders", .draw = Windings},
@@ -127,6 +131,10 @@ constexpr std::array kDomains{
            .near_edge = true,
            .mesh = true,
            .draw = Triangulations},
+    Domain{.name = "covering-fans",
+           .summary = "a hub on the target, the rim up to the end of the promised range",
+           .mesh = true,
+           .draw = CoveringFans},
     Domain{.name = "subdivisions",
            .summary = "edges halved again and again, on both sides",
            .near_edge = true,
@@ -165,6 +173,23 @@ constexpr std::array kDomains{
            .summary = "two triangles whose common edge ends between subpixels and passes a sample",
            .mesh = true,
            .draw = SharedSnapTies},
+    Domain{.name = "wrapped-coordinates",
+           .summary = "coordinates beyond a range that wraps, and beside its ends",
+           .is_promised = [](const Profile& p) { return p.fixed && p.fixed->wraps; },
+           .draw = WrappedCoordinates},
+    Domain{.name = "extent-ends",
+           .summary = "triangles of the largest extent that is drawn, a step less and more",
+           .is_promised = [](const Profile& p) { return p.max_extent.has_value(); },
+           .draw = ExtentEnds},
+    Domain{.name = "no-clip-ends",
+           .summary = "meshes with vertices on either side of the no-clip rectangle",
+           .mesh = true,
+           .is_promised = [](const Profile& p) { return p.no_clip.has_value(); },
+           .draw = NoClipEnds},
+    Domain{.name = "target-ends",
+           .summary = "ties of the snap on the largest targets of each model, and on larger ones",
+           .is_promised = [](const Profile& p) { return !p.targets.empty(); },
+           .draw = TargetEnds},
 };
 
 }  // namespace
@@ -177,9 +202,14 @@ const Domain* FindDomain(std::string_view name) {
 }
 
 bool Suits(const Domain& domain, const SubjectInfo& info) {
+  if (domain.is_promised != nullptr && !domain.is_promised(info.profile)) return false;
+  if (info.profile.fixed && domain.non_finite) return false;
   // A transform of its own says nothing of what lies behind the eye.
-  return domain.clip ? info.takes_clip && !info.profile.transform
-                     : info.takes_window || info.takes_clip;
+  if (info.takes_clip && info.profile.transform) return !domain.clip;
+  if (!PlacesClipSpace(info.profile) || info.profile.no_clip) {
+    return !domain.clip && info.takes_window;
+  }
+  return domain.clip ? info.takes_clip : info.takes_window || info.takes_clip;
 }
 
 }  // namespace rasterproof::props

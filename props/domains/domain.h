@@ -23,6 +23,10 @@ struct Domain {
   bool beyond_limits = false;
   /// True if its scenes are meshes: they are drawn without culling and without a scissor.
   bool mesh = false;
+  /// True if some of its scenes have what no integer holds: NaN and infinities.
+  bool non_finite = false;
+  /// The promise that it is about, for a domain that means nothing without it.
+  bool (*is_promised)(const Profile&) = nullptr;
   /// Draws a case on the input lattice of `info` (its precision, snap, sample lattice, window or
   /// clip space). The case's profile is info.profile. Total: every bit string gives a valid scene.
   Case (*draw)(BitSource&, const SubjectInfo& info);
@@ -32,7 +36,8 @@ std::span<const Domain> Domains();
 /// nullptr if there is none of that name.
 const Domain* FindDomain(std::string_view name);
 
-/// Returns whether the subject takes scenes of the domain. (Window-space domains give clip-space
+/// Returns whether the subject takes scenes of the domain, and promises what it is about.
+/// (Window-space domains give clip-space
 /// scenes with a power of two as w to a subject that takes nothing else.)
 bool Suits(const Domain& domain, const SubjectInfo& info);
 

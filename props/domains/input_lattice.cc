@@ -9,17 +9,61 @@
 
 namespace rasterproof::props {
 
+namespace {
+
+// A format that wraps is given coordinates of three spans beyond either end of its range.
+double SpanBeyond(const FixedInput& fixed) { return fixed.wraps ? 3 * fixed.Span() : 0; }
+
+// Whether every point of the grid is a multiple of the format's step.
+bool HoldsGrid(const FixedInput& fixed, const Snap& grid) {
+  if (grid.IsNone() || grid.bits > fixed.fraction_bits) return false;
+  if (grid.form == SnapForm::kCoordinate) return true;
+  const double origin = std::ldexp(grid.origin, fixed.fraction_bits);
+  return origin == std::floor(origin);
+}
+
+}  // namespace
+
+Precision PrecisionOf(const FixedInput& fixed) {
+  const int bits = fixed.integer_bits + fixed.fraction_bits + (fixed.wraps ? 2 : 0);
+  return bits <= 24 ? Precision::kFloat32 : Precision::kFloat64;
+}
+
 InputLattice::InputLattice(const Profile& profile, Precision precision)
-    : precision_(precision), grid_(profile.snap) {
+    : precision_(precision), grid_(profile.snap), fixed_(profile.fixed) {
+  if (fixed_) {
+    if (!HoldsGrid(*fixed_, grid_)) grid_ = {fixed_->fraction_bits};
+    const double beyond = SpanBeyond(*fixed_);
+    const double step = std::ldexp(1.0, -grid_.bits);
+    first_ = SnapCoordinate(fixed_->Least() - beyond, grid_);
+    if (first_ < fixed_->Least() - beyond) first_ += step;
+    last_ = SnapCoordinate(fixed_->Largest() + beyond, grid_);
+    if (last_ > fixed_->Largest() + beyond) last_ -= step;
+  }
   // The grid's points, whatever the rule and the rounding that lead to them.
   grid_.rule = SnapRule::kNearestEven;
   if (grid_.form != SnapForm::kCoordinate) grid_.form = SnapForm::kExactDifference;
   const double promised = std::fabs(profile.coordinate_limit);
   limit_ = Round(std::isnan(promised) ? 0 : std::min(promised, std::numeric_limits<double>::max()));
   if (limit_ > promised) limit_ = Move(limit_, -1);
+  lowest_ = -limit_;
+  if (!fixed_) return;
+  const double greatest = std::min(promised, fixed_->Largest());
+  const double least = std::max(-promised, fixed_->Least());
+  limit_ = Round(greatest);
+  if (limit_ > greatest) limit_ = Move(limit_, -1);
+  lowest_ = Round(least);
+  if (lowest_ < least) lowest_ = Move(lowest_, 1);
 }
 
 double InputLattice::RoundToPrecision(double x) const {
+  if (!fixed_ || !std::isfinite(x)) return RoundToFloat(x);
+  const double beyond = SpanBeyond(*fixed_);
+  const double given = SnapCoordinate(x, {fixed_->fraction_bits});
+  return std::clamp(given, fixed_->Least() - beyond, fixed_->Largest() + beyond);
+}
+
+double InputLattice::RoundToFloat(double x) const {
   if (precision_ == Precision::kFloat64 || !std::isfinite(x)) return x;
   constexpr double kLargest = std::numeric_limits<float>::max();
   return static_cast<float>(std::clamp(x, -kLargest, kLargest));
@@ -28,11 +72,13 @@ double InputLattice::RoundToPrecision(double x) const {
 double InputLattice::Round(double x) const {
   // A float that is too large to have the grid's last bit is a multiple of the grid all the same,
   // so rounding to the grid first and to the precision second ends on both.
-  return RoundToPrecision(SnapCoordinate(x, grid_));
+  const double on_grid = SnapCoordinate(x, grid_);
+  return fixed_ && std::isfinite(x) ? std::clamp(on_grid, first_, last_)
+                                    : RoundToPrecision(on_grid);
 }
 
 double InputLattice::RoundWithinLimit(double x) const {
-  return std::clamp(Round(x), -limit_, limit_);
+  return std::clamp(Round(x), lowest_, limit_);
 }
 
 double InputLattice::Step(double x) const {

@@ -7,6 +7,7 @@
 #include "core/case.h"
 #include "core/subject.h"
 #include "props/domains/bit_source.h"
+#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 
@@ -38,10 +39,19 @@ Case GuardBand(BitSource& bits, const SubjectInfo& info);
 
 // recipes_range.cc
 Case RangeEnds(BitSource& bits, const SubjectInfo& info);
+Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info);
 Case TinyEnds(BitSource& bits, const SubjectInfo& info);
 Case SubPixel(BitSource& bits, const SubjectInfo& info);
 Case DecidingTies(BitSource& bits, const SubjectInfo& info);
 Case FullTargets(BitSource& bits, const SubjectInfo& info);
+/// Triangles one vertex of which decides a sample by how it is snapped.
+void AddDecidingTies(Sketch& sketch);
+
+// recipes_promises.cc: what is next to a promise that only some profiles make.
+Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info);
+Case ExtentEnds(BitSource& bits, const SubjectInfo& info);
+Case NoClipEnds(BitSource& bits, const SubjectInfo& info);
+Case TargetEnds(BitSource& bits, const SubjectInfo& info);
 
 // recipes_degenerate.cc
 Case SnapTies(BitSource& bits, const SubjectInfo& info);
@@ -60,6 +70,7 @@ Case SharedSnapTies(BitSource& bits, const SubjectInfo& info);
 Case Triangulations(BitSource& bits, const SubjectInfo& info);
 Case Subdivisions(BitSource& bits, const SubjectInfo& info);
 Case TJunctions(BitSource& bits, const SubjectInfo& info);
+Case CoveringFans(BitSource& bits, const SubjectInfo& info);
 
 // recipes_closed.cc
 Case ClosedMesh(BitSource& bits, const SubjectInfo& info);

@@ -13,16 +13,15 @@
 namespace rasterproof::props {
 namespace {
 
-// The promised range; for real geometry one whose edge values are still of a readable size.
-double RangeOf(const Sketch& sketch) { return std::min(sketch.lattice().limit(), 0x1p24); }
-
 // An end of the range or up to two steps inside, and sometimes an ordinary place.
 double EndOfRange(Sketch& sketch, double range, bool along_y) {
   if (sketch.bits().Chance(48)) {
     return sketch.Coordinate(along_y ? sketch.height() : sketch.width(), along_y);
   }
   const double sign = sketch.Sign();
-  return sign * sketch.lattice().Move(range, -sketch.bits().Int(0, 2));
+  const std::int64_t steps = sketch.bits().Int(0, 2);
+  if (sign > 0) return sketch.lattice().Move(range, -steps);
+  return sketch.lattice().Move(std::max(-range, sketch.lattice().lowest()), steps);
 }
 
 // Somewhere on the outline of the range.
@@ -36,7 +35,7 @@ Point2 OnOutline(Sketch& sketch, double range) {
 
 Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
-  const double range = RangeOf(sketch);
+  const double range = sketch.Range();
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     if (bits.Chance(128)) {
@@ -69,6 +68,27 @@ Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
       continue;
     }
     sketch.AddTriangle({q, far, Nudged(sketch, bits.Chance(128) ? far : q, 2)});
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const double range = sketch.Range();
+  const int most = std::max(5, std::ilogb(range));
+  const auto far = [&] { return -std::min(std::fabs(sketch.LogUniform(4, most)), range); };
+  const std::int64_t triangles = bits.Int(1, 3);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    // One corner far to the left, one far above, either or both of them far both ways; the third on
+    // the target or beyond it.
+    const double left = far();
+    const double above = far();
+    const double y = bits.Chance(128) ? far() : sketch.Coordinate(sketch.height(), true);
+    const double x = bits.Chance(128) ? far() : sketch.Coordinate(sketch.width(), false);
+    const double times = bits.Chance(128) ? 1 : std::fabs(sketch.LogUniform(0, most - 5));
+    const Point2 third = sketch.Place();
+    const Point2 end{times * third.x, times * third.y};
+    sketch.AddTriangle({Point2{left, y}, Point2{x, above}, end});
   }
   return sketch.Done(Finish::kAnyOrder);
 }
@@ -128,8 +148,8 @@ Case SubPixel(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case DecidingTies(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+void AddDecidingTies(Sketch& sketch) {
+  BitSource& bits = sketch.bits();
   const Snap& snap = sketch.profile().snap;
   const int subpixel_bits = snap.IsNone() ? 8 : snap.bits;
   // Log-uniform places: next to the origin an ulp is far below the grid's step, and forms of the
@@ -161,6 +181,11 @@ Case DecidingTies(BitSource& bits, const SubjectInfo& info) {
     const std::int32_t decided = sketch.AddRaw(tie);
     sketch.AddTriangle(decided, end, sketch.Add(sketch.Place()));
   }
+}
+
+Case DecidingTies(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  AddDecidingTies(sketch);
   return sketch.Done(Finish::kAnyOrder);
 }
 

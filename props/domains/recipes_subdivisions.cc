@@ -1,4 +1,6 @@
-// Meshes made by splitting: triangulations of hard places, recursive subdivision, T-junctions.
+// Meshes made by splitting: triangulations of hard places, fans that cover the target from far
+// away, recursive subdivision, T-junctions.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -46,12 +48,31 @@ EdgeMiddle DrawMiddle(Sketch& sketch, const PlanarMesh& mesh) {
   return middle;
 }
 
-}  // namespace
+// A fan around a sample of the target, its rim one corner in each outer quadrant, up to the end of
+// the range: it covers the target, however far the corners are. Real geometry, whose range is
+// large, would have all of the target count as beside the outline of two neighbours: 2^17 at most.
+PlanarMesh DrawCoveringFan(Sketch& sketch) {
+  const bool is_real = sketch.profile().snap.IsNone();
+  const double range = is_real ? std::min(sketch.Range(), 0x1p17) : sketch.Range();
+  const int most = std::max(4, std::ilogb(range));
+  const auto beyond = [&] {
+    const int least = sketch.bits().Chance(128) ? 1 : most - 3;
+    return std::min(std::fabs(sketch.LogUniform(least, most)), range);
+  };
+  PlanarMesh mesh;
+  for (const Point2 side : {Point2{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
+    const double x = side.x < 0 ? -beyond() : sketch.width() + beyond();
+    const double y = side.y < 0 ? -beyond() : sketch.height() + beyond();
+    mesh.AddVertex(OnLattice(sketch, {x, y}));
+  }
+  const std::int32_t hub = mesh.AddVertex(OnLattice(sketch, sketch.Sample()));
+  for (std::int32_t k = 0; k < 4; ++k) mesh.triangles.push_back({hub, k, (k + 1) % 4});
+  return mesh;
+}
 
-Case Triangulations(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  PlanarMesh mesh = DrawFrame(sketch);
-  mesh.Insert(OnLattice(sketch, sketch.Sample()));
+// Splits the mesh at middles of edges, samples, places beside them and others.
+void InsertPlaces(Sketch& sketch, PlanarMesh& mesh) {
+  BitSource& bits = sketch.bits();
   const std::int64_t places = bits.Int(1, 16);
   for (std::int64_t i = 0; i < places; ++i) {
     const std::int64_t kind = bits.Int(0, 3);
@@ -65,6 +86,23 @@ Case Triangulations(BitSource& bits, const SubjectInfo& info) {
       mesh.Insert(OnLattice(sketch, sketch.Place()));
     }
   }
+}
+
+}  // namespace
+
+Case Triangulations(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  PlanarMesh mesh = DrawFrame(sketch);
+  mesh.Insert(OnLattice(sketch, sketch.Sample()));
+  InsertPlaces(sketch, mesh);
+  mesh.AddTo(sketch);
+  return sketch.Done(Finish::kMesh);
+}
+
+Case CoveringFans(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  PlanarMesh mesh = DrawCoveringFan(sketch);
+  if (bits.Chance(192)) InsertPlaces(sketch, mesh);
   mesh.AddTo(sketch);
   return sketch.Done(Finish::kMesh);
 }

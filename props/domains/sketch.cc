@@ -21,6 +21,7 @@ int DrawSide(BitSource& bits) {
 
 // A float64 subject also takes float32 scenes, and some of its worst cases are such.
 Precision DrawPrecision(BitSource& bits, const SubjectInfo& info) {
+  if (info.profile.fixed) return PrecisionOf(*info.profile.fixed);
   if (info.input == Precision::kFloat32 || bits.Chance(64)) return Precision::kFloat32;
   return Precision::kFloat64;
 }
@@ -30,10 +31,16 @@ Precision DrawPrecision(BitSource& bits, const SubjectInfo& info) {
 Sketch::Sketch(BitSource& source, const SubjectInfo& info) : Sketch(source, info, 1, 1) {
   case_.scene.width = DrawSide(source);
   case_.scene.height = DrawSide(source);
+  if (info.profile.targets.empty()) return;
+  profile_ = ForTarget(info.profile, width(), height());
+  lattice_ = InputLattice(profile_, lattice_.precision());
 }
 
 Sketch::Sketch(BitSource& source, const SubjectInfo& info, int width, int height)
-    : bits_(&source), info_(&info), lattice_(info.profile, DrawPrecision(source, info)) {
+    : bits_(&source),
+      info_(&info),
+      profile_(ForTarget(info.profile, width, height)),
+      lattice_(profile_, DrawPrecision(source, info)) {
   case_.scene.width = width;
   case_.scene.height = height;
   case_.scene.precision = lattice_.precision();
@@ -81,7 +88,7 @@ std::int32_t Sketch::Add(Point2 p) {
 
 std::int32_t Sketch::AddRaw(const Vertex& v) {
   case_.scene.vertices.push_back({lattice_.RoundToPrecision(v.x), lattice_.RoundToPrecision(v.y),
-                                  lattice_.RoundToPrecision(v.z), lattice_.RoundToPrecision(v.w)});
+                                  lattice_.RoundToFloat(v.z), lattice_.RoundToFloat(v.w)});
   return static_cast<std::int32_t>(case_.scene.vertices.size() - 1);
 }
 

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_DOMAINS_SKETCH_H_
 #define RASTERPROOF_PROPS_DOMAINS_SKETCH_H_
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -29,9 +30,12 @@ class Sketch {
 
   BitSource& bits() { return *bits_; }
   const InputLattice& lattice() const { return lattice_; }
-  const Profile& profile() const { return case_.profile; }
+  /// The subject's profile, as it is on a target of this size.
+  const Profile& profile() const { return profile_; }
   int width() const { return case_.scene.width; }
   int height() const { return case_.scene.height; }
+  /// The promised range; for real geometry one whose edge values are still of a readable size.
+  double Range() const { return std::min(lattice_.limit(), 0x1p24); }
 
   /// A sample of the target: exact, and a lattice place of every lattice that can hold it.
   Point2 Sample();
@@ -73,6 +77,7 @@ class Sketch {
   const SubjectInfo* info_;
   bool within_limit_ = true;
   Case case_;
+  Profile profile_;
   InputLattice lattice_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "core/fill_rule.h"
 #include "props/catalog/witness.h"
+#include "props/infer/model_space.h"
 
 namespace rasterproof::props {
 namespace {
@@ -66,8 +67,10 @@ std::string LatticeText(const SampleLattice& lattice) {
   return text;
 }
 
-std::vector<DeclarationVerdict> VerifyDeclarations(const Profile& declared, FacingReport facing,
+std::vector<DeclarationVerdict> VerifyDeclarations(const Profile& given, FacingReport facing,
                                                    const std::vector<Profile>& remaining) {
+  Profile declared = given;
+  if (MovesNothing(given.snap, given)) declared.snap = {};
   const bool judged = declared.contract == Contract::kSampleExact;
   const Freedom& freedom = declared.freedom;
   std::vector<DeclarationVerdict> verdicts;
@@ -91,7 +94,7 @@ std::vector<DeclarationVerdict> VerifyDeclarations(const Profile& declared, Faci
       [&](const Profile& model) { return AllowsSnap(declared, model.snap); });
   verify(
       "fill rule", [](const Profile& p) { return FillRuleName(p.fill_rule); },
-      [&](const Profile& model) { return freedom.any_tie_rule && !model.fill_rule.inclusive; });
+      [&](const Profile& model) { return freedom.any_tie_rule && model.fill_rule.IsConsistent(); });
   if (facing != FacingReport::kNotTold) {
     const bool as_on_screen = facing == FacingReport::kAsOnScreen;
     verdicts.push_back({"front facing", "counter-clockwise on screen",

@@ -25,8 +25,8 @@ Case CaseOf(const Scene& scene, const Profile& profile) {
   return c;
 }
 
-bool Differs(Observer& observer, const Case& c) {
-  return observer.Draw(c.scene) != observer.Expected(exact::Coverage(c.scene, c.profile));
+bool Differs(const Observer& observer, const Case& c, const CoverageCounts& seen) {
+  return seen != observer.Expected(exact::Coverage(c.scene, c.profile));
 }
 
 // The smallest case of its kind in which the subject does not draw as the profile does.
@@ -34,7 +34,10 @@ Case Shrunken(Observer& observer, const Case& c) {
   constexpr std::uint64_t kBudget = 600;
   const auto differs = [&](const Case& candidate) {
     return candidate.options == DrawOptions{} && !candidate.scene.clip_space &&
-           candidate.scene.precision == Precision::kFloat32 && Differs(observer, candidate);
+           candidate.scene.precision == c.scene.precision &&
+           WithinLimits(candidate.scene, candidate.profile) &&
+           IsUnclipped(candidate.scene, candidate.profile) &&
+           Differs(observer, candidate, observer.Draw(candidate.scene));
   };
   return differs(c) ? Shrink(c, differs, kBudget).minimal : c;
 }
@@ -59,7 +62,7 @@ void RunRace(Race& race, const InferOptions& options) {
 }
 
 void Conclude(Observer& observer, const ModelSpace& space, const Race& race, Inference& inference) {
-  const Profile& declared = observer.info().profile;
+  const Profile& declared = observer.declared();
   for (const Model& model : race.left()) {
     inference.remaining.push_back(space.ProfileOf(model));
     inference.remaining.back().coordinate_limit = declared.coordinate_limit;
@@ -68,7 +71,7 @@ void Conclude(Observer& observer, const ModelSpace& space, const Race& race, Inf
   if (inference.Agrees()) return;
   for (const Experiment& experiment : race.experiments()) {
     const Case c = CaseOf(experiment.scene, declared);
-    if (observer.Expected(exact::Coverage(c.scene, c.profile)) == experiment.seen) continue;
+    if (!Differs(observer, c, experiment.seen)) continue;
     inference.against_declared = Shrunken(observer, c);
     break;
   }
@@ -93,9 +96,12 @@ bool ConcludeWithoutFacings(Observer& observer, const ModelSpace& space,
 }
 
 void FindModels(Observer& observer, const InferOptions& options, Inference& inference) {
+  inference.message = TooLittleRoom(observer.info().profile);
+  inference.is_inconclusive = !inference.message.empty();
+  if (inference.is_inconclusive) return;
   const Location location = Locate(observer);
   inference.facing = observer.facing();
-  const ModelSpace space(location.y_axis, location.lattices);
+  const ModelSpace space(location.y_axis, location.lattices, observer.declared());
   inference.models = space.models().size();
   Race race(observer, space, options.seed);
   RunRace(race, options);

@@ -55,18 +55,23 @@ struct Inference {
   std::optional<Case> against_declared;
   double seconds = 0;
 
+  /// True if what is declared left no room for experiments: the message says why.
+  bool is_inconclusive = false;
+
   bool Fits() const { return !remaining.empty(); }
   /// False if a declaration is contradicted.
   bool Agrees() const;
 };
 
 /// Finds the models that explain the subject: subpixel bits 0 to 16 or none, five rules, three
-/// forms about 1/2 or a sample's own place, eight tie rules and `inclusive`, any sample locations
-/// on multiples of 2^-8, y down or up, facings as on screen or reversed.
+/// forms about 1/2 or a sample's own place, eight tie rules, `inclusive` and `exclusive`, any
+/// sample locations on multiples of 2^-8, y down or up, facings as on screen or reversed.
 ///
 /// Domain:     a subject that draws float32 scenes and takes coordinates up to 1026 (its profile's
-///             limit bounds what is drawn beside). Nothing that it declares is believed but the
-///             number of samples, the kind of its counts and its limit.
+///             limit bounds what is drawn beside); a fixed-point input is given its integers, in
+///             range. Nothing that it declares is believed but the number of samples, the kind of
+///             its counts, its limits (coordinates, largest extent, no-clip rectangle) and what it
+///             leaves open. Of `targets` the model of the smallest is found.
 /// Error:      none: a subject that throws or refuses fits no model, and says why.
 Inference Infer(Subject& subject, const InferOptions& options = {});
 

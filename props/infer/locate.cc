@@ -3,17 +3,24 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace rasterproof::props {
 namespace {
 
 constexpr int kLong = 648;  // a place that seems half a pixel off lies below 3/2
 constexpr int kShort = 8;
+constexpr int kFarthestProbe = 1026;
 constexpr int kPerPixel = 256;
 // Pixel row 3 of an edge that falls by one pixel in 256 columns from (2, 2): with ox > 0 it covers
 // the columns up to 257 + 256 oy.
 constexpr int kProbedRow = 3;
 constexpr int kLastColumnOfZero = 257;
+
+std::vector<Vertex> ProbeCorners(bool along_y) {
+  if (along_y) return {{2, 2}, {kFarthestProbe, 6}, {2, kFarthestProbe}};
+  return {{2, 2}, {6, kFarthestProbe}, {kFarthestProbe, 2}};
+}
 
 Scene OneTriangle(int width, int height, std::vector<Vertex> vertices) {
   Scene scene;
@@ -50,8 +57,7 @@ FacingReport FacingOf(const Observer& observer, const CoverageCounts& front,
 // 256 times the place of sample s along one axis, as a grid that holds the integers shows it while
 // the place on the other axis is not 0; else it may be one less.
 int Probe(Observer& observer, bool along_y, YAxis y_axis, int s) {
-  const std::vector<Vertex> corners = along_y ? std::vector<Vertex>{{2, 2}, {1026, 6}, {2, 1026}}
-                                              : std::vector<Vertex>{{2, 2}, {6, 1026}, {1026, 2}};
+  const std::vector<Vertex> corners = ProbeCorners(along_y);
   const int width = along_y ? kLong : kShort;
   const int height = along_y ? kShort : kLong;
   const CoverageCounts counts = observer.Draw(OneTriangle(width, height, corners));
@@ -132,6 +138,34 @@ std::vector<LatticeCandidate> CandidatesFor(const std::vector<Place>& seen) {
 }
 
 }  // namespace
+
+std::string TooLittleRoom(const Profile& declared) {
+  Profile small = ForTarget(declared, kShort, kShort);
+  for (const auto& [width, height] : {std::pair{kLong, kShort}, {kShort, kLong}, {32, 32}}) {
+    if (ForTarget(declared, width, height) != small) {
+      return "the declared models of its targets part at less than " + std::to_string(kLong) +
+             " pixels a side";
+    }
+  }
+  for (const bool along_y : {false, true}) {
+    const Scene probe = OneTriangle(kLong, kLong, ProbeCorners(along_y));
+    const std::array<Vertex, 3> v = Corners(probe, probe.triangles[0]);
+    if (!WithinLimits(probe, small) || !IsUnwrapped(probe, small)) {
+      return "it needs coordinates up to " + std::to_string(kFarthestProbe) +
+             ", which the declared profile does not promise";
+    }
+    if (!IsUnclipped(probe, small)) {
+      return "the declared no-clip rectangle does not hold coordinates from 2 to " +
+             std::to_string(kFarthestProbe);
+    }
+    if (small.max_extent &&
+        Exceeds({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}, *small.max_extent)) {
+      return "it needs triangles of " + std::to_string(kFarthestProbe - 2) +
+             " pixels a side, larger than what is declared to be drawn";
+    }
+  }
+  return "";
+}
 
 Location Locate(Observer& observer) {
   Location location;

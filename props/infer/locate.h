@@ -20,6 +20,9 @@ struct Location {
   Scene complaint_scene;
 };
 
+/// Why the declared limits leave no room for the experiments that Locate needs; empty if they do.
+std::string TooLittleRoom(const Profile& declared);
+
 /// Draws four scenes and tells the observer what facings mean.
 Location Locate(Observer& observer);
 

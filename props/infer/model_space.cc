@@ -1,7 +1,9 @@
 #include "props/infer/model_space.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -47,17 +49,33 @@ std::vector<Snap> SnapsFor(const LatticeCandidate& candidate) {
   return snaps;
 }
 
+// Whether no count of a is greater than that of b.
+bool IsAtMost(const CoverageCounts& a, const CoverageCounts& b) {
+  return std::ranges::equal(a.front, b.front, std::less_equal<>()) &&
+         std::ranges::equal(a.back, b.back, std::less_equal<>());
+}
+
 }  // namespace
 
 FillRule RuleOf(std::uint8_t rule) {
-  return rule == kInclusiveRule ? FillRule{.inclusive = true} : kConsistentRules[rule];
+  if (rule == kInclusiveRule) return {.inclusive = true};
+  if (rule > kInclusiveRule) return {.exclusive = true};
+  return kConsistentRules[rule];
 }
 
-ModelSpace::ModelSpace(YAxis y_axis, std::vector<LatticeCandidate> lattices)
-    : y_axis_(y_axis), lattices_(std::move(lattices)) {
+bool MovesNothing(const Snap& snap, const Profile& profile) {
+  if (snap.IsNone()) return true;
+  if (!profile.fixed || snap.bits < profile.fixed->fraction_bits) return false;
+  return snap.form == SnapForm::kCoordinate || IsOnGrid(snap.origin, snap.bits);
+}
+
+ModelSpace::ModelSpace(YAxis y_axis, std::vector<LatticeCandidate> lattices,
+                       const Profile& declared)
+    : y_axis_(y_axis), lattices_(std::move(lattices)), declared_(declared) {
   for (std::size_t l = 0; l < lattices_.size(); ++l) {
     for (const Snap& snap : SnapsFor(lattices_[l])) {
-      for (std::uint8_t rule = 0; rule <= kInclusiveRule; ++rule) {
+      if (!snap.IsNone() && MovesNothing(snap, declared)) continue;
+      for (std::uint8_t rule = 0; rule < kRuleCount; ++rule) {
         models_.push_back({snap, rule, static_cast<std::uint8_t>(l)});
       }
     }
@@ -65,12 +83,15 @@ ModelSpace::ModelSpace(YAxis y_axis, std::vector<LatticeCandidate> lattices)
 }
 
 Profile ModelSpace::ProfileOf(const Model& model) const {
-  Profile profile;
+  Profile profile = declared_;
   profile.name = "inferred";
   profile.snap = model.snap;
   profile.lattice = LatticeOf(model);
   profile.y_axis = y_axis_;
   profile.fill_rule = RuleOf(model.rule);
+  profile.contract = Contract::kSampleExact;
+  profile.freedom = {};
+  profile.targets.clear();
   return profile;
 }
 
@@ -79,12 +100,20 @@ CoverageCounts Prediction::Draw(const Scene& snapped, const Model& model, std::u
   profile.lattice = space_.LatticeOf(model);
   profile.y_axis = space_.y_axis();
   profile.fill_rule = RuleOf(rule);
+  profile.max_extent = space_.declared().max_extent;
   CoverageCounts counts = exact::Coverage(snapped, profile);
   if (facing_ == FacingReport::kNotTold) JoinFacings(counts);
   return counts;
 }
 
-const CoverageCounts& Prediction::Of(const Model& model) {
+const CoverageCounts& Prediction::ByRule(Drawn& drawn, const Model& model,
+                                         std::uint8_t rule) const {
+  if (!drawn.known[rule]) drawn.by_rule[rule] = Draw(drawn.snapped, model, rule);
+  drawn.known[rule] = true;
+  return drawn.by_rule[rule];
+}
+
+Prediction::Drawn& Prediction::On(const Model& model) {
   Scene snapped = scene_;
   snapped.precision = Precision::kFloat64;
   Place place{{}, model.lattice};
@@ -95,14 +124,43 @@ const CoverageCounts& Prediction::Of(const Model& model) {
   }
   const auto [found, is_new] = drawn_.try_emplace(std::move(place));
   Drawn& drawn = found->second;
-  const auto counts = [&](std::uint8_t rule) -> const CoverageCounts& {
-    if (!drawn.known[rule]) drawn.by_rule[rule] = Draw(snapped, model, rule);
-    drawn.known[rule] = true;
-    return drawn.by_rule[rule];
-  };
+  if (!is_new) return drawn;
+  drawn.snapped = std::move(snapped);
+  const CoverageCounts& top_left = ByRule(drawn, model, 0);
   // Rule 3 is top-left's opposite: see ModelSearch.
-  if (is_new) drawn.has_ties = counts(0) != counts(kInclusiveRule) || counts(0) != counts(3);
-  return counts(drawn.has_ties ? model.rule : std::uint8_t{0});
+  drawn.has_ties =
+      top_left != ByRule(drawn, model, kInclusiveRule) || top_left != ByRule(drawn, model, 3);
+  drawn.is_flat = std::ranges::any_of(drawn.snapped.triangles, [&](const Triangle& t) {
+    const std::array<Vertex, 3> v = Corners(drawn.snapped, t);
+    return exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}) == 0;
+  });
+  return drawn;
+}
+
+const CoverageCounts& Prediction::Of(const Model& model) {
+  Drawn& drawn = On(model);
+  return ByRule(drawn, model, drawn.has_ties ? model.rule : std::uint8_t{0});
+}
+
+Prediction::Legal Prediction::LegalUnder(const Model& model) {
+  Drawn& drawn = On(model);
+  const Profile& declared = space_.declared();
+  const CoverageCounts& least = Of(model);
+  const bool overdraw = declared.overdraw && drawn.has_ties && model.rule < kInclusiveRule;
+  return {least, overdraw ? ByRule(drawn, model, kInclusiveRule) : least,
+          drawn.is_flat && declared.zero_area == ZeroArea::kUnspecified};
+}
+
+bool Prediction::Explains(const Model& model, const CoverageCounts& seen) {
+  const Legal legal = LegalUnder(model);
+  return legal.is_open || (IsAtMost(legal.least, seen) && IsAtMost(seen, legal.most));
+}
+
+bool Prediction::Parts(const Model& a, const Model& b) {
+  const Legal by_a = LegalUnder(a);
+  const Legal by_b = LegalUnder(b);
+  if (by_a.is_open || by_b.is_open) return false;
+  return !IsAtMost(by_a.least, by_b.most) || !IsAtMost(by_b.least, by_a.most);
 }
 
 }  // namespace rasterproof::props

@@ -19,13 +19,14 @@ namespace rasterproof::props {
 /// One model; the numbers are places in the tables of its ModelSpace.
 struct Model {
   Snap snap;
-  std::uint8_t rule = 0;     ///< 0 to 7: kConsistentRules; 8: inclusive
+  std::uint8_t rule = 0;     ///< 0 to 7: kConsistentRules; 8: inclusive; 9: exclusive
   std::uint8_t lattice = 0;  ///< which of the candidates for the sample locations
 
   friend bool operator==(const Model&, const Model&) = default;
 };
 
 inline constexpr std::uint8_t kInclusiveRule = 8;
+inline constexpr std::uint8_t kRuleCount = 10;
 FillRule RuleOf(std::uint8_t rule);
 
 /// Where the samples may lie, given where they seem to lie under a grid that holds the integers.
@@ -38,21 +39,28 @@ struct LatticeCandidate {
 /// All models of one y axis.
 class ModelSpace {
  public:
-  ModelSpace(YAxis y_axis, std::vector<LatticeCandidate> lattices);
+  /// `declared`: what no experiment is for, such as fixed-point input. Snaps that leave every
+  /// coordinate of such an input where it is are one model, that without a snap.
+  ModelSpace(YAxis y_axis, std::vector<LatticeCandidate> lattices, const Profile& declared);
 
   const std::vector<Model>& models() const { return models_; }
   const SampleLattice& LatticeOf(const Model& model) const {
     return lattices_[model.lattice].lattice;
   }
   YAxis y_axis() const { return y_axis_; }
-  /// The model as a profile that promises it, named by what it is.
+  const Profile& declared() const { return declared_; }
+  /// The model as a profile that promises it, and all else that is declared, named by what it is.
   Profile ProfileOf(const Model& model) const;
 
  private:
   YAxis y_axis_;
   std::vector<LatticeCandidate> lattices_;
+  Profile declared_;
   std::vector<Model> models_;
 };
+
+/// Whether a snap moves no coordinate of the profile's fixed-point input.
+bool MovesNothing(const Snap& snap, const Profile& profile);
 
 /// What models draw of one scene. Models that put its vertices on the same places share one draw.
 class Prediction {
@@ -62,6 +70,11 @@ class Prediction {
       : scene_(scene), space_(space), facing_(facing) {}
 
   const CoverageCounts& Of(const Model& model);
+  /// Whether what was seen is legal under the model, given what the declared profile leaves open:
+  /// overdraw, and triangles of zero area.
+  bool Explains(const Model& model, const CoverageCounts& seen);
+  /// Whether no picture is legal under both.
+  bool Parts(const Model& a, const Model& b);
 
  private:
   struct Place {
@@ -70,11 +83,23 @@ class Prediction {
     friend auto operator<=>(const Place&, const Place&) = default;
   };
   struct Drawn {
-    std::array<CoverageCounts, 9> by_rule;
-    std::array<bool, 9> known{};
+    Scene snapped;
+    std::array<CoverageCounts, kRuleCount> by_rule;
+    std::array<bool, kRuleCount> known{};
+    bool is_flat = false;  ///< some triangle has no area
     bool has_ties = true;  ///< false: no sample lies on an edge, and all rules agree
   };
 
+  // Everything from `least` to `most`, and anything at all if it is open.
+  struct Legal {
+    const CoverageCounts& least;
+    const CoverageCounts& most;
+    bool is_open;
+  };
+
+  Drawn& On(const Model& model);
+  const CoverageCounts& ByRule(Drawn& drawn, const Model& model, std::uint8_t rule) const;
+  Legal LegalUnder(const Model& model);
   CoverageCounts Draw(const Scene& snapped, const Model& model, std::uint8_t rule) const;
 
   const Scene& scene_;

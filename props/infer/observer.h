@@ -3,8 +3,12 @@
 #define RASTERPROOF_PROPS_INFER_OBSERVER_H_
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "core/coverage.h"
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
@@ -18,29 +22,44 @@ enum class FacingReport : std::uint8_t {
   kNotTold      ///< all counts are in one place
 };
 
+/// A target of so many pixels a side has the model that all experiments are about.
+inline constexpr int kSmallTarget = 8;
+
 /// Draws scenes with a subject.
 class Observer {
  public:
-  explicit Observer(Subject& subject) : subject_(subject) {}
+  explicit Observer(Subject& subject)
+      : subject_(subject),
+        declared_(ForTarget(subject.Info().profile, kSmallTarget, kSmallTarget)) {}
 
   /// The subject's counts for a window-space scene, as they come.
   CoverageCounts Raw(const Scene& scene);
   /// The same in the form in which Expected() puts an exact draw: facings as on screen, or all in
   /// front.
   CoverageCounts Draw(const Scene& scene) { return Normal(Raw(scene)); }
+  /// The counts of several scenes, in as few calls as the subject can do with.
+  std::vector<CoverageCounts> Draw(std::span<const Scene> scenes);
   CoverageCounts Expected(CoverageCounts exact) const;
 
   void SetFacing(FacingReport facing) { facing_ = facing; }
   FacingReport facing() const { return facing_; }
   const SubjectInfo& info() const { return subject_.Info(); }
+  /// The declared profile, as it is on the small targets of all experiments.
+  const Profile& declared() const { return declared_; }
+  /// The scene with its vertices where the subject can be given them: on the integers of a
+  /// fixed-point input, within the declared limit. Nothing if it still breaks what is declared of
+  /// the scenes that are judged.
+  std::optional<Scene> Given(const Scene& scene) const;
   std::uint64_t draws() const { return draws_; }
   /// What the subject was asked last.
   const Scene& last_scene() const { return last_scene_; }
 
  private:
+  DrawJob JobOf(const Scene& scene) const;
   CoverageCounts Normal(CoverageCounts counts) const;
 
   Subject& subject_;
+  Profile declared_;
   FacingReport facing_ = FacingReport::kNotTold;
   std::uint64_t draws_ = 0;
   Scene last_scene_;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "props/catalog/redraw.h"
 #include "props/infer/directed.h"
@@ -16,6 +18,9 @@ namespace {
 constexpr int kTriesAtRandom = 24;
 constexpr int kTriesForEachPair = 600;
 constexpr int kFailuresInARow = 8;
+// Checks that are drawn in one call. Triangles aimed at a pair come one by one: each pair is chosen
+// by what the last triangle left.
+constexpr int kInOneCall = 16;
 
 std::uint64_t Decisions(const Scene& scene, const Profile& profile) {
   Case c;
@@ -26,20 +31,22 @@ std::uint64_t Decisions(const Scene& scene, const Profile& profile) {
 
 }  // namespace
 
-void Race::Run(const Scene& scene) {
-  experiments_.push_back({scene, observer_.Draw(scene)});
-  const CoverageCounts& seen = experiments_.back().seen;
+void Race::Run(const Scene& scene) { Learn(scene, observer_.Draw(scene)); }
+
+void Race::Learn(const Scene& scene, CoverageCounts seen) {
   Prediction prediction(scene, space_, observer_.facing());
-  std::erase_if(left_, [&](const Model& model) { return prediction.Of(model) != seen; });
+  std::erase_if(left_, [&](const Model& model) { return !prediction.Explains(model, seen); });
+  experiments_.push_back({scene, std::move(seen)});
 }
 
 bool Race::SplitPair(const Model& a, const Model& b, int tries) {
   for (int attempt = 0; attempt < tries; ++attempt) {
     PhiloxSource bits(seed_, drawn_++);
-    const Scene scene = SplittingTriangle(bits, space_, a, b);
-    Prediction prediction(scene, space_, observer_.facing());
-    if (prediction.Of(a) == prediction.Of(b)) continue;
-    Run(scene);
+    const std::optional<Scene> scene = observer_.Given(SplittingTriangle(bits, space_, a, b));
+    if (!scene) continue;
+    Prediction prediction(*scene, space_, observer_.facing());
+    if (!prediction.Parts(a, b)) continue;
+    Run(*scene);
     return true;
   }
   return false;
@@ -79,12 +86,30 @@ void Race::Check(int count) {
   SubjectInfo info = observer_.info();
   constexpr double kFarthest = 0x1p13;
   const double limit = std::min(info.profile.coordinate_limit, kFarthest);
-  for (int k = 0; k < count; ++k) {
+  while (count > 0) {
     // As if the subject were what is left of the race: cases aim at its grid and its samples.
     if (!left_.empty()) info.profile = space_.ProfileOf(left_.front());
     info.profile.coordinate_limit = limit;
-    PhiloxSource bits(seed_, drawn_++);
-    Run(OrdinaryTriangle(bits, info));
+    int tried = std::min(count, kInOneCall);
+    std::vector<Scene> scenes;
+    std::vector<int> tries;  // it took to come to each
+    for (int k = 0; k < tried; ++k) {
+      PhiloxSource bits(seed_, drawn_ + static_cast<std::uint64_t>(k));
+      const std::optional<Scene> scene = observer_.Given(OrdinaryTriangle(bits, info));
+      if (!scene) continue;
+      scenes.push_back(*scene);
+      tries.push_back(k + 1);
+    }
+    std::vector<CoverageCounts> seen = observer_.Draw(scenes);
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      const std::size_t before = left_.size();
+      Learn(scenes[k], std::move(seen[k]));
+      if (left_.size() == before) continue;
+      tried = tries[k];  // what follows was aimed at a model that may be gone
+      break;
+    }
+    drawn_ += static_cast<std::uint64_t>(tried);
+    count -= tried;
   }
 }
 
@@ -123,7 +148,7 @@ NearestModel Race::Nearest(Model* nearest) const {
 const Experiment* Race::FirstAgainst(const Model& model) const {
   for (const Experiment& experiment : experiments_) {
     Prediction prediction(experiment.scene, space_, observer_.facing());
-    if (prediction.Of(model) != experiment.seen) return &experiment;
+    if (!prediction.Explains(model, experiment.seen)) return &experiment;
   }
   return nullptr;
 }

@@ -40,6 +40,7 @@ class Race {
   const Experiment* FirstAgainst(const Model& model) const;
 
  private:
+  void Learn(const Scene& scene, CoverageCounts seen);
   bool SplitPair(const Model& a, const Model& b, int tries);
   void SplitAtRandom();
 

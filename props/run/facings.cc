@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,36 +37,71 @@ class FacingSubject final : public Subject {
   const EdgeEvaluator* Edges() const override { return subject_->Edges(); }
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
+  Subject& Whole() override { return subject_->Whole(); }
+
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    const Scene snapped =
-        IsHomogeneous(scene, info_.profile) ? scene : SnapScene(scene, info_.profile);
-    std::vector<Triangle> front;
-    std::vector<Triangle> back;
-    for (const Triangle& t : scene.triangles) {
-      (FacingOf(snapped, t, info_.profile.y_axis) < 0 ? back : front).push_back(t);
+    const DrawJob job{scene, options, counts.samples};
+    counts += DrawMany({&job, 1}).front().Get().counts;
+  }
+
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    std::vector<Part> parts;
+    std::vector<DrawJob> part_jobs;
+    for (std::size_t k = 0; k < jobs.size(); ++k) AddParts(k, jobs[k], parts, part_jobs);
+    const std::vector<DrawOutcome> drawn = subject_->DrawMany(part_jobs);
+    std::vector<DrawOutcome> outcomes(jobs.size());
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+      const Scene& scene = jobs[k].scene;
+      outcomes[k].drawing.counts = CoverageCounts(scene.width, scene.height, jobs[k].samples);
     }
-    DrawSide(scene, front, options, counts, counts.front);
-    DrawSide(scene, back, options, counts, counts.back);
+    for (std::size_t n = 0; n < drawn.size(); ++n) {
+      DrawOutcome& outcome = outcomes[parts[n].job];
+      if (drawn[n].error == nullptr) {
+        AddTo(parts[n].is_back, drawn[n].drawing.counts, outcome.drawing.counts);
+      } else if (outcome.error == nullptr) {
+        outcome.error = drawn[n].error;
+      }
+    }
+    if (drawn.size() < parts.size()) outcomes.resize(parts[drawn.size() - 1].job + 1);
+    return outcomes;
   }
 
  private:
-  void DrawSide(const Scene& scene, const std::vector<Triangle>& triangles,
-                const DrawOptions& options, const CoverageCounts& shape,
-                std::vector<std::uint32_t>& to) {
-    if (subject_->Info().coverage == CoverageKind::kMask) {
-      for (const Triangle& t : triangles) AddDrawn(scene, {t}, options, shape, to);
-    } else if (!triangles.empty()) {
-      AddDrawn(scene, triangles, options, shape, to);
+  /// One call's share of a job.
+  struct Part {
+    std::size_t job = 0;
+    bool is_back = false;
+  };
+
+  void AddParts(std::size_t k, const DrawJob& job, std::vector<Part>& parts,
+                std::vector<DrawJob>& part_jobs) const {
+    const Scene& scene = job.scene;
+    const Scene snapped =
+        IsHomogeneous(scene, info_.profile) ? scene : SnapScene(scene, info_.profile);
+    std::array<std::vector<Triangle>, 2> sides;
+    for (const Triangle& t : scene.triangles) {
+      sides[FacingOf(snapped, t, info_.profile.y_axis) < 0 ? 1 : 0].push_back(t);
+    }
+    for (const bool is_back : {false, true}) {
+      const std::vector<Triangle>& side = sides[is_back ? 1 : 0];
+      const std::size_t triangles_a_call = CountsTriangles(subject_->Info()) ? side.size() : 1;
+      for (std::size_t t = 0; t < side.size(); t += triangles_a_call) {
+        parts.push_back({k, is_back});
+        part_jobs.push_back(job);
+        const auto first = side.begin() + static_cast<std::ptrdiff_t>(t);
+        part_jobs.back().scene.triangles.assign(
+            first, first + static_cast<std::ptrdiff_t>(triangles_a_call));
+      }
     }
   }
 
-  void AddDrawn(const Scene& scene, std::vector<Triangle> triangles, const DrawOptions& options,
-                const CoverageCounts& shape, std::vector<std::uint32_t>& to) {
-    Scene part = scene;
-    part.triangles = std::move(triangles);
-    CoverageCounts drawn(shape.width, shape.height, shape.samples);
-    subject_->Draw(part, options, drawn);
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] += drawn.front[k] + drawn.back[k];
+  static bool CountsTriangles(const SubjectInfo& info) {
+    return info.coverage == CoverageKind::kCounts;
+  }
+
+  static void AddTo(bool is_back, const CoverageCounts& drawn, CoverageCounts& counts) {
+    std::vector<std::uint32_t>& side = is_back ? counts.back : counts.front;
+    for (std::size_t k = 0; k < side.size(); ++k) side[k] += drawn.Count(k);
   }
 
   std::unique_ptr<Subject> subject_;

@@ -11,9 +11,10 @@ namespace rasterproof::props {
 /// Returns a subject of CoverageKind::kFacingCounts that draws by the given one.
 ///
 /// kCounts: triangles that face one way by the exact model of the subject's profile are drawn in
-/// one call, in their order, those that face the other way in another. kMask: every triangle is
-/// drawn by itself, so that overlaps show. A triangle of no area counts as front: it should cover
-/// nothing. What only a whole mesh of both facings in one call would show is not seen.
+/// one call, in their order, those that face the other way in another. kMask, kWinners, kFragments:
+/// every triangle is drawn by itself, so that overlaps show. A triangle of no area counts as front:
+/// it should cover nothing. What only a whole mesh in one call would show is seen by the properties
+/// that draw by Subject::Whole().
 std::unique_ptr<Subject> WithFacings(std::unique_ptr<Subject> subject);
 
 }  // namespace rasterproof::props

@@ -37,10 +37,12 @@ struct Edge {
   }
 };
 
-// Whether v has a place in the window; v is snapped if it has and the profile snaps.
-bool PutIntoWindow(Vertex& v, bool clip_space, const Snap& snap) {
+// Whether v has a place in the window; v is wrapped and snapped if it has, as the profile says.
+bool PutIntoWindow(Vertex& v, bool clip_space, const Profile& profile) {
   if (!IsFinite(v)) return false;
   if (clip_space && !(v.w > 0)) return false;
+  if (profile.fixed) v = {profile.fixed->Wrapped(v.x), profile.fixed->Wrapped(v.y), v.z, v.w};
+  const Snap& snap = profile.snap;
   if (!snap.IsNone()) {
     if (clip_space) v = {v.x / v.w, v.y / v.w, v.z, 1};
     v.x = SnapCoordinate(v.x, snap);
@@ -55,7 +57,10 @@ LongPoint Projected(const Vertex& v) {
 
 class Counter {
  public:
-  explicit Counter(const Case& c) : case_(c), lattice_(c.profile, c.scene.precision) {}
+  explicit Counter(const Case& c)
+      : case_(c),
+        profile_(ForTarget(c.profile, c.scene.width, c.scene.height)),
+        lattice_(profile_, c.scene.precision) {}
 
   NearEdgeCounts Count() {
     const std::vector<Triangle>& triangles = case_.scene.triangles;
@@ -69,14 +74,14 @@ class Counter {
   void CountTriangle(std::array<Vertex, 3> v) {
     const bool clip_space = case_.scene.clip_space;
     for (Vertex& vertex : v) {
-      if (!PutIntoWindow(vertex, clip_space, case_.profile.snap)) return;
+      if (!PutIntoWindow(vertex, clip_space, profile_)) return;
     }
-    const bool projected = clip_space && case_.profile.snap.IsNone();
+    const bool projected = clip_space && profile_.snap.IsNone();
     for (std::size_t e = 0; e < 3; ++e) {
       const Vertex& a = v[(e + 1) % 3];
       const Vertex& b = v[(e + 2) % 3];
       const Edge edge{Projected(a), Projected(b), a, b, projected};
-      for (int s = 0; s < case_.profile.lattice.samples(); ++s) CountEdge(edge, s);
+      for (int s = 0; s < profile_.lattice.samples(); ++s) CountEdge(edge, s);
     }
   }
 
@@ -86,7 +91,7 @@ class Counter {
     const bool steep = std::fabs(dy) >= std::fabs(dx);  // then walk down the rows
     const long double major = steep ? dy : dx;
     if (major == 0) return;
-    const Point2 location = case_.profile.lattice.locations[static_cast<std::size_t>(s)];
+    const Point2 location = profile_.lattice.locations[static_cast<std::size_t>(s)];
     const double offset = steep ? location.y : location.x;
     const long double from = steep ? edge.a.y : edge.a.x;
     const long double to = steep ? edge.b.y : edge.b.x;
@@ -101,7 +106,7 @@ class Counter {
 
   // The two samples of one row or column between which the edge passes.
   void CountLine(const Edge& edge, int s, bool steep, int line) {
-    const Point2 location = case_.profile.lattice.locations[static_cast<std::size_t>(s)];
+    const Point2 location = profile_.lattice.locations[static_cast<std::size_t>(s)];
     const long double along = line + (steep ? location.y : location.x);
     const long double offset = steep ? location.x : location.y;
     const LongPoint a = steep ? edge.a : LongPoint{edge.a.y, edge.a.x};
@@ -115,8 +120,8 @@ class Counter {
     const auto before =
         static_cast<int>(std::clamp<long double>(std::floor(at - offset), -2, places));
     for (int place = std::max(0, before); place <= std::min(places - 1, before + 1); ++place) {
-      const Point2 p = steep ? case_.profile.lattice.At(place, line, s)
-                             : case_.profile.lattice.At(line, place, s);
+      const Point2 p =
+          steep ? profile_.lattice.At(place, line, s) : profile_.lattice.At(line, place, s);
       CountPair(edge, p, std::fabs(place + offset - at), error, steep ? p.x : p.y);
     }
   }
@@ -136,6 +141,7 @@ class Counter {
   }
 
   const Case& case_;
+  Profile profile_;
   InputLattice lattice_;
   NearEdgeCounts counts_;
 };

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "core/error.h"
@@ -53,7 +54,7 @@ SubjectInfo SeenInfo(SubjectInfo info) {
 class SeenSubject final : public Subject {
  public:
   SeenSubject(Subject& subject, const Scene& clip, const Scene& window)
-      : subject_(subject), info_(SeenInfo(subject.Info())), precision_(clip.precision) {
+      : subject_(subject), info_(SeenInfo(subject.Info())), clip_(clip), window_(window) {
     for (std::size_t k = 0; k < clip.vertices.size(); ++k) {
       clip_of_.emplace(PlaceOf(window.vertices[k]), clip.vertices[k]);
     }
@@ -61,9 +62,27 @@ class SeenSubject final : public Subject {
   const SubjectInfo& Info() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    subject_.Draw(InClipSpace(scene), options, counts);
+  }
+  Drawing Show(const DrawJob& job) override {
+    return subject_.Show({InClipSpace(job.scene), job.options, job.samples});
+  }
+  Subject& Whole() override {
+    if (&subject_.Whole() == &subject_) return *this;
+    if (!whole_) whole_ = std::make_unique<SeenSubject>(subject_.Whole(), clip_, window_);
+    return *whole_;
+  }
+
+ private:
+  Scene InClipSpace(const Scene& scene) const {
+    if (scene.width != clip_.width || scene.height != clip_.height) {
+      throw InputError("subject " + info_.name,
+                       "a viewport takes vertices elsewhere on this target",
+                       "choose another property");
+    }
     Scene clip = scene;
     clip.clip_space = true;
-    clip.precision = precision_;
+    clip.precision = clip_.precision;
     for (Vertex& v : clip.vertices) {
       const auto found = clip_of_.find(PlaceOf(v));
       if (found == clip_of_.end()) {
@@ -72,14 +91,15 @@ class SeenSubject final : public Subject {
       }
       v = found->second;
     }
-    subject_.Draw(clip, options, counts);
+    return clip;
   }
 
- private:
   Subject& subject_;
   SubjectInfo info_;
-  Precision precision_;
+  const Scene& clip_;
+  const Scene& window_;
   std::map<Place, Vertex> clip_of_;
+  std::unique_ptr<SeenSubject> whole_;
 };
 
 }  // namespace
@@ -116,11 +136,12 @@ Case SeenCase(const Case& c) {
   return seen;
 }
 
-Verdict CheckSeen(Subject& subject, const Property& property, const Case& c) {
-  if (!c.profile.transform || !c.scene.clip_space) return property.check(subject, c);
+Verdict CheckSeen(Subject& subject, const Case& c,
+                  const std::function<Verdict(Subject&, const Case&)>& check) {
+  if (!c.profile.transform || !c.scene.clip_space) return check(subject, c);
   const Case seen = SeenCase(c);
   SeenSubject window_subject(subject, c.scene, seen.scene);
-  return property.check(window_subject, seen);
+  return check(window_subject, seen);
 }
 
 }  // namespace rasterproof::props

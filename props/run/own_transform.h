@@ -6,12 +6,13 @@
 #ifndef RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 #define RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 
+#include <functional>
+
 #include "core/case.h"
 #include "core/subject.h"
 #include "core/verdict.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
-#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -32,11 +33,13 @@ Case PutBehindTransform(Case window, const SubjectInfo& info, BitSource& bits);
 /// clip space.
 Case SeenCase(const Case& c);
 
-/// Checks the property on the case, seen through the profile's transform.
+/// Calls `check` with the case seen through the profile's transform, and with a subject that draws
+/// what is made of the seen case's vertices.
 ///
-/// Returns:    kNotApplicable where the claim needs scenes that are not made of the case's vertices
-///             (a translated one: no clip-space vertex need be taken there).
-Verdict CheckSeen(Subject& subject, const Property& property, const Case& c);
+/// Error:      InputError from a draw of anything else (a translated scene, another size of target:
+///             no clip-space vertex need be taken there).
+Verdict CheckSeen(Subject& subject, const Case& c,
+                  const std::function<Verdict(Subject&, const Case&)>& check);
 
 }  // namespace rasterproof::props
 

@@ -28,7 +28,10 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
 std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
   std::string left_out;
   for (const std::string_view name : property.domains) {
-    if (SuitableDomain(name, info) != nullptr) continue;
+    const Domain* domain = FindDomain(name);
+    if (domain == nullptr || Suits(*domain, info)) continue;
+    // What the profile does not promise is no scene that the subject could not take.
+    if (domain->is_promised != nullptr && !domain->is_promised(info.profile)) continue;
     left_out += left_out.empty() ? "not drawn, the subject takes no such scenes: " : ", ";
     left_out += name;
   }

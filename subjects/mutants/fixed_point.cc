@@ -16,7 +16,7 @@ int SignOf(std::int64_t n) { return (n > 0) - (n < 0); }
 
 // The sample moves by (+-e, +-e^2), or by (+-e^2, +-e): whether it then is on the positive side.
 bool Owns(const GridEdge& edge, const FillRule& rule) {
-  if (rule.inclusive) return true;
+  if (!rule.IsConsistent()) return rule.inclusive;
   const int along_x = rule.sign_x * SignOf(edge.b.y - edge.a.y);
   const int along_y = rule.sign_y * SignOf(edge.a.x - edge.b.x);
   const int first = rule.y_first ? along_y : along_x;
@@ -32,6 +32,8 @@ class FixedPoint final : public Subject {
     info_.profile = stages_.profile;
     info_.takes_threads = true;
     bits_ = std::max(8, stages_.profile.snap.bits);
+    if (info_.profile.fixed) bits_ = std::max(bits_, info_.profile.fixed->fraction_bits);
+    for (const TargetModel& model : info_.profile.targets) bits_ = std::max(bits_, model.snap.bits);
   }
 
   const SubjectInfo& Info() const override { return info_; }
@@ -56,6 +58,10 @@ class FixedPoint final : public Subject {
     return static_cast<int>((at - offset + step - 1) >> bits_);
   }
 
+  // The model that the profile has on the scene's target.
+  Profile ModelOn(const Scene& scene) const;
+  double Wrapped(double x) const;
+  bool IsTooLarge(const std::array<GridPoint, 3>& v) const;
   Target Prepare(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) const;
   std::optional<GridPoint> Snapped(const Vertex& v) const;
   std::optional<GridTriangle> SetUp(const Scene& scene, std::size_t number) const;
@@ -70,8 +76,39 @@ class FixedPoint final : public Subject {
 
   FixedStages stages_;
   SubjectInfo info_;
+  Profile model_;  ///< on the target of this draw
   int bits_ = 8;
 };
+
+Profile FixedPoint::ModelOn(const Scene& scene) const {
+  if (stages_.target_model) return stages_.target_model(info_.profile, scene);
+  return ForTarget(info_.profile, scene.width, scene.height);
+}
+
+// The low n + m bits, the highest of them read as the sign.
+double FixedPoint::Wrapped(double x) const {
+  const FixedInput& fixed = *info_.profile.fixed;
+  const auto raw = static_cast<std::int64_t>(std::ldexp(x, fixed.fraction_bits));
+  const int bits = fixed.integer_bits + fixed.fraction_bits;
+  std::int64_t used = raw;
+  if (stages_.wrap) {
+    used = stages_.wrap(raw);
+  } else if (fixed.wraps) {
+    used = raw & ((std::int64_t{1} << bits) - 1);
+    if (fixed.is_signed && (used >> (bits - 1)) != 0) used -= std::int64_t{1} << bits;
+  }
+  return std::ldexp(static_cast<double>(used), -fixed.fraction_bits);
+}
+
+bool FixedPoint::IsTooLarge(const std::array<GridPoint, 3>& v) const {
+  const auto [left, right] = std::ranges::minmax(v, {}, &GridPoint::x);
+  const auto [top, bottom] = std::ranges::minmax(v, {}, &GridPoint::y);
+  const std::int64_t width = right.x - left.x;
+  const std::int64_t height = bottom.y - top.y;
+  if (stages_.too_large) return stages_.too_large(width, height);
+  const MaxExtent& most = *info_.profile.max_extent;
+  return width > Units(most.width) || height > Units(most.height);
+}
 
 FixedPoint::Target FixedPoint::Prepare(const Scene& scene, const DrawOptions& options,
                                        CoverageCounts& counts) const {
@@ -82,7 +119,7 @@ FixedPoint::Target FixedPoint::Prepare(const Scene& scene, const DrawOptions& op
                    std::min(scene.height, s->y1)};
   }
   const bool y_up = info_.profile.y_axis == YAxis::kUp;
-  for (const Point2& l : info_.profile.lattice.locations) {
+  for (const Point2& l : model_.lattice.locations) {
     target.offsets.push_back({Units(l.x), Units(y_up ? -(scene.height - 1) - l.y : l.y)});
   }
   return target;
@@ -90,7 +127,8 @@ FixedPoint::Target FixedPoint::Prepare(const Scene& scene, const DrawOptions& op
 
 std::optional<GridPoint> FixedPoint::Snapped(const Vertex& v) const {
   const auto snap = [&](double x, bool along_y) {
-    return stages_.snap ? stages_.snap(x, along_y) : SnapCoordinate(x, info_.profile.snap);
+    if (info_.profile.fixed && std::isfinite(x)) x = Wrapped(x);
+    return stages_.snap ? stages_.snap(x, along_y) : SnapCoordinate(x, model_.snap);
   };
   const double reach = 2 * info_.profile.coordinate_limit;
   const double x = snap(v.x, false);
@@ -114,8 +152,9 @@ std::optional<GridTriangle> FixedPoint::SetUp(const Scene& scene, std::size_t nu
     triangle.v[i] = *p;
   }
   const std::array<GridPoint, 3>& v = triangle.v;
+  if (info_.profile.max_extent && IsTooLarge(v)) return std::nullopt;
   const std::int64_t area = stages_.area ? stages_.area(v) : GridEdge{v[0], v[1]}.At(v[2]);
-  if (area == 0) return std::nullopt;
+  if (area == 0 && !stages_.draws_flat) return std::nullopt;
   triangle.front = area > 0;
   if (!triangle.front) {
     std::swap(triangle.v[1], triangle.v[2]);
@@ -124,7 +163,7 @@ std::optional<GridTriangle> FixedPoint::SetUp(const Scene& scene, std::size_t nu
   if (stages_.facing) stages_.facing(triangle);
   for (std::size_t i = 0; i < 3; ++i) {
     GridEdge edge{triangle.v[(i + 1) % 3], triangle.v[(i + 2) % 3]};
-    edge.owns = Owns(edge, info_.profile.fill_rule);
+    edge.owns = area == 0 || Owns(edge, model_.fill_rule);
     triangle.edges[i] = edge;
   }
   if (stages_.edges) stages_.edges(triangle);
@@ -220,6 +259,7 @@ void FixedPoint::DrawTriangle(const GridTriangle& triangle, Target& target) cons
 }
 
 void FixedPoint::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+  model_ = ModelOn(scene);
   const CoverageCounts before = stages_.after ? counts : CoverageCounts();
   Target target = Prepare(scene, options, counts);
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {

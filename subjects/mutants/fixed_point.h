@@ -65,11 +65,17 @@ struct FixedStages {
   int tile = 8;  ///< where the options leave it to the subject
 
   std::function<void(DrawOptions&, const Scene&)> options = {};
+  std::function<Profile(const Profile&, const Scene&)> target_model = {};
   std::function<bool(const Scene&, std::size_t number)> drops = {};
   std::function<void(std::array<Vertex, 3>&)> vertices = {};
+  /// From a coordinate's integer, in units of its fixed-point input, to the one that is used.
+  std::function<std::int64_t(std::int64_t raw)> wrap = {};
   std::function<double(double x, bool along_y)> snap = {};
   std::function<void(GridPoint&)> place = {};
+  /// Whether a triangle so many steps of the grid wide and high is dropped.
+  std::function<bool(std::int64_t width, std::int64_t height)> too_large = {};
   std::function<std::int64_t(const std::array<GridPoint, 3>&)> area = {};
+  bool draws_flat = false;  ///< a triangle without area covers the samples on it
   std::function<void(GridTriangle&)> facing = {};
   std::function<void(GridTriangle&)> edges = {};
   std::function<void(PixelRect&, const GridTriangle&, const Scene&)> box = {};
@@ -86,9 +92,10 @@ struct FixedStages {
 
 /// The rasterizer with the given stages.
 ///
-/// Snaps, drops zero areas, culls, walks the tiles of the box, rejects and accepts tiles by their
-/// corners, and tests the samples of the others with integer edge functions. The rows are shared
-/// out among DrawOptions::threads workers, who take turns on one thread.
+/// Wraps and snaps, drops what is too large and zero areas, culls, walks the tiles of the box,
+/// rejects and accepts tiles by their corners, and tests the samples of the others with integer
+/// edge functions. The rows are shared out among DrawOptions::threads workers, who take turns on
+/// one thread.
 ///
 /// Domain:     float32 scenes in window space. A triangle that is not finite or leaves twice the
 ///             profile's limit is not drawn. 64 bits suffice while 2 limit 2^bits <= 2^30.

@@ -144,7 +144,8 @@ std::vector<Planted> OtherBases() {
 
 std::vector<Planted> LegalVariants() {
   std::vector<Planted> table = TieRules();
-  for (const auto more : {Snaps, Samples, Freedoms, OtherBases, TransformVariants}) {
+  for (const auto more : {Snaps, Samples, Freedoms, OtherBases, TransformVariants, ScanlineVariants,
+                          PromiseVariants}) {
     for (Planted& planted : more()) table.push_back(std::move(planted));
   }
   return table;

@@ -30,7 +30,8 @@ std::vector<Row> MakeRows() {
   for (const auto table :
        {mutants::FillRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
         mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
-        mutants::RealMutants, mutants::TransformMutants, mutants::ShownValueMutants}) {
+        mutants::RealMutants, mutants::TransformMutants, mutants::ScanlineMutants,
+        mutants::ShownValueMutants, mutants::PromiseMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);
@@ -59,6 +60,9 @@ struct Maker {
   }
   std::unique_ptr<Subject> operator()(const mutants::TransformStages& stages) const {
     return mutants::MakeOwnTransform(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::ScanlineStages& stages) const {
+    return mutants::MakeScanline(info.name, info.change, stages);
   }
 };
 

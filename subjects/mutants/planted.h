@@ -11,6 +11,7 @@
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/own_transform.h"
 #include "subjects/mutants/real_geometry.h"
+#include "subjects/mutants/scanline.h"
 #include "subjects/mutants/shown_values.h"
 
 namespace rasterproof::subjects::mutants {
@@ -20,7 +21,8 @@ struct Planted {
   std::string_view name;
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
-  std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages> stages;
+  std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages>
+      stages;
 };
 
 /// Eight subpixel bits and four samples a pixel, on a rotated grid.
@@ -35,12 +37,17 @@ std::vector<Planted> TargetMutants();      // scissor, culling, target size, thr
 std::vector<Planted> SceneMutants();       // state, degenerate and non-finite input, lost triangles
 std::vector<Planted> RealMutants();        // exact geometry, clip space
 std::vector<Planted> TransformMutants();   // clip space to window
+std::vector<Planted> ScanlineMutants();    // where edges cross rows
 std::vector<Planted> ShownValueMutants();  // edge values, walks, weights
+std::vector<Planted> PromiseMutants();     // fixed-point input, target sizes, extents, overdraw
 /// Written after the generators and the properties were frozen.
 std::vector<Planted> LateMutants();
 
 std::vector<Planted> LegalVariants();
-std::vector<Planted> TransformVariants();  // a part of them
+// Parts of them.
+std::vector<Planted> TransformVariants();
+std::vector<Planted> ScanlineVariants();
+std::vector<Planted> PromiseVariants();  // those of profiles with the rarer keys
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -18,8 +18,12 @@ constexpr std::size_t kGuardRows = 4;
 
 // From low to high: a closed page, guard rows, the rows, each with guard columns behind it, guard
 // rows up to the end of a page, a closed page.
-GuardedCounts::GuardedCounts(std::size_t row_length, std::size_t rows)
-    : row_length_(row_length), rows_(rows), stride_(row_length + kGuardColumns) {
+GuardedCounts::GuardedCounts(std::size_t row_length, std::size_t rows, std::size_t words,
+                             std::uint32_t fill)
+    : words_(words),
+      row_length_(row_length * words),
+      rows_(rows),
+      stride_((row_length + kGuardColumns) * words) {
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t count = (rows + 2 * kGuardRows) * stride_;
   const std::size_t open_bytes = (count * sizeof(std::uint32_t) + page - 1) / page * page;
@@ -33,7 +37,7 @@ GuardedCounts::GuardedCounts(std::size_t row_length, std::size_t rows)
   counts_ = {reinterpret_cast<std::uint32_t*>(end - count * sizeof(std::uint32_t)), count};
   std::ranges::fill(counts_, kGuard);
   for (std::size_t row = 0; row < rows_; ++row)
-    std::fill_n(data() + row * stride_, row_length_, 0U);
+    std::fill_n(data() + row * stride_, row_length_, fill);
 }
 
 GuardedCounts::~GuardedCounts() { munmap(mapped_, mapped_bytes_); }
@@ -50,10 +54,10 @@ std::string GuardedCounts::Damage() const {
     const std::size_t column = k % stride_;
     const bool is_row = row >= kGuardRows && row < kGuardRows + rows_;
     if ((is_row && column < row_length_) || counts_[k] == kGuard) continue;
-    const std::string at = "column " + std::to_string(column) + " of row ";
+    const std::string at = "column " + std::to_string(column / words_) + " of row ";
     const auto number = static_cast<std::ptrdiff_t>(row) - static_cast<std::ptrdiff_t>(kGuardRows);
     return at + std::to_string(number) + " of a target of " + std::to_string(rows_) + " rows of " +
-           std::to_string(row_length_) + " counts";
+           std::to_string(row_length_ / words_) + " counts";
   }
   return "";
 }

@@ -9,24 +9,27 @@
 
 namespace rasterproof::subjects {
 
-/// `rows` rows of `row_length` counts, all zero.
+/// `rows` rows of `row_length` entries of `words` 32-bit words each, every word `fill`.
 class GuardedCounts {
  public:
-  GuardedCounts(std::size_t row_length, std::size_t rows);
+  GuardedCounts(std::size_t row_length, std::size_t rows, std::size_t words = 1,
+                std::uint32_t fill = 0);
   ~GuardedCounts();
   GuardedCounts(const GuardedCounts&) = delete;
   GuardedCounts& operator=(const GuardedCounts&) = delete;
 
-  /// The first count of the first row.
+  /// The first word of the first row. Entries of an even number of words are aligned to 8 bytes.
   std::uint32_t* data();
-  /// Counts from the start of one row to the start of the next.
-  std::size_t stride() const { return stride_; }
+  /// Entries from the start of one row to the start of the next: the same for all sizes of entries.
+  std::size_t stride() const { return stride_ / words_; }
+  /// The words of a row.
   std::span<const std::uint32_t> Row(std::size_t row) const;
   /// Where something outside the rows was written, in words, or nothing.
   std::string Damage() const;
 
  private:
-  std::size_t row_length_;
+  std::size_t words_;
+  std::size_t row_length_;  ///< in words, like the stride
   std::size_t rows_;
   std::size_t stride_;
   std::size_t mapped_bytes_ = 0;

@@ -2,10 +2,17 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <deque>
+#include <exception>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -19,11 +26,22 @@ constexpr const char* kSymbol = "rasterproof_plugin_describe";
 
 bool Has(const rasterproof_plugin& plugin, std::uint32_t bit) { return (plugin.takes & bit) != 0; }
 
+// Of a description that ends before a field the field is zero.
+constexpr std::size_t kFirstSize = offsetof(rasterproof_plugin, fixed_integer_bits);
+
+std::optional<FixedInput> FixedInputOf(const rasterproof_plugin& plugin) {
+  if (plugin.input != RASTERPROOF_FIXED) return std::nullopt;
+  return FixedInput{static_cast<int>(plugin.fixed_integer_bits),
+                    static_cast<int>(plugin.fixed_fraction_bits), plugin.fixed_is_signed != 0,
+                    plugin.fixed_wraps != 0};
+}
+
 SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   SubjectInfo info;
   info.name = plugin.name == nullptr ? path : plugin.name;
   info.summary = plugin.summary == nullptr ? "" : plugin.summary;
   info.input = plugin.input == RASTERPROOF_FLOAT64 ? Precision::kFloat64 : Precision::kFloat32;
+  info.profile.fixed = FixedInputOf(plugin);
   info.coverage = static_cast<CoverageKind>(plugin.coverage);
   info.takes_clip = Has(plugin, RASTERPROOF_TAKES_CLIP_SPACE);
   info.takes_window = !Has(plugin, RASTERPROOF_TAKES_NO_WINDOW_SPACE);
@@ -31,13 +49,23 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   info.takes_scissor = Has(plugin, RASTERPROOF_TAKES_SCISSOR);
   info.takes_tiles = Has(plugin, RASTERPROOF_TAKES_TILES);
   info.takes_threads = Has(plugin, RASTERPROOF_TAKES_THREADS);
+  info.takes_batches = plugin.draw_many != nullptr;
+  info.fragments = {static_cast<WinnerOrder>(plugin.winner_order),
+                    static_cast<WeightsOf>(plugin.weights_of), plugin.weight_error,
+                    plugin.depth_error};
   return info;
 }
 
 // The scene as the library sees it; the vectors hold what it points to.
 class PluginScene {
  public:
-  PluginScene(const Scene& scene, const DrawOptions& options) {
+  PluginScene(const Scene& scene, const DrawOptions& options,
+              const std::optional<FixedInput>& fixed) {
+    if (fixed) {
+      for (const Vertex& v : scene.vertices) {
+        fixed_.insert(fixed_.end(), {fixed->Raw(v.x), fixed->Raw(v.y)});
+      }
+    }
     for (const Vertex& v : scene.vertices) vertices_.insert(vertices_.end(), {v.x, v.y, v.z, v.w});
     for (const Triangle& t : scene.triangles) {
       triangles_.insert(triangles_.end(), {t[0], t[1], t[2]});
@@ -54,28 +82,96 @@ class PluginScene {
              .cull = static_cast<std::int32_t>(options.cull),
              .scissor = {cut.x0, cut.y0, cut.x1, cut.y1},
              .tile = options.tile,
-             .threads = options.threads};
+             .threads = options.threads,
+             .fixed = fixed ? fixed_.data() : nullptr};
   }
   const rasterproof_scene& view() const { return view_; }
 
  private:
   std::vector<double> vertices_;
   std::vector<std::int32_t> triangles_;
+  std::vector<std::int64_t> fixed_;
   rasterproof_scene view_{};
 };
 
-void AddRows(const GuardedCounts& drawn, std::vector<std::uint32_t>& to, std::size_t rows,
-             std::size_t row_length) {
-  for (std::size_t row = 0; row < rows; ++row) {
-    const std::span<const std::uint32_t> from = drawn.Row(row);
-    for (std::size_t k = 0; k < row_length; ++k) to[row * row_length + k] += from[k];
+// What one scene is drawn onto; a part that the library does not show is not there.
+class PluginTarget {
+ public:
+  PluginTarget(const DrawJob& job, CoverageKind kind)
+      : rows_(static_cast<std::size_t>(job.scene.height)) {
+    drawing_.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+    const std::size_t columns = drawing_.counts.size() / rows_;
+    const bool winners = kind == CoverageKind::kWinners || kind == CoverageKind::kFragments;
+    const GuardedCounts& shape =
+        winners ? winners_.emplace(columns, rows_, 1, static_cast<std::uint32_t>(kNoTriangle))
+                : front_.emplace(columns, rows_);
+    if (kind == CoverageKind::kFacingCounts) back_.emplace(columns, rows_);
+    if (kind == CoverageKind::kFragments) {
+      weights_.emplace(columns, rows_, 3 * kWordsOfADouble);
+      depths_.emplace(columns, rows_, kWordsOfADouble);
+    }
+    view_ = {.size = sizeof(rasterproof_target),
+             .samples = job.samples,
+             .stride = shape.stride(),
+             .front = DataOf<std::uint32_t>(front_),
+             .back = DataOf<std::uint32_t>(back_),
+             .winners = DataOf<std::int32_t>(winners_),
+             .weights = DataOf<double>(weights_),
+             .depths = DataOf<double>(depths_)};
   }
-}
+  const rasterproof_target& view() const { return view_; }
+
+  /// What was drawn.
+  ///
+  /// Error:      SubjectFault if anything was written outside the target.
+  Drawing Drawn() {
+    for (const auto* part : {&front_, &back_, &winners_, &weights_, &depths_}) {
+      const std::string damage = *part ? (*part)->Damage() : "";
+      if (!damage.empty()) throw SubjectFault("it wrote outside its target: " + damage);
+    }
+    CopyRows(front_, rows_, drawing_.counts.size(), drawing_.counts.front);
+    CopyRows(back_, rows_, drawing_.counts.size(), drawing_.counts.back);
+    CopyRows(winners_, rows_, drawing_.counts.size(), drawing_.winners);
+    CopyRows(weights_, rows_, drawing_.counts.size(), drawing_.weights);
+    CopyRows(depths_, rows_, drawing_.counts.size(), drawing_.depths);
+    for (std::size_t k = 0; k < drawing_.winners.size(); ++k) {
+      drawing_.counts.front[k] = drawing_.winners[k] == kNoTriangle ? 0 : 1;
+    }
+    return std::move(drawing_);
+  }
+
+ private:
+  using Part = std::optional<GuardedCounts>;
+  static constexpr std::size_t kWordsOfADouble = sizeof(double) / sizeof(std::uint32_t);
+
+  template <class T>
+  static T* DataOf(Part& part) {
+    return part ? reinterpret_cast<T*>(part->data()) : nullptr;
+  }
+  template <class T>
+  static void CopyRows(const Part& part, std::size_t rows, std::size_t size, std::vector<T>& to) {
+    if (!part) return;
+    to.resize(size);
+    for (std::size_t row = 0; row < rows; ++row) {
+      const std::span<const std::uint32_t> from = part->Row(row);
+      std::memcpy(to.data() + row * (size / rows), from.data(), from.size_bytes());
+    }
+  }
+
+  std::size_t rows_;
+  Drawing drawing_;
+  Part front_;
+  Part back_;
+  Part winners_;
+  Part weights_;
+  Part depths_;
+  rasterproof_target view_{};
+};
 
 class PluginSubject final : public Subject {
  public:
   PluginSubject(const rasterproof_plugin& plugin, const std::string& path)
-      : plugin_(plugin), info_(InfoOf(plugin, path)) {
+      : plugin_(plugin), info_(InfoOf(plugin, path)), fixed_(FixedInputOf(plugin)) {
     if (plugin_.open != nullptr) state_ = plugin_.open();
   }
   ~PluginSubject() override {
@@ -87,39 +183,88 @@ class PluginSubject final : public Subject {
   const SubjectInfo& Info() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    if (plugin_.reset != nullptr) plugin_.reset(state_);
-    const auto rows = static_cast<std::size_t>(counts.height);
-    const auto row_length =
-        static_cast<std::size_t>(counts.width) * static_cast<std::size_t>(counts.samples);
-    const bool facings = info_.coverage == CoverageKind::kFacingCounts;
-    GuardedCounts front(row_length, rows);
-    GuardedCounts back(row_length, facings ? rows : 0);
-    const rasterproof_target target{.size = sizeof(rasterproof_target),
-                                    .samples = counts.samples,
-                                    .stride = front.stride(),
-                                    .front = front.data(),
-                                    .back = facings ? back.data() : nullptr};
-    const PluginScene given(scene, options);
-    const std::int32_t refused = plugin_.draw(state_, &given.view(), &target);
-    for (const GuardedCounts* side : {&front, &back}) {
-      const std::string damage = side->Damage();
-      if (!damage.empty()) throw SubjectFault("it wrote outside its target: " + damage);
+    counts += Show({scene, options, counts.samples}).counts;
+  }
+
+  Drawing Show(const DrawJob& job) override {
+    Reset();
+    if (!CanBeGiven(job.scene, info_.profile)) {
+      throw InputError("subject " + info_.name, "its integers do not hold a coordinate",
+                       "give it multiples of its step within its range");
     }
+    const PluginScene given(job.scene, job.options, fixed_);
+    PluginTarget target(job, info_.coverage);
+    const std::int32_t refused = plugin_.draw(state_, &given.view(), &target.view());
+    Drawing drawing = target.Drawn();
     if (refused != 0) {
       throw InputError("subject " + info_.name, "draw returned " + std::to_string(refused),
                        "give it another scene");
     }
-    AddRows(front, counts.front, rows, row_length);
-    if (facings) AddRows(back, counts.back, rows, row_length);
+    return drawing;
+  }
+
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    const auto can_be_given = [&](const DrawJob& job) {
+      return CanBeGiven(job.scene, info_.profile);
+    };
+    if (plugin_.draw_many == nullptr || jobs.size() < 2 ||
+        !std::ranges::all_of(jobs, can_be_given)) {
+      return Subject::DrawMany(jobs);
+    }
+    Reset();
+    std::deque<PluginScene> given;
+    std::deque<PluginTarget> targets;
+    std::vector<const rasterproof_scene*> scene_views;
+    std::vector<const rasterproof_target*> target_views;
+    for (const DrawJob& job : jobs) {
+      scene_views.push_back(&given.emplace_back(job.scene, job.options, fixed_).view());
+      target_views.push_back(&targets.emplace_back(job, info_.coverage).view());
+    }
+    const std::int32_t refused =
+        plugin_.draw_many(state_, scene_views.data(), target_views.data(), jobs.size());
+    if (refused != 0) return Subject::DrawMany(jobs);
+    std::vector<DrawOutcome> outcomes;
+    for (PluginTarget& target : targets) {
+      DrawOutcome& outcome = outcomes.emplace_back();
+      try {
+        outcome.drawing = target.Drawn();
+      } catch (const SubjectFault&) {
+        outcome.error = std::current_exception();
+        break;
+      }
+    }
+    return outcomes;
   }
 
  private:
+  void Reset() {
+    if (plugin_.reset != nullptr) plugin_.reset(state_);
+  }
+
   rasterproof_plugin plugin_;
   SubjectInfo info_;
+  std::optional<FixedInput> fixed_;
   void* state_ = nullptr;
 };
 
-void RequireSound(const rasterproof_plugin* plugin, const std::string& path) {
+void RequireSoundFixedInput(const rasterproof_plugin& plugin, const std::string& path) {
+  if (plugin.input != RASTERPROOF_FIXED) return;
+  if (plugin.fixed_integer_bits < 1 || plugin.fixed_integer_bits > kMaxIntegerBits ||
+      plugin.fixed_fraction_bits > kMaxSubpixelBits) {
+    throw InputError(path,
+                     "its fixed-point input has " + std::to_string(plugin.fixed_integer_bits) +
+                         " bits before the point and " +
+                         std::to_string(plugin.fixed_fraction_bits) + " after it",
+                     "set fixed_integer_bits from 1 to 31 and fixed_fraction_bits from 0 to 16");
+  }
+  if (Has(plugin, RASTERPROOF_TAKES_CLIP_SPACE) || Has(plugin, RASTERPROOF_TAKES_NO_WINDOW_SPACE)) {
+    throw InputError(path, "its input is fixed point, and it takes clip space",
+                     "leave the bits for clip space out of takes");
+  }
+}
+
+// The description in the size that this program knows: what an older library lacks is zero.
+rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string& path) {
   const auto require = [&](bool holds, const std::string& reason, const char* remedy) {
     if (!holds) throw InputError(path, reason, remedy);
   };
@@ -127,15 +272,30 @@ void RequireSound(const rasterproof_plugin* plugin, const std::string& path) {
   require(plugin->version == RASTERPROOF_PLUGIN_VERSION,
           "it is written for version " + std::to_string(plugin->version) + " of the interface",
           "build it with the header of version 1");
-  require(plugin->size >= sizeof(rasterproof_plugin),
-          "its description has " + std::to_string(plugin->size) + " bytes, not " +
-              std::to_string(sizeof(rasterproof_plugin)),
+  require(plugin->size >= kFirstSize,
+          "its description has " + std::to_string(plugin->size) + " bytes, fewer than " +
+              std::to_string(kFirstSize),
           "set size to sizeof(rasterproof_plugin)");
-  require(plugin->draw != nullptr, "it has no draw function", "set draw");
-  require(plugin->input <= RASTERPROOF_FLOAT64, "its input is " + std::to_string(plugin->input),
-          "use enum rasterproof_input");
-  require(plugin->coverage <= RASTERPROOF_MASK,
-          "its coverage is " + std::to_string(plugin->coverage), "use enum rasterproof_coverage");
+  rasterproof_plugin described{};
+  std::memcpy(&described, plugin, std::min<std::size_t>(plugin->size, sizeof described));
+  const auto require_known = [&](const char* what, std::uint32_t value, std::uint32_t last) {
+    require(value <= last, std::string("its ") + what + " is " + std::to_string(value),
+            "use the header's constants");
+  };
+  require(described.draw != nullptr, "it has no draw function", "set draw");
+  require_known("input", described.input, RASTERPROOF_FIXED);
+  require_known("coverage", described.coverage, RASTERPROOF_FRAGMENTS);
+  require_known("winner_order", described.winner_order, RASTERPROOF_FIRST_DRAWN);
+  require_known("weights_of", described.weights_of, RASTERPROOF_OF_SNAPPED);
+  const auto require_error = [&](const char* what, double error) {
+    require(std::isfinite(error) && error >= 0,
+            std::string("its ") + what + " is " + std::to_string(error),
+            "give a finite number, or 0 to say nothing");
+  };
+  require_error("weight_error", described.weight_error);
+  require_error("depth_error", described.depth_error);
+  RequireSoundFixedInput(described, path);
+  return described;
 }
 
 }  // namespace
@@ -154,10 +314,9 @@ LoadedPlugin LoadPlugin(const std::string& path) {
                      "see kit/rasterproof_plugin.h; C++ needs its extern \"C\"");
   }
   const auto describe = reinterpret_cast<const rasterproof_plugin* (*)()>(symbol);
-  const rasterproof_plugin* const plugin = describe();
-  RequireSound(plugin, path);
-  return {std::make_unique<PluginSubject>(*plugin, path),
-          plugin->profile == nullptr ? "real" : plugin->profile};
+  const rasterproof_plugin plugin = Described(describe(), path);
+  return {std::make_unique<PluginSubject>(plugin, path),
+          plugin.profile == nullptr ? "real" : plugin.profile};
 }
 
 }  // namespace rasterproof::subjects

@@ -1,6 +1,9 @@
 #include "subjects/process/process.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <exception>
+#include <functional>
 #include <utility>
 
 #include "core/error.h"
@@ -20,6 +23,37 @@ std::string SecondsText(double seconds) {
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
   return text + " s";
+}
+
+std::string FaultText(const DrawOutcome& outcome) {
+  try {
+    outcome.Get();
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+// The job without the wishes that the subject does not take.
+DrawJob Taken(const DrawJob& job, const SubjectInfo& info) {
+  DrawJob taken = job;
+  if (!info.takes_tiles) taken.options.tile = 0;
+  if (!info.takes_threads) taken.options.threads = 1;
+  return taken;
+}
+
+// The least n of [low, high] that does it, if it is so for all above as well; high is known to.
+std::size_t LeastThat(std::size_t low, std::size_t high,
+                      const std::function<bool(std::size_t)>& does) {
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (does(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return high;
 }
 
 }  // namespace
@@ -59,37 +93,103 @@ ProcessSubject::~ProcessSubject() = default;
 const SubjectInfo& ProcessSubject::Info() const { return info_; }
 
 void ProcessSubject::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+  counts += Show({scene, options, counts.samples}).counts;
+}
+
+Drawing ProcessSubject::Show(const DrawJob& job) {
+  DrawOutcome outcome = std::move(Ask({&job, 1}, limits_.seconds).front());
+  outcome.Get();  // or it throws
+  return std::move(outcome.drawing);
+}
+
+std::vector<DrawOutcome> ProcessSubject::DrawMany(std::span<const DrawJob> jobs) {
+  std::vector<DrawOutcome> outcomes = Ask(jobs, limits_.seconds);
+  if (jobs.size() > 1 && outcomes.back().BrokeDown()) Trace(jobs, outcomes);
+  return outcomes;
+}
+
+// One call. Whatever goes wrong in it, the next one starts a fresh child.
+std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, double seconds) {
   if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
-  // Whatever goes wrong, the next draw starts a fresh child.
   std::unique_ptr<Child> child = std::move(child_);
-  const std::uint64_t id = next_id_++;
-  DrawOptions taken = options;
-  if (!info_.takes_tiles) taken.tile = 0;
-  if (!info_.takes_threads) taken.threads = 1;
-  child->Ask(RequestText({id, scene, counts.samples, taken}));
-  const auto deadline = After(limits_.seconds);
-  const AnswerHead head = ParseAnswerHead(child->Line(deadline), id);
-  if (head.kind == AnswerKind::kFault) throw SubjectFault(head.reason);
-  if (head.kind == AnswerKind::kRefused) {
-    child_ = std::move(child);
-    throw InputError("subject " + info_.name, "it refused the scene: " + head.reason,
-                     "give it another one");
+  const std::uint64_t first_id = next_id_;
+  next_id_ += jobs.size();
+  std::string call = info_.takes_batches && jobs.size() > 1 ? BatchText(jobs.size()) : "";
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    call += RequestText(first_id + k, Taken(jobs[k], info_));
   }
-  CoverageCounts answer(counts.width, counts.height, counts.samples);
-  const auto row =
-      static_cast<std::size_t>(counts.width) * static_cast<std::size_t>(counts.samples);
-  const auto read = [&](std::vector<std::uint32_t>& side) {
-    for (std::size_t at = 0; at < side.size(); at += row) {
-      ParseCountsRow(child->Line(deadline), row, side.data() + at);
+  child->Ask(std::move(call));
+  std::vector<DrawOutcome> outcomes;
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    const auto deadline = After(seconds);
+    DrawOutcome& outcome = outcomes.emplace_back();
+    try {
+      outcome.drawing =
+          ReadAnswer(first_id + k, jobs[k], info_, [&] { return child->Line(deadline); });
+    } catch (const InputError&) {
+      outcome.error = std::current_exception();
+    } catch (const SubjectFault&) {
+      outcome.error = std::current_exception();
+      return outcomes;
     }
-  };
-  read(answer.front);
-  if (info_.coverage == CoverageKind::kFacingCounts) read(answer.back);
-  for (std::size_t k = 0; k < answer.size(); ++k) {
-    counts.front[k] += answer.front[k];
-    counts.back[k] += answer.back[k];
   }
   child_ = std::move(child);
+  return outcomes;
+}
+
+// Asks a fresh child, and gives it more time: a batch may be slow without being at fault.
+bool ProcessSubject::BreaksDown(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
+  constexpr double kPatience = 4;
+  child_.reset();
+  outcomes = Ask(jobs, jobs.size() > 1 ? kPatience * limits_.seconds : limits_.seconds);
+  return outcomes.back().BrokeDown();
+}
+
+// A program answers in order: before the answer that is missing none is to blame. In a batch it may
+// be any of those behind it as well, for it may draw them all before it says anything.
+void ProcessSubject::Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
+  const std::size_t first = outcomes.size() - 1;
+  const std::size_t last = info_.takes_batches ? jobs.size() - 1 : first;
+  const DrawOutcome fault = outcomes.back();
+  outcomes.pop_back();
+  for (std::size_t k = first; k <= last; ++k) {
+    std::vector<DrawOutcome> alone;
+    const bool breaks_down = BreaksDown(jobs.subspan(k, 1), alone);
+    outcomes.push_back(alone.front());
+    if (breaks_down) return;
+  }
+  outcomes.resize(first);
+  outcomes.push_back(fault);
+  TraceRun(jobs.first(last + 1), outcomes);
+}
+
+// None of the jobs does it alone. Finds the first run from the beginning that does, then the
+// shortest one with the same end. `outcomes` ends with the fault.
+void ProcessSubject::TraceRun(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
+  const std::string what = FaultText(outcomes.back());
+  std::vector<DrawOutcome> seen;
+  if (!BreaksDown(jobs, seen)) {
+    if (!info_.takes_batches) {
+      outcomes.back().error = std::make_exception_ptr(
+          SubjectFault(what + "; the same calls on a fresh process do not do it again"));
+    } else {
+      outcomes = seen;  // it was slow as a whole, and nothing more
+    }
+    return;
+  }
+  const std::size_t end = LeastThat(seen.size(), jobs.size(),
+                                    [&](std::size_t n) { return BreaksDown(jobs.first(n), seen); });
+  const std::size_t run =
+      LeastThat(2, end, [&](std::size_t n) { return BreaksDown(jobs.subspan(end - n, n), seen); });
+  BreaksDown(jobs.subspan(end - run, run), seen);
+  outcomes.resize(std::min(outcomes.size() - 1, end - 1));
+  while (outcomes.size() + 1 < end) {
+    outcomes.push_back(Ask(jobs.subspan(outcomes.size(), 1), limits_.seconds).front());
+    if (outcomes.back().BrokeDown()) return;
+  }
+  outcomes.emplace_back().error = std::make_exception_ptr(SubjectFault(
+      FaultText(seen.back()) + "; not alone, but after the " + std::to_string(run - 1) +
+      " draws before it" + (info_.takes_batches ? " in the same call" : "")));
 }
 
 std::string OutputOf(const std::vector<std::string>& command, const std::string& place,

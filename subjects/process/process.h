@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@
 namespace rasterproof::subjects {
 
 struct ProcessLimits {
-  double seconds = 10;                                  ///< for one answer
+  double seconds = 10;                                  ///< for one answer, or one batch
   std::uint64_t bytes = std::uint64_t{4} << 30;         ///< of address space; 0: no limit
   std::uint64_t answer_bytes = std::uint64_t{8} << 30;  ///< of one answer
 };
@@ -31,9 +32,21 @@ class ProcessSubject final : public Subject {
   /// Error:      SubjectFault if it died (the signal or status is told), gave no answer in time, or
   ///             answered something else; InputError if it refused the scene or can't be started.
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
+  Drawing Show(const DrawJob& job) override;
+  /// Sends all requests before it waits for the first answer.
+  ///
+  /// Error:      where the child breaks down, the job that does it is found by drawing alone, each
+  ///             on a fresh child, those that it may have been; if none does it alone, the shortest
+  ///             run of jobs that does it, told in the fault of its last one.
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
 
  private:
   class Child;
+  std::vector<DrawOutcome> Ask(std::span<const DrawJob> jobs, double seconds);
+  bool BreaksDown(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
+  void Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
+  void TraceRun(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
+
   std::vector<std::string> command_;
   SubjectInfo info_;
   ProcessLimits limits_;

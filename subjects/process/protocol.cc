@@ -1,22 +1,23 @@
 #include "subjects/process/protocol.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <istream>
-#include <limits>
+#include <optional>
 #include <sstream>
 #include <system_error>
-#include <vector>
+#include <utility>
 
 #include "core/error.h"
-#include "core/subject.h"
 
 namespace rasterproof::subjects {
 namespace {
 
 constexpr std::size_t kMostListed = std::size_t{1} << 26;
+constexpr std::size_t kMostInABatch = std::size_t{1} << 16;
 
 void AppendNumber(std::string& text, double x) {
   if (std::isnan(x)) {
@@ -107,33 +108,166 @@ Announced ParseDrawLine(const std::vector<std::string>& words, DrawRequest& requ
     Malformed(where, "draw ID WIDTH HEIGHT SAMPLES window|clip VERTICES TRIANGLES");
   }
   request.id = Number<std::uint64_t>(words[1], where);
-  request.scene.width = Number<int>(words[2], where);
-  request.scene.height = Number<int>(words[3], where);
-  request.samples = Number<int>(words[4], where);
-  request.scene.clip_space = words[5] == "clip";
-  request.scene.precision = Precision::kFloat64;  // what it holds; a program narrows what it must
+  request.job.scene.width = Number<int>(words[2], where);
+  request.job.scene.height = Number<int>(words[3], where);
+  request.job.samples = Number<int>(words[4], where);
+  request.job.scene.clip_space = words[5] == "clip";
+  request.job.scene.precision =
+      Precision::kFloat64;  // what it holds; a program narrows what it must
   const Announced announced{Number<std::size_t>(words[6], where),
                             Number<std::size_t>(words[7], where)};
   if (announced.vertices > kMostListed || announced.triangles > kMostListed) {
     Malformed(where, "at most 2^26 vertices and triangles");
   }
-  for (std::size_t k = 8; k < words.size(); ++k) ParseOption(words[k], where, request.options);
-  const Scene& s = request.scene;
+  for (std::size_t k = 8; k < words.size(); ++k) ParseOption(words[k], where, request.job.options);
+  const Scene& s = request.job.scene;
   if (s.width < 1 || s.height < 1 || s.width > kMaxTargetSide || s.height > kMaxTargetSide ||
-      request.samples < 1 || request.samples > kMaxSamplesPerPixel ||
-      std::int64_t{s.width} * s.height * request.samples > kMaxTargetSamples) {
+      request.job.samples < 1 || request.job.samples > kMaxSamplesPerPixel ||
+      std::int64_t{s.width} * s.height * request.job.samples > kMaxTargetSamples) {
     Malformed(where, "sides of 1 to 65536 and at most 2^28 samples");
   }
   return announced;
 }
 
+DrawRequest ReadRequest(std::istream& in, const std::vector<std::string>& draw_line) {
+  DrawRequest request;
+  const Announced announced = ParseDrawLine(draw_line, request);
+  Scene& scene = request.job.scene;
+  const std::string where = "request " + std::to_string(request.id);
+  for (std::size_t n = 0; n < announced.vertices; ++n) {
+    const std::string place = where + ", vertex " + std::to_string(n);
+    const std::vector<std::string> words = RequireWords(in, 4, place);
+    scene.vertices.push_back({Number<double>(words[0], place), Number<double>(words[1], place),
+                              Number<double>(words[2], place), Number<double>(words[3], place)});
+  }
+  for (std::size_t n = 0; n < announced.triangles; ++n) {
+    const std::string place = where + ", triangle " + std::to_string(n);
+    const std::vector<std::string> words = RequireWords(in, 3, place);
+    Triangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle[k] = Number<std::int32_t>(words[k], place);
+      if (triangle[k] < 0 || static_cast<std::size_t>(triangle[k]) >= announced.vertices) {
+        Malformed(place, "indices of vertices");
+      }
+    }
+    scene.triangles.push_back(triangle);
+  }
+  return request;
+}
+
+// The words of the next line that has any; none at the end of the stream.
+std::vector<std::string> NextWords(std::istream& in) {
+  std::vector<std::string> words;
+  for (std::string line; words.empty() && std::getline(in, line);) words = Words(line);
+  return words;
+}
+
+std::string_view AnswerWord(CoverageKind kind) {
+  if (kind == CoverageKind::kWinners) return "ids";
+  return kind == CoverageKind::kFragments ? "fragments" : "counts";
+}
+
+// What follows `WORD ID` on the line if it begins so.
+std::optional<std::string> AfterHead(std::string_view line, std::string_view word,
+                                     std::uint64_t id) {
+  const std::string head = std::string(word) + " " + std::to_string(id);
+  if (!line.starts_with(head)) return std::nullopt;
+  line.remove_prefix(head.size());
+  if (line.empty()) return "";
+  if (line.front() != ' ' && line.front() != '\r') return std::nullopt;
+  return std::string(line.substr(1));
+}
+
+// The numbers of one line of an answer, and where it goes wrong.
+class RowReader {
+ public:
+  explicit RowReader(std::string line) : line_(std::move(line)), at_(line_.data()) {}
+
+  template <class T>
+  T Next(std::size_t read, std::size_t wanted) {
+    SkipBlanks();
+    T value{};
+    const auto [stop, error] = std::from_chars(at_, End(), value);
+    if (error != std::errc{} || (stop != End() && !IsBlank(*stop))) {
+      throw SubjectFault("a row of its answer has " + std::to_string(read) + " samples, not " +
+                         std::to_string(wanted) + ": \"" + line_.substr(0, 60) + "\"");
+    }
+    at_ = stop;
+    return value;
+  }
+  void RequireEnd(std::size_t wanted) {
+    SkipBlanks();
+    if (at_ == End()) return;
+    throw SubjectFault("a row of its answer has more than " + std::to_string(wanted) +
+                       " samples: \"" + line_.substr(0, 60) + "\"");
+  }
+
+ private:
+  static bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+  const char* End() const { return line_.data() + line_.size(); }
+  void SkipBlanks() {
+    while (at_ != End() && IsBlank(*at_)) ++at_;
+  }
+
+  std::string line_;
+  const char* at_;
+};
+
+// Reads HEIGHT rows; take(row, index, column, columns) reads one sample from the row.
+template <class Take>
+void ReadRows(const CoverageCounts& shape, const std::function<std::string()>& next_line,
+              const Take& take) {
+  const auto columns = shape.size() / static_cast<std::size_t>(shape.height);
+  for (std::size_t at = 0; at < shape.size(); at += columns) {
+    RowReader row(next_line());
+    for (std::size_t k = 0; k < columns; ++k) take(row, at + k, k, columns);
+    row.RequireEnd(columns);
+  }
+}
+
+void ReadCounts(Drawing& drawing, std::vector<std::uint32_t>& side,
+                const std::function<std::string()>& next_line) {
+  ReadRows(drawing.counts, next_line,
+           [&](RowReader& row, std::size_t index, std::size_t column, std::size_t columns) {
+             side[index] = row.Next<std::uint32_t>(column, columns);
+           });
+}
+
+void RequireWinner(std::int32_t winner, std::size_t triangles) {
+  if (winner >= kNoTriangle && winner < static_cast<std::int64_t>(triangles)) return;
+  throw SubjectFault("it says that triangle " + std::to_string(winner) +
+                     " won a sample, of a scene of " + std::to_string(triangles));
+}
+
+void ReadWinners(Drawing& drawing, std::size_t triangles, bool fragments,
+                 const std::function<std::string()>& next_line) {
+  drawing.winners.resize(drawing.counts.size());
+  if (fragments) {
+    drawing.weights.resize(drawing.counts.size());
+    drawing.depths.resize(drawing.counts.size());
+  }
+  ReadRows(drawing.counts, next_line,
+           [&](RowReader& row, std::size_t index, std::size_t column, std::size_t columns) {
+             const auto winner = row.Next<std::int32_t>(column, columns);
+             RequireWinner(winner, triangles);
+             drawing.winners[index] = winner;
+             if (winner == kNoTriangle) return;
+             drawing.counts.front[index] = 1;
+             if (!fragments) return;
+             for (double& weight : drawing.weights[index]) {
+               weight = row.Next<double>(column, columns);
+             }
+             drawing.depths[index] = row.Next<double>(column, columns);
+           });
+}
+
 }  // namespace
 
-std::string RequestText(const DrawRequest& request) {
-  const Scene& scene = request.scene;
-  const DrawOptions& options = request.options;
-  std::string text = "draw " + std::to_string(request.id);
-  for (const int n : {scene.width, scene.height, request.samples}) {
+std::string RequestText(std::uint64_t id, const DrawJob& job) {
+  const Scene& scene = job.scene;
+  const DrawOptions& options = job.options;
+  std::string text = "draw " + std::to_string(id);
+  for (const int n : {scene.width, scene.height, job.samples}) {
     text += ' ';
     AppendInteger(text, n);
   }
@@ -167,87 +301,89 @@ std::string RequestText(const DrawRequest& request) {
   return text;
 }
 
-std::optional<DrawRequest> ReadRequest(std::istream& in) {
-  std::string line;
-  do {
-    if (!std::getline(in, line)) return std::nullopt;
-  } while (line.empty());
-  DrawRequest request;
-  const Announced announced = ParseDrawLine(Words(line), request);
-  const std::string where = "request " + std::to_string(request.id);
-  for (std::size_t n = 0; n < announced.vertices; ++n) {
-    const std::string place = where + ", vertex " + std::to_string(n);
-    const std::vector<std::string> words = RequireWords(in, 4, place);
-    request.scene.vertices.push_back(
-        {Number<double>(words[0], place), Number<double>(words[1], place),
-         Number<double>(words[2], place), Number<double>(words[3], place)});
+std::string BatchText(std::size_t n) { return "batch " + std::to_string(n) + "\n"; }
+
+std::vector<DrawRequest> ReadCall(std::istream& in) {
+  std::vector<std::string> words = NextWords(in);
+  std::vector<DrawRequest> requests;
+  if (words.empty()) return requests;
+  std::size_t n = 1;
+  if (words[0] == "batch") {
+    if (words.size() != 2) Malformed("batch line", "batch N");
+    n = Number<std::size_t>(words[1], "batch line");
+    if (n < 1 || n > kMostInABatch) Malformed("batch line", "1 to 2^16 requests");
+    words = NextWords(in);
   }
-  for (std::size_t n = 0; n < announced.triangles; ++n) {
-    const std::string place = where + ", triangle " + std::to_string(n);
-    const std::vector<std::string> words = RequireWords(in, 3, place);
-    Triangle triangle{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      triangle[k] = Number<std::int32_t>(words[k], place);
-      if (triangle[k] < 0 || static_cast<std::size_t>(triangle[k]) >= announced.vertices) {
-        Malformed(place, "indices of vertices");
-      }
-    }
-    request.scene.triangles.push_back(triangle);
+  for (;; words = NextWords(in)) {
+    requests.push_back(ReadRequest(in, words));
+    if (requests.size() == n) return requests;
   }
-  return request;
 }
 
-std::string CountsText(std::uint64_t id, const CoverageCounts& counts, bool facings) {
-  std::string text = "counts " + std::to_string(id) + "\n";
-  const auto row_length =
-      static_cast<std::size_t>(counts.width) * static_cast<std::size_t>(counts.samples);
-  const auto append = [&](const std::vector<std::uint32_t>& side) {
-    for (std::size_t k = 0; k < side.size(); ++k) {
-      AppendInteger(text, side[k]);
-      text += (k + 1) % row_length == 0 ? '\n' : ' ';
+std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind) {
+  std::string text(AnswerWord(kind));
+  text += ' ' + std::to_string(id) + '\n';
+  const CoverageCounts& counts = drawing.counts;
+  const auto columns = counts.size() / static_cast<std::size_t>(counts.height);
+  const auto append = [&](const auto& values, const auto& more) {
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      AppendInteger(text, values[k]);
+      more(k);
+      text += (k + 1) % columns == 0 ? '\n' : ' ';
     }
   };
-  append(counts.front);
-  if (facings) append(counts.back);
+  const auto nothing = [](std::size_t) {};
+  switch (kind) {
+    case CoverageKind::kFacingCounts:
+      append(counts.front, nothing);
+      append(counts.back, nothing);
+      break;
+    case CoverageKind::kCounts:
+    case CoverageKind::kMask:
+      append(counts.front, nothing);
+      break;
+    case CoverageKind::kWinners:
+      append(drawing.winners, nothing);
+      break;
+    case CoverageKind::kFragments:
+      append(drawing.winners, [&](std::size_t k) {
+        if (drawing.winners[k] == kNoTriangle) return;
+        const std::array<double, 3>& weights = drawing.weights[k];
+        for (const double x : {weights[0], weights[1], weights[2], drawing.depths[k]}) {
+          text += ' ';
+          AppendNumber(text, x);
+        }
+      });
+      break;
+  }
   return text;
 }
 
-AnswerHead ParseAnswerHead(std::string_view line, std::uint64_t id) {
-  const std::string number = " " + std::to_string(id);
-  const auto is = [&](std::string_view word) {
-    const std::string head = std::string(word) + number;
-    return line.starts_with(head) && (line.size() == head.size() || line[head.size()] == ' ');
-  };
-  const auto rest = [&](std::size_t word) {
-    return std::string(line.substr(std::min(line.size(), word + number.size() + 1)));
-  };
-  if (is("counts")) return {AnswerKind::kCounts, ""};
-  if (is("refused")) return {AnswerKind::kRefused, rest(7)};
-  if (is("fault")) return {AnswerKind::kFault, rest(5)};
-  throw SubjectFault("it answered \"" + std::string(line.substr(0, 60)) + "\", not \"counts" +
-                     number + "\"");
-}
-
-void ParseCountsRow(std::string_view line, std::size_t n, std::uint32_t* row) {
-  const char* at = line.data();
-  const char* const end = line.data() + line.size();
-  const auto skip_blanks = [&] {
-    while (at != end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
-  };
-  for (std::size_t k = 0; k < n; ++k) {
-    skip_blanks();
-    const auto [stop, error] = std::from_chars(at, end, row[k]);
-    if (error != std::errc{}) {
-      throw SubjectFault("a row of its counts has " + std::to_string(k) + " numbers, not " +
-                         std::to_string(n) + ": \"" + std::string(line.substr(0, 60)) + "\"");
-    }
-    at = stop;
+Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
+                   const std::function<std::string()>& next_line) {
+  const std::string line = next_line();
+  if (const auto reason = AfterHead(line, "fault", id)) throw SubjectFault(*reason);
+  if (const auto reason = AfterHead(line, "refused", id)) {
+    throw InputError("subject " + info.name, "it refused the scene: " + *reason,
+                     "give it another one");
   }
-  skip_blanks();
-  if (at != end) {
-    throw SubjectFault("a row of its counts has more than " + std::to_string(n) + " numbers: \"" +
-                       std::string(line.substr(0, 60)) + "\"");
+  const std::string_view word = AnswerWord(info.coverage);
+  if (!AfterHead(line, word, id)) {
+    throw SubjectFault("it answered \"" + line.substr(0, 60) + "\", not \"" + std::string(word) +
+                       " " + std::to_string(id) + "\"");
   }
+  Drawing drawing;
+  drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+  if (ShowsWinners(info)) {
+    ReadWinners(drawing, job.scene.triangles.size(), info.coverage == CoverageKind::kFragments,
+                next_line);
+    return drawing;
+  }
+  ReadCounts(drawing, drawing.counts.front, next_line);
+  if (info.coverage == CoverageKind::kFacingCounts) {
+    ReadCounts(drawing, drawing.counts.back, next_line);
+  }
+  return drawing;
 }
 
 }  // namespace rasterproof::subjects

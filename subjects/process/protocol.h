@@ -7,57 +7,55 @@
 //     X Y Z W
 //     I J K
 // Coordinates are decimal numbers that a reader of doubles reads back exactly (floats too, then
-// narrowed), or inf, -inf, nan. The answer is
-//     counts ID
-// and HEIGHT lines of WIDTH * SAMPLES integers, top row first; as many lines again with the counts
-// of the back faces if the program tells facings apart. Or one line: `refused ID REASON`, or
-// `fault ID REASON` for what it found out about itself.
+// narrowed), or inf, -inf, nan. The answer to a request depends on what the program shows:
+//     counts ID      HEIGHT lines of WIDTH * SAMPLES integers, top row first; as many lines again
+//                    with the counts of the back faces if the program tells facings apart
+//     ids ID         HEIGHT lines of as many indices of triangles; -1 where none won the sample
+//     fragments ID   the same, but each index (not -1) is followed by W0 W1 W2 DEPTH
+// Or one line: `refused ID REASON`, or `fault ID REASON` for what it found out about itself.
+//
+// A program that takes batches may be told `batch N` before N requests: it may draw them in one
+// call. It answers each of them, in order. One that does not is sent requests before it has
+// answered the earlier ones all the same, as many as the tool has at hand.
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_PROTOCOL_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_PROTOCOL_H_
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "core/coverage.h"
-#include "core/draw_options.h"
-#include "core/scene.h"
+#include "core/drawing.h"
+#include "core/subject.h"
 
 namespace rasterproof::subjects {
 
 struct DrawRequest {
   std::uint64_t id = 0;
-  Scene scene;
-  int samples = 1;
-  DrawOptions options;
+  DrawJob job;
 };
 
-std::string RequestText(const DrawRequest& request);
-/// Reads the next request; nothing at the end of the stream.
+std::string RequestText(std::uint64_t id, const DrawJob& job);
+/// The line that tells a program to take the next n requests as one call.
+std::string BatchText(std::size_t n);
+/// Reads the next call: a request, or as many as a batch line announces. Empty at the end of the
+/// stream.
 ///
 /// Error:      InputError with the number of the request and what was expected in it.
-std::optional<DrawRequest> ReadRequest(std::istream& in);
+std::vector<DrawRequest> ReadCall(std::istream& in);
 
-/// The answer to a request, in the counts' own shape; the back faces only if `facings`.
-std::string CountsText(std::uint64_t id, const CoverageCounts& counts, bool facings);
+/// The answer to a request.
+std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind);
 
-enum class AnswerKind : std::uint8_t { kCounts, kRefused, kFault };
-
-struct AnswerHead {
-  AnswerKind kind = AnswerKind::kCounts;
-  std::string reason;  ///< of a refusal or a fault
-};
-
-/// Parses an answer's first line.
+/// Reads the answer to a request, line by line.
 ///
-/// Error:      SubjectFault if it is no answer to request `id`.
-AnswerHead ParseAnswerHead(std::string_view line, std::uint64_t id);
-/// Parses one row of counts into `row`.
-///
-/// Error:      SubjectFault if there are not `n` integers of [0, 2^32) and nothing else.
-void ParseCountsRow(std::string_view line, std::size_t n, std::uint32_t* row);
+/// Error:      SubjectFault if it is no answer to request `id` of this kind and shape, or tells of
+///             a fault; InputError if it is a refusal; what next_line throws.
+Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
+                   const std::function<std::string()>& next_line);
 
 }  // namespace rasterproof::subjects
 

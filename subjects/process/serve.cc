@@ -1,10 +1,11 @@
 #include "subjects/process/serve.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <istream>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "subjects/process/protocol.h"
@@ -17,11 +18,26 @@ std::string OneLine(std::string text) {
   return text;
 }
 
-std::string Answer(Subject& subject, const DrawRequest& request) {
+// A drawing of another shape than its target's can't be told.
+void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind) {
+  const CoverageCounts target(job.scene.width, job.scene.height, job.samples);
+  const bool has_fragments = kind == CoverageKind::kFragments;
+  const bool has_winners = kind == CoverageKind::kWinners || has_fragments;
+  const CoverageCounts& counts = drawing.counts;
+  const bool fits = counts.width == target.width && counts.height == target.height &&
+                    counts.samples == target.samples && counts.front.size() == target.size() &&
+                    counts.back.size() == target.size() &&
+                    (!has_winners || drawing.winners.size() == target.size()) &&
+                    (!has_fragments || (drawing.weights.size() == target.size() &&
+                                        drawing.depths.size() == target.size()));
+  if (!fits) throw SubjectFault("its drawing has not the shape of the target, or lacks a part");
+}
+
+std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, CoverageKind kind) {
   const std::string id = std::to_string(request.id);
-  CoverageCounts counts(request.scene.width, request.scene.height, request.samples);
   try {
-    subject.Draw(request.scene, request.options, counts);
+    if (outcome.error == nullptr) RequireShape(outcome.drawing, request.job, kind);
+    return AnswerText(request.id, outcome.Get(), kind);
   } catch (const InputError& error) {
     return "refused " + id + " " + OneLine(error.what()) + "\n";
   } catch (const std::exception& error) {
@@ -29,13 +45,26 @@ std::string Answer(Subject& subject, const DrawRequest& request) {
   } catch (...) {
     return "fault " + id + " it threw something that is no std::exception\n";
   }
-  return CountsText(request.id, counts, subject.Info().coverage == CoverageKind::kFacingCounts);
 }
 
 }  // namespace
 
 void Serve(Subject& subject, std::istream& in, const std::function<void(const std::string&)>& say) {
-  while (const std::optional<DrawRequest> request = ReadRequest(in)) say(Answer(subject, *request));
+  for (;;) {
+    const std::vector<DrawRequest> call = ReadCall(in);
+    if (call.empty()) return;
+    std::vector<DrawJob> jobs;
+    for (const DrawRequest& request : call) jobs.push_back(request.job);
+    const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
+    std::string answers;
+    for (std::size_t k = 0; k < call.size() && k < outcomes.size(); ++k) {
+      answers += Answer(call[k], outcomes[k], subject.Info().coverage);
+    }
+    if (outcomes.size() < call.size() && !(!outcomes.empty() && outcomes.back().BrokeDown())) {
+      answers += "fault " + std::to_string(call[outcomes.size()].id) + " it left out a scene\n";
+    }
+    say(answers);
+  }
 }
 
 }  // namespace rasterproof::subjects

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 #include "triangle.frag.h"
 #include "triangle.vert.h"
@@ -12,9 +14,6 @@
 namespace rasterproof::subjects {
 namespace {
 
-constexpr int kHalfViewport = 8192;  // nothing within is clipped
-constexpr float kHalf = kHalfViewport;
-constexpr VkViewport kViewport{-kHalf, -kHalf, 2 * kHalf, 2 * kHalf, 0, 1};
 constexpr VkDynamicState kScissor = VK_DYNAMIC_STATE_SCISSOR;
 constexpr VkFormat kFormat = VK_FORMAT_R32G32_SFLOAT;
 constexpr VkVertexInputBindingDescription kBinding{0, 2 * sizeof(float),
@@ -73,7 +72,8 @@ void Transition(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
 
 }  // namespace
 
-VulkanCounter::VulkanCounter() {
+VulkanCounter::VulkanCounter(const VulkanDriver& driver) : half_viewport_(driver.half_viewport) {
+  setenv("VK_DRIVER_FILES", driver.description, 1);
   VkApplicationInfo application{};
   application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
   application.apiVersion = VK_API_VERSION_1_3;
@@ -81,12 +81,12 @@ VulkanCounter::VulkanCounter() {
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
   info.pApplicationInfo = &application;
   Require(vkCreateInstance(&info, nullptr, &instance_), "no Vulkan");
-  MakeDevice();
+  MakeDevice(driver.device);
   MakePipeline();
   MakeCommands();
 }
 
-void VulkanCounter::MakeDevice() {
+void VulkanCounter::MakeDevice(const char* name) {
   std::uint32_t count = 0;
   vkEnumeratePhysicalDevices(instance_, &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
@@ -94,9 +94,14 @@ void VulkanCounter::MakeDevice() {
   for (VkPhysicalDevice device : devices) {
     VkPhysicalDeviceProperties properties{};
     vkGetPhysicalDeviceProperties(device, &properties);
-    if (properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) physical_ = device;
+    if (std::string_view(properties.deviceName).starts_with(name)) physical_ = device;
   }
-  if (physical_ == VK_NULL_HANDLE) throw std::runtime_error("no device that is a processor");
+  if (physical_ == VK_NULL_HANDLE) throw std::runtime_error("no device of that name");
+  VkFormatProperties format{};
+  vkGetPhysicalDeviceFormatProperties(physical_, kFormat, &format);
+  if ((format.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT) == 0) {
+    throw std::runtime_error("the device cannot add into two floats");
+  }
   const float priority = 1;
   VkDeviceQueueCreateInfo queue{};
   queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
@@ -149,7 +154,9 @@ void VulkanCounter::MakePipeline() {
   VkPipelineViewportStateCreateInfo views{};
   views.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
   views.viewportCount = 1;
-  views.pViewports = &kViewport;
+  const auto half = static_cast<float>(half_viewport_);
+  const VkViewport viewport{-half, -half, 2 * half, 2 * half, 0, 1};
+  views.pViewports = &viewport;
   views.scissorCount = 1;
   VkPipelineRasterizationStateCreateInfo raster{};
   raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
@@ -271,9 +278,9 @@ bool VulkanCounter::Upload(const rasterproof_scene& scene) {
     for (std::size_t k = 0; k < 2; ++k) {
       const double window = scene.vertices[4 * v + k];
       // A NaN passes: what becomes of it is the driver's to say.
-      if (std::fabs(window) > kHalfViewport) return false;
-      clip.push_back(static_cast<float>(window / kHalfViewport));
-      if (!std::isnan(window) && double{clip.back()} * kHalfViewport != window) return false;
+      if (std::fabs(window) > half_viewport_) return false;
+      clip.push_back(static_cast<float>(window / half_viewport_));
+      if (!std::isnan(window) && double{clip.back()} * half_viewport_ != window) return false;
     }
   }
   const std::size_t index_bytes = 3 * scene.triangle_count * sizeof(std::int32_t);
@@ -330,7 +337,7 @@ void VulkanCounter::Run() {
 }
 
 std::int32_t VulkanCounter::Draw(const rasterproof_scene& scene, const rasterproof_target& target) {
-  if (scene.width > kHalfViewport || scene.height > kHalfViewport || !Upload(scene)) return 1;
+  if (scene.width > half_viewport_ || scene.height > half_viewport_ || !Upload(scene)) return 1;
   const auto width = static_cast<std::size_t>(scene.width);
   const auto height = static_cast<std::size_t>(scene.height);
   Resize(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));

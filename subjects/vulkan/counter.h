@@ -20,14 +20,21 @@ struct VulkanBuffer {
   VkDeviceSize size = 0;
 };
 
-/// Draws with the first device that is a processor (Mesa's lavapipe), a scene in one draw.
+/// A driver without a display, and how large a viewport it takes.
+struct VulkanDriver {
+  const char* description;  ///< file that the loader reads in place of those that are installed
+  const char* device;       ///< how the device's name begins
+  int half_viewport;        ///< a power of two; nothing within is clipped
+};
+
+/// Draws a scene in one draw.
 ///
-/// Window coordinates arrive exactly, as in subjects/gl/counter.h: the viewport is +-8192 about the
-/// origin.
+/// Window coordinates arrive exactly, as in subjects/gl/counter.h: the viewport is centred on the
+/// origin, a power of two to either side.
 class VulkanCounter {
  public:
   /// Error:      throws std::runtime_error where there is no such device.
-  VulkanCounter();
+  explicit VulkanCounter(const VulkanDriver& driver);
   ~VulkanCounter();
   VulkanCounter(const VulkanCounter&) = delete;
   VulkanCounter& operator=(const VulkanCounter&) = delete;
@@ -36,7 +43,7 @@ class VulkanCounter {
   std::int32_t Draw(const rasterproof_scene& scene, const rasterproof_target& target);
 
  private:
-  void MakeDevice();
+  void MakeDevice(const char* name);
   void MakePipeline();
   void MakeCommands();
   VkDeviceMemory Allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted);
@@ -48,6 +55,7 @@ class VulkanCounter {
   void Record(std::uint32_t indices);
   void Run();
 
+  int half_viewport_;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
   VkDevice device_ = VK_NULL_HANDLE;

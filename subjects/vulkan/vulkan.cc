@@ -1,6 +1,7 @@
-// Vulkan as a plugin.
+// Vulkan as a plugin. The build makes one of each driver: see subjects/real.cmake.
 #include <exception>
 #include <memory>
+#include <string>
 
 #include "kit/rasterproof_plugin.h"
 #include "subjects/vulkan/counter.h"
@@ -9,15 +10,23 @@ namespace {
 
 using rasterproof::subjects::VulkanCounter;
 
+constexpr rasterproof::subjects::VulkanDriver kDriver{
+    RASTERPROOF_VULKAN_ICD, RASTERPROOF_VULKAN_DEVICE, RASTERPROOF_VULKAN_HALF_VIEWPORT};
+
 // Vulkan leaves the rounding to subpixels and ties free; of two polygons on either side of a common
 // edge with identical endpoints exactly one covers a sample on it (Vulkan 1.3,
-// Basic Polygon Rasterization).
-constexpr const char* kProfile = R"({"name": "vulkan", "subpixel_bits": 8,
-  "snap_rule": "nearest-even", "contract": "watertight", "coordinate_limit": 8192})";
+// Basic Polygon Rasterization). The bits are those that the device reports.
+const std::string& Profile() {
+  static const std::string profile =
+      R"({"name": "vulkan", "subpixel_bits": )" + std::to_string(RASTERPROOF_VULKAN_BITS) +
+      R"(, "snap_rule": "nearest-even", "contract": "watertight", "coordinate_limit": )" +
+      std::to_string(kDriver.half_viewport) + "}";
+  return profile;
+}
 
 void* Open() {
   try {
-    return std::make_unique<VulkanCounter>().release();
+    return std::make_unique<VulkanCounter>(kDriver).release();
   } catch (const std::exception&) {
     return nullptr;
   }
@@ -37,17 +46,18 @@ void Close(void* state) { delete static_cast<VulkanCounter*>(state); }
 }  // namespace
 
 const rasterproof_plugin* rasterproof_plugin_describe(void) {
-  static const rasterproof_plugin plugin{.version = RASTERPROOF_PLUGIN_VERSION,
-                                         .size = sizeof(rasterproof_plugin),
-                                         .name = "vulkan-lavapipe",
-                                         .summary = "Vulkan on the processor, additive blending",
-                                         .profile = kProfile,
-                                         .input = RASTERPROOF_FLOAT32,
-                                         .coverage = RASTERPROOF_FACING_COUNTS,
-                                         .takes = 0,
-                                         .draw = Draw,
-                                         .open = Open,
-                                         .reset = nullptr,
-                                         .close = Close};
+  static const rasterproof_plugin plugin{
+      .version = RASTERPROOF_PLUGIN_VERSION,
+      .size = sizeof(rasterproof_plugin),
+      .name = RASTERPROOF_VULKAN_NAME,
+      .summary = "Vulkan, additive blending, " RASTERPROOF_VULKAN_NAME,
+      .profile = Profile().c_str(),
+      .input = RASTERPROOF_FLOAT32,
+      .coverage = RASTERPROOF_FACING_COUNTS,
+      .takes = 0,
+      .draw = Draw,
+      .open = Open,
+      .reset = nullptr,
+      .close = Close};
   return &plugin;
 }

@@ -48,7 +48,7 @@ inline int NaiveEdgeSign(Point2 a, Point2 b, Point2 p) {
 inline NaivePoint NaiveShifted(NaivePoint p, const FillRule& rule) {
   static const mpq_class e = NaiveTwoTo(-6000);
   static const mpq_class e2 = NaiveTwoTo(-12000);
-  if (rule.inclusive) return p;
+  if (rule.inclusive || rule.exclusive) return p;
   p.x += rule.sign_x * (rule.y_first ? e2 : e);
   p.y += rule.sign_y * (rule.y_first ? e : e2);
   return p;

@@ -196,6 +196,24 @@ TEST(PlantedBugs, EachIsCaughtByItsPropertyWithAWitness) {
   }
 }
 
+// What the planted ones differ from: exact fragments, in batches.
+TEST(SoundOutputs, HoldOnEveryCase) {
+  Bug none;
+  none.show = [](Drawing&, const DrawJob&) {};
+  none.batch = [](std::vector<DrawOutcome>&) {};
+  PlantedSubject subject(subjects::MakeBuiltin("spans-exact"), none);
+  for (const Plant& plant : OutputPlants()) {
+    const Property& property = *FindProperty(plant.property);
+    std::uint64_t exercised = 0;
+    for (std::uint64_t i = 0; i < Cases<std::uint64_t>(36); ++i) {
+      const Verdict verdict = property.check(subject, DrawCase(subject.Info(), property, kSeed, i));
+      ASSERT_NE(verdict.outcome, Outcome::kViolated) << plant.property << ": " << verdict.message;
+      exercised += verdict.exercised;
+    }
+    EXPECT_GT(exercised, 0U) << plant.property;
+  }
+}
+
 Case TwoTriangles() {
   Case c;
   c.scene.width = 8;

@@ -16,7 +16,7 @@
 namespace rasterproof::props {
 namespace {
 
-PropertyResult Run(const std::string& subject, const char* property, std::uint64_t cases) {
+PropertyResult Campaign(const std::string& subject, const char* property, std::uint64_t cases) {
   const std::unique_ptr<Subject> made = subjects::MakeMutant(subject);
   CampaignOptions options;
   options.cases = cases;
@@ -26,14 +26,14 @@ PropertyResult Run(const std::string& subject, const char* property, std::uint64
 TEST(OwnTransform, IsJudgedByItsOperations) {
   for (const char* const variant : {"quotients", "multiply-add", "fused", "add-multiply"}) {
     const auto result =
-        Run("legal:transform-" + std::string(variant), "CoverageEqualsTheModel", 400);
+        Campaign("legal:transform-" + std::string(variant), "CoverageEqualsTheModel", 400);
     EXPECT_EQ(result.outcome, Outcome::kHolds) << variant << ": " << result.message;
     EXPECT_GT(result.near_edge.on_edge, 0U) << variant;
   }
 }
 
 TEST(OwnTransform, AnotherRoundingIsFoundAndShrunk) {
-  const auto result = Run("mutant:transform-reciprocal", "CoverageEqualsTheModel", 1000);
+  const auto result = Campaign("mutant:transform-reciprocal", "CoverageEqualsTheModel", 1000);
   ASSERT_EQ(result.outcome, Outcome::kViolated);
   const Scene& scene = result.counterexample->scene;
   EXPECT_TRUE(scene.clip_space);
@@ -41,7 +41,7 @@ TEST(OwnTransform, AnotherRoundingIsFoundAndShrunk) {
 }
 
 TEST(OwnTransform, PropertiesThatMoveVerticesDoNotApply) {
-  const auto result = Run("legal:transform-multiply-add", "IntegerTranslationMovesCoverage", 20);
+  const auto result = Campaign("legal:transform-multiply-add", "IntegerTranslationMovesCoverage", 20);
   EXPECT_NE(result.outcome, Outcome::kViolated) << result.message;
 }
 

@@ -481,8 +481,9 @@ std::vector<Plant> ExtremePlants() {
 
 std::vector<Plant> Plants() {
   std::vector<Plant> all;
-  for (const std::vector<Plant>& part : {EdgePlants(), IncrementalPlants(), BarycentricPlants(),
-                                         CoveragePlants(), WireframePlants(), ExtremePlants()}) {
+  for (const std::vector<Plant>& part :
+       {EdgePlants(), IncrementalPlants(), BarycentricPlants(), CoveragePlants(), WireframePlants(),
+        ExtremePlants(), OutputPlants()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,9 @@ using InterpolationBug =
 using DistancesBug = std::function<std::array<double, 3>(
     const WeightEvaluator& sound, WireframeForm, const std::array<Point2, 3>& v, Point2 p)>;
 
+using ShowBug = std::function<void(Drawing& sound, const DrawJob&)>;
+using BatchBug = std::function<void(std::vector<DrawOutcome>& sound)>;
+
 /// What is planted; an empty function leaves that part sound.
 struct Bug {
   DrawBug draw = {};
@@ -32,6 +36,10 @@ struct Bug {
   WeightsBug weights = {};
   InterpolationBug interpolate = {};
   DistancesBug distances = {};
+  /// Set: the subject shows fragments, the last ones drawn, with exact weights.
+  ShowBug show = {};
+  /// Set: the subject takes batches.
+  BatchBug batch = {};
   bool claims_threads = false;
   /// Changes what the subject promises, for claims that no built-in subject's promises bring up.
   std::function<void(Profile&)> promises = {};
@@ -44,6 +52,8 @@ class PlantedSubject final : public Subject, public EdgeEvaluator, public Weight
 
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
+  Drawing Show(const DrawJob& job) override;
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
   const EdgeEvaluator* Edges() const override { return sound_->Edges() ? this : nullptr; }
   const WeightEvaluator* Weights() const override { return sound_->Weights() ? this : nullptr; }
 
@@ -79,6 +89,9 @@ struct Plant {
   std::string_view sound;  ///< a built-in subject
   Bug bug;
 };
+
+/// Those of winners, fragments and calls.
+std::vector<Plant> OutputPlants();
 
 /// One for each property at least.
 std::vector<Plant> Plants();

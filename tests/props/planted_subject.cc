@@ -1,14 +1,51 @@
+#include <cstddef>
 #include <memory>
 #include <utility>
 
+#include "exact/attributes.h"
 #include "tests/props/planted_bugs.h"
 
 namespace rasterproof::props {
+namespace {
+
+// The last triangle that the sound subject draws on each sample, its weights and depth.
+Drawing SoundFragments(Subject& sound, const DrawJob& job) {
+  Drawing drawing;
+  drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+  drawing.winners.assign(drawing.counts.size(), kNoTriangle);
+  drawing.weights.resize(drawing.counts.size());
+  drawing.depths.resize(drawing.counts.size());
+  const SampleLattice& lattice = sound.Info().profile.lattice;
+  DrawJob one = job;
+  for (std::size_t t = 0; t < job.scene.triangles.size(); ++t) {
+    one.scene.triangles = {job.scene.triangles[t]};
+    const CoverageCounts covered = sound.Show(one).counts;
+    const std::array<Vertex, 3> v = Corners(job.scene, job.scene.triangles[t]);
+    const std::array<Point2, 3> at{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
+    for (int row = 0; row < job.scene.height; ++row) {
+      for (int i = 0; i < job.scene.width * job.samples; ++i) {
+        const std::size_t k = covered.Index(i / job.samples, row, i % job.samples);
+        if (covered.Count(k) == 0) continue;
+        const Point2 p = lattice.At(i / job.samples, row, i % job.samples);
+        const auto weights = *exact::Barycentrics(at, p);
+        drawing.winners[k] = static_cast<std::int32_t>(t);
+        drawing.counts.front[k] = 1;
+        drawing.weights[k] = {weights[0].ToDouble(), weights[1].ToDouble(), weights[2].ToDouble()};
+        drawing.depths[k] = exact::Interpolate(at, {v[0].z, v[1].z, v[2].z}, p)->ToDouble();
+      }
+    }
+  }
+  return drawing;
+}
+
+}  // namespace
 
 PlantedSubject::PlantedSubject(std::unique_ptr<Subject> sound, Bug bug)
     : sound_(std::move(sound)), bug_(std::move(bug)), info_(sound_->Info()) {
   info_.name += " with a planted bug";
   info_.takes_threads = bug_.claims_threads;
+  if (bug_.show) info_.coverage = CoverageKind::kFragments;
+  info_.takes_batches = static_cast<bool>(bug_.batch);
   if (bug_.promises) bug_.promises(info_.profile);
 }
 
@@ -18,6 +55,19 @@ void PlantedSubject::Draw(const Scene& scene, const DrawOptions& options, Covera
   } else {
     sound_->Draw(scene, options, counts);
   }
+}
+
+Drawing PlantedSubject::Show(const DrawJob& job) {
+  if (!bug_.show) return Subject::Show(job);
+  Drawing drawing = SoundFragments(*sound_, job);
+  bug_.show(drawing, job);
+  return drawing;
+}
+
+std::vector<DrawOutcome> PlantedSubject::DrawMany(std::span<const DrawJob> jobs) {
+  std::vector<DrawOutcome> outcomes = Subject::DrawMany(jobs);
+  if (bug_.batch && jobs.size() > 1) bug_.batch(outcomes);
+  return outcomes;
 }
 
 double PlantedSubject::Value(Point2 a, Point2 b, Point2 p) const {

@@ -6,18 +6,25 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
 #include "tests/props/planted_subjects.h"
 
 namespace rasterproof::props {
 namespace {
 
+using testing::LosesLarge;
+using testing::PlantedSubject;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
@@ -35,6 +42,20 @@ int CasesThat(std::string_view domain, const SubjectInfo& info, Holds holds) {
   return cases;
 }
 
+std::size_t CoveredOnce(const CoverageCounts& counts) {
+  std::size_t once = 0;
+  for (std::size_t k = 0; k < counts.size(); ++k) once += counts.Count(k) == 1 ? 1U : 0U;
+  return once;
+}
+
+std::vector<std::string_view> Without(std::string_view left_out,
+                                      std::span<const std::string_view> domains) {
+  std::vector<std::string_view> others;
+  std::ranges::copy_if(domains, std::back_inserter(others),
+                       [&](std::string_view name) { return name != left_out; });
+  return others;
+}
+
 TEST(RangeEnds, SpansThePromisedRangeFromEndToEnd) {
   const SubjectInfo info = SnappedInfo(8);
   const double limit = info.profile.coordinate_limit;
@@ -45,6 +66,53 @@ TEST(RangeEnds, SpansThePromisedRangeFromEndToEnd) {
                         return right.x - left.x > 1.99 * limit;
                       }),
             50);
+}
+
+TEST(FarNegativeCorners, ReachTheTargetFromFarToTheLeftAndFarAbove) {
+  const SubjectInfo info = SnappedInfo(8);
+  const double far = -info.profile.coordinate_limit / 8;
+  EXPECT_GE(CasesThat("far-negative-corners", info,
+                      [&](const Case& c) {
+                        const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+                        return std::ranges::min(c.scene.vertices, {}, &Vertex::x).x < far &&
+                               std::ranges::min(c.scene.vertices, {}, &Vertex::y).y < far &&
+                               CoveredOnce(counts) != 0;
+                      }),
+            30);
+}
+
+TEST(CoveringFans, CoverEverySampleOnceFromFarAway) {
+  for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8), SnappedInfo(4)}) {
+    const double far = std::min(info.profile.coordinate_limit, 0x1p17) / 8;
+    const auto covers = [](const Case& c) {
+      const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+      return CoveredOnce(counts) == counts.size();
+    };
+    const auto comes_from_far = [&](const Case& c) {
+      return std::ranges::any_of(c.scene.vertices,
+                                 [&](const Vertex& v) { return v.x < -far && v.y < -far; });
+    };
+    EXPECT_EQ(CasesThat("covering-fans", info, covers), 200);
+    EXPECT_GE(CasesThat("covering-fans", info, comes_from_far), 20);
+  }
+}
+
+// What llvmpipe 22.3 does to some of them (docs/findings.md).
+TEST(CoveringFans, ShowTheLossOfTrianglesThatReachFar) {
+  PlantedSubject subject = LosesLarge(SnappedInfo(8), 4096);
+  for (const std::string_view name :
+       {"EmbeddedMeshSamplesAreCoveredOnce", "SharedEdgeSamplesAreCoveredOnce",
+        "NeighboursAreClippedAlike"}) {
+    Property property = *FindProperty(name);
+    EXPECT_EQ(RunCampaign(subject, property, {.cases = 200, .progress = {}}).outcome,
+              Outcome::kViolated)
+        << name;
+    const std::vector<std::string_view> others = Without("covering-fans", property.domains);
+    property.domains = others;
+    EXPECT_EQ(RunCampaign(subject, property, {.cases = 200, .progress = {}}).outcome,
+              Outcome::kHolds)
+        << name;
+  }
 }
 
 TEST(DecidingTies, ChangeWhatIsCoveredWithTheRuleOfTheSnap) {

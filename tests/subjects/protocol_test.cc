@@ -5,8 +5,11 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <span>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/subject.h"
@@ -18,48 +21,48 @@ namespace {
 DrawRequest SomeRequest() {
   DrawRequest request;
   request.id = 7;
-  request.samples = 2;
-  request.scene.width = 3;
-  request.scene.height = 2;
-  request.scene.precision = Precision::kFloat64;
-  request.scene.vertices = {{0.1, -0.0, 0x1p-1074, 1},
-                            {1e300, std::numeric_limits<double>::infinity(), 0, 1},
-                            {0x1.fffffffffffffp1023, 1.0 / 3, -2, 1}};
-  request.scene.triangles = {{0, 1, 2}, {2, 1, 0}};
-  request.options.cull = Cull::kBack;
-  request.options.scissor = PixelRect{-1, 0, 2, 2};
-  request.options.tile = 8;
-  request.options.threads = 3;
+  request.job.samples = 2;
+  request.job.scene.width = 3;
+  request.job.scene.height = 2;
+  request.job.scene.precision = Precision::kFloat64;
+  request.job.scene.vertices = {{0.1, -0.0, 0x1p-1074, 1},
+                                {1e300, std::numeric_limits<double>::infinity(), 0, 1},
+                                {0x1.fffffffffffffp1023, 1.0 / 3, -2, 1}};
+  request.job.scene.triangles = {{0, 1, 2}, {2, 1, 0}};
+  request.job.options.cull = Cull::kBack;
+  request.job.options.scissor = PixelRect{-1, 0, 2, 2};
+  request.job.options.tile = 8;
+  request.job.options.threads = 3;
   return request;
 }
 
 TEST(Protocol, CarriesARequestWithoutLosingABit) {
   const DrawRequest request = SomeRequest();
-  std::istringstream in(RequestText(request));
-  const std::optional<DrawRequest> read = ReadRequest(in);
-  ASSERT_TRUE(read);
-  EXPECT_EQ(read->id, request.id);
-  EXPECT_EQ(read->samples, request.samples);
-  EXPECT_EQ(read->scene, request.scene);
-  EXPECT_EQ(read->options, request.options);
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(read->scene.vertices[0].y), std::uint64_t{1} << 63);
-  EXPECT_FALSE(ReadRequest(in));
+  std::istringstream in(RequestText(request.id, request.job));
+  const std::vector<DrawRequest> read = ReadCall(in);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].id, request.id);
+  EXPECT_EQ(read[0].job.samples, request.job.samples);
+  EXPECT_EQ(read[0].job.scene, request.job.scene);
+  EXPECT_EQ(read[0].job.options, request.job.options);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(read[0].job.scene.vertices[0].y), std::uint64_t{1} << 63);
+  EXPECT_TRUE(ReadCall(in).empty());
 }
 
 TEST(Protocol, CarriesWhatIsNoNumber) {
   DrawRequest request = SomeRequest();
-  request.scene.vertices[1].x = std::numeric_limits<double>::quiet_NaN();
-  std::istringstream in(RequestText(request));
-  const std::optional<DrawRequest> read = ReadRequest(in);
-  ASSERT_TRUE(read);
-  EXPECT_NE(read->scene.vertices[1].x, read->scene.vertices[1].x);
+  request.job.scene.vertices[1].x = std::numeric_limits<double>::quiet_NaN();
+  std::istringstream in(RequestText(request.id, request.job));
+  const std::vector<DrawRequest> read = ReadCall(in);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_NE(read[0].job.scene.vertices[1].x, read[0].job.scene.vertices[1].x);
 }
 
 TEST(Protocol, RefusesRequestsThatAreNone) {
-  const std::string good = RequestText(SomeRequest());
+  const std::string good = RequestText(SomeRequest().id, SomeRequest().job);
   const auto refuses = [](const std::string& text) {
     std::istringstream in(text);
-    EXPECT_THROW(ReadRequest(in), InputError) << text;
+    EXPECT_THROW(ReadCall(in), InputError) << text;
   };
   refuses("draw 1 2 3\n");
   refuses("paint 1 2 2 1 window 0 0\n");
@@ -72,21 +75,86 @@ TEST(Protocol, RefusesRequestsThatAreNone) {
   refuses(good.substr(0, good.size() / 2));
 }
 
-TEST(Protocol, ReadsAnswersAndNothingElse) {
-  EXPECT_EQ(ParseAnswerHead("counts 12", 12).kind, AnswerKind::kCounts);
-  EXPECT_EQ(ParseAnswerHead("refused 12 too large", 12).kind, AnswerKind::kRefused);
-  EXPECT_EQ(ParseAnswerHead("refused 12 too large", 12).reason, "too large");
-  EXPECT_EQ(ParseAnswerHead("fault 12", 12).kind, AnswerKind::kFault);
-  for (const char* const line : {"", "counts 1", "counts 123", "count 12", "12 counts"}) {
-    EXPECT_THROW(ParseAnswerHead(line, 12), SubjectFault) << line;
+// The answer to request 12, a scene of 2 triangles on a target of one row.
+Drawing Read(const std::string& answer, CoverageKind kind, int width) {
+  DrawJob job;
+  job.scene.width = width;
+  job.scene.triangles.resize(2);
+  SubjectInfo info;
+  info.coverage = kind;
+  std::istringstream lines(answer);
+  return ReadAnswer(12, job, info, [&] {
+    std::string line;
+    std::getline(lines, line);
+    return line;
+  });
+}
+
+TEST(Protocol, ReadsCountsAndNothingElse) {
+  const Drawing drawing = Read("counts 12\n 1 4294967295\t3\r\n", CoverageKind::kCounts, 3);
+  EXPECT_EQ(drawing.counts.front, (std::vector<std::uint32_t>{1, 4294967295U, 3}));
+  EXPECT_EQ(drawing.counts.back, (std::vector<std::uint32_t>{0, 0, 0}));
+  for (const char* const head : {"", "counts 1", "counts 123", "count 12", "12 counts", "ids 12"}) {
+    EXPECT_THROW(Read(std::string(head) + "\n1 2 3\n", CoverageKind::kCounts, 3), SubjectFault)
+        << head;
   }
-  std::uint32_t row[3] = {};
-  ParseCountsRow(" 1 4294967295\t3\r", 3, row);
-  EXPECT_EQ(row[0], 1U);
-  EXPECT_EQ(row[1], 4294967295U);
-  EXPECT_EQ(row[2], 3U);
-  for (const char* const line : {"1 2", "1 2 3 4", "1 x 3", "1 -2 3", "1 4294967296 3", "1 2 3x"}) {
-    EXPECT_THROW(ParseCountsRow(line, 3, row), SubjectFault) << line;
+  for (const char* const row :
+       {"1 2", "1 2 3 4", "1 x 3", "1 -2 3", "1 4294967296 3", "1 2 3x", "1 2.5 3"}) {
+    EXPECT_THROW(Read("counts 12\n" + std::string(row) + "\n", CoverageKind::kCounts, 3),
+                 SubjectFault)
+        << row;
+  }
+}
+
+TEST(Protocol, TellsRefusalsFromFaults) {
+  EXPECT_THROW(Read("refused 12 too large\n", CoverageKind::kCounts, 1), InputError);
+  EXPECT_THROW(Read("fault 12\n", CoverageKind::kCounts, 1), SubjectFault);
+}
+
+TEST(Protocol, ReadsWinnersOfTheSceneAndNoOthers) {
+  const Drawing drawing = Read("ids 12\n0 -1 1\n", CoverageKind::kWinners, 3);
+  EXPECT_EQ(drawing.winners, (std::vector<std::int32_t>{0, kNoTriangle, 1}));
+  EXPECT_EQ(drawing.counts.front, (std::vector<std::uint32_t>{1, 0, 1}));
+  for (const char* const row : {"0 2 1", "0 -2 1", "0 1", "0 1 1 1", "0 x 1"}) {
+    EXPECT_THROW(Read("ids 12\n" + std::string(row) + "\n", CoverageKind::kWinners, 3),
+                 SubjectFault)
+        << row;
+  }
+}
+
+TEST(Protocol, CarriesFragmentsWithoutLosingABit) {
+  Drawing drawing;
+  drawing.counts = CoverageCounts(3, 1);
+  drawing.counts.front = {1, 0, 1};
+  drawing.winners = {1, kNoTriangle, 0};
+  drawing.weights = {{0.1, 1.0 / 3, -0x1p-1074}, {}, {1, 0, 0}};
+  drawing.depths = {0x1.fffffffffffffp1023, 0, -2};
+  const Drawing read =
+      Read(AnswerText(12, drawing, CoverageKind::kFragments), CoverageKind::kFragments, 3);
+  EXPECT_EQ(read.counts, drawing.counts);
+  EXPECT_EQ(read.winners, drawing.winners);
+  EXPECT_EQ(read.weights, drawing.weights);
+  EXPECT_EQ(read.depths, drawing.depths);
+  for (const char* const row : {"0 1 1 1 1 -1", "-1 -1 0 1 1 1", "-1 1 1 1 1 1 1 1 1 1"}) {
+    EXPECT_THROW(Read("fragments 12\n" + std::string(row) + "\n", CoverageKind::kFragments, 3),
+                 SubjectFault)
+        << row;
+  }
+}
+
+TEST(Protocol, TakesABatchAsOneCall) {
+  const DrawRequest request = SomeRequest();
+  std::istringstream in(BatchText(2) + RequestText(7, request.job) + RequestText(8, request.job) +
+                        RequestText(9, request.job));
+  const std::vector<DrawRequest> batch = ReadCall(in);
+  ASSERT_EQ(batch.size(), 2U);
+  EXPECT_EQ(batch[1].id, 8U);
+  EXPECT_EQ(batch[1].job.scene, request.job.scene);
+  EXPECT_EQ(ReadCall(in).size(), 1U);
+  for (const std::string text :
+       {"batch\n", "batch 0\n", "batch 70000\n", "batch x\n", "batch 1\n", "batch 1\nbatch 1\n"}) {
+    std::istringstream bad(text);
+    EXPECT_THROW(ReadCall(bad), InputError) << text;
   }
 }
 
@@ -114,6 +182,41 @@ TEST(Serve, AnswersRefusesAndConfesses) {
       said,
       "refused 1 place: too small; more\nfault 2 it broke\ncounts 3\n5 0 0\n0 0 0\n0 6 0\n0 0 "
       "0\n");
+}
+
+class Short final : public Subject {
+ public:
+  explicit Short(CoverageKind kind) { info_.coverage = kind; }
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene&, const DrawOptions&, CoverageCounts&) override {}
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    return Subject::DrawMany(jobs.first(jobs.size() - 1));
+  }
+
+ private:
+  SubjectInfo info_;
+};
+
+TEST(Serve, ConfessesWhatIsLeftOutOrLacksAPart) {
+  const auto said_of = [](CoverageKind kind) {
+    const auto subject = std::make_unique<Short>(kind);
+    std::istringstream in("batch 2\ndraw 1 1 1 1 window 0 0\ndraw 2 1 1 1 window 0 0\n");
+    std::string said;
+    Serve(*subject, in, [&](const std::string& text) { said += text; });
+    return said;
+  };
+  EXPECT_EQ(said_of(CoverageKind::kFacingCounts), "counts 1\n0\n0\nfault 2 it left out a scene\n");
+  EXPECT_EQ(said_of(CoverageKind::kFragments).substr(0, 7), "fault 1") << "it shows none";
+}
+
+TEST(Serve, AnswersABatchUpToTheFirstFault) {
+  Speaker speaker;
+  std::istringstream in(
+      "batch 4\ndraw 1 1 1 1 window 0 0\ndraw 2 3 1 1 window 0 0\ndraw 3 2 1 1 window 0 0\n"
+      "draw 4 3 1 1 window 0 0\n");
+  std::string said;
+  Serve(speaker, in, [&](const std::string& text) { said += text; });
+  EXPECT_EQ(said, "refused 1 place: too small; more\ncounts 2\n5 0 0\n0 6 0\nfault 3 it broke\n");
 }
 
 }  // namespace

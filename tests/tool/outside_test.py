@@ -3,6 +3,7 @@
 usage: outside_test.py PROGRAM SOURCES EXAMPLES FAULTY
 """
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -25,12 +26,36 @@ def faulty(name):
     return os.path.join(FAULTY, f"faulty_{name}.so")
 
 
+def shown(name):
+    return os.path.join(FAULTY, f"shown_{name}.so")
+
+
+def held(text):
+    return sum(line.startswith("holds ") for line in text.splitlines())
+
+
 class SoundSubjects(unittest.TestCase):
     def test_the_c_example_keeps_what_its_profile_promises(self):
         done = run("check", "--plugin", f"{EXAMPLES}/example_plugin.so", "--cases", "70")
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertIn(b"holds", done.stdout)
         self.assertNotIn(b"violated", done.stdout)
+
+    def test_the_console_example_keeps_what_its_profile_promises(self):
+        done = run("check", "--plugin", f"{EXAMPLES}/example_console.so", "--cases", "120")
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertIn(b"holds", done.stdout)
+        self.assertNotIn(b"violated", done.stdout)
+
+    def test_a_library_of_the_first_header_still_loads(self):
+        done = run("check", "--plugin", faulty("FIRST_SIZE"), "--property", DEGENERATE,
+                   "--cases", "10")  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+
+    def test_the_rust_example_keeps_what_its_profile_promises(self):
+        done = run("check", "--plugin", f"{EXAMPLES}/example_rust.so", "--cases", "40")
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertGreater(held(done.stdout.decode()), 15, done.stdout)
 
     def test_a_plugin_draws_what_the_oracle_says(self):
         drawn = run("coverage", SCENE, "--plugin", f"{EXAMPLES}/example_plugin.so")
@@ -66,6 +91,13 @@ class SoundSubjects(unittest.TestCase):
         done = run("check", "--property", MODEL, program=f"{EXAMPLES}/example_own_type")
         self.assertEqual(done.returncode, 1, done.stderr)  # float32 and no tie rule
         self.assertIn(b"Naive", done.stdout)
+
+    def test_a_type_of_ones_own_shows_winners_in_batches(self):
+        own = ("WinnerFollowsTheDeclaredOrder", "BatchDrawsLikeSingleCalls", MODEL, SHARED_EDGE)
+        chosen = [word for p in own for word in ("--property", p)]
+        done = run("check", "--cases", "30", *chosen, program=f"{EXAMPLES}/own_winners")
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertEqual(held(done.stdout.decode()), 4, done.stdout)
 
     def test_a_subject_file_says_what_a_program_promises(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -119,6 +151,110 @@ class FaultySubjects(unittest.TestCase):
         self.assertEqual(done.returncode, 4, done.stdout)
 
 
+class Outputs(unittest.TestCase):
+    """Every kind of output, sound and with one fault each."""
+
+    ALL = ("CoverageEqualsTheModel", "OneCallDrawsLikeItsTriangles", "BatchDrawsLikeSingleCalls",
+           "WinnerFollowsTheDeclaredOrder", "FragmentWeightsSumToOne",
+           "FragmentWeightsStayWithinTheirError", "FragmentDepthStaysInTheHull",
+           "FragmentDepthFollowsItsWeights", "ScissorOnlyCutsCoverage",
+           "CullingRemovesOneFacing")  # fmt: skip
+
+    def check(self, name, properties, cases="44", status=0):
+        chosen = [word for p in properties for word in ("--property", p)]
+        done = run("check", "--plugin", shown(name), "--cases", cases, *chosen)
+        self.assertEqual(done.returncode, status, done.stdout.decode() + done.stderr.decode())
+        return done.stdout.decode()
+
+    def test_a_sound_plugin_of_every_kind_keeps_what_it_promises(self):
+        serves = {"FACING_COUNTS": 5, "COUNTS": 5, "MASK": 5, "WINNERS": 6, "FRAGMENTS": 10}
+        for kind, count in serves.items():
+            text = self.check(kind, self.ALL)
+            self.assertEqual(held(text), count, text)
+
+    def test_a_library_of_an_older_header_goes_on_working(self):
+        text = self.check("OLD_SIZE", self.ALL)
+        self.assertEqual(held(text), 4, text)
+
+    def test_every_fault_of_an_output_is_found_by_its_property(self):
+        for name, found_by in (
+            ("MESH_FACING_COUNTS", "OneCallDrawsLikeItsTriangles"),
+            ("MESH_COUNTS", "OneCallDrawsLikeItsTriangles"),
+            ("MESH_MASK", "OneCallDrawsLikeItsTriangles"),
+            ("MESH_WINNERS", "OneCallDrawsLikeItsTriangles"),
+            ("FIRST_WINS", "OneCallDrawsLikeItsTriangles"),
+            ("FIRST_WINS", "WinnerFollowsTheDeclaredOrder"),
+            ("ID", "WinnerFollowsTheDeclaredOrder"),
+            ("WEIGHTS_PERMUTED", "FragmentWeightsStayWithinTheirError"),
+            ("SUM", "FragmentWeightsSumToOne"),
+            ("DEPTH", "FragmentDepthFollowsItsWeights"),
+            ("HULL", "FragmentDepthStaysInTheHull"),
+            ("SCISSOR", "ScissorOnlyCutsCoverage"),
+            ("CULLING", "CullingRemovesOneFacing"),
+            ("BATCH_LAST", "BatchDrawsLikeSingleCalls"),
+            ("BATCH_LEAK", "BatchDrawsLikeSingleCalls"),
+        ):
+            with self.subTest(name=name):
+                self.assertIn("violated", self.check(name, [found_by], status=1))
+
+    def test_a_winner_that_the_scene_does_not_have_is_a_finding(self):
+        text = self.check("NO_ID", [MODEL], status=1)
+        self.assertIn("it says that triangle 100000 won a sample, of a scene of 1", text)
+
+
+class Batches(unittest.TestCase):
+    """Many scenes in one call, or asked for before the first answer."""
+
+    def verdicts(self, name, cases="120"):
+        done = run("check", "--plugin", shown(name), "--cases", cases, "--property", MODEL,
+                   "--property", SHARED_EDGE)  # fmt: skip
+        return done.returncode, done.stdout.decode()
+
+    def test_batches_do_not_change_a_verdict(self):
+        def results(name):
+            status, text = self.verdicts(name)
+            return status, re.sub(r"shown_\w+|[0-9.]+ m?s\b", "", text)
+
+        self.assertEqual(results("FACING_COUNTS"), results("NO_BATCHES"))
+        self.assertEqual(results("BATCH_REFUSED"), results("NO_BATCHES"))
+
+    def test_a_crash_in_a_batch_is_found_by_its_case(self):
+        status, text = self.verdicts("BATCH_CRASH")
+        self.assertEqual(status, 1)
+        self.assertIn("killed by signal 6", text)
+        self.assertIn("replay", text)
+        self.assertNotIn("alone", text)
+
+    def test_a_crash_of_scenes_together_names_the_run_that_does_it(self):
+        status, text = self.verdicts("BATCH_CRASH_TOGETHER")
+        self.assertEqual(status, 1)
+        self.assertIn("killed by signal 6", text)
+        self.assertIn("not alone, but after the 1 draws before it in the same call", text)
+
+    def test_a_crash_that_needs_earlier_calls_says_after_how_many(self):
+        status, text = self.verdicts("CRASHES_THIRD")
+        self.assertEqual(status, 1)
+        self.assertIn("not alone, but after the 2 draws before it; alone the case", text)
+
+    def test_requests_and_answers_larger_than_a_pipe_do_not_block(self):
+        # An answer can be longer than the pipe holds; it is written before the program reads on.
+        done = run("check", "--exec", "tests/tool/paints_all.py", "--property", DEGENERATE,
+                   "--property", MODEL, "--cases", "64")  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stderr)
+
+    def test_a_program_may_take_batches(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mine.subject")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("command tests/tool/batches.py\ncoverage counts\n"
+                           "takes window batches\n")  # fmt: skip
+            done = run("check", "--subject", path, "--property", MODEL, "--cases", "6",
+                       "--property", "BatchDrawsLikeSingleCalls")  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertEqual(held(done.stdout.decode()), 2, done.stdout)
+        self.assertIn(b"it was told a batch ", done.stderr)
+
+
 class BadNames(unittest.TestCase):
     def check(self, *arguments, words):
         done = run(*arguments)
@@ -134,6 +270,8 @@ class BadNames(unittest.TestCase):
         self.check("check", "--plugin", faulty("VERSION"), words=["version 99"])
         self.check("check", "--plugin", faulty("PROFILE"), words=["profile", "snap"])
         self.check("check", "--plugin", faulty("AT_LOAD"), words=["signal 6"])
+        self.check("check", "--plugin", faulty("FIXED_BITS"),
+                   words=["32 bits before the point", "set fixed_integer_bits"])  # fmt: skip
 
     def test_a_program_that_is_none(self):
         self.check("coverage", SCENE, "--exec", "./no-such-program", words=["no-such-program"])
@@ -144,14 +282,26 @@ class BadNames(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "x.subject")
             for text, word in (
-                ("coverage some\n", "coverage"),
+                ("coverage some\n", "facing-counts"),
                 ("colour red\n", "colour"),
                 ("takes window\n", "command"),
+                ("command true\nwins first-drawn\n", "winning-id"),
+                ("command true\ncoverage winning-id\nweight-error 1e-5\n", "fragments"),
+                ("command true\ncoverage fragments\nweight-error -1\n", "-1"),
+                ("command true\ncoverage fragments\ndepth-error much\n", "much"),
+                ("command true\ncoverage winning-id\nwins all\n", "first-drawn"),
                 ("command true\ntakes tiles\n", "neither window nor clip"),
+                ("command true\ninput fixed 12 signed\n", "line 2: the fixed-point format is not"),
+                ("command true\ninput fixed 32.4 signed\n", "N from 1 to 31"),
+                ("command true\ninput fixed 12.4\n", "whether the fixed-point format is signed"),
+                ("command true\ninput fixed 12.4 signed wraps\n", "'wraps' is not known"),
+                ("command true\ninput fixed 12.4 signed\ntakes clip\n", "takes clip space"),
+                ('command true\ninput fixed 12.4 signed\nprofile {"name": "p", "fixed": '
+                 '{"integer_bits": 11, "fraction_bits": 4}}\n', "different fixed-point formats"),
             ):
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
-                self.check("coverage", SCENE, "--subject", path, words=[path])
+                self.check("coverage", SCENE, "--subject", path, words=[path, word])
 
     def test_answers_that_end_early(self):
         self.check("ver", "--cases", "1", words=["standard input", "ends before"])

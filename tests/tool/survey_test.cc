@@ -1,4 +1,6 @@
 // What the survey of real rasterizers says is only worth as much as its scenes and its children.
+#include "tool/survey/survey.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,6 +15,7 @@
 #include "core/profile.h"
 #include "core/snap.h"
 #include "exact/coverage.h"
+#include "io/output.h"
 #include "tool/survey/families.h"
 #include "tool/survey/fit.h"
 #include "tool/survey/isolated.h"
@@ -92,6 +95,34 @@ TEST(SurveyFit, FindsTheModelOfTheOracle) {
   EXPECT_EQ(fits[0].wrong, 0U);
   EXPECT_EQ(fits[0].model.snap, model.snap);
   EXPECT_EQ(fits[0].model.fill_rule.sign_x, -1);  // sign_y shows at level edges alone
+}
+
+// Covers nothing, whatever it is asked.
+constexpr const char* kBlankProgram = R"sh(
+while read -r draw number width height samples space vertices triangles; do
+  for line in $(seq $((vertices + triangles))); do read -r skipped; done
+  echo "counts $number"
+  yes "$(seq -s ' ' "$width" | sed 's/[0-9][0-9]*/0/g')" | head -n "$height"
+done
+)sh";
+
+TEST(Survey, TakesADescriptionOfAProgram) {
+  const std::string program = testing::TempDir() + "blank.sh";
+  const std::string path = testing::TempDir() + "blank.subject";
+  io::WriteFile(program, kBlankProgram);
+  io::WriteFile(path, "command sh '" + program + "'\nprofile gl\n");
+  const Survey survey = RunSurvey(
+      {.path = path, .cases = 2, .seconds = 20, .fitting_triangles = 8, .shrink_budget = 1});
+  EXPECT_EQ(survey.subject, "blank");
+  EXPECT_EQ(survey.declared.name, "gl");
+  ASSERT_EQ(survey.families.size(), Families().size());
+  for (const FamilySurvey& family : survey.families) {
+    const FamilyTally& tally = family.tally;
+    EXPECT_EQ(tally.scenes + tally.refused, 2U) << family.family->name;
+    const bool is_mesh = family.family->kind == FamilyKind::kCover;
+    EXPECT_EQ(tally.gaps, is_mesh ? tally.samples : 0) << family.family->name;
+  }
+  EXPECT_NE(SurveyToJson(survey).find("\"own_share\": 0."), std::string::npos);
 }
 
 TEST(Isolated, TellsHowAChildEnded) {

@@ -7,10 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "core/case.h"
 #include "core/snap.h"
+#include "core/subject.h"
 #include "core/vertex.h"
 #include "exact/coverage.h"
 #include "props/domains/bit_source.h"
+#include "props/domains/recipes.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -171,22 +174,6 @@ Scene DrawMixed(std::uint64_t index, const Profile& model, Precision precision) 
   });
 }
 
-Scene DrawFarNegative(std::uint64_t index, const Profile& model, Precision precision) {
-  Pen pen(Salt::kFarNegative, index, model, precision);
-  const int side = Side(pen);
-  Scene scene = pen.Target(side, side);
-  const auto far = [&pen] { return -std::fabs(pen.Magnitude(4, pen.LogLimit())); };
-  const double ax = far();
-  const double ay = pen.Chance(128) ? far() : pen.Real(0, side);
-  const double bx = pen.Chance(128) ? far() : pen.Real(0, side);
-  const double by = far();
-  const double reach = pen.Chance(128) ? 0 : pen.LogLimit() - 6;
-  const double cx = pen.Real(0, side) * std::exp2(pen.Real(0, reach));
-  const double cy = pen.Real(0, side) * std::exp2(pen.Real(0, reach));
-  AddTriangle(scene, {Point2{ax, ay}, Point2{bx, by}, Point2{pen.Held(cx), pen.Held(cy)}});
-  return scene;
-}
-
 Scene DrawNearLimits(std::uint64_t index, const Profile& model, Precision precision) {
   Pen pen(Salt::kNearLimits, index, model, precision);
   const int side = Side(pen);
@@ -260,8 +247,6 @@ Scene DrawRectangles(std::uint64_t index, const Profile& model, Precision precis
 
 // --- Subdivisions of a polygon that contains the target ---
 
-enum class Reach : std::uint8_t { kNear, kFar };
-
 std::array<Point2, 3> Snapped(const Scene& scene, const Triangle& t, const Profile& model) {
   std::array<Point2, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -308,11 +293,10 @@ void SplitSome(Scene& scene, Pen& pen, const Profile& model, bool on_lattice, in
 
 // A fan of four triangles around a hub in the target, the corners one in each outer quadrant: with
 // the corners' sides of the target kept, it covers the target whatever they are. Then some splits.
-Scene Cover(Pen pen, const Profile& model, int width, int height, bool on_lattice, Reach reach) {
+Scene Cover(Pen pen, const Profile& model, int width, int height, bool on_lattice) {
   Scene scene = pen.Target(width, height);
-  const auto beyond = [&pen, on_lattice, reach] {
-    const double most = reach == Reach::kFar ? pen.LogLimit() - 0.01 : 6;
-    const double size = 2 + std::fabs(pen.Magnitude(0, most));
+  const auto beyond = [&pen, on_lattice] {
+    const double size = 2 + std::fabs(pen.Magnitude(0, 6));
     return on_lattice ? std::nearbyint(size) : size;
   };
   const std::array<Point2, 4> signs{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
@@ -337,19 +321,13 @@ Scene Cover(Pen pen, const Profile& model, int width, int height, bool on_lattic
 Scene DrawCover(std::uint64_t index, const Profile& model, Precision precision) {
   Pen pen(Salt::kCover, index, model, precision);
   const int side = Side(pen);
-  return Cover(pen, model, side, side, true, Reach::kNear);
+  return Cover(pen, model, side, side, true);
 }
 
 Scene DrawCoverOff(std::uint64_t index, const Profile& model, Precision precision) {
   Pen pen(Salt::kCoverOff, index, model, precision);
   const int side = Side(pen);
-  return Cover(pen, model, side, side, false, Reach::kNear);
-}
-
-Scene DrawCoverFar(std::uint64_t index, const Profile& model, Precision precision) {
-  Pen pen(Salt::kCoverFar, index, model, precision);
-  const int side = Side(pen);
-  return Cover(pen, model, side, side, pen.Chance(128), Reach::kFar);
+  return Cover(pen, model, side, side, false);
 }
 
 Scene DrawCoverWide(std::uint64_t index, const Profile& model, Precision precision) {
@@ -357,8 +335,17 @@ Scene DrawCoverWide(std::uint64_t index, const Profile& model, Precision precisi
   const int longer = 1 << pen.Int(8, 11);
   const int shorter = pen.Int(4, 16);
   const bool wide = pen.Chance(128);
-  return Cover(pen, model, wide ? longer : shorter, wide ? shorter : longer, pen.Chance(128),
-               Reach::kNear);
+  return Cover(pen, model, wide ? longer : shorter, wide ? shorter : longer, pen.Chance(128));
+}
+
+// The scenes of a domain that the catalogue draws from as well.
+template <Salt salt, Case (*recipe)(props::BitSource&, const SubjectInfo&)>
+Scene DrawRecipe(std::uint64_t index, const Profile& model, Precision precision) {
+  PhiloxSource bits(static_cast<std::uint64_t>(salt), index);
+  SubjectInfo info;
+  info.profile = model;
+  info.input = precision;
+  return recipe(bits, info).scene;
 }
 
 constexpr auto kSingles = FamilyKind::kSingles;
@@ -374,12 +361,14 @@ constexpr std::array<Family, 14> kFamilies{{
     {"tall target", kSingles, kIn, false, DrawTall},
     {"rectangles", kSingles, kIn, false, DrawRectangles},
     {"mixed magnitudes", kSingles, kNear, false, DrawMixed},
-    {"far negative corners", kSingles, kNear, false, DrawFarNegative},
+    {"far negative corners", kSingles, kNear, true,
+     DrawRecipe<Salt::kFarNegative, props::FarNegativeCorners>},
     {"near the limits", kSingles, kNear, false, DrawNearLimits},
     {"mesh on the lattice", kWhole, kIn, true, DrawCover},
     {"mesh off the lattice", kWhole, kIn, false, DrawCoverOff},
     {"mesh in a large target", kWhole, kIn, false, DrawCoverWide},
-    {"mesh with far corners", kWhole, kNear, false, DrawCoverFar},
+    {"mesh with far corners", kWhole, kNear, true,
+     DrawRecipe<Salt::kCoverFar, props::CoveringFans>},
 }};
 
 }  // namespace

@@ -1,4 +1,5 @@
-// survey PLUGIN.so OUT.json [CASES [SECONDS]]: see survey.h. Part of `./run subjects`.
+// survey PLUGIN.so|PROGRAM.subject OUT.json [CASES [SECONDS]]: see survey.h. Part of
+// `./run subjects`.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -9,7 +10,7 @@
 
 int main(int argc, char** argv) {
   if (argc < 3 || argc > 5) {
-    std::fprintf(stderr, "usage: survey PLUGIN.so OUT.json [CASES [SECONDS]]\n");
+    std::fprintf(stderr, "usage: survey PLUGIN.so|PROGRAM.subject OUT.json [CASES [SECONDS]]\n");
     return 2;
   }
   try {
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
       return 2;
     }
     rasterproof::tool::SurveyOptions options;
-    options.plugin = argv[1];
+    options.path = argv[1];
     if (argc > 3) options.cases = std::strtoull(argv[3], nullptr, 10);
     if (argc > 4) options.seconds = std::strtod(argv[4], nullptr);
     const rasterproof::tool::Survey survey = rasterproof::tool::RunSurvey(options);

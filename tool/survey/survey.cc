@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "io/output.h"
 #include "props/shrink/shrink.h"
 #include "subjects/plugin/plugin.h"
+#include "tool/outside.h"
 #include "tool/survey/isolated.h"
 
 namespace rasterproof::tool {
@@ -24,11 +26,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kStallSeconds = 10;
-constexpr std::uint64_t kFittingTriangles = 600;
 constexpr int kMostEnds = 4;  // deaths of one family before it is given up
 
 double Since(Clock::time_point begun) {
   return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+// A library in this process, or a program on a pipe and what it says of itself.
+subjects::LoadedPlugin Load(const std::string& path) {
+  if (!path.ends_with(kDescriptionEnding)) return subjects::LoadPlugin(path);
+  OutsideLimits() = {.seconds = kStallSeconds, .bytes = 0};  // as for a library
+  std::unique_ptr<Subject> subject = MakeOutside(path);
+  std::string profile = io::ProfileToJson(subject->Info().profile);
+  return {std::move(subject), std::move(profile)};
 }
 
 // The subject's counts of a scene, and the time it took.
@@ -78,8 +88,8 @@ struct Findings {
 };
 
 Findings Look(Subject& subject, const Scene& scene, FamilyKind kind, const Profile& model,
-              double& seconds) {
-  const CoverageCounts observed = Drawn(subject, scene, seconds);
+              SubjectTimes& times) {
+  const CoverageCounts observed = Drawn(subject, scene, times.at_once);
   const CoverageCounts expected = exact::Coverage(scene, model);
   Findings found;
   for (std::size_t k = 0; k < observed.size(); ++k) {
@@ -90,8 +100,7 @@ Findings Look(Subject& subject, const Scene& scene, FamilyKind kind, const Profi
     found.overlaps += count > 1 ? 1U : 0U;
   }
   if (scene.triangles.size() > 1) {
-    double alone = 0;
-    found.batch_differs = DrawnAlone(subject, scene, alone) != observed;
+    found.batch_differs = DrawnAlone(subject, scene, times.alone) != observed;
   }
   return found;
 }
@@ -115,7 +124,7 @@ void Note(FamilyTally& tally, const Findings& found, std::uint64_t index) {
 
 void DrawFamily(const SurveyOptions& options, const Family& family, const Profile& model,
                 Progress& progress) {
-  const std::unique_ptr<Subject> subject = subjects::LoadPlugin(options.plugin).subject;
+  const std::unique_ptr<Subject> subject = Load(options.path).subject;
   FamilyTally& tally = progress.tally;
   const Clock::time_point begun = Clock::now();
   const double before = tally.seconds;
@@ -169,7 +178,7 @@ bool StillFails(Subject& subject, const Case& c, Fault fault) {
     if (fault == Fault::kGap || fault == Fault::kTwice) {
       return HasSeam(subject, c.scene, c.profile, fault);
     }
-    double unused = 0;
+    SubjectTimes unused;
     return Look(subject, c.scene, FamilyKind::kSingles, c.profile, unused).Has(fault);
   } catch (const InputError&) {
     return false;
@@ -178,11 +187,11 @@ bool StillFails(Subject& subject, const Case& c, Fault fault) {
 
 // Shrinks in a child; if it dies over a smaller case, the case it began with is left.
 Case Shrunk(const SurveyOptions& options, Fault fault, const Case& failing) {
-  const std::string path = options.plugin + ".shrunk.json";
+  const std::string path = options.path + ".shrunk.json";
   io::WriteFile(path, io::CaseToJson({failing, "", ""}));
   Shared<Progress> progress;
   const auto work = [&] {
-    const std::unique_ptr<Subject> subject = subjects::LoadPlugin(options.plugin).subject;
+    const std::unique_ptr<Subject> subject = Load(options.path).subject;
     const auto fails = [&](const Case& c) {
       ++progress->step;
       return StillFails(*subject, c, fault);
@@ -192,7 +201,7 @@ Case Shrunk(const SurveyOptions& options, Fault fault, const Case& failing) {
     io::WriteFile(path, io::CaseToJson({small, "", ""}));
   };
   const std::string end = RunIsolated(work, progress->step, kStallSeconds);
-  if (!end.empty()) std::fprintf(stderr, "%s: shrinking %s\n", options.plugin.c_str(), end.c_str());
+  if (!end.empty()) std::fprintf(stderr, "%s: shrinking %s\n", options.path.c_str(), end.c_str());
   Case small = io::ReadCase(path).value;
   std::remove(path.c_str());
   return small;
@@ -263,16 +272,17 @@ Profile ProfileOf(const std::string& text, const std::string& place) {
       .value.profile;
 }
 
-void Introduce(const std::string& plugin, Introduction& into) {
-  const subjects::LoadedPlugin loaded = subjects::LoadPlugin(plugin);
+void Introduce(const SurveyOptions& options, Introduction& into) {
+  const std::string& path = options.path;
+  const subjects::LoadedPlugin loaded = Load(path);
   const SubjectInfo& info = loaded.subject->Info();
-  Put(info.name, into.name);
+  Put(std::filesystem::path(info.name).stem().string(), into.name);
   Put(info.summary, into.summary);
   Put(loaded.profile, into.profile);
   into.input = info.input;
   into.loaded = true;
   for (const Fit& fit :
-       FitModels(*loaded.subject, ProfileOf(loaded.profile, plugin), kFittingTriangles)) {
+       FitModels(*loaded.subject, ProfileOf(loaded.profile, path), options.fitting_triangles)) {
     const Profile& m = fit.model;
     into.fit[into.fits++] = {m.snap, m.lattice.locations[0], m.fill_rule, fit.wrong, fit.samples};
   }
@@ -283,11 +293,11 @@ void Introduce(const std::string& plugin, Introduction& into) {
 Survey RunSurvey(const SurveyOptions& options) {
   Shared<Introduction> met;
   Survey survey;
-  survey.trouble = RunIsolated([&] { Introduce(options.plugin, *met); }, met->step, 120);
-  if (!met->loaded) throw InputError(options.plugin, survey.trouble, "look at what it printed");
+  survey.trouble = RunIsolated([&] { Introduce(options, *met); }, met->step, 120);
+  if (!met->loaded) throw InputError(options.path, survey.trouble, "look at what it printed");
   survey.subject = met->name.data();
   survey.summary = met->summary.data();
-  survey.declared = ProfileOf(met->profile.data(), options.plugin);
+  survey.declared = ProfileOf(met->profile.data(), options.path);
   for (std::size_t k = 0; k < met->fits; ++k) {
     const PlainFit& plain = met->fit[k];
     Fit fit{survey.declared, plain.wrong, plain.samples};

@@ -17,9 +17,10 @@
 namespace rasterproof::tool {
 
 struct SurveyOptions {
-  std::string plugin;
+  std::string path;            ///< a plugin, or the description of a program on a pipe
   std::uint64_t cases = 2000;  ///< scenes of each family
   double seconds = 20;         ///< at most, for each family
+  std::uint64_t fitting_triangles = 600;
   std::uint64_t shrink_budget = 400;
 };
 
@@ -33,6 +34,12 @@ enum class Fault : std::uint8_t {
 };
 inline constexpr std::size_t kFaults = 5;
 
+/// Seconds of the subject alone: of a program on a pipe, with the pipe.
+struct SubjectTimes {
+  double at_once = 0;  ///< each scene as it is
+  double alone = 0;    ///< the same triangles once more, one after the other
+};
+
 struct FamilyTally {
   std::uint64_t scenes = 0;
   std::uint64_t refused = 0;
@@ -43,8 +50,8 @@ struct FamilyTally {
   std::uint64_t overlaps = 0;                   ///< samples of covering meshes
   std::array<std::uint64_t, kFaults> faulty{};  ///< scenes
   std::array<std::int64_t, kFaults> first{-1, -1, -1, -1, -1};
-  double subject_seconds = 0;
-  double seconds = 0;
+  SubjectTimes subject_seconds;
+  double seconds = 0;  ///< of all
 };
 
 struct Counterexample {

@@ -30,9 +30,10 @@ std::string CounterexampleJson(const Counterexample& found) {
 std::string TallyJson(const FamilyTally& tally) {
   std::string json = fmt::format(
       R"("scenes": {}, "refused": {}, "triangles": {}, "samples": {}, "wrong": {}, "gaps": {}, )"
-      R"("overlaps": {}, "subject_seconds": {:.6f}, "seconds": {:.6f}, "faulty_scenes": {{)",
+      R"("overlaps": {}, "subject_seconds": {:.6f}, "alone_seconds": {:.6f}, "seconds": {:.6f}, )"
+      R"("faulty_scenes": {{)",
       tally.scenes, tally.refused, tally.triangles, tally.samples, tally.wrong, tally.gaps,
-      tally.overlaps, tally.subject_seconds, tally.seconds);
+      tally.overlaps, tally.subject_seconds.at_once, tally.subject_seconds.alone, tally.seconds);
   for (std::size_t k = 0; k < kFaults; ++k) {
     json += fmt::format(R"({}"{}": {})", k == 0 ? "" : ", ", FaultName(static_cast<Fault>(k)),
                         tally.faulty[k]);
@@ -47,6 +48,17 @@ std::string FamilyJson(const FamilySurvey& survey) {
                      family.name, family.kind == FamilyKind::kCover,
                      family.place == FamilyPlace::kNearLimits, family.on_lattice,
                      TallyJson(survey.tally), JsonList(survey.counterexamples, CounterexampleJson));
+}
+
+// The share of the time that was not the subject's: scenes, oracle, comparison.
+std::string OwnShareJson(const Survey& survey) {
+  double all = 0;
+  double subject = 0;
+  for (const FamilySurvey& family : survey.families) {
+    all += family.tally.seconds;
+    subject += family.tally.subject_seconds.at_once + family.tally.subject_seconds.alone;
+  }
+  return all > 0 ? fmt::format("{:.4f}", 1 - subject / all) : "null";
 }
 
 }  // namespace
@@ -70,11 +82,12 @@ std::string_view FaultName(Fault fault) {
 std::string SurveyToJson(const Survey& survey) {
   return fmt::format(
       R"({{"rasterproof_survey": 1, "subject": {}, "summary": {}, "declared": {}, "trouble": {},
+"own_share": {},
 "fits": {},
 "families": {}}}
 )",
       io::JsonString(survey.subject), io::JsonString(survey.summary),
-      io::ProfileToJson(survey.declared), io::JsonString(survey.trouble),
+      io::ProfileToJson(survey.declared), io::JsonString(survey.trouble), OwnShareJson(survey),
       JsonList(survey.fits, FitJson), JsonList(survey.families, FamilyJson));
 }
 

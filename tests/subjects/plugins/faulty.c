@@ -47,14 +47,24 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
 #else
       .version = RASTERPROOF_PLUGIN_VERSION,
 #endif
+#if defined(FAULT_FIRST_SIZE)
+      .size = offsetof(rasterproof_plugin, fixed_integer_bits), /* no fault: an older header's */
+      .fixed_integer_bits = 99,
+#else
       .size = sizeof(rasterproof_plugin),
+#endif
       .name = "faulty",
 #if defined(FAULT_PROFILE)
       .profile = "{\"snap\": {\"bits\": 99}}",
 #else
       .profile = "gl",
 #endif
+#if defined(FAULT_FIXED_BITS)
+      .input = RASTERPROOF_FIXED,
+      .fixed_integer_bits = 32,
+#else
       .input = RASTERPROOF_FLOAT32,
+#endif
       .coverage = RASTERPROOF_FACING_COUNTS,
       .draw = draw,
   };

@@ -1,0 +1,58 @@
+// Members of a JSON object: optional ones, enumerations by name, pairs, small integers.
+#ifndef RASTERPROOF_IO_JSON_MEMBERS_H_
+#define RASTERPROOF_IO_JSON_MEMBERS_H_
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "io/json_document.h"
+
+namespace rasterproof::io {
+
+/// An enumeration's values and their names in files.
+template <class E>
+using Names = std::span<const std::pair<E, std::string_view>>;
+
+template <class E>
+std::string_view NameOf(E value, Names<E> names) {
+  return std::ranges::find(names, value, &std::pair<E, std::string_view>::first)->second;
+}
+
+template <class E>
+E FromName(const JsonValue& value, Names<E> names) {
+  const std::string_view text = value.RequireString();
+  std::string remedy = "known here are";
+  for (const auto& [known, name] : names) {
+    if (name == text) return known;
+    remedy += " \"" + std::string(name) + "\"";
+  }
+  throw value.Error(Quoted(text) + " is unknown", remedy);
+}
+
+/// The member `key`, turned by `read`, if the object has it.
+template <class T, class Read>
+void ReadIfThere(const JsonValue& object, std::string_view key, T& into, Read read) {
+  if (const std::optional<JsonValue> value = object.Find(key)) into = read(*value);
+}
+
+inline int Integer(const JsonValue& value, int least, int greatest) {
+  return static_cast<int>(value.RequireInteger(least, greatest));
+}
+
+inline bool Boolean(const JsonValue& value) {
+  if (value.kind() != JsonKind::kBoolean) {
+    throw value.Error("is neither true nor false", "write true or false");
+  }
+  return value.text() == "true";
+}
+
+inline std::string InQuotes(std::string_view text) { return '"' + std::string(text) + '"'; }
+
+}  // namespace rasterproof::io
+
+#endif  // RASTERPROOF_IO_JSON_MEMBERS_H_

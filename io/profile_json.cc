@@ -1,0 +1,386 @@
+#include "io/profile_json.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/case_file.h"
+#include "io/json_document.h"
+#include "io/json_members.h"
+#include "io/number_text.h"
+#include "io/scene_json.h"
+
+namespace rasterproof::io {
+namespace {
+
+constexpr auto kProfileKeys =
+    std::to_array<std::string_view>({"name",       "subpixel_bits",  "snap_rule",
+                                     "snap_form",  "snap_origin",    "sample_locations",
+                                     "y_axis",     "fill_rule",      "coordinate_limit",
+                                     "contract",   "snap_tolerance", "any_tie_rule",
+                                     "zero_area",  "overdraw",       "fixed",
+                                     "max_extent", "no_clip",        "crossing",
+                                     "transform",  "targets"});
+constexpr auto kTargetKeys =
+    std::to_array<std::string_view>({"max_width", "max_height", "subpixel_bits", "snap_rule",
+                                     "snap_form", "snap_origin", "sample_locations", "fill_rule"});
+constexpr auto kFixedKeys =
+    std::to_array<std::string_view>({"integer_bits", "fraction_bits", "signed", "wrap"});
+
+constexpr auto kCrossingKeys = std::to_array<std::string_view>({"bits", "rule", "origin"});
+constexpr auto kTransformKeys =
+    std::to_array<std::string_view>({"precision", "division", "viewport", "flips_y"});
+
+constexpr std::array<std::pair<Precision, std::string_view>, 2> kPrecisions{
+    {{Precision::kFloat32, "float32"}, {Precision::kFloat64, "float64"}}};
+constexpr std::array<std::pair<YAxis, std::string_view>, 2> kYAxes{
+    {{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
+constexpr std::array<std::pair<Contract, std::string_view>, 6> kContracts{
+    {{Contract::kSampleExact, "sample-exact"},
+     {Contract::kWatertight, "watertight"},
+     {Contract::kClosed, "closed"},
+     {Contract::kConservativeOver, "conservative-over"},
+     {Contract::kConservativeUnder, "conservative-under"},
+     {Contract::kNone, "none"}}};
+constexpr std::array<std::pair<ZeroArea, std::string_view>, 2> kZeroAreas{
+    {{ZeroArea::kNothing, "nothing"}, {ZeroArea::kUnspecified, "unspecified"}}};
+constexpr std::array<std::pair<bool, std::string_view>, 2> kOverdraws{
+    {{false, "none"}, {true, "allowed"}}};
+
+int SubpixelBits(const JsonValue& value) {
+  return value.kind() == JsonKind::kNull ? Snap::kNone : Integer(value, 0, kMaxSubpixelBits);
+}
+
+SnapRule SnapRuleFromJson(const JsonValue& value) {
+  const std::optional<SnapRule> rule = SnapRuleFromName(value.RequireString());
+  if (rule) return *rule;
+  throw value.Error(Quoted(value.text()) + " is no snap rule",
+                    "write nearest-even, nearest-away, half-up, floor or truncate");
+}
+
+SnapForm SnapFormFromJson(const JsonValue& value) {
+  const std::optional<SnapForm> form = SnapFormFromName(value.RequireString());
+  if (form) return *form;
+  throw value.Error(Quoted(value.text()) + " is no snap form",
+                    "write coordinate, float32-difference or exact-difference");
+}
+
+FillRule FillRuleFromJson(const JsonValue& value) {
+  const std::optional<FillRule> rule = FillRuleFromName(value.RequireString());
+  if (rule) return *rule;
+  throw value.Error(Quoted(value.text()) + " is no fill rule",
+                    "write top-left, top-right, bottom-left, bottom-right, one of them with -y "
+                    "(y moves first), inclusive or exclusive");
+}
+
+// A place within a pixel. On multiples of 2^-8, pixel + place is exact.
+double PlaceInPixel(const JsonValue& value, const std::string& what) {
+  const double x = CoordinateFromJson(value, Precision::kFloat64);
+  if (!(x >= 0 && x < 1) || x * 256 != std::floor(x * 256)) {
+    throw value.Error("is not " + what, "write a multiple of 1/256 from 0 up to, not including, 1");
+  }
+  return x;
+}
+
+double LocationCoordinate(const JsonValue& value) {
+  return PlaceInPixel(value, "a sample location");
+}
+
+double SnapOrigin(const JsonValue& value) { return PlaceInPixel(value, "a snap origin"); }
+
+double SnapTolerance(const JsonValue& value) {
+  const double steps = CoordinateFromJson(value, Precision::kFloat64);
+  if (steps >= 0 && steps <= kMaxSnapTolerance) return steps;
+  throw value.Error("is not a snap tolerance", "write a number of grid steps from 0 to 1");
+}
+
+SampleLattice LatticeFromJson(const JsonValue& list) {
+  std::vector<Point2> locations;
+  const JsonValue::Items items = list.RequireArray();
+  const std::size_t size = items.size();
+  if (size < 1 || size > std::size_t{kMaxSamplesPerPixel}) {
+    throw list.Error("has " + std::to_string(size) + " sample locations",
+                     "write from 1 to " + std::to_string(kMaxSamplesPerPixel));
+  }
+  for (const JsonValue item : items) {
+    const JsonValue::Items pair = item.RequireArray();
+    if (pair.size() != 2) {
+      throw item.Error("has " + std::to_string(pair.size()) + " coordinates", "write [x, y]");
+    }
+    JsonValue::Iterator coordinate = pair.begin();
+    const double x = LocationCoordinate(*coordinate);
+    locations.push_back({x, LocationCoordinate(*++coordinate)});
+  }
+  return {std::move(locations)};
+}
+
+double LimitFromJson(const JsonValue& value) {
+  const double limit = CoordinateFromJson(value, Precision::kFloat64);
+  if (limit > 0 && std::isfinite(limit)) return limit;
+  throw value.Error("is not a limit", "write a positive finite number");
+}
+
+// The numbers of an array, as many as `names` says: "[x0, y0, x1, y1]".
+template <std::size_t kCount>
+std::array<double, kCount> FiniteNumbers(const JsonValue& list, const std::string& names) {
+  const JsonValue::Items items = list.RequireArray();
+  if (items.size() != kCount) {
+    throw list.Error("has " + std::to_string(items.size()) + " numbers",
+                     "write " + names + ", or null");
+  }
+  std::array<double, kCount> numbers{};
+  std::size_t k = 0;
+  for (const JsonValue item : items) {
+    numbers[k] = CoordinateFromJson(item, Precision::kFloat64);
+    if (!std::isfinite(numbers[k++])) throw item.Error("is not finite", "write a finite number");
+  }
+  return numbers;
+}
+
+std::optional<MaxExtent> MaxExtentFromJson(const JsonValue& value) {
+  if (value.kind() == JsonKind::kNull) return std::nullopt;
+  const auto [width, height] = FiniteNumbers<2>(value, "[width, height]");
+  if (width > 0 && height > 0) return MaxExtent{width, height};
+  throw value.Error("is not the size of a triangle", "write two positive numbers");
+}
+
+std::optional<WindowBox> WindowBoxFromJson(const JsonValue& value) {
+  if (value.kind() == JsonKind::kNull) return std::nullopt;
+  const auto [x0, y0, x1, y1] = FiniteNumbers<4>(value, "[x0, y0, x1, y1]");
+  if (x0 < x1 && y0 < y1) return WindowBox{x0, y0, x1, y1};
+  throw value.Error("is empty", "write x0 < x1 and y0 < y1");
+}
+
+std::optional<FixedInput> FixedInputFromJson(const JsonValue& value) {
+  if (value.kind() == JsonKind::kNull) return std::nullopt;
+  value.RequireObject(kFixedKeys);
+  FixedInput fixed;
+  fixed.integer_bits = Integer(value.Get("integer_bits"), 1, kMaxIntegerBits);
+  fixed.fraction_bits = Integer(value.Get("fraction_bits"), 0, kMaxSubpixelBits);
+  ReadIfThere(value, "signed", fixed.is_signed, Boolean);
+  ReadIfThere(value, "wrap", fixed.wraps, Boolean);
+  return fixed;
+}
+
+void ReadSnap(const JsonValue& value, Snap& snap) {
+  ReadIfThere(value, "subpixel_bits", snap.bits, SubpixelBits);
+  ReadIfThere(value, "snap_rule", snap.rule, SnapRuleFromJson);
+  ReadIfThere(value, "snap_form", snap.form, SnapFormFromJson);
+  ReadIfThere(value, "snap_origin", snap.origin, SnapOrigin);
+}
+
+Snap CrossingFromJson(const JsonValue& value) {
+  if (value.kind() == JsonKind::kNull) return {};
+  value.RequireObject(kCrossingKeys);
+  Snap crossing;
+  crossing.bits = Integer(value.Get("bits"), 0, kMaxSubpixelBits);
+  ReadIfThere(value, "rule", crossing.rule, SnapRuleFromJson);
+  ReadIfThere(value, "origin", crossing.origin, SnapOrigin);
+  if (crossing.origin != 0) crossing.form = SnapForm::kExactDifference;
+  return crossing;
+}
+
+Transform TransformFromJson(const JsonValue& value) {
+  value.RequireObject(kTransformKeys);
+  Transform transform;
+  ReadIfThere(value, "precision", transform.precision,
+              [](const JsonValue& v) { return FromName(v, Names<Precision>(kPrecisions)); });
+  ReadIfThere(value, "division", transform.division, [](const JsonValue& v) {
+    if (const auto division = DivisionFromName(v.RequireString())) return *division;
+    throw v.Error(Quoted(v.text()) + " is no division", "write quotient or reciprocal");
+  });
+  ReadIfThere(value, "viewport", transform.viewport, [](const JsonValue& v) {
+    if (const auto form = ViewportFormFromName(v.RequireString())) return *form;
+    throw v.Error(Quoted(v.text()) + " is no viewport form",
+                  "write none, multiply-add, fused or add-multiply");
+  });
+  ReadIfThere(value, "flips_y", transform.flips_y, Boolean);
+  return transform;
+}
+
+TargetModel TargetFromJson(const JsonValue& value, const Profile& profile) {
+  value.RequireObject(kTargetKeys);
+  const auto side = [](const JsonValue& v) { return Integer(v, 1, kMaxTargetSide); };
+  TargetModel target{
+      .snap = profile.snap, .lattice = profile.lattice, .fill_rule = profile.fill_rule};
+  ReadIfThere(value, "max_width", target.max_width, side);
+  ReadIfThere(value, "max_height", target.max_height, side);
+  ReadSnap(value, target.snap);
+  ReadIfThere(value, "sample_locations", target.lattice, LatticeFromJson);
+  ReadIfThere(value, "fill_rule", target.fill_rule, FillRuleFromJson);
+  if (target.lattice.samples() == profile.lattice.samples()) return target;
+  throw value.Get("sample_locations")
+      .Error("has " + std::to_string(target.lattice.samples()) + " sample locations, the profile " +
+                 std::to_string(profile.lattice.samples()),
+             "give every target as many");
+}
+
+std::vector<TargetModel> TargetsFromJson(const JsonValue& list, const Profile& profile) {
+  std::vector<TargetModel> targets;
+  for (const JsonValue item : list.RequireArray()) {
+    const TargetModel target = TargetFromJson(item, profile);
+    for (const TargetModel& earlier : targets) {
+      if (!earlier.Fits(target.max_width, target.max_height)) continue;
+      throw item.Error("never applies: an entry before it fits every target that it fits",
+                       "put the smaller targets first");
+    }
+    targets.push_back(target);
+  }
+  return targets;
+}
+
+// The keys of a model: those that an entry of `targets` can override.
+std::string SnapToJson(const Snap& snap, const std::string& line) {
+  std::string json = line + "\"subpixel_bits\": ";
+  json += snap.IsNone() ? "null" : std::to_string(snap.bits);
+  json += line + "\"snap_rule\": " + InQuotes(SnapRuleName(snap.rule));
+  // Keys of a later day than the others: left out where they say nothing, so that files without
+  // them stay as they are.
+  if (snap.form != SnapForm::kCoordinate || snap.origin != 0) {
+    json += line + "\"snap_form\": " + InQuotes(SnapFormName(snap.form));
+    json += line + "\"snap_origin\": " + InQuotes(ExactText(snap.origin));
+  }
+  return json;
+}
+
+std::string NumbersToJson(std::initializer_list<double> numbers) {
+  std::string json;
+  for (const double x : numbers) json += (json.empty() ? "[" : ", ") + InQuotes(ExactText(x));
+  return json + "]";
+}
+
+std::string LatticeToJson(const SampleLattice& lattice) {
+  std::string json;
+  for (const Point2& l : lattice.locations) {
+    json += (json.empty() ? "[" : ", ") + NumbersToJson({l.x, l.y});
+  }
+  return json + "]";
+}
+
+std::string TargetsToJson(const std::vector<TargetModel>& targets) {
+  std::string json;
+  for (const TargetModel& target : targets) {
+    json += json.empty() ? "[{" : ", {";
+    json += "\"max_width\": " + std::to_string(target.max_width);
+    json += ", \"max_height\": " + std::to_string(target.max_height);
+    json += SnapToJson(target.snap, ", ");
+    // Written even if it is none, or the profile's own would come back in its place.
+    if (target.snap.form == SnapForm::kCoordinate && target.snap.origin == 0) {
+      json += ", \"snap_form\": \"coordinate\", \"snap_origin\": 0";
+    }
+    json += ", \"sample_locations\": " + LatticeToJson(target.lattice);
+    json += ", \"fill_rule\": " + InQuotes(FillRuleName(target.fill_rule)) + "}";
+  }
+  return json + "]";
+}
+
+std::string FixedToJson(const FixedInput& fixed) {
+  return "{\"integer_bits\": " + std::to_string(fixed.integer_bits) +
+         ", \"fraction_bits\": " + std::to_string(fixed.fraction_bits) +
+         ", \"signed\": " + (fixed.is_signed ? "true" : "false") +
+         ", \"wrap\": " + (fixed.wraps ? "true" : "false") + "}";
+}
+
+std::string CrossingToJson(const Snap& crossing) {
+  return "{\"bits\": " + std::to_string(crossing.bits) +
+         ", \"rule\": " + InQuotes(SnapRuleName(crossing.rule)) +
+         ", \"origin\": " + InQuotes(ExactText(crossing.origin)) + "}";
+}
+
+std::string TransformToJson(const Transform& transform) {
+  return "{\"precision\": " + InQuotes(NameOf(transform.precision, Names<Precision>(kPrecisions))) +
+         ", \"division\": " + InQuotes(DivisionName(transform.division)) +
+         ", \"viewport\": " + InQuotes(ViewportFormName(transform.viewport)) +
+         ", \"flips_y\": " + (transform.flips_y ? "true" : "false") + "}";
+}
+
+// What most profiles leave out.
+std::string RareKeysToJson(const Profile& profile, const std::string& line) {
+  std::string json;
+  if (profile.zero_area != ZeroArea::kNothing) {
+    json +=
+        line + "\"zero_area\": " + InQuotes(NameOf(profile.zero_area, Names<ZeroArea>(kZeroAreas)));
+  }
+  if (profile.overdraw) {
+    json += line + "\"overdraw\": " + InQuotes(NameOf(true, Names<bool>(kOverdraws)));
+  }
+  if (profile.fixed) json += line + "\"fixed\": " + FixedToJson(*profile.fixed);
+  if (const std::optional<MaxExtent>& most = profile.max_extent) {
+    json += line + "\"max_extent\": " + NumbersToJson({most->width, most->height});
+  }
+  if (const std::optional<WindowBox>& box = profile.no_clip) {
+    json += line + "\"no_clip\": " + NumbersToJson({box->x0, box->y0, box->x1, box->y1});
+  }
+  if (!profile.crossing.IsNone())
+    json += line + "\"crossing\": " + CrossingToJson(profile.crossing);
+  if (profile.transform) json += line + "\"transform\": " + TransformToJson(*profile.transform);
+  if (!profile.targets.empty()) json += line + "\"targets\": " + TargetsToJson(profile.targets);
+  return json;
+}
+
+}  // namespace
+
+std::string PresetNames() {
+  std::string names;
+  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
+  return names;
+}
+
+Profile ProfileFromJson(const JsonValue& value) {
+  if (value.kind() == JsonKind::kString) {
+    if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
+    throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
+                      "write an object, or one of the presets" + PresetNames());
+  }
+  value.RequireObject(kProfileKeys);
+  Profile profile;
+  profile.name = value.Get("name").RequireString();
+  ReadSnap(value, profile.snap);
+  ReadIfThere(value, "sample_locations", profile.lattice, LatticeFromJson);
+  ReadIfThere(value, "y_axis", profile.y_axis,
+              [](const JsonValue& v) { return FromName(v, Names<YAxis>(kYAxes)); });
+  ReadIfThere(value, "fill_rule", profile.fill_rule, FillRuleFromJson);
+  ReadIfThere(value, "contract", profile.contract,
+              [](const JsonValue& v) { return FromName(v, Names<Contract>(kContracts)); });
+  ReadIfThere(value, "snap_tolerance", profile.freedom.snap_tolerance, SnapTolerance);
+  ReadIfThere(value, "any_tie_rule", profile.freedom.any_tie_rule, Boolean);
+  ReadIfThere(value, "coordinate_limit", profile.coordinate_limit, LimitFromJson);
+  ReadIfThere(value, "zero_area", profile.zero_area,
+              [](const JsonValue& v) { return FromName(v, Names<ZeroArea>(kZeroAreas)); });
+  ReadIfThere(value, "overdraw", profile.overdraw,
+              [](const JsonValue& v) { return FromName(v, Names<bool>(kOverdraws)); });
+  ReadIfThere(value, "fixed", profile.fixed, FixedInputFromJson);
+  ReadIfThere(value, "max_extent", profile.max_extent, MaxExtentFromJson);
+  ReadIfThere(value, "no_clip", profile.no_clip, WindowBoxFromJson);
+  ReadIfThere(value, "crossing", profile.crossing, CrossingFromJson);
+  ReadIfThere(value, "transform", profile.transform, TransformFromJson);
+  // Last: an entry has of the profile what it leaves out.
+  ReadIfThere(value, "targets", profile.targets,
+              [&](const JsonValue& v) { return TargetsFromJson(v, profile); });
+  return profile;
+}
+
+std::string ProfileToJson(const Profile& profile) {
+  if (PresetProfile(profile.name) == profile) return JsonString(profile.name);
+  const std::string line = ",\n    ";
+  std::string json = "{\n    \"name\": " + JsonString(profile.name);
+  json += SnapToJson(profile.snap, line);
+  json += line + "\"sample_locations\": " + LatticeToJson(profile.lattice);
+  json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));
+  json += line + "\"fill_rule\": " + InQuotes(FillRuleName(profile.fill_rule));
+  json += line + "\"contract\": " + InQuotes(NameOf(profile.contract, Names<Contract>(kContracts)));
+  if (!profile.freedom.IsNone()) {
+    json += line + "\"snap_tolerance\": " + InQuotes(ExactText(profile.freedom.snap_tolerance));
+    json += line + "\"any_tie_rule\": " + (profile.freedom.any_tie_rule ? "true" : "false");
+  }
+  json += line + "\"coordinate_limit\": " + InQuotes(ExactText(profile.coordinate_limit));
+  return json + RareKeysToJson(profile, line) + "\n  }";
+}
+
+}  // namespace rasterproof::io

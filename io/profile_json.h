@@ -1,0 +1,22 @@
+// Profiles as JSON values.
+#ifndef RASTERPROOF_IO_PROFILE_JSON_H_
+#define RASTERPROOF_IO_PROFILE_JSON_H_
+
+#include <string>
+
+#include "core/profile.h"
+#include "io/json_document.h"
+
+namespace rasterproof::io {
+
+/// The profile that a preset's name or an object stands for.
+///
+/// Error:      InputError with place, reason and remedy.
+Profile ProfileFromJson(const JsonValue& value);
+
+/// The names of the presets, each after a space.
+std::string PresetNames();
+
+}  // namespace rasterproof::io
+
+#endif  // RASTERPROOF_IO_PROFILE_JSON_H_

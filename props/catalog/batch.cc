@@ -1,0 +1,65 @@
+#include "props/catalog/batch.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "props/catalog/precondition.h"
+#include "props/catalog/redraw.h"
+#include "props/catalog/winners.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::size_t kSingles = 5;
+
+// The case, some of its triangles alone, the case on a larger target, and the case again: scenes
+// that give away what is left of one in the next.
+std::vector<DrawJob> JobsOf(const Case& c) {
+  const DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
+  std::vector<DrawJob> jobs{job};
+  for (std::size_t t = 0; t < std::min(c.scene.triangles.size(), kSingles); ++t) {
+    jobs.push_back(job);
+    jobs.back().scene.triangles = {c.scene.triangles[t]};
+  }
+  if (c.scene.width < kMaxTargetSide && c.scene.height < kMaxTargetSide) {
+    jobs.push_back(job);
+    ++jobs.back().scene.width;
+    ++jobs.back().scene.height;
+  }
+  jobs.push_back(job);
+  return jobs;
+}
+
+}  // namespace
+
+Verdict BatchDrawsLikeSingleCalls(Subject& subject, const Case& c) {
+  Subject& whole = subject.Whole();
+  if (!whole.Info().takes_batches) {
+    return Verdict::NotApplicable("the subject takes no batches");
+  }
+  const Need need{.space = Space::kEither, .any_contract_suffices = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  const std::vector<DrawJob> jobs = JobsOf(c);
+  const std::vector<DrawOutcome> batch = whole.DrawMany(jobs);
+  const std::uint64_t decisions = DecisionsOf(c);
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    const Drawing& drawn = batch[std::min(k, batch.size() - 1)].Get();
+    const Drawing alone = whole.Show(jobs[k]);
+    const std::string scene =
+        "scene " + std::to_string(k + 1) + " of a batch of " + std::to_string(jobs.size());
+    Verdict same = SameCounts(drawn.counts, alone.counts, decisions, "that in a call of its own");
+    if (same.outcome != Outcome::kViolated && !alone.winners.empty()) {
+      same = SameWinners(drawn, alone.winners, c.scene.triangles.size(), decisions,
+                         "in a call of its own");
+    }
+    if (same.outcome != Outcome::kViolated) continue;
+    same.message = scene + ": " + same.message;
+    return same;
+  }
+  return Verdict::Held(decisions);
+}
+
+}  // namespace rasterproof::props

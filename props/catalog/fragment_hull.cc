@@ -1,0 +1,33 @@
+#include "props/catalog/fragment_hull.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "props/catalog/exact_comparison.h"
+#include "props/catalog/fragment_queries.h"
+#include "props/catalog/witness.h"
+
+namespace rasterproof::props {
+
+Verdict FragmentDepthStaysInTheHull(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskFragments(subject, c)) return *refusal;
+  std::uint64_t exercised = 0;
+  for (const Fragment& f : SomeFragments(subject, c)) {
+    if (!f.query.inside || !Claims(f.depth_tolerance)) continue;
+    ++exercised;
+    const auto [low, high] = std::minmax({f.z[0], f.z[1], f.z[2]});
+    // Its distance from the nearest depth of the hull; a depth that is not finite has none.
+    const double nearest = std::clamp(f.depth, low, high);
+    if (CompareWithExact(f.depth, exact::Rational(nearest), f.depth_tolerance).within) continue;
+    return FragmentViolation(f, -1, exercised, "the depth of a fragment leaves the hull",
+                             HexText(f.depth),
+                             "a depth of [" + HexText(low) + ", " + HexText(high) + "] within " +
+                                 HexText(f.depth_tolerance));
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace rasterproof::props

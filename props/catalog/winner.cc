@@ -1,0 +1,44 @@
+#include "props/catalog/winner.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "exact/coverage.h"
+#include "props/catalog/precondition.h"
+#include "props/catalog/redraw.h"
+#include "props/catalog/winners.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The mesh is drawn over itself until so many triangles are: more than a byte can number.
+constexpr std::size_t kFewestDrawn = 300;
+
+}  // namespace
+
+Verdict WinnerFollowsTheDeclaredOrder(Subject& subject, const Case& c) {
+  Subject& whole = subject.Whole();
+  if (!ShowsWinners(whole.Info())) {
+    return Verdict::NotApplicable("the subject does not show which triangle wins");
+  }
+  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  if (c.scene.triangles.empty()) return Verdict::Held(0);
+  DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
+  while (job.scene.triangles.size() < kFewestDrawn) {
+    job.scene.triangles.insert(job.scene.triangles.end(), c.scene.triangles.begin(),
+                               c.scene.triangles.end());
+  }
+  const Drawing drawing = whole.Show(job);
+  std::vector<std::vector<bool>> covered;
+  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
+    covered.push_back(
+        CoveredSamples(exact::Coverage(OnlyTriangles(c, {t}).scene, c.profile, c.options)));
+  }
+  for (std::size_t t = 0; covered.size() < job.scene.triangles.size(); ++t) {
+    covered.push_back(covered[t]);
+  }
+  return SameWinners(drawing, WinnersOf(covered, whole.Info().fragments.order),
+                     c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,115 @@
+// The keys of a profile that most profiles leave out.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "io/case_file.h"
+
+namespace rasterproof::io {
+namespace {
+
+void ExpectReadsBack(const Profile& profile) {
+  const std::string text = ProfileToJson(profile);
+  EXPECT_EQ(ParseProfile(text, "written"), profile) << text;
+}
+
+TEST(ProfileJson, RareKeysReadBack) {
+  Profile profile;
+  profile.name = "mine";
+  ExpectReadsBack(profile);
+  profile.fixed = FixedInput{12, 4, true, false};
+  ExpectReadsBack(profile);
+  profile.fixed = FixedInput{31, 16, false, true};
+  profile.max_extent = MaxExtent{1023.5, 511};
+  profile.no_clip = WindowBox{-1024, -0.1, 1023, 0x1p30};
+  profile.zero_area = ZeroArea::kUnspecified;
+  profile.overdraw = true;
+  profile.fill_rule = {.exclusive = true};
+  ExpectReadsBack(profile);
+}
+
+TEST(ProfileJson, TargetsReadBackWithWhatTheyOverride) {
+  Profile profile;
+  profile.name = "mine";
+  profile.snap = {8, SnapRule::kFloor, SnapForm::kExactDifference, 0.5};
+  profile.targets = {
+      {.max_width = 2048, .max_height = 1024, .snap = {6}, .fill_rule = {-1, +1, true}},
+      {.snap = {}, .lattice = {{{0.25, 0.75}}}}};
+  ExpectReadsBack(profile);
+}
+
+TEST(ProfileJson, ATargetHasOfTheProfileWhatItLeavesOut) {
+  const Profile profile = ParseProfile(
+      R"({"name": "p", "fill_rule": "bottom-left", "subpixel_bits": 4, "snap_rule": "floor",
+          "targets": [{"max_width": 2048, "max_height": 2048, "subpixel_bits": 8}]})",
+      "p.json");
+  ASSERT_EQ(profile.targets.size(), 1U);
+  EXPECT_EQ(profile.targets[0].snap, (Snap{8, SnapRule::kFloor}));
+  EXPECT_EQ(profile.targets[0].fill_rule, profile.fill_rule);
+  EXPECT_EQ(ForTarget(profile, 2049, 1).snap.bits, 4);
+}
+
+TEST(ProfileJson, KeysThatAreLeftOutSayWhatTheyAlwaysDid) {
+  const Profile profile = ParseProfile(R"({"name": "p", "fixed": null, "max_extent": null,
+                                          "no_clip": null, "targets": []})",
+                                       "p.json");
+  EXPECT_FALSE(profile.fixed || profile.max_extent || profile.no_clip);
+  EXPECT_EQ(profile.zero_area, ZeroArea::kNothing);
+  EXPECT_FALSE(profile.overdraw);
+  const Profile fixed =
+      ParseProfile(R"({"name": "p", "fixed": {"integer_bits": 9, "fraction_bits": 0}})", "p.json");
+  EXPECT_EQ(fixed.fixed, (FixedInput{9, 0, true, false}));
+}
+
+std::string Message(const std::string& member) {
+  try {
+    ParseProfile(R"({"name": "p", )" + member + "}", "p.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted: " + member;
+}
+
+TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
+  struct Bad {
+    std::string member;
+    std::string_view expected;
+  };
+  for (const Bad& bad : {
+           Bad{R"("fixed": 12.4)", "p.json: fixed: "},
+           Bad{R"("fixed": {"integer_bits": 12})", "fraction_bits"},
+           Bad{R"("fixed": {"integer_bits": 0, "fraction_bits": 4})",
+               "fixed.integer_bits: the number 0 is out of range"},
+           Bad{R"("fixed": {"integer_bits": 32, "fraction_bits": 4})", "out of range"},
+           Bad{R"("fixed": {"integer_bits": 12, "fraction_bits": 17})", "out of range"},
+           Bad{R"("fixed": {"integer_bits": 12, "fraction_bits": 4, "wrap": 1})",
+               "fixed.wrap: is neither true nor false; write true or false"},
+           Bad{R"("fixed": {"integer_bits": 12, "fraction_bits": 4, "bits": 1})",
+               "unknown key \"bits\""},
+           Bad{R"("max_extent": [1024])", "max_extent: has 1 numbers; write [width, height]"},
+           Bad{R"("max_extent": [1024, 0])", "max_extent: is not the size of a triangle"},
+           Bad{R"("max_extent": ["nan", 1])", "max_extent[0]: is not finite"},
+           Bad{R"("no_clip": [0, 0, 1])", "no_clip: has 3 numbers"},
+           Bad{R"("no_clip": [0, 0, 0, 1])", "no_clip: is empty; write x0 < x1 and y0 < y1"},
+           Bad{R"("no_clip": [0, 0, "inf", 1])", "no_clip[2]: is not finite"},
+           Bad{R"("zero_area": "line")", "zero_area: \"line\" is unknown; known here are"},
+           Bad{R"("overdraw": true)", "overdraw: "},
+           Bad{R"("fill_rule": "none")", "inclusive or exclusive"},
+           Bad{R"("targets": {})", "targets: "},
+           Bad{R"("targets": [{"max_width": 0}])", "targets[0].max_width: the number 0 is out of"},
+           Bad{R"("targets": [{"name": "q"}])", "targets[0]: unknown key \"name\""},
+           Bad{R"("targets": [{"sample_locations": [[0, 0], [0, 0.5]]}])",
+               "targets[0].sample_locations: has 2 sample locations, the profile 1"},
+           Bad{R"("targets": [{"max_width": 64}, {"max_width": 32, "max_height": 32}])",
+               "targets[1]: never applies"},
+       }) {
+    const std::string message = Message(bad.member);
+    EXPECT_NE(message.find(bad.expected), std::string::npos)
+        << message << "\n  expected: " << bad.expected;
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::io

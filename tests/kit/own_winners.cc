@@ -1,0 +1,44 @@
+// A type of one's own that shows winners and draws several scenes in one call.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/profile.h"
+#include "exact/coverage.h"
+#include "kit/main.h"
+
+using rasterproof::Drawing;
+using rasterproof::DrawJob;
+
+struct Winners {
+  static rasterproof::SubjectInfo Info() {
+    rasterproof::SubjectInfo info;
+    info.coverage = rasterproof::CoverageKind::kWinners;
+    info.takes_tiles = false;
+    return info;
+  }
+
+  Drawing Show(const DrawJob& job) {
+    Drawing drawing;
+    drawing.counts = rasterproof::CoverageCounts(job.scene.width, job.scene.height, job.samples);
+    drawing.winners.assign(drawing.counts.size(), rasterproof::kNoTriangle);
+    DrawJob alone = job;
+    for (std::size_t t = 0; t < job.scene.triangles.size(); ++t) {
+      alone.scene.triangles = {job.scene.triangles[t]};
+      const auto covered = rasterproof::exact::Coverage(alone.scene, Info().profile, job.options);
+      for (std::size_t k = 0; k < covered.size(); ++k) {
+        if (covered.Count(k) != 0) drawing.winners[k] = static_cast<std::int32_t>(t);
+      }
+    }
+    return drawing;
+  }
+
+  std::vector<Drawing> ShowMany(std::span<const DrawJob> jobs) {
+    std::vector<Drawing> drawings;
+    for (const DrawJob& job : jobs) drawings.push_back(Show(job));
+    return drawings;
+  }
+};
+
+RASTERPROOF_MAIN(Winners)

@@ -1,0 +1,204 @@
+// Draws in batches give the verdicts of draws one by one.
+#include "props/run/batching.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "core/profile.h"
+#include "exact/coverage.h"
+#include "props/domains/domain.h"
+#include "props/run/campaign.h"
+#include "props/run/facings.h"
+#include "tests/props/planted_subjects.h"
+#include "tests/share.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+// The exact model of a profile, and how it was called.
+class Called final : public Subject {
+ public:
+  explicit Called(SubjectInfo info, Profile drawn) : info_(std::move(info)), drawn_(drawn) {}
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    ++draws;
+    if (breaks_left_of < 0) {
+      for (const Vertex& v : scene.vertices) {
+        if (v.x < breaks_left_of) throw SubjectFault("it broke");
+      }
+    }
+    CoverageCounts drawn = exact::Coverage(scene, drawn_, options);
+    if (info_.coverage != CoverageKind::kFacingCounts) {
+      for (std::size_t k = 0; k < drawn.size(); ++k) {
+        drawn.front[k] += std::exchange(drawn.back[k], 0);
+        if (info_.coverage == CoverageKind::kMask && drawn.front[k] > 1) drawn.front[k] = 1;
+      }
+    }
+    counts += drawn;
+  }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    calls.push_back(jobs.size());
+    std::vector<DrawOutcome> outcomes = Subject::DrawMany(jobs);
+    if (leaks && outcomes.size() > 8) ++outcomes[8].drawing.counts.front[0];
+    return outcomes;
+  }
+
+  std::size_t draws = 0;
+  std::vector<std::size_t> calls;  ///< how many jobs each had
+  double breaks_left_of = 0;
+  bool leaks = false;
+
+ private:
+  SubjectInfo info_;
+  Profile drawn_;
+};
+
+// The subject as one from outside: `called` behind a ledger, its facings told.
+struct Outside {
+  explicit Outside(std::unique_ptr<Called> subject) : called(*subject) {
+    whole = WithFacings(std::make_unique<BatchingSubject>(std::move(subject)));
+  }
+  Called& called;
+  std::unique_ptr<Subject> whole;
+};
+
+Outside Make(CoverageKind kind, bool inclusive) {
+  SubjectInfo info = testing::RealInfo();
+  info.coverage = kind;
+  Profile drawn = info.profile;
+  drawn.fill_rule.inclusive = inclusive;
+  return Outside(std::make_unique<Called>(info, drawn));
+}
+
+std::vector<Case> SomeCases(const SubjectInfo& info, const Property& property, std::uint64_t n) {
+  std::vector<Case> cases;
+  for (std::uint64_t i = 0; i < n; ++i) cases.push_back(DrawCase(info, property, kSeed, i));
+  return cases;
+}
+
+bool HasADomain(const Property& property, const SubjectInfo& info) {
+  for (const std::string_view name : property.domains) {
+    if (Suits(*FindDomain(name), info)) return true;
+  }
+  return false;
+}
+
+// Runs the cases both ways, up to the first violated one.
+void ExpectTheSameVerdicts(Outside outside, const Property& property, std::uint64_t n) {
+  const std::vector<Case> cases = SomeCases(outside.whole->Info(), property, n);
+  const std::vector<Verdict> batched =
+      RunCasesInBatches(*outside.whole, *BatchingOf(*outside.whole), property, cases);
+  ASSERT_FALSE(batched.empty());
+  for (std::size_t k = 0; k < batched.size(); ++k) {
+    const Verdict alone = RunCase(*outside.whole, property, cases[k]);
+    ASSERT_EQ(batched[k].outcome, alone.outcome) << property.name << " " << k;
+    EXPECT_EQ(batched[k].message, alone.message) << property.name << " " << k;
+    EXPECT_EQ(batched[k].exercised, alone.exercised) << property.name << " " << k;
+    const bool is_last = k + 1 == batched.size();
+    EXPECT_EQ(is_last, k + 1 == cases.size() || alone.outcome == Outcome::kViolated);
+  }
+}
+
+TEST(Batches, GiveTheVerdictsOfSingleDraws) {
+  constexpr std::uint64_t kCases = Cases<std::uint64_t>(20);
+  for (const Property& property : Catalog()) {
+    for (const CoverageKind kind :
+         {CoverageKind::kFacingCounts, CoverageKind::kCounts, CoverageKind::kMask}) {
+      if (!HasADomain(property, testing::RealInfo())) continue;
+      ExpectTheSameVerdicts(Make(kind, false), property, kCases);
+      ExpectTheSameVerdicts(Make(kind, true), property, kCases);
+    }
+  }
+}
+
+TEST(Batches, NameTheCaseThatBreaksTheSubjectDown) {
+  const Property& property = *FindProperty("CoverageEqualsTheModel");
+  Outside outside = Make(CoverageKind::kCounts, false);
+  outside.called.breaks_left_of = -100;
+  ExpectTheSameVerdicts(std::move(outside), property, 40);
+}
+
+TEST(Batches, PutTheDrawsOfManyCasesIntoOneCall) {
+  const Property& property = *FindProperty("CoverageEqualsTheModel");
+  const Outside outside = Make(CoverageKind::kFacingCounts, false);
+  const std::vector<Case> cases = SomeCases(outside.whole->Info(), property, 20);
+  RunCasesInBatches(*outside.whole, *BatchingOf(*outside.whole), property, cases);
+  EXPECT_EQ(outside.called.calls, (std::vector<std::size_t>{10, 10}));
+  EXPECT_EQ(outside.called.draws, 20U);
+}
+
+TEST(Batches, AreWhatACampaignDraws) {
+  const Outside outside = Make(CoverageKind::kFacingCounts, false);
+  CampaignOptions options;
+  options.cases = 64;
+  const PropertyResult result =
+      RunCampaign(*outside.whole, *FindProperty("CoverageEqualsTheModel"), options);
+  EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
+  EXPECT_EQ(outside.called.calls, (std::vector<std::size_t>{16, 16, 16, 16}));
+}
+
+TEST(Batches, ThatChangeWhatIsDrawnAreAFinding) {
+  const Outside outside = Make(CoverageKind::kFacingCounts, false);
+  outside.called.leaks = true;
+  CampaignOptions options;
+  options.cases = 64;
+  const PropertyResult result =
+      RunCampaign(*outside.whole, *FindProperty("CoverageEqualsTheModel"), options);
+  EXPECT_EQ(result.outcome, Outcome::kViolated);
+  EXPECT_EQ(result.failing_case, 8U);
+  EXPECT_NE(result.message.find("alone the case does not fail"), std::string::npos)
+      << result.message;
+}
+
+TEST(Batches, LeaveCallsThatMustFollowEachOtherAlone) {
+  const Outside outside = Make(CoverageKind::kFacingCounts, false);
+  CampaignOptions options;
+  options.cases = 64;
+  RunCampaign(*outside.whole, *FindProperty("EqualDrawsGiveEqualCounts"), options);
+  EXPECT_TRUE(outside.called.calls.empty());
+}
+
+DrawJob NotANumber() {
+  DrawJob job;
+  job.scene.vertices = {{std::numeric_limits<double>::quiet_NaN(), 0}, {1, 0}, {0, 1}};
+  job.scene.triangles = {{0, 1, 2}};
+  return job;
+}
+
+TEST(Ledgers, TakeEqualBitsForOneDrawWhereTheyRecord) {
+  DrawLedger ledger;
+  BatchingSubject subject(testing::RealInfo());
+  subject.Follow(ledger, OnMiss::kCoverNothing);
+  EXPECT_EQ(subject.Show(NotANumber()).counts, CoverageCounts(1, 1));
+  subject.Show(NotANumber());
+  DrawJob other = NotANumber();
+  other.options.tile = 4;
+  subject.Show(other);
+  EXPECT_EQ(ledger.jobs.size(), 2U);
+}
+
+TEST(Ledgers, RefuseWhatTheyLackWhereTheyAnswer) {
+  DrawLedger ledger;
+  ledger.jobs = {NotANumber()};
+  ledger.outcomes.resize(1);
+  ledger.outcomes[0].drawing.counts = CoverageCounts(1, 1);
+  ledger.outcomes[0].drawing.counts.front = {7};
+  BatchingSubject subject(testing::RealInfo());
+  subject.Follow(ledger, OnMiss::kRefuse);
+  EXPECT_EQ(subject.Show(NotANumber()).counts.front[0], 7U);
+  EXPECT_THROW(subject.Show({}), InputError);
+}
+
+}  // namespace
+}  // namespace rasterproof::props

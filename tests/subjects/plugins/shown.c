@@ -1,0 +1,210 @@
+/* A sound rasterizer with every kind of output, and its faults, by -DFAULT_...: 8 subpixel bits,
+ * nearest-even, top-left, 64-bit integers, weights and depths in double from the snapped vertices.
+ * */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kit/rasterproof_plugin.h"
+
+#if defined(KIND_FACING_COUNTS)
+#define KIND RASTERPROOF_FACING_COUNTS
+#elif defined(KIND_COUNTS)
+#define KIND RASTERPROOF_COUNTS
+#elif defined(KIND_MASK)
+#define KIND RASTERPROOF_MASK
+#elif defined(KIND_WINNERS)
+#define KIND RASTERPROOF_WINNERS
+#else
+#define KIND RASTERPROOF_FRAGMENTS
+#endif
+
+#if defined(FAULT_FIRST_WINS)
+static const int kFirstWins = 1;
+#else
+static const int kFirstWins = 0;
+#endif
+
+typedef struct triangle {
+  int64_t v[3][2];
+  double z[3];
+  int is_back;
+} triangle;
+
+static int64_t edge(const int64_t* a, const int64_t* b, int64_t x, int64_t y) {
+  return (x - a[0]) * (b[1] - a[1]) - (y - a[1]) * (b[0] - a[0]);
+}
+
+/* Whether a sample on the edge a -> b of a counter-clockwise triangle is the triangle's. */
+static int is_top_left(const int64_t* a, const int64_t* b) {
+  return a[1] < b[1] || (a[1] == b[1] && b[0] < a[0]);
+}
+
+static int covers(const triangle* t, int64_t x, int64_t y, int64_t e[3]) {
+  const int64_t sign = t->is_back ? -1 : 1;
+  int inside = 1;
+  for (int k = 0; k < 3; ++k) {
+    const int64_t* const a = t->v[(k + (t->is_back ? 2 : 1)) % 3];
+    const int64_t* const b = t->v[(k + (t->is_back ? 1 : 2)) % 3];
+    e[k] = edge(a, b, x, y);
+    inside &= e[k] > 0 || (e[k] == 0 && is_top_left(a, b));
+    e[k] *= sign;
+  }
+  return inside;
+}
+
+static void show_fragment(const triangle* t, const int64_t e[3], const rasterproof_target* target,
+                          size_t at) {
+  const double area = (double)edge(t->v[0], t->v[1], t->v[2][0], t->v[2][1]);
+  double* const w = target->weights + 3 * at;
+  for (int k = 0; k < 3; ++k) w[k] = (double)e[k] / area;
+  double depth = w[0] * t->z[0] + w[1] * t->z[1] + w[2] * t->z[2];
+#if defined(FAULT_WEIGHTS_PERMUTED)
+  const double first = w[0];
+  w[0] = w[1];
+  w[1] = first;
+#elif defined(FAULT_SUM)
+  w[2] *= 1 + 0x1p-44;
+#elif defined(FAULT_DEPTH)
+  depth = w[0] * t->z[0] + w[1] * t->z[2] + w[2] * t->z[1];
+#elif defined(FAULT_HULL)
+  depth = t->z[0] + t->z[1] + t->z[2];
+#endif
+  target->depths[at] = depth;
+}
+
+static void show(const triangle* t, int32_t index, const int64_t e[3],
+                 const rasterproof_target* target, size_t at) {
+  if (KIND == RASTERPROOF_FACING_COUNTS) {
+    (t->is_back ? target->back : target->front)[at] += 1;
+  } else if (KIND == RASTERPROOF_COUNTS) {
+    target->front[at] += 1;
+  } else if (KIND == RASTERPROOF_MASK) {
+    target->front[at] = 1;
+  } else {
+    if (kFirstWins && target->winners[at] >= 0) return;
+#if defined(FAULT_ID)
+    target->winners[at] = index >= 256 ? index - 1 : index;
+#elif defined(FAULT_NO_ID)
+    target->winners[at] = index + 100000;
+#else
+    target->winners[at] = index;
+#endif
+    if (KIND == RASTERPROOF_FRAGMENTS) show_fragment(t, e, target, at);
+  }
+}
+
+static void draw_triangle(const triangle* t, int32_t index, const rasterproof_scene* scene,
+                          const rasterproof_target* target) {
+  const int32_t* cut = scene->scissor;
+#if defined(FAULT_SCISSOR)
+  const int32_t whole[4] = {0, 0, scene->width, scene->height};
+  cut = whole;
+#endif
+  for (int32_t row = cut[1]; row < cut[3]; ++row) {
+    for (int32_t i = cut[0]; i < cut[2]; ++i) {
+      int64_t e[3];
+      if (!covers(t, i * INT64_C(256) + 128, row * INT64_C(256) + 128, e)) continue;
+      show(t, index, e, target, (size_t)row * target->stride + (size_t)i);
+    }
+  }
+}
+
+static int is_culled(const triangle* t, const rasterproof_scene* scene) {
+#if defined(FAULT_CULLING)
+  return 0;
+#endif
+  return (scene->cull == RASTERPROOF_CULL_FRONT && !t->is_back) ||
+         (scene->cull == RASTERPROOF_CULL_BACK && t->is_back);
+}
+
+static int set_up(const rasterproof_scene* scene, size_t index, triangle* t) {
+  for (int k = 0; k < 3; ++k) {
+    const double* const from = scene->vertices + 4 * scene->triangles[3 * index + (size_t)k];
+    for (int axis = 0; axis < 2; ++axis) {
+      if (!(fabs(from[axis]) <= 32768)) return 0;
+      t->v[k][axis] = (int64_t)nearbyint(from[axis] * 256);
+    }
+    t->z[k] = from[2];
+  }
+  const int64_t area = edge(t->v[0], t->v[1], t->v[2][0], t->v[2][1]);
+  t->is_back = area < 0;
+  return area != 0;
+}
+
+static int32_t draw(void* state, const rasterproof_scene* scene, const rasterproof_target* target) {
+  (void)state;
+#if defined(FAULT_CRASHES_THIRD)
+  static int calls = 0;
+  if (++calls % 3 == 0) abort();
+#endif
+  size_t count = scene->triangle_count;
+#if defined(FAULT_MESH)
+  if (count > 1) --count;
+#endif
+  for (size_t n = 0; n < count; ++n) {
+    triangle t;
+    if (!set_up(scene, n, &t) || is_culled(&t, scene)) continue;
+    draw_triangle(&t, (int32_t)n, scene, target);
+  }
+  return 0;
+}
+
+#if !defined(NO_BATCHES)
+static int32_t draw_many(void* state, const rasterproof_scene* const* scenes,
+                         const rasterproof_target* const* targets, size_t n) {
+  for (size_t k = 0; k < n; ++k) {
+#if defined(FAULT_BATCH_LAST)
+    if (k + 1 == n) continue;
+#elif defined(FAULT_BATCH_LEAK)
+    if (k > 0 && targets[k - 1]->front[0] != 0) targets[k]->front[0] += 1;
+#elif defined(FAULT_BATCH_CRASH)
+    if (scenes[k]->triangle_count == 3) abort();
+#elif defined(FAULT_BATCH_CRASH_TOGETHER)
+    if (k > 0 && scenes[k]->triangle_count + scenes[k - 1]->triangle_count == 5) abort();
+#elif defined(FAULT_BATCH_REFUSED)
+    return 1;
+#endif
+    const int32_t refused = draw(state, scenes[k], targets[k]);
+    if (refused != 0) return refused;
+  }
+  return 0;
+}
+#endif
+
+#if defined(FAULT_BATCH_CRASH)
+static int32_t draw_or_crash(void* state, const rasterproof_scene* scene,
+                             const rasterproof_target* target) {
+  if (scene->triangle_count == 3) abort();
+  return draw(state, scene, target);
+}
+#define DRAW draw_or_crash
+#else
+#define DRAW draw
+#endif
+
+const rasterproof_plugin* rasterproof_plugin_describe(void) {
+  static const rasterproof_plugin plugin = {
+      .version = RASTERPROOF_PLUGIN_VERSION,
+#if defined(OLD_SIZE)
+      .size = offsetof(rasterproof_plugin, draw_many),
+#else
+      .size = sizeof(rasterproof_plugin),
+#endif
+      .name = "shown",
+      .profile = "gl",
+      .input = RASTERPROOF_FLOAT32,
+      .coverage = KIND,
+      .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING,
+      .draw = DRAW,
+#if defined(NO_BATCHES)
+      .draw_many = NULL,
+#else
+      .draw_many = draw_many,
+#endif
+      .weights_of = RASTERPROOF_OF_SNAPPED,
+      .weight_error = 0x1p-46,
+      .depth_error = 0x1p-44,
+  };
+  return &plugin;
+}

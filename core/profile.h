@@ -108,8 +108,8 @@ struct Profile {
   FillRule fill_rule;
   Contract contract = Contract::kSampleExact;
   Freedom freedom;
-  /// The way from clip space to window space that the rasterizer computes itself. None: clip space is
-  /// held to its exact quotients.
+  /// The way from clip space to window space that the rasterizer computes itself. None: clip space
+  /// is held to its exact quotients.
   std::optional<Transform> transform;
   /// Coordinates beyond +-limit are outside what is promised. Binds verdicts, never the oracle.
   double coordinate_limit = 0x1p127;

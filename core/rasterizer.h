@@ -3,6 +3,7 @@
 #define RASTERPROOF_CORE_RASTERIZER_H_
 
 #include <concepts>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/drawing.h"
+#include "core/edge_claims.h"
 #include "core/scene.h"
 #include "core/subject.h"
 
@@ -41,6 +43,18 @@ concept DrawsBatches = ShowsDrawings<R> && requires(R r, std::span<const DrawJob
   { r.ShowMany(jobs) } -> std::same_as<std::vector<Drawing>>;
 };
 
+/// Shows its value of E(a, b; p), evaluated afresh at p.
+template <class R>
+concept ShowsEdgeValues = requires(R r, Point2 at) {
+  { r.EdgeValue(at, at, at) } -> std::same_as<double>;
+};
+
+/// Shows the values that it meets on a walk from p: steps + 1 of them.
+template <class R>
+concept ShowsEdgeWalks = ShowsEdgeValues<R> && requires(R r, Point2 at, Step step) {
+  { r.EdgeWalk(at, at, at, step, 1) } -> std::same_as<std::vector<double>>;
+};
+
 template <class R>
 concept Rasterizer = DrawsScenes<R> || DrawsScenesByOptions<R> || ShowsDrawings<R>;
 
@@ -58,6 +72,9 @@ class RasterizerSubject final : public Subject {
     if constexpr (DescribesItself<R>) info_ = R::Info();
     info_.name = std::move(name);
     info_.takes_batches = DrawsBatches<R>;
+    info_.edges.shows_values = ShowsEdgeValues<R>;
+    info_.edges.shows_walks = ShowsEdgeWalks<R>;
+    edges_.emplace(rasterizer_, info_);
     if constexpr (!DrawsScenesByOptions<R> && !ShowsDrawings<R>) {
       info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
     }
@@ -91,9 +108,29 @@ class RasterizerSubject final : public Subject {
     }
   }
 
+  const EdgeEvaluator* Edges() const override { return ShowsEdgeValues<R> ? &*edges_ : nullptr; }
+
  private:
+  class ShownEdges final : public ClaimedEdges {
+   public:
+    ShownEdges(R& rasterizer, const SubjectInfo& info)
+        : ClaimedEdges(info.edges, info.input), rasterizer_(rasterizer) {}
+    double Value(Point2 a, Point2 b, Point2 p) const override {
+      if constexpr (ShowsEdgeValues<R>) return rasterizer_.EdgeValue(a, b, p);
+      return 0;
+    }
+    std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+      if constexpr (ShowsEdgeWalks<R>) return rasterizer_.EdgeWalk(a, b, p, step, steps);
+      return {};
+    }
+
+   private:
+    R& rasterizer_;
+  };
+
   SubjectInfo info_;
   R rasterizer_;
+  std::optional<ShownEdges> edges_;
 };
 
 }  // namespace rasterproof

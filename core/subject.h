@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -122,6 +123,20 @@ struct FragmentClaims {
   double depth_error = 0;
 };
 
+/// What a subject says of the edge values that it shows, in one number each.
+struct EdgeClaims {
+  bool shows_values = false;
+  bool shows_walks = false;
+  /// A value of E(a, b; p) is off by at most so many u of the size of its two products,
+  /// |(p.x - a.x)(b.y - a.y)| + |(p.y - a.y)(b.x - a.x)|. 0: exact. Nothing: nothing is said.
+  std::optional<double> value_error;
+  /// After n steps a walk is off by at most (n + 1) times so many u of the larger size at its two
+  /// ends.
+  std::optional<double> walk_error;
+
+  friend bool operator==(const EdgeClaims&, const EdgeClaims&) = default;
+};
+
 /// What a subject says of itself.
 struct SubjectInfo {
   std::string name;
@@ -144,6 +159,8 @@ struct SubjectInfo {
   bool takes_batches = false;
   /// For the kinds kWinners and kFragments.
   FragmentClaims fragments;
+  /// For subjects that show edge values and state their bounds as numbers.
+  EdgeClaims edges;
 };
 
 /// Returns whether a call tells which triangle won each sample.

@@ -76,6 +76,7 @@ CaseFile CaseFromJson(const JsonValue& object) {
   RequireVersion(object);
   file.value.scene = SceneFromJson(object.Get("scene"));
   ReadIfThere(object, "profile", file.value.profile, ProfileFromJson);
+  file.states_profile = object.Find("profile").has_value();
   ReadIfThere(object, "options", file.value.options, OptionsFromJson);
   ReadIfThere(object, "origin", file.value.origin, TextFromJson);
   ReadIfThere(object, "subject", file.subject, TextFromJson);

@@ -14,6 +14,7 @@ struct CaseFile {
   Case value;
   std::string subject;
   std::string property;
+  bool states_profile = false;  ///< else value.profile is "real"
 };
 
 /// Reads {"rasterproof_case": 1, "scene": {...}, "profile": "real" | {...}, "options": {...},

@@ -102,6 +102,15 @@ typedef struct rasterproof_target {
   double* depths; /* the winner's z at the sample */
 } rasterproof_target;
 
+/* A walk along a row (along_y 0) or a column (1): `steps` steps of `length` pixels, forward (sign
+ * +1) or back (-1). */
+typedef struct rasterproof_walk {
+  int32_t along_y;
+  int32_t sign;
+  int32_t length;
+  int32_t steps;
+} rasterproof_walk;
+
 typedef struct rasterproof_plugin {
   uint32_t version; /* RASTERPROOF_PLUGIN_VERSION */
   uint32_t size;    /* sizeof(rasterproof_plugin) */
@@ -138,6 +147,19 @@ typedef struct rasterproof_plugin {
   uint32_t weights_of;   /* enum rasterproof_weights_of */
   double weight_error;   /* most that a weight is off, absolute; 0: nothing is said */
   double depth_error;    /* most that a depth is off, in the unit of z; 0: nothing is said */
+  /* Optional. Its value of the edge function of a -> b at p,
+   *     E = (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x),
+   * evaluated afresh; and the values that it meets on a walk from p: steps + 1 of them, the first
+   * at p. Each point is x, y. 0: done; anything else: refused. */
+  int32_t (*edge_value)(void* state, const double* a, const double* b, const double* p,
+                        double* value);
+  int32_t (*edge_walk)(void* state, const double* a, const double* b, const double* p,
+                       const rasterproof_walk* walk, double* values);
+  /* Most that a value is off, in units of u = 2^-24 (FLOAT64: 2^-53) times
+   * |(p.x - a.x)(b.y - a.y)| + |(p.y - a.y)(b.x - a.x)|; after n steps of a walk, (n + 1) times so
+   * much of the larger of the two sizes at its ends. 0: exact; negative: nothing is said. */
+  double edge_error;
+  double walk_error;
 } rasterproof_plugin;
 
 /* The one function that the library exports. The description must outlive the library's use. */

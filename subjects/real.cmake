@@ -46,6 +46,15 @@ if(SUBJECT_GL_FOUND)
           RASTERPROOF_GL_BITS="${${driver}_bits}" RASTERPROOF_GL_SUBMISSION=k${submission})
     endforeach()
   endforeach()
+  # Its division as well: not surveyed, whose scenes are window space, but certified.
+  rasterproof_real_subject(gl-llvmpipe-clip
+    SOURCES subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc
+    LINK PkgConfig::SUBJECT_GL
+    DEFINITIONS
+      RASTERPROOF_GL_NAME="gl-llvmpipe-clip" RASTERPROOF_GL_DRIVER="llvmpipe"
+      RASTERPROOF_GL_BITS="8" RASTERPROOF_GL_SUBMISSION=kBatch RASTERPROOF_GL_CLIP_SPACE)
+  set_target_properties(plugin_gl-llvmpipe-clip PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/clip_space)
 endif()
 
 find_program(GLSLANG glslangValidator)

@@ -57,7 +57,7 @@ void SaveCounterexample(const std::string& folder, const PropertyResult& result)
   io::MakeFolder(folder);
   std::string subject = result.subject;
   for (char& c : subject) {
-    if (c == ':') c = '+';
+    if (c == ':' || c == '/') c = '+';
   }
   io::WriteFile(fmt::format("{}/{}-{}.json", folder, subject, result.property),
                 io::CaseToJson({*result.counterexample, result.subject, result.property}));

@@ -37,23 +37,34 @@ std::uint64_t ParseSeed(const std::string& text) {
   throw InputError("--seed " + text, "not a seed", "give an integer of 0 to 2^64 - 1, or 'random'");
 }
 
+CLI::Validator Positive() {
+  const auto check = [](const std::string& text) {
+    double number = 0;
+    const bool is_positive = CLI::detail::lexical_cast(text, number) && number > 0;
+    return is_positive ? std::string() : text + " is not above 0";
+  };
+  return CLI::Validator(check, "POSITIVE");
+}
+
 // Two more ways to name subjects, and what those may cost.
 void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& add) {
   app->add_option_function<std::vector<std::string>>(
-      "--plugin",
-      [add](const std::vector<std::string>& paths) {
-        for (const std::string& path : paths) add(std::string(kPluginPrefix) + path);
-      },
-      "Shared library with the interface of kit/rasterproof_plugin.h");
+         "--plugin",
+         [add](const std::vector<std::string>& paths) {
+           for (const std::string& path : paths) add(std::string(kPluginPrefix) + path);
+         },
+         "Shared library with the interface of kit/rasterproof_plugin.h")
+      ->allow_extra_args(false);
   app->add_option_function<std::vector<std::string>>(
-      "--exec",
-      [add](const std::vector<std::string>& commands) {
-        for (const std::string& command : commands) add(std::string(kExecPrefix) + command);
-      },
-      "Program that answers requests on a pipe (docs/subjects.md)");
+         "--exec",
+         [add](const std::vector<std::string>& commands) {
+           for (const std::string& command : commands) add(std::string(kExecPrefix) + command);
+         },
+         "Program that answers requests on a pipe (docs/subjects.md)")
+      ->allow_extra_args(false);
   app->add_option("--time-limit", OutsideLimits().seconds,
                   "Seconds that a plugin or program may take for one answer")
-      ->check(CLI::PositiveNumber)
+      ->check(Positive())
       ->capture_default_str();
   app->add_option_function<double>(
          "--memory-limit",
@@ -102,7 +113,7 @@ void AddCampaign(CLI::App* app, CampaignChoice& campaign) {
          "Seed of the generators, or 'random' (the one taken is printed)")
       ->default_str("1");
   app->add_option("--cases", campaign.cases, "Cases a property")
-      ->check(CLI::PositiveNumber)
+      ->check(Positive())
       ->capture_default_str();
   app->add_option("--seconds", campaign.seconds, "Most seconds a property (0: no limit)")
       ->check(CLI::NonNegativeNumber)
@@ -174,7 +185,7 @@ void AddRender(CLI::App& app, Run& run) {
       ->capture_default_str();
   AddSubject(verb, options.subject);
   verb->add_option("--line-width", options.line_width, "Half-width of wireframe lines in pixels")
-      ->check(CLI::PositiveNumber)
+      ->check(Positive())
       ->capture_default_str();
   verb->add_option("-o,--output", options.output, "PNG file (- for standard output)")->required();
   verb->callback([&run] { run = [] { return RunRender(options); }; });
@@ -279,7 +290,7 @@ void AddBench(CLI::App& app, Run& run) {
   CLI::App* verb = app.add_subcommand("bench", "Error against run time, as ratios within one run");
   verb->add_option("--subject", options.subjects, "Subjects (default: every method)");
   verb->add_option("--repetitions", options.repetitions, "Interleaved repetitions")
-      ->check(CLI::PositiveNumber)
+      ->check(Positive())
       ->capture_default_str();
   verb->add_option_function<std::string>(
       "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
@@ -309,7 +320,7 @@ void AddSelftest(CLI::App& app, Run& run) {
       ->default_str("1");
   verb->add_option("--cases", options.cases,
                    "Most cases a property; a tenth of them for legal variants")
-      ->check(CLI::PositiveNumber)
+      ->check(Positive())
       ->capture_default_str();
   verb->add_option("--only", options.only, "Mutants and legal variants (default: all)");
   verb->add_option("--json", options.json, "Result as JSON");

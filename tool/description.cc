@@ -42,6 +42,9 @@ constexpr Names<bool SubjectInfo::*, 7> kTakes{{{"window", &SubjectInfo::takes_w
                                                 {"threads", &SubjectInfo::takes_threads},
                                                 {"batches", &SubjectInfo::takes_batches}}};
 
+constexpr Names<bool EdgeClaims::*, 2> kShows{
+    {{"edges", &EdgeClaims::shows_values}, {"walks", &EdgeClaims::shows_walks}}};
+
 template <class Table>
 std::string NamesIn(const Table& table) {
   std::string names;
@@ -68,6 +71,16 @@ double ErrorOf(const std::string& value, const std::string& place) {
   if (problem == std::errc{} && stop == end && std::isfinite(error) && error > 0) return error;
   throw InputError(place, fmt::format("'{}' is no error", value),
                    "give a positive number, or leave the line out to say nothing");
+}
+
+double EdgeErrorOf(const std::string& value, const std::string& place) {
+  if (value == "exact") return 0;
+  try {
+    return ErrorOf(value, place);
+  } catch (const InputError&) {
+    throw InputError(place, fmt::format("'{}' is no error of edge values", value),
+                     "give exact, a positive number, or leave the line out to say nothing");
+  }
 }
 
 // "12.4 signed wrap", as it stands after "fixed".
@@ -98,8 +111,6 @@ FixedInput FixedInputFrom(std::istream& words, const std::string& place) {
 }
 
 void TakeInput(const std::string& value, const std::string& place, Description& description) {
-  constexpr std::array<std::pair<std::string_view, Precision>, 2> kInputs{
-      {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
   std::istringstream words(value);
   std::string kind;
   words >> kind;
@@ -125,7 +136,7 @@ void JoinFixedInput(Description& description, const std::string& place) {
 }
 
 std::string InputText(const SubjectInfo& info) {
-  if (!info.profile.fixed) return info.input == Precision::kFloat64 ? "float64" : "float32";
+  if (!info.profile.fixed) return std::string(NameOf(kInputs, info.input));
   const FixedInput& fixed = *info.profile.fixed;
   return fmt::format("fixed {}.{} {}{}", fixed.integer_bits, fixed.fraction_bits,
                      fixed.is_signed ? "signed" : "unsigned", fixed.wraps ? " wrap" : "");
@@ -154,6 +165,13 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     info.fragments.weight_error = ErrorOf(value, place);
   } else if (key == "depth-error") {
     info.fragments.depth_error = ErrorOf(value, place);
+  } else if (key == "edge-error") {
+    info.edges.value_error = EdgeErrorOf(value, place);
+  } else if (key == "walk-error") {
+    info.edges.walk_error = EdgeErrorOf(value, place);
+  } else if (key == "shows") {
+    std::istringstream words(value);
+    for (std::string word; words >> word;) info.edges.*Chosen(kShows, word, place) = true;
   } else if (key == "takes") {
     for (const auto& [name, member] : kTakes) info.*member = false;
     std::istringstream words(value);
@@ -161,7 +179,18 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
   } else {
     throw InputError(place, fmt::format("there is no key '{}'", key),
                      "use name, summary, command, input, coverage, wins, weights-of, weight-error, "
-                     "depth-error, takes or profile");
+                     "depth-error, shows, edge-error, walk-error, takes or profile");
+  }
+}
+
+// What is said of edge values that are not shown is a mistake as well.
+void RequireEdgesItShows(const EdgeClaims& edges, const std::string& place) {
+  if (edges.shows_walks && !edges.shows_values) {
+    throw InputError(place, "it shows walks and no edge values", "write: shows edges walks");
+  }
+  if ((edges.value_error && !edges.shows_values) || (edges.walk_error && !edges.shows_walks)) {
+    throw InputError(place, "it states the error of what it does not show",
+                     "add a line: shows edges walks");
   }
 }
 
@@ -207,12 +236,29 @@ Description ParseDescription(std::string_view text, const std::string& place) {
              fmt::format("{}: line {}", place, number), description);
   }
   RequireWhatItShows(description.info, place);
+  RequireEdgesItShows(description.info.edges, place);
   if (!description.info.takes_window && !description.info.takes_clip) {
     throw InputError(place, "it takes neither window nor clip space", "name one under takes");
   }
   JoinFixedInput(description, place);
   return description;
 }
+
+namespace {
+
+std::string EdgeLines(const EdgeClaims& edges) {
+  if (!edges.shows_values) return "";
+  std::string text = edges.shows_walks ? "shows edges walks\n" : "shows edges\n";
+  const auto add = [&](const char* key, const std::optional<double>& error) {
+    if (error)
+      text += *error == 0 ? fmt::format("{} exact\n", key) : fmt::format("{} {}\n", key, *error);
+  };
+  add("edge-error", edges.value_error);
+  if (edges.shows_walks) add("walk-error", edges.walk_error);
+  return text;
+}
+
+}  // namespace
 
 std::string DescriptionText(const SubjectInfo& info, const std::string& profile) {
   std::string takes;
@@ -224,6 +270,7 @@ std::string DescriptionText(const SubjectInfo& info, const std::string& profile)
   std::string text = fmt::format(
       "name {}\nsummary {}\ninput {}\ncoverage {}\ntakes{}\nprofile {}\n", info.name, info.summary,
       InputText(info), NameOf(kCoverages, info.coverage), takes, one_line);
+  text += EdgeLines(info.edges);
   if (!ShowsWinners(info)) return text;
   const FragmentClaims& claims = info.fragments;
   text += fmt::format("wins {}\n", NameOf(kOrders, claims.order));

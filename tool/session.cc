@@ -249,6 +249,8 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   }
   loaded.value = file.value;
   loaded.subject = MakeSubject(subject);
+  // A scene promises nothing: what is judged is what the subject does.
+  if (!file.states_profile) loaded.value.profile = loaded.subject->Info().profile;
   if (!property.empty()) loaded.property = &RequireProperty(property);
   loaded.replay = fmt::format("rasterproof {} {} --subject {}", verb, choice.path, subject);
   if (!property.empty()) loaded.replay += " --property " + property;

@@ -47,6 +47,7 @@ pub struct Plugin {
     open: Option<extern "C" fn() -> *mut c_void>,
     reset: Option<extern "C" fn(*mut c_void)>,
     close: Option<extern "C" fn(*mut c_void)>,
+    fixed: [u32; 4],
     draw_many: Option<
         extern "C" fn(*mut c_void, *const *const Scene, *const *const Target, usize) -> i32,
     >,
@@ -151,6 +152,7 @@ static PLUGIN: Plugin = Plugin {
     open: None,
     reset: None,
     close: None,
+    fixed: [0; 4],
     draw_many: None,
     winner_order: 0,
     weights_of: 0,

@@ -71,9 +71,9 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
      "w-mixed"});
 
 // Planar subdivisions.
-inline constexpr auto kMeshes = std::to_array<std::string_view>(
-    {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans",
-     "no-clip-ends"});
+inline constexpr auto kMeshes =
+    std::to_array<std::string_view>({"shared-edge", "fans", "strips", "grids", "triangulations",
+                                     "subdivisions", "covering-fans", "no-clip-ends"});
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>(

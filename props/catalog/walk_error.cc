@@ -7,7 +7,7 @@
 namespace rasterproof::props {
 
 Verdict WalkStaysWithinItsBound(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
+  if (std::optional<Verdict> refusal = CannotAskWalks(subject, c)) return *refusal;
   return WalksStayWithinTheirBound(*subject.Edges(), SomeWalks(c));
 }
 

@@ -11,7 +11,7 @@
 namespace rasterproof::props {
 
 Verdict WalkEqualsDirectWhereExact(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
+  if (std::optional<Verdict> refusal = CannotAskWalks(subject, c)) return *refusal;
   const EdgeEvaluator& edges = *subject.Edges();
   std::uint64_t exercised = 0;
   for (const WalkQuery& walk : SomeWalks(c)) {

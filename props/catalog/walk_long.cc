@@ -12,7 +12,7 @@ constexpr int kSteps = 16384;  // the side of the largest target of the APIs in 
 }  // namespace
 
 Verdict LongWalkStaysWithinItsBound(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
+  if (std::optional<Verdict> refusal = CannotAskWalks(subject, c)) return *refusal;
   return WalksStayWithinTheirBound(*subject.Edges(), LongWalks(c, kSteps));
 }
 

@@ -43,6 +43,14 @@ void AddWalk(const Case& c, const EdgeQuery& from, Step step, int wanted,
 
 }  // namespace
 
+std::optional<Verdict> CannotAskWalks(const Subject& subject, const Case& c) {
+  const EdgeClaims& claims = subject.Info().edges;
+  if (claims.shows_values && !claims.shows_walks) {
+    return Verdict::NotApplicable("the subject shows no walks");
+  }
+  return CannotAskEdges(subject, c);
+}
+
 Point2 AfterSteps(const WalkQuery& walk, int n) {
   Point2 p = walk.from.place.at;
   const double distance = double{1} * walk.step.sign * walk.step.length * n;

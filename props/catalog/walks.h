@@ -23,6 +23,9 @@ struct WalkQuery {
   int steps = 0;
 };
 
+/// The verdict to give if the subject shows no walks or the case has no edges to walk along.
+std::optional<Verdict> CannotAskWalks(const Subject& subject, const Case& c);
+
 /// The position after n steps. Exact: a sample location plus at most 2^16 whole pixels.
 Point2 AfterSteps(const WalkQuery& walk, int n);
 

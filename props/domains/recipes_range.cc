@@ -21,7 +21,7 @@ double EndOfRange(Sketch& sketch, double range, bool along_y) {
   const double sign = sketch.Sign();
   const std::int64_t steps = sketch.bits().Int(0, 2);
   if (sign > 0) return sketch.lattice().Move(range, -steps);
-  return sketch.lattice().Move(std::max(-range, sketch.lattice().lowest()), steps);
+  return sketch.lattice().Move(sketch.LeastOfRange(), steps);
 }
 
 // Somewhere on the outline of the range.

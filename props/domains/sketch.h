@@ -36,6 +36,8 @@ class Sketch {
   int height() const { return case_.scene.height; }
   /// The promised range; for real geometry one whose edge values are still of a readable size.
   double Range() const { return std::min(lattice_.limit(), 0x1p24); }
+  /// Its other end: not the negative of the first for a fixed-point input.
+  double LeastOfRange() const { return std::max(lattice_.lowest(), -0x1p24); }
 
   /// A sample of the target: exact, and a lattice place of every lattice that can hold it.
   Point2 Sample();

@@ -35,10 +35,15 @@ Vertex Rounded(Vertex v, Precision input) {
   return v;
 }
 
-// A power of two, with which many divisions are exact, or any float of [1/16, 16).
+// A power of two, with which many divisions are exact, a place next to one, or any float of
+// [1/16, 16).
 double DrawW(BitSource& bits) {
   const double power = std::ldexp(1.0, static_cast<int>(bits.Int(-4, 3)));
   if (bits.Chance(96)) return power;
+  if (bits.Chance(96)) {
+    const double beside = std::ldexp(1.0, -static_cast<int>(bits.Int(2, 23)));
+    return power * (bits.Chance(128) ? 1 + beside : 1 - beside);
+  }
   return power * (1 + std::ldexp(static_cast<double>(bits.Bits(23)), -23));
 }
 

@@ -11,8 +11,8 @@ namespace {
 constexpr double kHalfViewport = 8192;  // nothing within is clipped
 
 constexpr const char* kVertexShader = R"(#version 330 core
-layout(location = 0) in vec2 clip;
-void main() { gl_Position = vec4(clip, 0.0, 1.0); }
+layout(location = 0) in vec3 clip;
+void main() { gl_Position = vec4(clip.xy, 0.0, clip.z); }
 )";
 constexpr const char* kFragmentShader = R"(#version 330 core
 out vec2 counts;
@@ -44,7 +44,7 @@ GlCounter::GlCounter(const char* gallium_driver, GlSubmission submission)
   glGenBuffers(1, &name);
   glBindBuffer(GL_ARRAY_BUFFER, name);
   glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
   glGenBuffers(1, &name);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, name);
   glGenFramebuffers(1, &framebuffer_);
@@ -87,14 +87,16 @@ void GlCounter::Resize(int width, int height) {
 bool GlCounter::Upload(const rasterproof_scene& scene) {
   clip_.clear();
   for (std::size_t v = 0; v < scene.vertex_count; ++v) {
+    const double w = scene.vertices[4 * v + 3];
     for (std::size_t k = 0; k < 2; ++k) {
-      const double window = scene.vertices[4 * v + k];
-      // A NaN passes: what becomes of it is the driver's to say.
-      if (std::fabs(window) > kHalfViewport) return false;
-      const auto clip = static_cast<float>(window / kHalfViewport);
-      if (!std::isnan(window) && double{clip} * kHalfViewport != window) return false;
+      const double scaled = scene.vertices[4 * v + k];
+      // A NaN passes: what becomes of it is the driver's to say. What would be clipped does not.
+      if (std::fabs(scaled) > kHalfViewport * w) return false;
+      const auto clip = static_cast<float>(scaled / kHalfViewport);
+      if (!std::isnan(scaled) && double{clip} * kHalfViewport != scaled) return false;
       clip_.push_back(clip);
     }
+    clip_.push_back(static_cast<float>(w));
   }
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(clip_.size() * sizeof(float)), clip_.data(),
                GL_STREAM_DRAW);

@@ -21,8 +21,9 @@ enum class GlSubmission : std::uint8_t {
 
 /// Window coordinates arrive exactly: the viewport is centred on the origin and a power of two
 /// wide, so that window = clip * 8192 + 0, and clip = window / 8192 is exact for every float32 that
-/// does not leave the normal range. The target is the positive quadrant. Row j of the framebuffer
-/// is row j of the target: window y is taken as it is, and only its name ("up") differs.
+/// does not leave the normal range; in clip space w is handed on as it is. The target is the
+/// positive quadrant. Row j of the framebuffer is row j of the target: window y is taken as it is,
+/// and only its name ("up") differs.
 class GlCounter {
  public:
   /// Error:      throws std::runtime_error where there is no such driver.
@@ -43,7 +44,7 @@ class GlCounter {
   GLuint framebuffer_ = 0;
   int width_ = 0;
   int height_ = 0;
-  std::vector<float> clip_;    ///< 2 a vertex
+  std::vector<float> clip_;    ///< x, y, w of each vertex
   std::vector<float> texels_;  ///< front and back
 };
 

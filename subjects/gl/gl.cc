@@ -13,8 +13,19 @@ using rasterproof::subjects::GlSubmission;
 // OpenGL leaves snapping and ties free; two triangles with a common edge share no sample and leave
 // none out (OpenGL 4.6, 14.6.1). llvmpipe reports 8 subpixel bits and has them; softpipe reports 4
 // and snaps nothing.
+#ifndef RASTERPROOF_GL_CLIP_SPACE
 constexpr const char* kProfile = R"({"name": "gl", "subpixel_bits": )" RASTERPROOF_GL_BITS R"(,
   "snap_rule": "nearest-even", "contract": "watertight", "coordinate_limit": 8192})";
+constexpr std::uint32_t kTakes = 0;
+#else
+// In clip space the division is the driver's as well: held to it, to every sample. Within 1024 none
+// of its triangles is lost (docs/findings.md, 1).
+constexpr const char* kProfile =
+    R"({"name": "gl, clip space", "subpixel_bits": )" RASTERPROOF_GL_BITS
+    R"(, "snap_rule": "nearest-even", "snap_form": "float32-difference", "snap_origin": 0.5,
+  "coordinate_limit": 1024, "transform": {"precision": "float32", "division": "reciprocal"}})";
+constexpr std::uint32_t kTakes = RASTERPROOF_TAKES_CLIP_SPACE | RASTERPROOF_TAKES_NO_WINDOW_SPACE;
+#endif
 
 void* Open() {
   try {
@@ -36,18 +47,20 @@ void Close(void* state) { delete static_cast<GlCounter*>(state); }
 }  // namespace
 
 const rasterproof_plugin* rasterproof_plugin_describe(void) {
-  static const rasterproof_plugin plugin{
-      .version = RASTERPROOF_PLUGIN_VERSION,
-      .size = sizeof(rasterproof_plugin),
-      .name = RASTERPROOF_GL_NAME,
-      .summary = "OpenGL, additive blending, " RASTERPROOF_GL_NAME,
-      .profile = kProfile,
-      .input = RASTERPROOF_FLOAT32,
-      .coverage = RASTERPROOF_FACING_COUNTS,
-      .takes = 0,
-      .draw = Draw,
-      .open = Open,
-      .reset = nullptr,
-      .close = Close};
+  static const rasterproof_plugin plugin = [] {
+    rasterproof_plugin described{};
+    described.version = RASTERPROOF_PLUGIN_VERSION;
+    described.size = sizeof(rasterproof_plugin);
+    described.name = RASTERPROOF_GL_NAME;
+    described.summary = "OpenGL, additive blending, " RASTERPROOF_GL_NAME;
+    described.profile = kProfile;
+    described.input = RASTERPROOF_FLOAT32;
+    described.coverage = RASTERPROOF_FACING_COUNTS;
+    described.takes = kTakes;
+    described.draw = Draw;
+    described.open = Open;
+    described.close = Close;
+    return described;
+  }();
   return &plugin;
 }

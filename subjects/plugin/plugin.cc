@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/edge_claims.h"
 #include "core/error.h"
 #include "kit/rasterproof_plugin.h"
 #include "subjects/plugin/guarded_target.h"
@@ -53,6 +54,9 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   info.fragments = {static_cast<WinnerOrder>(plugin.winner_order),
                     static_cast<WeightsOf>(plugin.weights_of), plugin.weight_error,
                     plugin.depth_error};
+  const auto claim = [](double error) { return error < 0 ? std::nullopt : std::optional(error); };
+  info.edges = {plugin.edge_value != nullptr, plugin.edge_walk != nullptr, claim(plugin.edge_error),
+                claim(plugin.walk_error)};
   return info;
 }
 
@@ -168,11 +172,47 @@ class PluginTarget {
   rasterproof_target view_{};
 };
 
+// The library's edge values, by its two calls.
+class PluginEdges final : public ClaimedEdges {
+ public:
+  PluginEdges(const rasterproof_plugin& plugin, const SubjectInfo& info, void* state)
+      : ClaimedEdges(info.edges, info.input), plugin_(plugin), state_(state) {}
+
+  double Value(Point2 a, Point2 b, Point2 p) const override {
+    double value = 0;
+    RequireDone(plugin_.edge_value(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &value));
+    return value;
+  }
+  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+    // The last number is none of the walk's: it shows whether more was written.
+    constexpr double kGuard = 0x1.badp+77;
+    std::vector<double> values(static_cast<std::size_t>(steps) + 2, kGuard);
+    const rasterproof_walk walk{step.along_y ? 1 : 0, step.sign, step.length, steps};
+    RequireDone(plugin_.edge_walk(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &walk,
+                                  values.data()));
+    if (values.back() != kGuard) throw SubjectFault("it wrote behind the values of a walk");
+    values.pop_back();
+    return values;
+  }
+
+ private:
+  static std::array<double, 2> Pair(Point2 p) { return {p.x, p.y}; }
+  static void RequireDone(std::int32_t refused) {
+    if (refused == 0) return;
+    throw InputError("subject", "it refused to show an edge value: " + std::to_string(refused),
+                     "give it another scene");
+  }
+
+  const rasterproof_plugin& plugin_;
+  void* state_;
+};
+
 class PluginSubject final : public Subject {
  public:
   PluginSubject(const rasterproof_plugin& plugin, const std::string& path)
       : plugin_(plugin), info_(InfoOf(plugin, path)), fixed_(FixedInputOf(plugin)) {
     if (plugin_.open != nullptr) state_ = plugin_.open();
+    if (info_.edges.shows_values) edges_.emplace(plugin_, info_, state_);
   }
   ~PluginSubject() override {
     if (plugin_.close != nullptr) plugin_.close(state_);
@@ -181,6 +221,7 @@ class PluginSubject final : public Subject {
   PluginSubject& operator=(const PluginSubject&) = delete;
 
   const SubjectInfo& Info() const override { return info_; }
+  const EdgeEvaluator* Edges() const override { return edges_ ? &*edges_ : nullptr; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     counts += Show({scene, options, counts.samples}).counts;
@@ -245,6 +286,7 @@ class PluginSubject final : public Subject {
   SubjectInfo info_;
   std::optional<FixedInput> fixed_;
   void* state_ = nullptr;
+  std::optional<PluginEdges> edges_;
 };
 
 void RequireSoundFixedInput(const rasterproof_plugin& plugin, const std::string& path) {
@@ -294,6 +336,12 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
   };
   require_error("weight_error", described.weight_error);
   require_error("depth_error", described.depth_error);
+  for (const double error : {described.edge_error, described.walk_error}) {
+    require(std::isfinite(error), "the claimed error of its edge values is no number",
+            "give a finite number, 0 for exact values, or -1 to say nothing");
+  }
+  require(described.edge_value != nullptr || described.edge_walk == nullptr,
+          "it shows walks and no edge values", "set edge_value too");
   RequireSoundFixedInput(described, path);
   return described;
 }

@@ -157,6 +157,15 @@ PipeEnd ChildProcess::ReadLine(Clock::time_point deadline, std::size_t most_byte
   }
 }
 
+std::string ChildProcess::Unread() {
+  pollfd end{from_child_, POLLIN, 0};
+  if (heard_from_ == heard_.size() && poll(&end, 1, 0) == 1) {
+    Exchange(Clock::now() + std::chrono::milliseconds(1));
+  }
+  const std::string unread = heard_.substr(heard_from_);
+  return unread.substr(0, unread.find('\n'));
+}
+
 std::string ChildProcess::Ending() {
   CloseInput();
   if (from_child_ >= 0) close(from_child_);

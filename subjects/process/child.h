@@ -39,6 +39,9 @@ class ChildProcess {
   /// Reads a line, without its end. kOpen: `line` holds it.
   PipeEnd ReadLine(Clock::time_point deadline, std::size_t most_bytes, std::string& line);
 
+  /// What it has said by now beyond the lines that were read; does not wait. Its first line.
+  std::string Unread();
+
   /// Kills what still runs, and says how it ended: "ended with status 3", "was killed by signal 11
   /// (Segmentation fault)", "still ran".
   std::string Ending();

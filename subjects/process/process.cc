@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/edge_claims.h"
 #include "core/error.h"
 #include "subjects/process/child.h"
 #include "subjects/process/protocol.h"
@@ -79,14 +80,40 @@ class ProcessSubject::Child {
     throw SubjectFault("it " + process_.Ending() + " before its answer was whole");
   }
 
+  // Whoever says more than it was asked would be taken for an answer to what comes next.
+  void RequireSilence() {
+    const std::string more = process_.Unread();
+    if (more.empty()) return;
+    throw SubjectFault("it said more than its answer: \"" + more.substr(0, 60) +
+                       "\"; rows of back faces want `coverage facing-counts`");
+  }
+
  private:
   ChildProcess process_;
   ProcessLimits limits_;
 };
 
+// The child's edge values. A question that is put again gets the answer afresh.
+class ProcessSubject::ShownEdges final : public ClaimedEdges {
+ public:
+  explicit ShownEdges(ProcessSubject& subject)
+      : ClaimedEdges(subject.info_.edges, subject.info_.input), subject_(subject) {}
+  double Value(Point2 a, Point2 b, Point2 p) const override {
+    return subject_.AskValues(a, b, p, std::nullopt, 0).front();
+  }
+  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+    return subject_.AskValues(a, b, p, step, steps);
+  }
+
+ private:
+  ProcessSubject& subject_;
+};
+
 ProcessSubject::ProcessSubject(std::vector<std::string> command, SubjectInfo info,
                                ProcessLimits limits)
-    : command_(std::move(command)), info_(std::move(info)), limits_(limits) {}
+    : command_(std::move(command)), info_(std::move(info)), limits_(limits) {
+  if (info_.edges.shows_values) edges_ = std::make_unique<ShownEdges>(*this);
+}
 
 ProcessSubject::~ProcessSubject() = default;
 
@@ -108,6 +135,21 @@ std::vector<DrawOutcome> ProcessSubject::DrawMany(std::span<const DrawJob> jobs)
   return outcomes;
 }
 
+const EdgeEvaluator* ProcessSubject::Edges() const { return edges_.get(); }
+
+std::vector<double> ProcessSubject::AskValues(Point2 a, Point2 b, Point2 p,
+                                              std::optional<Step> step, int steps) {
+  if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
+  std::unique_ptr<Child> child = std::move(child_);
+  const EdgeRequest request{next_id_++, a, b, p, step, steps};
+  child->Ask(RequestText(request));
+  const auto deadline = After(limits_.seconds);
+  std::vector<double> values =
+      ReadValues(request, info_.name, [&] { return child->Line(deadline); });
+  child_ = std::move(child);
+  return values;
+}
+
 // One call. Whatever goes wrong in it, the next one starts a fresh child.
 std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, double seconds) {
   if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
@@ -126,6 +168,7 @@ std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, doub
     try {
       outcome.drawing =
           ReadAnswer(first_id + k, jobs[k], info_, [&] { return child->Line(deadline); });
+      if (k + 1 == jobs.size()) child->RequireSilence();
     } catch (const InputError&) {
       outcome.error = std::current_exception();
     } catch (const SubjectFault&) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,9 +40,13 @@ class ProcessSubject final : public Subject {
   ///             on a fresh child, those that it may have been; if none does it alone, the shortest
   ///             run of jobs that does it, told in the fault of its last one.
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
+  /// Error:      of its calls: as Draw.
+  const EdgeEvaluator* Edges() const override;
 
  private:
   class Child;
+  class ShownEdges;
+  std::vector<double> AskValues(Point2 a, Point2 b, Point2 p, std::optional<Step> step, int steps);
   std::vector<DrawOutcome> Ask(std::span<const DrawJob> jobs, double seconds);
   bool BreaksDown(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
   void Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
@@ -52,6 +57,7 @@ class ProcessSubject final : public Subject {
   ProcessLimits limits_;
   std::uint64_t next_id_ = 1;
   std::unique_ptr<Child> child_;
+  std::unique_ptr<ShownEdges> edges_;
 };
 
 /// What a program prints, all of it, within the limits.

@@ -17,6 +17,7 @@ namespace rasterproof::subjects {
 namespace {
 
 constexpr std::size_t kMostListed = std::size_t{1} << 26;
+constexpr int kMostSteps = 1 << 20;
 constexpr std::size_t kMostInABatch = std::size_t{1} << 16;
 
 void AppendNumber(std::string& text, double x) {
@@ -176,6 +177,19 @@ std::optional<std::string> AfterHead(std::string_view line, std::string_view wor
   if (line.empty()) return "";
   if (line.front() != ' ' && line.front() != '\r') return std::nullopt;
   return std::string(line.substr(1));
+}
+
+// Returns what follows the head of an answer's first line.
+std::string RequireHead(const std::string& line, std::string_view word, std::uint64_t id,
+                        const std::string& subject) {
+  if (const auto reason = AfterHead(line, "fault", id)) throw SubjectFault(*reason);
+  if (const auto reason = AfterHead(line, "refused", id)) {
+    throw InputError("subject " + subject, "it refused the scene: " + *reason,
+                     "give it another one");
+  }
+  if (std::optional<std::string> rest = AfterHead(line, word, id)) return *std::move(rest);
+  throw SubjectFault("it answered \"" + line.substr(0, 60) + "\", not \"" + std::string(word) +
+                     " " + std::to_string(id) + "\"");
 }
 
 // The numbers of one line of an answer, and where it goes wrong.
@@ -361,17 +375,7 @@ std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind ki
 
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const std::function<std::string()>& next_line) {
-  const std::string line = next_line();
-  if (const auto reason = AfterHead(line, "fault", id)) throw SubjectFault(*reason);
-  if (const auto reason = AfterHead(line, "refused", id)) {
-    throw InputError("subject " + info.name, "it refused the scene: " + *reason,
-                     "give it another one");
-  }
-  const std::string_view word = AnswerWord(info.coverage);
-  if (!AfterHead(line, word, id)) {
-    throw SubjectFault("it answered \"" + line.substr(0, 60) + "\", not \"" + std::string(word) +
-                       " " + std::to_string(id) + "\"");
-  }
+  RequireHead(next_line(), AnswerWord(info.coverage), id, info.name);
   Drawing drawing;
   drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
   if (ShowsWinners(info)) {
@@ -384,6 +388,68 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
     ReadCounts(drawing, drawing.counts.back, next_line);
   }
   return drawing;
+}
+
+std::string RequestText(const EdgeRequest& request) {
+  std::string text = (request.step ? "walk " : "edge ") + std::to_string(request.id);
+  for (const Point2& at : {request.a, request.b, request.p}) {
+    for (const double x : {at.x, at.y}) {
+      text += ' ';
+      AppendNumber(text, x);
+    }
+  }
+  if (const std::optional<Step>& step = request.step) {
+    text += step->along_y ? " y " : " x ";
+    text += step->sign < 0 ? "-1 " : "+1 ";
+    text += std::to_string(step->length) + ' ' + std::to_string(request.steps);
+  }
+  return text + '\n';
+}
+
+std::optional<EdgeRequest> ReadEdgeRequest(std::istream& in) {
+  in >> std::ws;
+  if (const int next = in.peek(); next != 'e' && next != 'w') return std::nullopt;
+  const std::vector<std::string> words = NextWords(in);
+  const std::string where = "edge or walk line";
+  const bool walks = words[0] == "walk";
+  if ((!walks && words[0] != "edge") || words.size() != (walks ? 12U : 8U)) {
+    Malformed(where, "edge ID AX AY BX BY PX PY, or walk with x|y +1|-1 LENGTH STEPS behind");
+  }
+  const auto number = [&](std::size_t k) { return Number<double>(words[k], where); };
+  EdgeRequest request{Number<std::uint64_t>(words[1], where),
+                      {number(2), number(3)},
+                      {number(4), number(5)},
+                      {number(6), number(7)},
+                      std::nullopt,
+                      0};
+  if (!walks) return request;
+  if ((words[8] != "x" && words[8] != "y") || (words[9] != "+1" && words[9] != "-1")) {
+    Malformed(where, "a walk along x or y, by +1 or -1");
+  }
+  request.step = Step{words[8] == "y", words[9] == "-1" ? -1 : +1, Number<int>(words[10], where)};
+  request.steps = Number<int>(words[11], where);
+  if (request.steps < 0 || request.steps > kMostSteps || request.step->length < 1) {
+    Malformed(where, "a length of 1 or more, and 0 to 2^20 steps");
+  }
+  return request;
+}
+
+std::string ValuesText(std::uint64_t id, std::span<const double> values) {
+  std::string text = "values " + std::to_string(id);
+  for (const double value : values) {
+    text += ' ';
+    AppendNumber(text, value);
+  }
+  return text + '\n';
+}
+
+std::vector<double> ReadValues(const EdgeRequest& request, const std::string& subject,
+                               const std::function<std::string()>& next_line) {
+  RowReader row(RequireHead(next_line(), "values", request.id, subject));
+  std::vector<double> values(request.Values());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = row.Next<double>(k, values.size());
+  row.RequireEnd(values.size());
+  return values;
 }
 
 }  // namespace rasterproof::subjects

@@ -14,6 +14,11 @@
 //     fragments ID   the same, but each index (not -1) is followed by W0 W1 W2 DEPTH
 // Or one line: `refused ID REASON`, or `fault ID REASON` for what it found out about itself.
 //
+// A program that shows edge values is asked for them in one line:
+//     edge ID AX AY BX BY PX PY                             E(a, b; p), evaluated afresh
+//     walk ID AX AY BX BY PX PY x|y +1|-1 LENGTH STEPS      from p, STEPS steps of LENGTH pixels
+// and answers `values ID V ...`: one number, or STEPS + 1, the first of them at p.
+//
 // A program that takes batches may be told `batch N` before N requests: it may draw them in one
 // call. It answers each of them, in order. One that does not is sent requests before it has
 // answered the earlier ones all the same, as many as the tool has at hand.
@@ -24,12 +29,15 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/drawing.h"
 #include "core/subject.h"
+#include "core/vertex.h"
 
 namespace rasterproof::subjects {
 
@@ -56,6 +64,30 @@ std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind ki
 ///             a fault; InputError if it is a refusal; what next_line throws.
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const std::function<std::string()>& next_line);
+
+/// Asks for edge values.
+struct EdgeRequest {
+  std::uint64_t id = 0;
+  Point2 a;
+  Point2 b;
+  Point2 p;
+  std::optional<Step> step;  ///< of a walk; nothing: the value at p alone
+  int steps = 0;
+
+  std::size_t Values() const { return static_cast<std::size_t>(steps) + 1; }
+};
+
+std::string RequestText(const EdgeRequest& request);
+/// Reads the next request if it asks for edge values; else the stream stays where it is.
+///
+/// Error:      InputError as ReadCall.
+std::optional<EdgeRequest> ReadEdgeRequest(std::istream& in);
+std::string ValuesText(std::uint64_t id, std::span<const double> values);
+/// Reads the answer to an edge request.
+///
+/// Error:      as ReadAnswer.
+std::vector<double> ReadValues(const EdgeRequest& request, const std::string& subject,
+                               const std::function<std::string()>& next_line);
 
 }  // namespace rasterproof::subjects
 

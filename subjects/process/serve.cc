@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <functional>
 #include <istream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,11 +36,11 @@ void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind)
   if (!fits) throw SubjectFault("its drawing has not the shape of the target, or lacks a part");
 }
 
-std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, CoverageKind kind) {
-  const std::string id = std::to_string(request.id);
+// What `answer` gives, or what it throws as an answer.
+std::string Answered(std::uint64_t number, const std::function<std::string()>& answer) {
+  const std::string id = std::to_string(number);
   try {
-    if (outcome.error == nullptr) RequireShape(outcome.drawing, request.job, kind);
-    return AnswerText(request.id, outcome.Get(), kind);
+    return answer();
   } catch (const InputError& error) {
     return "refused " + id + " " + OneLine(error.what()) + "\n";
   } catch (const std::exception& error) {
@@ -47,10 +50,32 @@ std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, Cover
   }
 }
 
+std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, CoverageKind kind) {
+  return Answered(request.id, [&] {
+    if (outcome.error == nullptr) RequireShape(outcome.drawing, request.job, kind);
+    return AnswerText(request.id, outcome.Get(), kind);
+  });
+}
+
+std::string ValuesOf(const Subject& subject, const EdgeRequest& request) {
+  const EdgeEvaluator* const edges = subject.Edges();
+  if (edges == nullptr) throw InputError("subject", "it shows no edge values", "ask for none");
+  const auto& [id, a, b, p, step, steps] = request;
+  if (!step) {
+    const double value = edges->Value(a, b, p);
+    return ValuesText(id, {&value, 1});
+  }
+  return ValuesText(id, edges->Walk(a, b, p, *step, steps));
+}
+
 }  // namespace
 
 void Serve(Subject& subject, std::istream& in, const std::function<void(const std::string&)>& say) {
   for (;;) {
+    if (const std::optional<EdgeRequest> request = ReadEdgeRequest(in)) {
+      say(Answered(request->id, [&] { return ValuesOf(subject, *request); }));
+      continue;
+    }
     const std::vector<DrawRequest> call = ReadCall(in);
     if (call.empty()) return;
     std::vector<DrawJob> jobs;

@@ -99,18 +99,19 @@ constexpr const char* kProfile = R"({"name": "sdl2", "subpixel_bits": 0,
 }  // namespace
 
 const rasterproof_plugin* rasterproof_plugin_describe(void) {
-  static const rasterproof_plugin plugin{
-      .version = RASTERPROOF_PLUGIN_VERSION,
-      .size = sizeof(rasterproof_plugin),
-      .name = kBatch ? "sdl2-batch" : "sdl2",
-      .summary = "SDL_RenderGeometry of the software renderer, additive blending",
-      .profile = kProfile,
-      .input = RASTERPROOF_FLOAT32,
-      .coverage = RASTERPROOF_COUNTS,
-      .takes = 0,
-      .draw = Draw,
-      .open = Open,
-      .reset = nullptr,
-      .close = Close};
+  static const rasterproof_plugin plugin = [] {
+    rasterproof_plugin described{};
+    described.version = RASTERPROOF_PLUGIN_VERSION;
+    described.size = sizeof(rasterproof_plugin);
+    described.name = kBatch ? "sdl2-batch" : "sdl2";
+    described.summary = "SDL_RenderGeometry of the software renderer, additive blending";
+    described.profile = kProfile;
+    described.input = RASTERPROOF_FLOAT32;
+    described.coverage = RASTERPROOF_COUNTS;
+    described.draw = Draw;
+    described.open = Open;
+    described.close = Close;
+    return described;
+  }();
   return &plugin;
 }

@@ -46,18 +46,19 @@ void Close(void* state) { delete static_cast<VulkanCounter*>(state); }
 }  // namespace
 
 const rasterproof_plugin* rasterproof_plugin_describe(void) {
-  static const rasterproof_plugin plugin{
-      .version = RASTERPROOF_PLUGIN_VERSION,
-      .size = sizeof(rasterproof_plugin),
-      .name = RASTERPROOF_VULKAN_NAME,
-      .summary = "Vulkan, additive blending, " RASTERPROOF_VULKAN_NAME,
-      .profile = Profile().c_str(),
-      .input = RASTERPROOF_FLOAT32,
-      .coverage = RASTERPROOF_FACING_COUNTS,
-      .takes = 0,
-      .draw = Draw,
-      .open = Open,
-      .reset = nullptr,
-      .close = Close};
+  static const rasterproof_plugin plugin = [] {
+    rasterproof_plugin described{};
+    described.version = RASTERPROOF_PLUGIN_VERSION;
+    described.size = sizeof(rasterproof_plugin);
+    described.name = RASTERPROOF_VULKAN_NAME;
+    described.summary = "Vulkan, additive blending, " RASTERPROOF_VULKAN_NAME;
+    described.profile = Profile().c_str();
+    described.input = RASTERPROOF_FLOAT32;
+    described.coverage = RASTERPROOF_FACING_COUNTS;
+    described.draw = Draw;
+    described.open = Open;
+    described.close = Close;
+    return described;
+  }();
   return &plugin;
 }

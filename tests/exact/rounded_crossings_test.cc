@@ -74,7 +74,9 @@ bool CoversByDefinition(Corners3 v, Point2 p, const Profile& profile) {
 class Draw {
  public:
   explicit Draw(std::uint32_t seed) : bits_(seed) {}
-  int Int(int low, int high) { return low + static_cast<int>(bits_() % (high - low + 1U)); }
+  int Int(int low, int high) {
+    return low + static_cast<int>(bits_() % static_cast<unsigned>(high - low + 1));
+  }
   // On a grid of halves to 2^-20, near or far.
   double Coordinate() {
     const double unit = std::ldexp(1.0, -Int(1, 20));

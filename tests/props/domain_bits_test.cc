@@ -146,7 +146,7 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"extent-ends", 0xd5d891f584c51d35},
       {"no-clip-ends", 0x6af4e7cc0bf789ab},
       {"target-ends", 0x2aa69fc6edb2fa35},
-      {"codec examples", 0x33736384c2c1bffd},
+      {"codec examples", 0xbf28859c5d5ca479},
   };
   return golden;
 }

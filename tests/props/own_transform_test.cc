@@ -41,7 +41,8 @@ TEST(OwnTransform, AnotherRoundingIsFoundAndShrunk) {
 }
 
 TEST(OwnTransform, PropertiesThatMoveVerticesDoNotApply) {
-  const auto result = Campaign("legal:transform-multiply-add", "IntegerTranslationMovesCoverage", 20);
+  const auto result =
+      Campaign("legal:transform-multiply-add", "IntegerTranslationMovesCoverage", 20);
   EXPECT_NE(result.outcome, Outcome::kViolated) << result.message;
 }
 

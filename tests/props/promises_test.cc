@@ -342,7 +342,7 @@ TEST(MaxExtent, IsVerifiedBothWays) {
         testing::WithProfile(info, [real](Profile& profile) { profile.max_extent = real; });
     CampaignOptions options;
     options.seed = kSeed;
-    options.cases = 400;
+    options.cases = kDefaultCases;
     const Property& property = *FindProperty("CoverageEqualsTheModel");
     return RunCampaign(subject, property, options).outcome == Outcome::kViolated;
   };

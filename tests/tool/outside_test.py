@@ -202,6 +202,110 @@ class Outputs(unittest.TestCase):
         self.assertIn("it says that triangle 100000 won a sample, of a scene of 1", text)
 
 
+class FirstSteps(unittest.TestCase):
+    """What a newcomer stumbles over."""
+
+    def test_a_program_that_says_more_than_its_answer_is_told_so(self):
+        program = ("import sys\n"
+                   "for line in sys.stdin:\n"
+                   "    word, number, w, h, s, space, vs, ts = line.split()[:8]\n"
+                   "    for _ in range(int(vs) + int(ts)):\n"
+                   "        sys.stdin.readline()\n"
+                   "    rows = ' '.join(['0'] * int(w)) + '\\n'\n"
+                   "    sys.stdout.write('counts ' + number + '\\n' + rows * 2 * int(h))\n"
+                   "    sys.stdout.flush()\n")  # fmt: skip
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "twice.py")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(program)
+            done = run("check", "--exec", f"{sys.executable} {path}", "--property", MODEL,
+                       "--cases", "3")  # fmt: skip
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(b"it said more than its answer", done.stdout)
+            self.assertIn(b"facing-counts", done.stdout)
+
+    def test_a_scene_behind_a_plugin_is_a_scene(self):
+        done = run("check", "--plugin", f"{EXAMPLES}/example_plugin.so", SCENE,
+                   "--property", MODEL)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(SCENE.encode(), done.stdout)
+
+    def test_a_scene_is_explained_by_what_the_plugin_promises(self):
+        done = run("explain", SCENE, "--plugin", f"{EXAMPLES}/example_plugin.so")
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_counterexamples_of_plugins_with_a_path_are_saved(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("check", "--plugin", shown("SCISSOR"), "--save", folder,
+                       "--property", "ScissorOnlyCutsCoverage", "--cases", "64")  # fmt: skip
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertEqual(len(os.listdir(folder)), 1)
+
+
+class Edges(unittest.TestCase):
+    """Edge values and walks that a subject outside shows."""
+
+    VALUES = ("EdgeErrorStaysWithinItsBound", "EdgeSignIsRightOutsideItsBand")
+    WALKS = ("WalkStaysWithinItsBound", "LongWalkStaysWithinItsBound")
+
+    def check(self, *arguments, properties):
+        named = [word for name in properties for word in ("--property", name)]
+        return run("check", *arguments, *named, "--cases", "64")
+
+    def verdicts(self, fault, properties):
+        text = self.check("--plugin", shown(f"EDGES_{fault}"), properties=properties).stdout
+        said = re.findall(r"^(holds|violated|not \w+) +\S+ (\w+) ", text.decode(), re.M)
+        return {name: outcome for outcome, name in said if name in properties}
+
+    def test_sound_ones_hold_and_every_claim_is_put_to_the_test(self):
+        everything = self.VALUES + self.WALKS + ("ReversedEdgeChangesSign", "EdgeIsZeroAtItsEnds")
+        self.assertEqual(set(self.verdicts("SOUND", everything).values()), {"holds"})
+
+    def test_faults_are_found_by_the_claim_that_they_break(self):
+        for fault, name in (
+            ("SIGN", self.VALUES[1]),
+            ("NAN", self.VALUES[0]),
+            ("CLAIMS_EXACT", self.VALUES[0]),
+            ("WALK_LATE", self.WALKS[0]),
+            ("WALK_CRASHES", self.WALKS[0]),
+            ("WALK_TOO_LONG", self.WALKS[0]),
+        ):
+            self.assertEqual(self.verdicts(fault, [name]), {name: "violated"}, fault)
+
+    def test_the_first_step_that_diverges_is_named(self):
+        done = self.check("--plugin", shown("EDGES_WALK_LATE"), properties=self.WALKS[:1])
+        self.assertIn(b"after 6 steps", done.stdout)
+
+    def test_what_is_not_shown_or_not_claimed_does_not_count_as_held(self):
+        self.assertNotIn("holds", self.verdicts("NO_WALKS", self.WALKS).values())
+        self.assertNotIn("holds", self.verdicts("CLAIMS_NOTHING", self.VALUES).values())
+
+    def test_a_program_on_a_pipe_shows_them_too(self):
+        program = """import sys
+for line in sys.stdin:
+    word, number, *rest = line.split()
+    ax, ay, bx, by, px, py = map(float, rest[:6])
+    along_y, step, steps = False, 0, 0
+    if word == "walk":
+        along_y, step, steps = rest[6] == "y", int(rest[7]) * int(rest[8]), int(rest[9])
+    values = []
+    for n in range(steps + 1):
+        x, y = (px, py + n * step) if along_y else (px + n * step, py)
+        values.append((x - ax) * (by - ay) - (y - ay) * (bx - ax))
+    print("values", number, *map(repr, values), flush=True)
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "program.py")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(program)
+            subject = os.path.join(folder, "mine.subject")
+            with open(subject, "w", encoding="utf-8") as file:
+                file.write(f"command {sys.executable} {path}\nshows edges walks\n"
+                           "edge-error 1e-6\nwalk-error 1e-6\n")  # fmt: skip
+            done = self.check("--subject", subject, properties=self.VALUES + self.WALKS[:1])
+            self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+
+
 class Batches(unittest.TestCase):
     """Many scenes in one call, or asked for before the first answer."""
 
@@ -286,6 +390,10 @@ class BadNames(unittest.TestCase):
                 ("colour red\n", "colour"),
                 ("takes window\n", "command"),
                 ("command true\nwins first-drawn\n", "winning-id"),
+                ("command true\nshows walks\n", "shows edges walks"),
+                ("command true\nedge-error exact\n", "shows edges walks"),
+                ("command true\nshows edges\nedge-error none\n", "none"),
+                ("command true\nshows colours\n", "edges, walks"),
                 ("command true\ncoverage winning-id\nweight-error 1e-5\n", "fragments"),
                 ("command true\ncoverage fragments\nweight-error -1\n", "-1"),
                 ("command true\ncoverage fragments\ndepth-error much\n", "much"),

@@ -1,0 +1,33 @@
+// Bounds on edge values that a subject states in one number.
+#ifndef RASTERPROOF_CORE_EDGE_CLAIMS_H_
+#define RASTERPROOF_CORE_EDGE_CLAIMS_H_
+
+#include <vector>
+
+#include "core/scene.h"
+#include "core/subject.h"
+#include "core/vertex.h"
+
+namespace rasterproof {
+
+/// The bounds of a subject whose claims are numbers (SubjectInfo::edges), whatever its values are.
+class ClaimedEdges : public EdgeEvaluator {
+ public:
+  /// `precision` is that of the subject's input: u is 2^-24 or 2^-53.
+  ClaimedEdges(const EdgeClaims& claims, Precision precision)
+      : claims_(claims), precision_(precision) {}
+
+  double ErrorBound(Point2 a, Point2 b, Point2 p) const final;
+  std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                      int steps) const final;
+
+ private:
+  double Bound(double roundings, double products) const;
+
+  EdgeClaims claims_;
+  Precision precision_;
+};
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_EDGE_CLAIMS_H_

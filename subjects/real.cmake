@@ -31,28 +31,36 @@ macro(rasterproof_subject_package variable subject install)
   endif()
 endmacro()
 
+# A GPU, through its own drivers. Whether there is one shows in its device files.
+file(GLOB gpu /dev/dri/renderD* /dev/nvidia[0-9]*)
+if(NOT gpu)
+  message(STATUS "subject gl-gpu, vulkan-gpu: not available (no GPU at /dev/dri or /dev/nvidia*)")
+endif()
+
 rasterproof_subject_package(SUBJECT_GL gl "libegl-dev libopengl-dev libgl1-mesa-dri" egl opengl)
 if(SUBJECT_GL_FOUND)
   set(llvmpipe_bits 8)
   set(softpipe_bits null)
-  foreach(driver llvmpipe softpipe)
-    foreach(submission Batch Alone)
-      string(TOLOWER "gl-${driver}-${submission}" name)
-      rasterproof_real_subject(${name}
-        SOURCES subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc
-        LINK PkgConfig::SUBJECT_GL
-        DEFINITIONS
-          RASTERPROOF_GL_NAME="${name}" RASTERPROOF_GL_DRIVER="${driver}"
-          RASTERPROOF_GL_BITS="${${driver}_bits}" RASTERPROOF_GL_SUBMISSION=k${submission})
+  # rasterproof_gl_subject(NAME DRIVER BITS SUBMISSION [DEFINITION ...])
+  function(rasterproof_gl_subject name driver bits submission)
+    rasterproof_real_subject(${name}
+      SOURCES subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc
+      LINK PkgConfig::SUBJECT_GL
+      DEFINITIONS
+        RASTERPROOF_GL_NAME="${name}" RASTERPROOF_GL_DRIVER="${driver}"
+        RASTERPROOF_GL_BITS="${bits}" RASTERPROOF_GL_SUBMISSION=k${submission} ${ARGN})
+  endfunction()
+  foreach(submission Batch Alone)
+    string(TOLOWER ${submission} ending)
+    foreach(driver llvmpipe softpipe)
+      rasterproof_gl_subject(gl-${driver}-${ending} ${driver} ${${driver}_bits} ${submission})
     endforeach()
+    if(gpu)
+      rasterproof_gl_subject(gl-gpu-${ending} "" 8 ${submission})
+    endif()
   endforeach()
   # Its division as well: not surveyed, whose scenes are window space, but certified.
-  rasterproof_real_subject(gl-llvmpipe-clip
-    SOURCES subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc
-    LINK PkgConfig::SUBJECT_GL
-    DEFINITIONS
-      RASTERPROOF_GL_NAME="gl-llvmpipe-clip" RASTERPROOF_GL_DRIVER="llvmpipe"
-      RASTERPROOF_GL_BITS="8" RASTERPROOF_GL_SUBMISSION=kBatch RASTERPROOF_GL_CLIP_SPACE)
+  rasterproof_gl_subject(gl-llvmpipe-clip llvmpipe 8 Batch RASTERPROOF_GL_CLIP_SPACE)
   set_target_properties(plugin_gl-llvmpipe-clip PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/clip_space)
 endif()
@@ -75,9 +83,10 @@ if(SUBJECT_VULKAN_FOUND)
       DEPENDS subjects/vulkan/triangle.${suffix} VERBATIM)
   endforeach()
   # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE BITS HALF_VIEWPORT)
+  # An empty description: the drivers that are installed, and any GPU.
   function(rasterproof_vulkan_subject name install description device bits half)
     file(GLOB found ${description})
-    if(NOT found)
+    if(description AND NOT found)
       rasterproof_missing_subject(${name} ${install})
       return()
     endif()
@@ -96,6 +105,9 @@ if(SUBJECT_VULKAN_FOUND)
     "/usr/share/vulkan/icd.d/lvp_icd.*.json" llvmpipe 8 8192)
   rasterproof_vulkan_subject(vulkan-swiftshader chromium-common
     /usr/lib/chromium/vk_swiftshader_icd.json SwiftShader 4 4096)
+  if(gpu)
+    rasterproof_vulkan_subject(vulkan-gpu "" "" "" 8 8192)
+  endif()
 endif()
 
 rasterproof_subject_package(SUBJECT_SDL2 sdl2 libsdl2-dev sdl2)

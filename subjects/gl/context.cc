@@ -3,15 +3,47 @@
 #include <EGL/eglext.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 
 namespace rasterproof::subjects {
 
-GlContext::GlContext(const char* gallium_driver) {
+namespace {
+
+EGLDisplay SoftwareDisplay(const char* gallium_driver) {
   setenv("GALLIUM_DRIVER", gallium_driver, 1);
   setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-  display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+  return eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+}
+
+// Of the first device that is no software.
+EGLDisplay GpuDisplay() {
+  const auto query =
+      reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+  const auto text_of = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(
+      eglGetProcAddress("eglQueryDeviceStringEXT"));
+  std::array<EGLDeviceEXT, 16> devices{};
+  EGLint count = 0;
+  if (query == nullptr || text_of == nullptr ||
+      query(static_cast<EGLint>(devices.size()), devices.data(), &count) != EGL_TRUE) {
+    return EGL_NO_DISPLAY;
+  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    const char* const extensions = text_of(devices[k], EGL_EXTENSIONS);
+    if (extensions == nullptr || std::strstr(extensions, "EGL_MESA_device_software") != nullptr) {
+      continue;
+    }
+    return eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[k], nullptr);
+  }
+  return EGL_NO_DISPLAY;
+}
+
+}  // namespace
+
+GlContext::GlContext(const char* gallium_driver) {
+  display_ = *gallium_driver == '\0' ? GpuDisplay() : SoftwareDisplay(gallium_driver);
   if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) != EGL_TRUE ||
       eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
     throw std::runtime_error("no EGL display without a surface");

@@ -9,6 +9,8 @@ namespace rasterproof::subjects {
 /// Current on the thread that made it, as long as it lives.
 class GlContext {
  public:
+  /// `gallium_driver`: llvmpipe or softpipe; empty: any GPU, by its own driver.
+  ///
   /// Properties: the first context of a process settles the driver for all later ones.
   /// Error:      throws std::runtime_error where EGL or the driver has none to give.
   explicit GlContext(const char* gallium_driver);

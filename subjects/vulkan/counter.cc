@@ -73,7 +73,7 @@ void Transition(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
 }  // namespace
 
 VulkanCounter::VulkanCounter(const VulkanDriver& driver) : half_viewport_(driver.half_viewport) {
-  setenv("VK_DRIVER_FILES", driver.description, 1);
+  if (*driver.description != '\0') setenv("VK_DRIVER_FILES", driver.description, 1);
   VkApplicationInfo application{};
   application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
   application.apiVersion = VK_API_VERSION_1_3;
@@ -94,9 +94,12 @@ void VulkanCounter::MakeDevice(const char* name) {
   for (VkPhysicalDevice device : devices) {
     VkPhysicalDeviceProperties properties{};
     vkGetPhysicalDeviceProperties(device, &properties);
-    if (std::string_view(properties.deviceName).starts_with(name)) physical_ = device;
+    const bool is_gpu = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU ||
+                        properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
+    const bool is_named = std::string_view(properties.deviceName).starts_with(name);
+    if (*name == '\0' ? is_gpu : is_named) physical_ = device;
   }
-  if (physical_ == VK_NULL_HANDLE) throw std::runtime_error("no device of that name");
+  if (physical_ == VK_NULL_HANDLE) throw std::runtime_error("no such device");
   VkFormatProperties format{};
   vkGetPhysicalDeviceFormatProperties(physical_, kFormat, &format);
   if ((format.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT) == 0) {

@@ -22,9 +22,10 @@ struct VulkanBuffer {
 
 /// A driver without a display, and how large a viewport it takes.
 struct VulkanDriver {
-  const char* description;  ///< file that the loader reads in place of those that are installed
-  const char* device;       ///< how the device's name begins
-  int half_viewport;        ///< a power of two; nothing within is clipped
+  /// File that the loader reads in place of those that are installed; empty: it reads those.
+  const char* description;
+  const char* device;  ///< how the device's name begins; empty: any GPU
+  int half_viewport;   ///< a power of two; nothing within is clipped
 };
 
 /// Draws a scene in one draw.

@@ -64,12 +64,6 @@ class Truths {
     CoverageCounts counts;
   };
 
-  static bool SameModel(const Profile& a, const Profile& b) {
-    return a.snap == b.snap && a.lattice == b.lattice && a.y_axis == b.y_axis &&
-           a.fill_rule == b.fill_rule && a.targets == b.targets && a.fixed == b.fixed &&
-           a.max_extent == b.max_extent;
-  }
-
   const Scene& scene_;
   std::list<Truth> known_;  // references to the counts stay valid
 };

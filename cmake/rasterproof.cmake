@@ -1,12 +1,13 @@
 # How every folder of the project is built: one place for flags, layers and tests.
 
 # A compiler cache, where there is one. The sloppiness is what precompiled headers need: ccache then
-# hashes the header's text in place of its time stamp.
+# hashes the header's text in place of its time stamp. It looks by the sources alone and not by what
+# the preprocessor makes of them, so that a first build does not preprocess every file twice.
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
+    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1 ${CCACHE})
 endif()
 
 # Third parties. Which folder may use which is in scripts/check_layers.

@@ -78,6 +78,19 @@ Scene SnapScene(const Scene& scene, const Profile& own) {
   return snapped;
 }
 
+// All that is not named here is of the model, keys of a later day too.
+bool SameModel(const Profile& a, const Profile& b) {
+  Profile judged_alike = a;
+  judged_alike.name = b.name;
+  judged_alike.contract = b.contract;
+  judged_alike.freedom = b.freedom;
+  judged_alike.coordinate_limit = b.coordinate_limit;
+  judged_alike.zero_area = b.zero_area;
+  judged_alike.overdraw = b.overdraw;
+  judged_alike.no_clip = b.no_clip;
+  return judged_alike == b;
+}
+
 bool WithinLimits(const Scene& scene, const Profile& profile) {
   return CanBeGiven(scene, profile) && std::ranges::all_of(scene.vertices, [&](const Vertex& v) {
            return IsFinite(v) && std::fabs(v.x) <= profile.coordinate_limit &&

@@ -165,10 +165,9 @@ inline bool HasOneModel(const Profile& profile) {
          !profile.overdraw;
 }
 
-/// Returns whether a planar subdivision covers every sample exactly once.
-inline bool OwnsEdgesOnce(const Profile& profile) {
-  return profile.fill_rule.IsConsistent() && !profile.overdraw;
-}
+/// Returns whether the canonical models of two profiles are one: whether they say the same of every
+/// scene's counts. What else they promise, and how they are named, may differ.
+bool SameModel(const Profile& a, const Profile& b);
 
 /// Returns whether every coordinate of the scene is finite, within the profile's limit, and one
 /// that its fixed-point input can be given.

@@ -32,13 +32,6 @@ double SecondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// What a profile's counts depend on: not its name, its limit or its contract.
-bool SameModel(const Profile& a, const Profile& b) {
-  return a.snap == b.snap && a.lattice == b.lattice && a.y_axis == b.y_axis &&
-         a.fill_rule == b.fill_rule && a.targets == b.targets && a.fixed == b.fixed &&
-         a.max_extent == b.max_extent;
-}
-
 // Empty if the counts of the scene's samples are promised.
 std::string WhyNotJudged(const Scene& scene, const Profile& profile) {
   if (!WithinLimits(scene, profile)) {

@@ -36,15 +36,16 @@ std::string CountsToText(const CoverageCounts& counts) {
 
 // A subject without a grid of its own draws what the profile's snap leaves of the scene.
 Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& name) {
-  const Profile profile = ForTarget(io::ReadProfile(name), scene.width, scene.height);
-  const Profile own = ForTarget(subject.Info().profile, scene.width, scene.height);
-  if (profile.snap == own.snap && profile.lattice == own.lattice &&
-      profile.fill_rule == own.fill_rule && profile.y_axis == own.y_axis &&
-      profile.fixed == own.fixed && profile.max_extent == own.max_extent) {
-    return scene;
-  }
-  if (!own.snap.IsNone() || profile.lattice != own.lattice || profile.fill_rule != own.fill_rule ||
-      profile.y_axis != own.y_axis || scene.clip_space) {
+  const auto on_this_target = [&](const Profile& promised) {
+    Profile resolved = ForTarget(promised, scene.width, scene.height);
+    resolved.targets.clear();
+    return resolved;
+  };
+  const Profile profile = on_this_target(io::ReadProfile(name));
+  const Profile own = on_this_target(subject.Info().profile);
+  if (SameModel(profile, own)) return scene;
+  if (!own.snap.IsNone() || profile.crossing != own.crossing || profile.lattice != own.lattice ||
+      profile.fill_rule != own.fill_rule || profile.y_axis != own.y_axis || scene.clip_space) {
     throw InputError("--profile " + name,
                      "subject " + subject.Info().name + " draws by its own profile, " + own.name,
                      "leave --profile out, or use --subject exact");

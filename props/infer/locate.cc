@@ -140,6 +140,10 @@ std::vector<LatticeCandidate> CandidatesFor(const std::vector<Place>& seen) {
 }  // namespace
 
 std::string TooLittleRoom(const Profile& declared) {
+  if (!declared.crossing.IsNone()) {
+    return "it rounds where edges cross rows, as declared: on a grid that holds the samples that "
+           "cannot be told from samples that lie elsewhere";
+  }
   Profile small = ForTarget(declared, kShort, kShort);
   for (const auto& [width, height] : {std::pair{kLong, kShort}, {kShort, kLong}, {32, 32}}) {
     if (ForTarget(declared, width, height) != small) {

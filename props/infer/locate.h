@@ -20,7 +20,7 @@ struct Location {
   Scene complaint_scene;
 };
 
-/// Why the declared limits leave no room for the experiments that Locate needs; empty if they do.
+/// Why what is declared leaves no room for the experiments that Locate needs; empty if it does.
 std::string TooLittleRoom(const Profile& declared);
 
 /// Draws four scenes and tells the observer what facings mean.

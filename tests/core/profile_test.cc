@@ -167,5 +167,25 @@ TEST(IsUnclipped, AsksForEveryCornerBeforeAndAfterSnapping) {
   EXPECT_FALSE(holds(7.5));  // snaps outside
 }
 
+TEST(SameModel, LooksAtWhatCountsDependOn) {
+  Profile a = *PresetProfile("gl");
+  Profile b = a;
+  b.name = "another";
+  b.contract = Contract::kNone;
+  b.coordinate_limit = 1;
+  b.freedom.any_tie_rule = true;
+  b.overdraw = true;
+  EXPECT_TRUE(SameModel(a, b));
+  b.crossing = {8, SnapRule::kFloor};
+  EXPECT_FALSE(SameModel(a, b));
+  a.crossing = b.crossing;
+  a.transform = Transform{};
+  EXPECT_FALSE(SameModel(a, b));
+  b.transform = a.transform;
+  EXPECT_TRUE(SameModel(a, b));
+  b.max_extent = MaxExtent{1, 1};
+  EXPECT_FALSE(SameModel(a, b));
+}
+
 }  // namespace
 }  // namespace rasterproof

@@ -30,6 +30,15 @@ TEST(ProfileJson, RareKeysReadBack) {
   ExpectReadsBack(profile);
 }
 
+TEST(ProfileJson, CrossingAndTransformReadBack) {
+  Profile profile;
+  profile.name = "scanline";
+  profile.crossing = {16, SnapRule::kFloor, SnapForm::kExactDifference, 0.5};
+  profile.transform = Transform{Precision::kFloat64, Division::kReciprocal,
+                                ViewportForm::kAddMultiply, /*flips_y=*/true};
+  ExpectReadsBack(profile);
+}
+
 TEST(ProfileJson, TargetsReadBackWithWhatTheyOverride) {
   Profile profile;
   profile.name = "mine";
@@ -94,6 +103,12 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("no_clip": [0, 0, 1])", "no_clip: has 3 numbers"},
            Bad{R"("no_clip": [0, 0, 0, 1])", "no_clip: is empty; write x0 < x1 and y0 < y1"},
            Bad{R"("no_clip": [0, 0, "inf", 1])", "no_clip[2]: is not finite"},
+           Bad{R"("crossing": {"rule": "floor"})", "bits"},
+           Bad{R"("crossing": {"bits": 17})", "crossing.bits"},
+           Bad{R"("transform": {"division": "rcp"})",
+               "transform.division: \"rcp\" is no division; write quotient or reciprocal"},
+           Bad{R"("transform": {"viewport": "half"})", "write none, multiply-add, fused"},
+           Bad{R"("transform": {"matrix": 1})", "unknown key \"matrix\""},
            Bad{R"("zero_area": "line")", "zero_area: \"line\" is unknown; known here are"},
            Bad{R"("overdraw": true)", "overdraw: "},
            Bad{R"("fill_rule": "none")", "inclusive or exclusive"},

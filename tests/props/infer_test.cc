@@ -17,6 +17,7 @@
 #include "exact/coverage.h"
 #include "props/infer/directed.h"
 #include "subjects/builtin/builtin.h"
+#include "subjects/mutants/mutants.h"
 #include "tests/props/planted_subjects.h"
 #include "tests/share.h"
 
@@ -343,6 +344,20 @@ TEST(Infer, IsTheSameEveryTime) {
   const Inference twice = Infer(subject);
   EXPECT_EQ(once.experiments, twice.experiments);
   EXPECT_EQ(once.remaining, twice.remaining);
+}
+
+TEST(Infer, TakesATransformAsDeclared) {
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant("legal:transform-quotients");
+  const Inference inference = Infer(*subject, {.checks = 60});
+  EXPECT_TRUE(inference.Agrees()) << inference.message;
+  EXPECT_FALSE(inference.remaining.empty());
+}
+
+// Rounded down to 1/256 pixel, a crossing is that of samples 1/256 pixel farther right, whose ties
+// fall the other way.
+TEST(Infer, SaysNothingOfRoundedCrossings) {
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant("legal:crossing-floor");
+  EXPECT_TRUE(Infer(*subject, {.checks = 60}).is_inconclusive);
 }
 
 }  // namespace

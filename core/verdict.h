@@ -3,9 +3,12 @@
 #define RASTERPROOF_CORE_VERDICT_H_
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "core/coverage.h"
 
 namespace rasterproof {
 
@@ -27,6 +30,12 @@ struct Witness {
   std::string expected;
 };
 
+/// Two drawings that a claim says are equal, of one shape.
+struct ComparedCounts {
+  CoverageCounts observed;
+  CoverageCounts expected;
+};
+
 struct Verdict {
   Outcome outcome = Outcome::kNotExercised;
   /// How many times the claim was really put to the test (samples, edges, steps).
@@ -36,6 +45,8 @@ struct Verdict {
   /// Why it does not apply, or what failed, in one line.
   std::string message;
   std::optional<Witness> witness;
+  /// What differs, where the claim is about whole drawings; they need not be those of the case.
+  std::shared_ptr<const ComparedCounts> compared = nullptr;
 
   static Verdict NotApplicable(std::string why) {
     return {Outcome::kNotApplicable, 0, 0, std::move(why), std::nullopt};

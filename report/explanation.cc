@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,6 @@ constexpr double kTitle = 20;
 constexpr double kLeading = 1.5;  // line height over text size
 constexpr double kImageScale = 2;
 constexpr double kLeastWidth = 680;  // of the legend
-constexpr std::array<std::string_view, 3> kPanels{"expected", "actual", "difference"};
 
 // Breaks at blanks, and inside words that are longer than a line.
 std::vector<std::string> Wrapped(std::string_view text, std::size_t columns) {
@@ -60,7 +60,9 @@ std::optional<std::array<Point2, 3>> WindowCorners(const Scene& scene, int trian
 class Layout {
  public:
   explicit Layout(const Explanation& explanation)
-      : explanation_(explanation), view_(ReadableView(explanation, kMostPixels)) {
+      : explanation_(explanation),
+        titles_(PanelTitles(explanation)),
+        view_(ReadableView(explanation, kMostPixels)) {
     const int wide = view_.x1 - view_.x0;
     const int high = view_.y1 - view_.y0;
     cell_ = std::clamp(std::floor(352.0 / std::max({wide, high, 1})), 8.0, 56.0);
@@ -74,7 +76,7 @@ class Layout {
     Paragraph(explanation_.headline, kInk, kTitle);
     if (!explanation_.headline.empty()) y_ += kText / 2;
     const double top = y_ + kLeading * kText + kLabel * kLeading;
-    for (std::size_t panel = 0; panel < kPanels.size(); ++panel) DrawPanel(panel, top);
+    for (std::size_t panel = 0; panel < titles_.size(); ++panel) DrawPanel(panel, top);
     y_ = top + cell_ * (view_.y1 - view_.y0) + kText;
     DrawLegend();
     for (std::size_t k = 0; k < std::min(kMostLines, explanation_.edge_values.size()); ++k) {
@@ -108,7 +110,7 @@ class Layout {
 
   void DrawPanel(std::size_t panel, double top) {
     const double left = PanelLeft(panel);
-    drawing_.Text({left, top - kLeading * kLabel - kText / 2}, kPanels[panel], kInk, kText);
+    drawing_.Text({left, top - kLeading * kLabel - kText / 2}, titles_[panel], kInk, kText);
     DrawLabels(panel, left, top);
     for (int y = view_.y0; y < view_.y1; ++y) {
       for (int x = view_.x0; x < view_.x1; ++x) {
@@ -123,7 +125,7 @@ class Layout {
 
   // Numbers of every column and row, or of as many as have room.
   void DrawLabels(std::size_t panel, double left, double top) {
-    const double digits = static_cast<double>(fmt::formatted_size("{}", view_.x1));
+    const double digits = static_cast<double>(fmt::format("{}", view_.x1).size());
     const int every_x = static_cast<int>(std::ceil((digits + 1) * kAdvance * kLabel / cell_));
     for (int x = view_.x0; x < view_.x1; x += every_x) {
       drawing_.CentredText({left + cell_ * (x - view_.x0 + 0.5), top - kLabel * 0.8},
@@ -274,6 +276,7 @@ class Layout {
   }
 
   const Explanation& explanation_;
+  std::span<const std::string_view> titles_;
   PixelRect view_;
   Drawing drawing_;
   double cell_ = 8;

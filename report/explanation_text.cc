@@ -1,7 +1,7 @@
 // The failing place in characters, for a terminal.
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,7 +15,7 @@ namespace {
 
 // Three panels of 40 pixels, two characters each, fill a wide terminal.
 constexpr int kMostPixels = 40;
-constexpr std::array<std::string_view, 3> kPanels{"expected", "actual", "difference"};
+constexpr std::size_t kWidestTitle = 10;  // "difference"
 
 // Select-graphic-rendition codes of the 256-colour palette, nearest to the pictures' colours.
 constexpr std::string_view kPlain = "\x1b[0m";
@@ -93,7 +93,9 @@ std::string Legend(const Explanation& explanation) {
   if (explanation.expected.samples > 1) {
     legend += fmt::format(" (over {} samples)", explanation.expected.samples);
   }
-  legend += "   difference: . right  - gap  + overlap  ! facing";
+  if (PanelTitles(explanation).size() == 3) {
+    legend += "   difference: . right  - gap  + overlap  ! facing";
+  }
   if (explanation.focus_x >= 0) legend += "   [ ] the failing pixel";
   return legend;
 }
@@ -102,22 +104,23 @@ std::string Legend(const Explanation& explanation) {
 
 std::string ExplanationToText(const Explanation& explanation, bool colour) {
   const PixelRect view = ReadableView(explanation, kMostPixels);
-  const std::size_t gutter = fmt::formatted_size("{}", std::max(view.y1 - 1, 0)) + 1;
+  const std::size_t gutter = fmt::format("{}", std::max(view.y1 - 1, 0)).size() + 1;
   const auto panel_width = static_cast<std::size_t>(2 * (view.x1 - view.x0) + 1);
-  const std::size_t column = std::max(panel_width, kPanels[2].size() + 2) + 3;
+  const std::size_t column = std::max(panel_width, kWidestTitle + 2) + 3;
   std::string text;
   if (!explanation.headline.empty()) text += CleanText(explanation.headline) + "\n";
   text += fmt::format("{:>{}} columns {} to {}, rows {} to {}\n", "", gutter, view.x0, view.x1 - 1,
                       view.y0, view.y1 - 1);
   std::string titles = std::string(gutter, ' ');
-  for (const std::string_view panel : kPanels) titles += fmt::format(" {:<{}}", panel, column - 1);
+  const std::span<const std::string_view> panels = PanelTitles(explanation);
+  for (const std::string_view panel : panels) titles += fmt::format(" {:<{}}", panel, column - 1);
   titles.erase(titles.find_last_not_of(' ') + 1);
   text += titles + "\n";
   for (int y = view.y0; y < view.y1; ++y) {
     text += fmt::format("{:>{}}", y, gutter);
-    for (std::size_t panel = 0; panel < kPanels.size(); ++panel) {
+    for (std::size_t panel = 0; panel < panels.size(); ++panel) {
       text += Row(explanation, view, y, panel, colour);
-      if (panel + 1 < kPanels.size()) text += std::string(column - panel_width, ' ');
+      if (panel + 1 < panels.size()) text += std::string(column - panel_width, ' ');
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += "\n";

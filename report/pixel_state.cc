@@ -1,6 +1,7 @@
 #include "report/pixel_state.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -69,6 +70,13 @@ Pixel PixelAt(const CoverageCounts& observed, const CoverageCounts& expected, in
     if (pixel.state == SampleState::kRight) pixel.state = StateOf(observed, expected, index);
   }
   return pixel;
+}
+
+std::span<const std::string_view> PanelTitles(const Explanation& explanation) {
+  static constexpr std::array<std::string_view, 3> kThree{"expected", "actual", "difference"};
+  static constexpr std::array<std::string_view, 1> kOne{"coverage, right everywhere"};
+  if (Compare(explanation.observed, explanation.expected).wrong == 0) return kOne;
+  return kThree;
 }
 
 PixelRect ReadableView(const Explanation& explanation, int side) {

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
@@ -36,6 +38,10 @@ struct Pixel {
   SampleState state = SampleState::kRight;
 };
 Pixel PixelAt(const CoverageCounts& observed, const CoverageCounts& expected, int x, int y);
+
+/// Expected, actual and difference; one panel alone where nothing differs, for then the claim is of
+/// values and not of coverage.
+std::span<const std::string_view> PanelTitles(const Explanation& explanation);
 
 /// The explanation's view within its target, at most `side` pixels wide and high, with the focus in
 /// it.

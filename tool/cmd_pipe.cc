@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/result.h"
 #include "fmt/format.h"
+#include "io/case_file.h"
 #include "io/output.h"
 #include "props/run/batching.h"
 #include "props/run/campaign.h"
@@ -29,8 +30,12 @@ namespace rasterproof::tool {
 namespace {
 
 SubjectInfo InfoOf(const PipeOptions& options) {
-  if (options.description.empty()) return PlainDescription().info;
-  return ParseDescription(io::ReadFile(options.description), options.description).info;
+  SubjectInfo info =
+      options.description.empty()
+          ? PlainDescription().info
+          : ParseDescription(io::ReadFile(options.description), options.description).info;
+  if (!options.profile.empty()) info.profile = io::ReadProfile(options.profile);
+  return info;
 }
 
 // A subject outside without a rasterizer: what it draws is a ledger's.

@@ -124,6 +124,8 @@ void AddCase(CLI::App* app, CaseChoice& choice) {
   app->add_option("case", choice.path, "Case or scene file (- for standard input)");
   AddSubject(app, choice.subject, "Subject (default: the one the file names)");
   app->add_option("--property", choice.property, "Property (default: the one the file names)");
+  app->add_option("--profile", choice.profile,
+                  "Judge by this profile (default: the file's, or the subject's own)");
   app->add_option_function<std::string>(
       "--seed", [&](const std::string& text) { choice.seed = ParseSeed(text); },
       "Seed of a generated case");
@@ -136,6 +138,7 @@ void AddPipe(CLI::App* app, PipeOptions& options) {
       ->capture_default_str();
   app->add_option("--description", options.description,
                   "File that says what the program promises (docs/subjects.md)");
+  app->add_option("--profile", options.profile, "Judge by this profile, not by the description's");
   AddCampaign(app, options.campaign);
 }
 

@@ -96,6 +96,7 @@ struct CaseChoice {
   std::string path;
   std::string subject;
   std::string property;
+  std::string profile;  ///< judge by this one; empty: the file's, or the subject's own
   std::uint64_t seed = 1;
   std::int64_t index = -1;
 };
@@ -153,6 +154,7 @@ int RunDecode(const DecodeOptions& options);
 struct PipeOptions {
   std::string property = "CoverageEqualsTheModel";
   std::string description;  ///< file; empty: what is assumed of a program that says nothing
+  std::string profile;      ///< in place of the description's
   CampaignChoice campaign;
 };
 int RunGen(const PipeOptions& options);

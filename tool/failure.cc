@@ -43,6 +43,21 @@ std::string HexVertex(const Vertex& v, bool clip) {
               : fmt::format("({:a}, {:a})", v.x, v.y);
 }
 
+bool SameShape(const CoverageCounts& a, const CoverageCounts& b) {
+  return a.width == b.width && a.height == b.height && a.samples == b.samples;
+}
+
+// Where snapping moves a triangle's corners to; empty where it moves none.
+std::string SnappedLine(const Scene& given, const Scene& snapped, int triangle) {
+  const Triangle& corners = given.triangles[static_cast<std::size_t>(triangle)];
+  const std::array<Vertex, 3> from = Corners(given, corners);
+  const std::array<Vertex, 3> to = Corners(snapped, corners);
+  if (given.clip_space || from == to || !std::ranges::all_of(from, IsFinite)) return "";
+  std::string line = fmt::format("triangle {} snaps to", triangle);
+  for (const Vertex& v : to) line += fmt::format(" ({}, {})", v.x, v.y);
+  return line;
+}
+
 // Triangles whose box holds the view, the witness first: those are what the picture is about.
 std::vector<int> TrianglesInView(const Scene& scene, const PixelRect& view, int first) {
   std::vector<int> found;
@@ -88,11 +103,15 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   explanation.scene = IsHomogeneous(c.scene, c.profile) ? c.scene : SnapScene(c.scene, all_sizes);
   explanation.lattice = c.profile.lattice;
   explanation.y_axis = c.profile.y_axis;
-  explanation.expected = exact::Coverage(c.scene, c.profile, c.options);
-  std::string failure;  // is told by the verdict; the picture then shows that nothing was drawn
-  explanation.observed =
-      DrawUnlessItFails(subject, c.scene, c.options, failure)
-          .value_or(CoverageCounts(c.scene.width, c.scene.height, c.profile.lattice.samples()));
+  const CoverageCounts none(c.scene.width, c.scene.height, c.profile.lattice.samples());
+  if (verdict.compared && SameShape(verdict.compared->expected, none)) {
+    explanation.expected = verdict.compared->expected;
+    explanation.observed = verdict.compared->observed;
+  } else {
+    explanation.expected = exact::Coverage(c.scene, c.profile, c.options);
+    std::string failure;  // is told by the verdict; the picture then shows that nothing was drawn
+    explanation.observed = DrawUnlessItFails(subject, c.scene, c.options, failure).value_or(none);
+  }
   const auto [wrong_x, wrong_y] = FirstWrongPixel(explanation.observed, explanation.expected);
   const bool witness = verdict.witness && verdict.witness->x >= 0 && verdict.witness->y >= 0;
   explanation.focus_x = witness ? verdict.witness->x : wrong_x;
@@ -108,6 +127,8 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
     const int row = up ? c.scene.height - 1 - explanation.focus_y : explanation.focus_y;
     const Point2 p = lattice.At(explanation.focus_x, row, sample);
     for (const int triangle : explanation.triangles) {
+      const std::string snapped = SnappedLine(c.scene, explanation.scene, triangle);
+      if (!snapped.empty()) explanation.edge_values.push_back(snapped);
       for (int edge = 0; edge < 3; ++edge) {
         explanation.edge_values.push_back(EdgeLine(explanation.scene, triangle, edge, p));
       }

@@ -60,6 +60,12 @@ void RequireProgram(const std::string& command, const std::string& name) {
     throw InputError(name, "there is no program " + program,
                      "give one that this user may run, with its path");
   }
+  // Of a path, dash says only that the file is there.
+  const bool is_path = program.find('/') != std::string::npos;
+  if (is_path && (access(program.c_str(), X_OK) != 0 || std::filesystem::is_directory(program))) {
+    throw InputError(name, program + " is no program that this user may run",
+                     "make it executable (chmod +x), or name its interpreter before it");
+  }
 }
 
 std::unique_ptr<Subject> Executed(const Description& description, const std::string& name) {
@@ -118,6 +124,11 @@ std::vector<std::string> OwnNames() {
   std::vector<std::string> names;
   for (const auto& maker : OwnMakers()) names.push_back(maker.first);
   return names;
+}
+
+bool IsOutside(std::string_view name) {
+  return name.starts_with(kPluginPrefix) || name.starts_with(kExecPrefix) ||
+         name.ends_with(kDescriptionEnding) || OwnMakers().contains(std::string(name));
 }
 
 std::unique_ptr<Subject> MakeOutside(const std::string& name) {

@@ -28,6 +28,9 @@ subjects::ProcessLimits& OutsideLimits();
 void RegisterOwn(const std::string& name, std::function<std::unique_ptr<Subject>()> make);
 std::vector<std::string> OwnNames();
 
+/// Whether the name is that of a subject outside: a library, a program or an own type.
+bool IsOutside(std::string_view name);
+
 /// The subject of that name in a process of its own, or nullptr if it is none of the above.
 ///
 /// Error:      InputError if the library or the file is not what it should be.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
@@ -94,6 +95,44 @@ bool IsMeshPath(const std::string& path) {
   return std::ranges::find(kMeshEndings, ending) != kMeshEndings.end();
 }
 
+// How many letters must be put in, taken out or exchanged (Levenshtein), capitals or not.
+std::size_t Distance(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (const char letter : a) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t k = 1; k < row.size(); ++k) {
+      const std::size_t exchanged = diagonal + (lower(letter) == lower(b[k - 1]) ? 0 : 1);
+      diagonal = row[k];
+      row[k] = std::min({exchanged, row[k] + 1, row[k - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// "did you mean NAME? ", if one is near.
+std::string Suggestion(std::string_view wrong, const std::vector<std::string>& names) {
+  const auto distance = [&](const std::string& name) { return Distance(wrong, name); };
+  const auto nearest = std::ranges::min_element(names, {}, distance);
+  if (nearest == names.end() || distance(*nearest) > std::max<std::size_t>(wrong.size() / 3, 2)) {
+    return "";
+  }
+  return fmt::format("did you mean {}? ", *nearest);
+}
+
+// As one word of a shell's.
+std::string Quoted(const std::string& word) {
+  constexpr std::string_view kPlain = "_-+=:,./@%";
+  const bool plain = std::ranges::all_of(word, [&](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || kPlain.find(c) != kPlain.npos;
+  });
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 void RequireTargetSize(const SceneOptions& options) {
   const auto samples = std::int64_t{options.width} * options.height;
   if (options.width >= 1 && options.height >= 1 && options.width <= kMaxTargetSide &&
@@ -137,9 +176,10 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& p
   if (subject == nullptr) subject = subjects::MakeMutant(name);
   if (subject == nullptr) subject = MakeOutside(std::string(name));
   if (subject == nullptr) {
-    throw InputError(fmt::format("subject '{}'", name), "there is no such subject",
-                     fmt::format("choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
-                                 fmt::join(SubjectNames(), ", ")));
+    throw InputError(
+        fmt::format("subject '{}'", name), "there is no such subject",
+        fmt::format("{}choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
+                    Suggestion(name, SubjectNames()), fmt::join(SubjectNames(), ", ")));
   }
   if (profile.empty()) return subject;
   return std::make_unique<JudgedSubject>(std::move(subject), named);
@@ -147,8 +187,11 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& p
 
 const props::Property& RequireProperty(const std::string& name) {
   if (const props::Property* property = props::FindProperty(name)) return *property;
-  throw InputError(fmt::format("property '{}'", name), "there is no such property",
-                   "choose one that 'rasterproof list properties' names");
+  std::vector<std::string> names;
+  for (const props::Property& property : props::Catalog()) names.emplace_back(property.name);
+  throw InputError(
+      fmt::format("property '{}'", name), "there is no such property",
+      Suggestion(name, names) + "'rasterproof list properties' names all that there are");
 }
 
 Scene LoadScene(const SceneOptions& options) {
@@ -216,6 +259,19 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
                    "use a float64 subject (f64-..., spans-exact), or \"precision\": \"float32\"");
 }
 
+std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
+  std::string command = fmt::format("rasterproof {}", verb);
+  const auto add = [&](std::string_view option, const std::string& value) {
+    if (!value.empty()) command += fmt::format("{} {}", option, Quoted(value));
+  };
+  add("", choice.path);
+  add(" --subject", choice.subject);
+  add(" --property", choice.property);
+  add(" --profile", choice.profile);
+  if (choice.index >= 0) command += fmt::format(" --seed {} --case {}", choice.seed, choice.index);
+  return command;
+}
+
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   LoadedCase loaded;
   std::string subject = choice.subject;
@@ -229,12 +285,11 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
       throw InputError("--case", "a generated case belongs to a subject and a property",
                        "give --subject and --property as well");
     }
-    loaded.subject = MakeSubject(subject);
+    loaded.subject = MakeSubject(subject, choice.profile);
     loaded.property = &RequireProperty(property);
     loaded.value = props::DrawCase(loaded.subject->Info(), *loaded.property, choice.seed,
                                    static_cast<std::uint64_t>(choice.index));
-    loaded.replay = fmt::format("rasterproof {} --subject {} --property {} --seed {} --case {}",
-                                verb, subject, property, choice.seed, choice.index);
+    loaded.replay = CommandFor(verb, choice);
     return loaded;
   }
   if (choice.path.empty()) {
@@ -248,12 +303,16 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
     throw InputError(choice.path, "the file names no subject", "give --subject");
   }
   loaded.value = file.value;
-  loaded.subject = MakeSubject(subject);
+  loaded.subject = MakeSubject(subject, choice.profile);
   // A scene promises nothing: what is judged is what the subject does.
-  if (!file.states_profile) loaded.value.profile = loaded.subject->Info().profile;
+  if (!file.states_profile || !choice.profile.empty()) {
+    loaded.value.profile = loaded.subject->Info().profile;
+  }
   if (!property.empty()) loaded.property = &RequireProperty(property);
-  loaded.replay = fmt::format("rasterproof {} {} --subject {}", verb, choice.path, subject);
-  if (!property.empty()) loaded.replay += " --property " + property;
+  CaseChoice stated = choice;
+  stated.subject = subject;
+  stated.property = property;
+  loaded.replay = CommandFor(verb, stated);
   return loaded;
 }
 

@@ -44,7 +44,11 @@ struct LoadedCase {
   const props::Property* property = nullptr;  ///< nullptr: none was named
   std::string replay;                         ///< the command that loads it again
 };
+/// Error:      InputError if the choice is of no case or of two, or lacks what its case needs.
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
+
+/// The command that runs the verb on the choice's case, quoted for a shell.
+std::string CommandFor(std::string_view verb, const CaseChoice& choice);
 
 /// Draws the scene on fresh counts of the subject's shape.
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options = {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "core/profile.h"
@@ -67,11 +68,13 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
                    std::uint64_t exercised, const std::string& claim) {
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(exercised);
-  return Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
-                           "coverage differs from " + claim + " at " +
-                               std::to_string(difference.wrong) + " of " +
-                               std::to_string(difference.samples) + " samples",
-                           WitnessOfCounts(observed, expected, difference.first_wrong));
+  Verdict verdict = Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
+                                      "coverage differs from " + claim + " at " +
+                                          std::to_string(difference.wrong) + " of " +
+                                          std::to_string(difference.samples) + " samples",
+                                      WitnessOfCounts(observed, expected, difference.first_wrong));
+  verdict.compared = std::make_shared<ComparedCounts>(observed, expected);
+  return verdict;
 }
 
 namespace {

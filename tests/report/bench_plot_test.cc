@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "nlohmann/json.hpp"
+#include "tests/report/json.h"
 
 namespace rasterproof::report {
 namespace {
@@ -39,7 +39,7 @@ BenchResult Sample() {
   return result;
 }
 
-json Points() { return json::parse(BenchPlotSpec(Sample()))["data"]["values"]; }
+json Points() { return ParseJson(BenchPlotSpec(Sample()))["data"]["values"]; }
 
 TEST(BenchTableTest, SortsEachFamilyByItsTime) {
   const std::string table = BenchToTable(Sample());
@@ -50,7 +50,7 @@ TEST(BenchTableTest, SortsEachFamilyByItsTime) {
 }
 
 TEST(BenchJsonTest, HasRatiosAndCountsButNoTimes) {
-  const json result = json::parse(BenchToJson(Sample()));
+  const json result = ParseJson(BenchToJson(Sample()));
   EXPECT_EQ(result["baseline"], "f32-incremental");
   ASSERT_EQ(result["rows"].size(), 5U);
   const json& row = result["rows"][1];
@@ -64,17 +64,17 @@ TEST(BenchPlotTest, TheFrontIsWhatNothingBeatsInBoth) {
   for (const json& point : Points()) {
     const bool expected =
         point["family"] == "needles" || point["subject"] == "exact" || point["subject"] == "quick";
-    EXPECT_EQ(point["front"], expected) << point;
+    EXPECT_EQ(point["front"], expected) << testing::PrintToString(point);
   }
 }
 
 TEST(BenchPlotTest, NamesTheNaiveMethodTheBaselineAndTheFront) {
   for (const json& point : Points()) {
-    EXPECT_EQ(point["label"], point["subject"]) << point;
+    EXPECT_EQ(point["label"], point["subject"]) << testing::PrintToString(point);
   }
   BenchResult result = Sample();
   result.rows.push_back(Row("large", "f64-direct", 2, 3));
-  const json points = json::parse(BenchPlotSpec(result))["data"]["values"];
+  const json points = ParseJson(BenchPlotSpec(result))["data"]["values"];
   const auto found = std::ranges::find_if(
       points, [](const json& point) { return point["subject"] == "f64-direct"; });
   ASSERT_NE(found, points.end());
@@ -96,7 +96,7 @@ TEST(BenchPlotTest, ColoursPointsByTheirArithmetic) {
 }
 
 TEST(BenchPlotTest, BringsItsDataWithIt) {
-  const json spec = json::parse(BenchPlotSpec(Sample()));
+  const json spec = ParseJson(BenchPlotSpec(Sample()));
   EXPECT_EQ(spec["data"]["values"].size(), 5U);
   EXPECT_FALSE(spec["data"].contains("url"));
   EXPECT_EQ(spec["facet"]["sort"], (json{"large", "needles"}));
@@ -104,8 +104,8 @@ TEST(BenchPlotTest, BringsItsDataWithIt) {
 
 TEST(BenchPlotTest, AnEmptyResultIsStillATableAndASpecification) {
   EXPECT_FALSE(BenchToTable(BenchResult{}).empty());
-  EXPECT_TRUE(json::parse(BenchPlotSpec(BenchResult{}))["data"]["values"].empty());
-  EXPECT_TRUE(json::parse(BenchToJson(BenchResult{}))["rows"].empty());
+  EXPECT_TRUE(ParseJson(BenchPlotSpec(BenchResult{}))["data"]["values"].empty());
+  EXPECT_TRUE(ParseJson(BenchToJson(BenchResult{}))["rows"].empty());
 }
 
 }  // namespace

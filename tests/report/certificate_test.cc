@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <limits>
 #include <string>
 
 #include "io/case_file.h"
-#include "nlohmann/json.hpp"
+#include "io/output.h"
+#include "tests/report/json.h"
 #include "tests/report/sample_results.h"
 #include "tests/report/schema.h"
 
@@ -16,12 +16,9 @@ namespace {
 
 using nlohmann::json;
 
-json Schema() {
-  std::ifstream file("docs/certificate.schema.json");
-  return json::parse(file);
-}
+json Schema() { return ParseJson(io::ReadFile("docs/certificate.schema.json")); }
 
-json Parsed(const Certificate& certificate) { return json::parse(CertificateToJson(certificate)); }
+json Parsed(const Certificate& certificate) { return ParseJson(CertificateToJson(certificate)); }
 
 TEST(CertificateTest, FollowsItsSchema) {
   const auto errors = SchemaErrors(Schema(), Parsed(SampleCertificate()));
@@ -93,7 +90,7 @@ TEST(CertificateTest, NumbersThatMatterAreExactAndNeverNull) {
   sample.tested[0].seconds = std::numeric_limits<double>::infinity();
   const std::string text = CertificateToJson(sample);
   EXPECT_EQ(text.find("null"), std::string::npos);
-  const json certificate = json::parse(text);
+  const json certificate = ParseJson(text);
   EXPECT_EQ(certificate["tested"][0]["worst_ratio"], "nan");
   EXPECT_EQ(certificate["tested"][1]["worst_ratio"], "inf");
   EXPECT_EQ(certificate["tested"][0]["seed"], "18446744073709551615");

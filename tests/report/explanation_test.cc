@@ -63,6 +63,24 @@ TEST(ExplanationTextTest, ShowsExpectedActualAndDifferenceSideBySide) {
             "replay: rasterproof explain case.json\n");
 }
 
+TEST(ExplanationTextTest, ShowsOnePanelWhereCoverageIsRight) {
+  Explanation explanation = Sample();
+  explanation.observed = explanation.expected;
+  EXPECT_EQ(ExplanationToText(explanation, false),
+            "3 of 12 samples differ\n"
+            "   columns 0 to 3, rows 0 to 2\n"
+            "   coverage, right everywhere\n"
+            " 0 1 1 1 1\n"
+            " 1 1[1]1 1\n"
+            " 2 1 1 1 1\n"
+            "counts: . none, 1 to 9, # more   [ ] the failing pixel\n"
+            "triangle 0, edge 0: E = -3/65536\n"
+            "replay: rasterproof explain case.json\n");
+  const std::string svg = ExplanationToSvg(explanation);
+  EXPECT_EQ(svg.find("difference"), std::string::npos);
+  EXPECT_NE(svg.find("right everywhere"), std::string::npos);
+}
+
 TEST(ExplanationTextTest, UsesColourOnlyIfAsked) {
   EXPECT_EQ(ExplanationToText(Sample(), false).find('\x1b'), std::string::npos);
   EXPECT_NE(ExplanationToText(Sample(), true).find("\x1b["), std::string::npos);

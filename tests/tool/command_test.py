@@ -296,7 +296,41 @@ class VerdictTest(TemporaryFolder):
     def test_progress_never_reaches_standard_output(self):
         result = run("check", "--subject", "i64-snap8", "--property", MODEL, "--cases", "50")
         self.assertEqual(result.returncode, 0, result.stdout)
-        self.assertEqual(len(result.stdout.decode().splitlines()), 1)
+        self.assertEqual(len(result.stdout.decode().splitlines()), 2)
+
+    def test_a_check_ends_with_its_counts_and_a_line_for_each_reason_not_to_ask(self):
+        result = run("check", "--subject", "f32-direct", "--cases", "1")
+        lines = result.stdout.decode().splitlines()
+        named = [l for l in lines if l.startswith("not applicable")]
+        (fragments,) = (l for l in named if "the subject shows no fragments: " in l)
+        self.assertEqual(fragments.count("Fragment"), 4)
+        left_out = sum(l.rsplit(": ", 1)[1].count(",") + 1 for l in named)
+        self.assertRegex(lines[-1], f"^f32-direct: .* {left_out} not applicable; [0-9]+ cases$")
+
+    def test_a_replay_is_judged_as_the_check_was(self):
+        chosen = ("--subject", "i64-snap8", "--property", MODEL)
+        self.assertEqual(run("check", *chosen, "--cases", "60").returncode, 0)
+        result = run("check", *chosen, "--profile", "real")
+        self.assertEqual(result.returncode, 1, result.stdout)
+        line = next(l for l in result.stdout.decode().splitlines() if "rasterproof replay" in l)
+        replay = line[line.index("rasterproof replay"):].split()[1:]
+        self.assertIn("--profile", replay)
+        self.assertEqual(run(*replay).returncode, 1)
+
+    def test_the_picture_is_of_what_the_claim_compares(self):
+        result = run("check", "--subject", "mutant:nan-poisons", "--property",
+                     "BadTrianglesPoisonNoOthers")  # fmt: skip
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertIn(b"[-]", result.stdout)
+
+    def test_a_name_that_is_nearly_right_is_suggested(self):
+        for given, meant in (("coverageEqualsTheModel", MODEL), ("EdgeIsZeroAtItsEnd", "Ends?")):
+            result = run("check", "--property", given)
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr.decode(), f"did you mean [A-Za-z]*{meant}")
+        result = run("check", "--subject", "f32-drect")
+        self.assertIn(b"did you mean f32-direct?", result.stderr)
+        self.assertNotIn(b"did you mean", run("check", "--subject", "zzzzzz").stderr)
 
     def test_selftest_holds_where_mutants_die_and_legal_variants_live(self):
         path = os.path.join(self.folder.name, "kills.json")

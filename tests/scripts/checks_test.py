@@ -1,6 +1,8 @@
-"""Tests that scripts/check_layers and scripts/check_text see what they are there to see."""
+"""Tests that scripts/check_layers and scripts/check_text see what they are there to see, and that
+the bugs of scripts/plants still fit the files that they are planted in."""
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -118,6 +120,20 @@ class TextTest(unittest.TestCase):
         self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
         self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
         self.expect("core/scene_utils.cc", "int width;\n", "says nothing")
+
+
+class PlantsTest(unittest.TestCase):
+    def test_every_hunk_finds_its_place(self):
+        patches = sorted((SCRIPTS / "plants").glob("*.patch"))
+        self.assertGreater(len(patches), 18)
+        for patch in patches:
+            for part in patch.read_text(encoding="utf-8").split("\n--- a/")[1:]:
+                path, *hunks = re.split(r"^@@.*$\n", part, flags=re.M)
+                file = SCRIPTS.parent / path.splitlines()[0]
+                text = file.read_text(encoding="utf-8")
+                for hunk in hunks:
+                    before = [line[1:] for line in hunk.splitlines() if line[:1] in (" ", "-")]
+                    self.assertIn("\n".join(before), text, patch.name)
 
 
 if __name__ == "__main__":

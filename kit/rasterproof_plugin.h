@@ -99,7 +99,7 @@ typedef struct rasterproof_target {
   /* NULL unless the coverage is FRAGMENTS. weights + 3 * k belongs to sample k: the barycentric
    * coordinates of the sample, for the winner's three vertices. */
   double* weights;
-  double* depths; /* the winner's z at the sample */
+  double* depths; /* the winner's z at the sample; the z of vertices asked about lie in [0, 1] */
 } rasterproof_target;
 
 /* A walk along a row (along_y 0) or a column (1): `steps` steps of `length` pixels, forward (sign

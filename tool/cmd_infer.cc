@@ -136,8 +136,8 @@ int RunInfer(const InferOptions& options) {
   if (options.json != "-") io::WriteStandardOutput(text);
   if (inference.Fits()) return inference.Agrees() ? kExitHolds : kExitViolated;
   if (inference.is_inconclusive) return kExitInconclusive;
-  // A subject that promises nothing about its samples breaks no promise.
-  return info.profile.contract == Contract::kNone ? kExitInconclusive : kExitViolated;
+  // Only who promises what each sample counts breaks a promise by following no model of it.
+  return info.profile.contract == Contract::kSampleExact ? kExitViolated : kExitInconclusive;
 }
 
 }  // namespace rasterproof::tool

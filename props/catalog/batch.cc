@@ -15,11 +15,15 @@ namespace {
 
 constexpr std::size_t kSingles = 5;
 
-// The case, some of its triangles alone, the case on a larger target, and the case again: scenes
-// that give away what is left of one in the next.
+// The case, the same indices into other vertices, the same vertices with other indices, some of its
+// triangles alone, the case on a larger target, and the case again: scenes that give away what is
+// left of one in the next.
 std::vector<DrawJob> JobsOf(const Case& c) {
   const DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
-  std::vector<DrawJob> jobs{job};
+  std::vector<DrawJob> jobs{job, job, job};
+  std::ranges::reverse(jobs[1].scene.vertices);
+  const auto last = static_cast<std::int32_t>(c.scene.vertices.size()) - 1;
+  for (Triangle& t : jobs[2].scene.triangles) t = {last - t[0], last - t[1], last - t[2]};
   for (std::size_t t = 0; t < std::min(c.scene.triangles.size(), kSingles); ++t) {
     jobs.push_back(job);
     jobs.back().scene.triangles = {c.scene.triangles[t]};

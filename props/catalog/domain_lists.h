@@ -56,9 +56,9 @@ inline constexpr auto kCoverage =
 // The same, what only the model can tell, and enough samples to find what goes wrong once in a
 // million.
 inline constexpr auto kModelCoverage = [] {
-  constexpr auto kMore =
-      std::to_array<std::string_view>({"deciding-ties", "full-targets", "wrapped-coordinates",
-                                       "extent-ends", "target-ends", "no-clip-ends"});
+  constexpr auto kMore = std::to_array<std::string_view>(
+      {"deciding-ties", "full-targets", "wrapped-coordinates", "extent-ends", "target-ends",
+       "no-clip-ends", "near-repeats", "sparse-indices"});
   std::array<std::string_view, kCoverage.size() + kMore.size()> domains;
   std::ranges::copy(kMore, std::ranges::copy(kCoverage, domains.begin()).out);
   return domains;
@@ -79,7 +79,7 @@ inline constexpr auto kMeshes =
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>(
     {"shared-edge", "fans", "grids", "triangulations", "subdivisions", "t-junctions", "closed-mesh",
      "strips", "windings", "degenerate", "near-edge", "covering-fans", "wrapped-coordinates",
-     "no-clip-ends"});
+     "no-clip-ends", "near-repeats", "sparse-indices"});
 
 // Closed surfaces.
 inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh"});

@@ -60,8 +60,8 @@ constexpr auto kProperties = std::to_array<Property>({
      .check = FragmentDepthFollowsItsWeights},
     {.name = "OneCallDrawsLikeItsTriangles",
      .group = "coverage",
-     .clause = "A mesh is its triangles: what one call with all of them gives is what calls with "
-               "each alone add up to.",
+     .clause = "A mesh is its triangles: what one call with all of them gives, also behind 256 "
+               "others, is what calls with each alone add up to.",
      .precondition = "contract sample-exact; coordinates within the limit; two triangles or more",
      .tolerance = kExact,
      .domains = kMeshes,

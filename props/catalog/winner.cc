@@ -1,6 +1,7 @@
 #include "props/catalog/winner.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "exact/coverage.h"
@@ -37,8 +38,14 @@ Verdict WinnerFollowsTheDeclaredOrder(Subject& subject, const Case& c) {
   for (std::size_t t = 0; covered.size() < job.scene.triangles.size(); ++t) {
     covered.push_back(covered[t]);
   }
-  return SameWinners(drawing, WinnersOf(covered, whole.Info().fragments.order),
-                     c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
+  Verdict verdict =
+      SameWinners(drawing, WinnersOf(covered, whole.Info().fragments.order),
+                  c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
+  if (verdict.outcome == Outcome::kViolated) {
+    verdict.message += " (the scene drawn over itself, " +
+                       std::to_string(job.scene.triangles.size()) + " triangles)";
+  }
+  return verdict;
 }
 
 }  // namespace rasterproof::props

@@ -47,6 +47,10 @@ Case FullTargets(BitSource& bits, const SubjectInfo& info);
 /// Triangles one vertex of which decides a sample by how it is snapped.
 void AddDecidingTies(Sketch& sketch);
 
+// recipes_lists.cc
+Case NearRepeats(BitSource& bits, const SubjectInfo& info);
+Case SparseIndices(BitSource& bits, const SubjectInfo& info);
+
 // recipes_promises.cc: what is next to a promise that only some profiles make.
 Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info);
 Case ExtentEnds(BitSource& bits, const SubjectInfo& info);

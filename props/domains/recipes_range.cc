@@ -168,7 +168,7 @@ void AddDecidingTies(Sketch& sketch) {
                ? double{MoveByUlps(static_cast<float>(tie), ulps)}
                : MoveByUlps(tie, ulps);
   };
-  const std::int64_t triangles = bits.Int(1, 3);
+  const std::int64_t triangles = bits.Int(2, 6);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // From the grid place the edge passes through a sample; from its neighbours it does not.
     const Point2 p = sketch.Sample();

@@ -1,5 +1,6 @@
 #include "props/run/property_domains.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,10 @@
 
 namespace rasterproof::props {
 namespace {
+
+// What a transform rounds otherwise by an ulp shows where the snap has a tie, and hardly elsewhere.
+constexpr std::string_view kTies = "deciding-ties";
+constexpr std::size_t kTiesOfTransforms = 8;
 
 const Domain* SuitableDomain(std::string_view name, const SubjectInfo& info) {
   const Domain* domain = FindDomain(name);
@@ -20,7 +25,9 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
   std::vector<const Domain*> domains;
   for (const std::string_view name : property.domains) {
     const Domain* domain = SuitableDomain(name, info);
-    if (domain != nullptr) domains.push_back(domain);
+    if (domain == nullptr) continue;
+    const bool shows_roundings = OwnsTransform(info) && name == kTies;
+    domains.insert(domains.end(), shows_roundings ? kTiesOfTransforms : 1, domain);
   }
   return domains;
 }

@@ -86,6 +86,33 @@ std::vector<Planted> Leaks() {
                          return number != 0 &&
                                 TwiceArea(Corners(scene, scene.triangles[number - 1])) == 0;
                        }}},
+      {"leak-set-up", "the set-up before is used again if five of six coordinates agree", "",
+       FixedStages{.edges =
+                       [last = GridTriangle{}](GridTriangle& t) mutable {
+                         const bool agrees = t.number != 0 && t.v[0].x == last.v[0].x &&
+                                             t.v[0].y == last.v[0].y && t.v[1].x == last.v[1].x &&
+                                             t.v[1].y == last.v[1].y && t.v[2].x == last.v[2].x;
+                         if (agrees) t.edges = last.edges;
+                         last = t;
+                       }}},
+      {"leak-after-wide", "what goes on from a triangle of over 1024 pixels is lost with it", "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         if (number == 0) return false;
+                         const Triangle& last = scene.triangles[number - 1];
+                         const Triangle& t = scene.triangles[number];
+                         const std::array<Vertex, 3> v = Corners(scene, last);
+                         return t[0] == last[1] && t[1] == last[2] &&
+                                Extent(v[0].x, v[1].x, v[2].x) > 1024;
+                       }}},
+      {"many-lost", "triangles from 256 on are lost", "",
+       FixedStages{.drops = [](const Scene&, std::size_t number) { return number >= 256; }}},
+      {"many-vertices-lost", "triangles with vertices from 256 on are lost", "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         return std::ranges::any_of(scene.triangles[number],
+                                                    [](std::int32_t i) { return i >= 256; });
+                       }}},
       {"leak-cached-vertex", "vertices 65, 129, ... are lost from the cache, with their triangles",
        "",
        FixedStages{.drops =

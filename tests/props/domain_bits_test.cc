@@ -138,15 +138,17 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"range-ends", 0xef1d65f2bac87a70},
       {"tiny-ends", 0x9b4c1e855d07cb07},
       {"sub-pixel", 0x92273b60fcf3495e},
-      {"deciding-ties", 0xa10c6481c1e1f3ff},
+      {"deciding-ties", 0x74470f21d10dec6e},
       {"full-targets", 0x6397510bcbeff90d},
       {"far-negative-corners", 0x1ee96610e9d44a16},
       {"covering-fans", 0x9b726aa059a568b6},
       {"wrapped-coordinates", 0xfabbadb6b9cdd84d},
       {"extent-ends", 0xd5d891f584c51d35},
       {"no-clip-ends", 0x6af4e7cc0bf789ab},
-      {"target-ends", 0x2aa69fc6edb2fa35},
-      {"codec examples", 0xbf28859c5d5ca479},
+      {"target-ends", 0x9ac0171ff55ad36c},
+      {"near-repeats", 0xeaf8df9bfe302900},
+      {"sparse-indices", 0x5f8f39b3cbfd5e3d},
+      {"codec examples", 0x891c61ccb468e150},
   };
   return golden;
 }

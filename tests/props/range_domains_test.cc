@@ -97,6 +97,55 @@ TEST(CoveringFans, CoverEverySampleOnceFromFarAway) {
   }
 }
 
+TEST(NearRepeats, AgreeWithTheTriangleBeforeInAllButACoordinate) {
+  const auto agree = [](const Case& c) {
+    const Scene& scene = c.scene;
+    for (std::size_t t = 1; t < scene.triangles.size(); ++t) {
+      const std::array<Vertex, 3> a = Corners(scene, scene.triangles[t - 1]);
+      const std::array<Vertex, 3> b = Corners(scene, scene.triangles[t]);
+      int equal = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        equal += (a[k].x == b[k].x ? 1 : 0) + (a[k].y == b[k].y ? 1 : 0);
+      }
+      if (equal == 5) return true;
+    }
+    return false;
+  };
+  EXPECT_GE(CasesThat("near-repeats", SnappedInfo(8), agree), 100);
+  EXPECT_LE(CasesThat("windings", SnappedInfo(8), agree), 20);
+}
+
+// The next triangle after one that reaches far shares two of its corners, in order.
+TEST(NearRepeats, GoOnFromTrianglesThatMayBeDropped) {
+  const auto goes_on = [](const Case& c) {
+    const Scene& scene = c.scene;
+    for (std::size_t t = 1; t < scene.triangles.size(); ++t) {
+      const Triangle& last = scene.triangles[t - 1];
+      const auto [left, right] = std::ranges::minmax(Corners(scene, last), {}, &Vertex::x);
+      const bool shares = scene.triangles[t][0] == last[1] && scene.triangles[t][1] == last[2];
+      if (shares && right.x - left.x > 1024) return true;
+    }
+    return false;
+  };
+  EXPECT_GE(CasesThat("near-repeats", SnappedInfo(8), goes_on), 5);
+}
+
+TEST(SparseIndices, AgreeInTheirLowerBits) {
+  const auto agree = [](const Case& c) {
+    const auto byte = [](std::int32_t index) { return index % 256; };
+    for (std::size_t t = 1; t < c.scene.triangles.size(); ++t) {
+      Triangle a = c.scene.triangles[t - 1];
+      Triangle b = c.scene.triangles[t];
+      if (std::ranges::max(a) == std::ranges::max(b)) continue;
+      std::ranges::sort(a, {}, byte);
+      std::ranges::sort(b, {}, byte);
+      if (std::ranges::equal(a, b, {}, byte, byte)) return true;
+    }
+    return false;
+  };
+  EXPECT_GE(CasesThat("sparse-indices", SnappedInfo(8), agree), 60);
+}
+
 // What llvmpipe 22.3 does to some of them (docs/findings.md).
 TEST(CoveringFans, ShowTheLossOfTrianglesThatReachFar) {
   PlantedSubject subject = LosesLarge(SnappedInfo(8), 4096);

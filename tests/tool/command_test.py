@@ -86,6 +86,13 @@ class InferTest(TemporaryFolder):
         self.assertLess(inference["nearest"]["wrong_samples"], inference["nearest"]["samples"])
         self.assertEqual(inference["witness"]["subject"], "f32-incremental")
 
+    def test_only_who_promises_samples_breaks_a_promise_by_following_no_model(self):
+        subject = ("infer", "--subject", "mutant:ties-by-slope")
+        self.assertEqual(run(*subject).returncode, 1)
+        text = '{"name": "c", "subpixel_bits": 8, "contract": "conservative-over"}'
+        over = self.write(text, "c.json")
+        self.assertEqual(run(*subject, "--profile", over).returncode, 4)
+
 
 class CoverageTest(TemporaryFolder):
     def check(self, width, height, vertices, triangles, **more):

@@ -182,6 +182,10 @@ class Outputs(unittest.TestCase):
             ("MESH_COUNTS", "OneCallDrawsLikeItsTriangles"),
             ("MESH_MASK", "OneCallDrawsLikeItsTriangles"),
             ("MESH_WINNERS", "OneCallDrawsLikeItsTriangles"),
+            ("MANY_FACING_COUNTS", "OneCallDrawsLikeItsTriangles"),
+            ("MANY_COUNTS", "OneCallDrawsLikeItsTriangles"),
+            ("MANY_MASK", "OneCallDrawsLikeItsTriangles"),
+            ("MANY_WINNERS", "OneCallDrawsLikeItsTriangles"),
             ("FIRST_WINS", "OneCallDrawsLikeItsTriangles"),
             ("FIRST_WINS", "WinnerFollowsTheDeclaredOrder"),
             ("ID", "WinnerFollowsTheDeclaredOrder"),
@@ -193,6 +197,8 @@ class Outputs(unittest.TestCase):
             ("CULLING", "CullingRemovesOneFacing"),
             ("BATCH_LAST", "BatchDrawsLikeSingleCalls"),
             ("BATCH_LEAK", "BatchDrawsLikeSingleCalls"),
+            ("BATCH_INDICES", "BatchDrawsLikeSingleCalls"),
+            ("BATCH_VERTICES", "BatchDrawsLikeSingleCalls"),
         ):
             with self.subTest(name=name):
                 self.assertIn("violated", self.check(name, [found_by], status=1))

@@ -141,6 +141,8 @@ static int32_t draw(void* state, const rasterproof_scene* scene, const rasterpro
   size_t count = scene->triangle_count;
 #if defined(FAULT_MESH)
   if (count > 1) --count;
+#elif defined(FAULT_MANY)
+  if (count > 256) count = 256;
 #endif
   for (size_t n = 0; n < count; ++n) {
     triangle t;
@@ -158,6 +160,18 @@ static int32_t draw_many(void* state, const rasterproof_scene* const* scenes,
     if (k + 1 == n) continue;
 #elif defined(FAULT_BATCH_LEAK)
     if (k > 0 && targets[k - 1]->front[0] != 0) targets[k]->front[0] += 1;
+#elif defined(FAULT_BATCH_INDICES) || defined(FAULT_BATCH_VERTICES)
+    if (k > 0 && scenes[k]->triangle_count == scenes[k - 1]->triangle_count &&
+        scenes[k]->vertex_count == scenes[k - 1]->vertex_count) {
+      rasterproof_scene stale = *scenes[k];
+#if defined(FAULT_BATCH_INDICES)
+      stale.triangles = scenes[k - 1]->triangles;
+#else
+      stale.vertices = scenes[k - 1]->vertices;
+#endif
+      if (draw(state, &stale, targets[k]) != 0) return 1;
+      continue;
+    }
 #elif defined(FAULT_BATCH_CRASH)
     if (scenes[k]->triangle_count == 3) abort();
 #elif defined(FAULT_BATCH_CRASH_TOGETHER)

@@ -74,7 +74,7 @@ Pixel PixelAt(const CoverageCounts& observed, const CoverageCounts& expected, in
 
 std::span<const std::string_view> PanelTitles(const Explanation& explanation) {
   static constexpr std::array<std::string_view, 3> kThree{"expected", "actual", "difference"};
-  static constexpr std::array<std::string_view, 1> kOne{"coverage, right everywhere"};
+  static constexpr std::array<std::string_view, 1> kOne{"coverage, as expected"};
   if (Compare(explanation.observed, explanation.expected).wrong == 0) return kOne;
   return kThree;
 }

@@ -68,11 +68,12 @@ class NotAsked {
     Reason& entry = same != reasons_.end() ? *same : reasons_.emplace_back(Reason{reason, {}});
     entry.properties.emplace_back(property);
   }
-  std::string Lines(const std::string& subject) const {
+  /// `of` names the scene in front of each reason, or is empty.
+  std::string Lines(const std::string& subject, const std::string& of) const {
     std::string lines;
     for (const Reason& reason : reasons_) {
-      lines += fmt::format("{:<16} {:<10} {}: {}\n", OutcomeName(Outcome::kNotApplicable), subject,
-                           reason.text, fmt::join(reason.properties, ", "));
+      lines += fmt::format("{:<16} {:<10} {}{}: {}\n", OutcomeName(Outcome::kNotApplicable),
+                           subject, of, reason.text, fmt::join(reason.properties, ", "));
     }
     return lines;
   }
@@ -133,14 +134,14 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
                         CommandFor("replay", choice), /*colour=*/false);
     if (!options.save.empty()) SaveCounterexample(options.save, result);
   }
-  text += not_asked.Lines(name);
+  text += not_asked.Lines(name, "");
 }
 
 void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progress,
                 std::string& text, Tally& tally) {
   const std::string& name = subject.Info().name;
-  NotAsked not_asked;
   for (const std::string& path : options.scenes) {
+    NotAsked not_asked;
     Case given = io::ReadCase(path).value;
     given.profile = subject.Info().profile;
     RequireTakes(subject, given.scene, path);
@@ -164,8 +165,8 @@ void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progres
       text += FailureText(subject, std::string(property->name), given, verdict,
                           CommandFor("replay", choice), /*colour=*/false);
     }
+    text += not_asked.Lines(name, path + ": ");
   }
-  text += not_asked.Lines(name);
 }
 
 // What finds out more about a subject of the user's own that does not draw as it promises.

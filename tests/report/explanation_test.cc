@@ -69,7 +69,7 @@ TEST(ExplanationTextTest, ShowsOnePanelWhereCoverageIsRight) {
   EXPECT_EQ(ExplanationToText(explanation, false),
             "3 of 12 samples differ\n"
             "   columns 0 to 3, rows 0 to 2\n"
-            "   coverage, right everywhere\n"
+            "   coverage, as expected\n"
             " 0 1 1 1 1\n"
             " 1 1[1]1 1\n"
             " 2 1 1 1 1\n"
@@ -78,7 +78,7 @@ TEST(ExplanationTextTest, ShowsOnePanelWhereCoverageIsRight) {
             "replay: rasterproof explain case.json\n");
   const std::string svg = ExplanationToSvg(explanation);
   EXPECT_EQ(svg.find("difference"), std::string::npos);
-  EXPECT_NE(svg.find("right everywhere"), std::string::npos);
+  EXPECT_NE(svg.find("as expected"), std::string::npos);
 }
 
 TEST(ExplanationTextTest, UsesColourOnlyIfAsked) {

@@ -314,6 +314,15 @@ class VerdictTest(TemporaryFolder):
         left_out = sum(l.rsplit(": ", 1)[1].count(",") + 1 for l in named)
         self.assertRegex(lines[-1], f"^f32-direct: .* {left_out} not applicable; [0-9]+ cases$")
 
+    def test_each_scene_says_for_itself_what_was_not_asked(self):
+        scenes = [os.path.join(SOURCES, "scenes", name) for name in ("ties.json", "fan.json")]
+        lines = run("check", *scenes, "--subject", "f32-direct").stdout.decode().splitlines()
+        told = [l for l in lines if "the subject shows no fragments: " in l]
+        self.assertEqual(len(told), 2, lines)
+        for scene, line in zip(scenes, told):
+            self.assertIn(f" {scene}: ", line)
+            self.assertEqual(line.count("FragmentWeightsSumToOne"), 1)
+
     def test_a_replay_is_judged_as_the_check_was(self):
         chosen = ("--subject", "i64-snap8", "--property", MODEL)
         self.assertEqual(run("check", *chosen, "--cases", "60").returncode, 0)

@@ -3,6 +3,7 @@
 #define RASTERPROOF_CORE_SUBJECT_H_
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/drawing.h"
+#include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
@@ -137,6 +139,14 @@ struct EdgeClaims {
   friend bool operator==(const EdgeClaims&, const EdgeClaims&) = default;
 };
 
+/// A statement about a method's arithmetic that a script proves.
+struct Proof {
+  std::string statement;
+  std::string script;  ///< in reference/proofs/, run by the tests
+
+  friend bool operator==(const Proof&, const Proof&) = default;
+};
+
 /// What a subject says of itself.
 struct SubjectInfo {
   std::string name;
@@ -161,6 +171,11 @@ struct SubjectInfo {
   FragmentClaims fragments;
   /// For subjects that show edge values and state their bounds as numbers.
   EdgeClaims edges;
+  /// True if its method claims 0 wrong samples against its own profile. Methods of reference/ and
+  /// deciders of exact/ alone; nothing that comes from outside sets it.
+  bool claims_exact = false;
+  /// What is proved of its arithmetic. Methods of reference/ alone.
+  std::vector<Proof> proofs;
 };
 
 /// Returns whether a call tells which triangle won each sample.
@@ -178,8 +193,8 @@ class Subject {
   ///
   /// Domain:     a scene that Takes() accepts; counts of the scene's and the profile's shape.
   /// Properties: never writes outside the target or the scissor; equal calls give equal counts.
-  /// Error:      InputError if it refuses the scene; SubjectFault if it broke down over it (the
-  ///             next call starts it afresh).
+  /// Error:      SubjectRefusal if it refuses the scene; SubjectFault if it broke down over it, and
+  ///             SubjectTooSlow if it took longer than it may (the next call starts it afresh).
   virtual void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) = 0;
   /// Draws onto a target of its own and gives back all that the subject shows.
   ///
@@ -194,6 +209,9 @@ class Subject {
   /// The subject whose calls each go to the rasterizer as they are. Another one than this where
   /// this splits a scene, to tell facings or overlaps that the rasterizer does not tell.
   virtual Subject& Whole() { return *this; }
+  /// Draws that are not done by then may end with SubjectTooSlow. What runs in this process can't
+  /// be stopped, and pays no heed.
+  virtual void SetDeadline(std::chrono::steady_clock::time_point /*deadline*/) {}
   /// Optional capabilities; nullptr where the subject has none.
   virtual const EdgeEvaluator* Edges() const { return nullptr; }
   virtual const WeightEvaluator* Weights() const { return nullptr; }
@@ -203,6 +221,18 @@ class Subject {
 class SubjectFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A subject that took longer over a draw than it may: neither a finding nor a pass.
+class SubjectTooSlow : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A subject that says that it does not draw this scene.
+class SubjectRefusal : public InputError {
+ public:
+  using InputError::InputError;
 };
 
 /// Returns whether the subject takes scenes of this kind and precision, and coordinates that its

@@ -14,6 +14,10 @@ std::string_view OutcomeName(Outcome outcome) {
       return "not exercised";
     case Outcome::kNotApplicable:
       return "not applicable";
+    case Outcome::kRefused:
+      return "refused";
+    case Outcome::kInconclusive:
+      return "inconclusive";
   }
   return "";
 }

@@ -15,8 +15,10 @@ namespace rasterproof {
 enum class Outcome : std::uint8_t {
   kHolds,
   kViolated,
-  kNotExercised,  ///< the case met the precondition nowhere: neither good nor bad
-  kNotApplicable  ///< the subject or the profile does not promise this at all
+  kNotExercised,   ///< the case met the precondition nowhere: neither good nor bad
+  kNotApplicable,  ///< the subject or the profile does not promise this at all
+  kRefused,        ///< of one case, never of a run: the subject refused the scene
+  kInconclusive    ///< it could not be judged: too slow, not deterministic, too much refused
 };
 
 /// Where a claim failed. Entries that do not apply are -1 or empty.
@@ -47,9 +49,18 @@ struct Verdict {
   std::optional<Witness> witness;
   /// What differs, where the claim is about whole drawings; they need not be those of the case.
   std::shared_ptr<const ComparedCounts> compared = nullptr;
+  /// Samples that the claim is about and that it does not judge, because a legal choice of the
+  /// subject's could turn, flatten or fold a triangle there.
+  std::uint64_t not_judged = 0;
 
   static Verdict NotApplicable(std::string why) {
     return {Outcome::kNotApplicable, 0, 0, std::move(why), std::nullopt};
+  }
+  static Verdict Refused(std::string why) {
+    return {Outcome::kRefused, 0, 0, std::move(why), std::nullopt};
+  }
+  static Verdict Inconclusive(std::string why) {
+    return {Outcome::kInconclusive, 0, 0, std::move(why), std::nullopt};
   }
   /// Holds if exercised at least once.
   static Verdict Held(std::uint64_t exercised, double worst_ratio = 0) {
@@ -64,7 +75,7 @@ struct Verdict {
   }
 };
 
-/// "holds", "violated", "not exercised", "not applicable".
+/// "holds", "violated", "not exercised", "not applicable", "refused", "inconclusive".
 std::string_view OutcomeName(Outcome outcome);
 
 }  // namespace rasterproof

@@ -67,7 +67,9 @@ void AppendProperty(pugi::xml_node suite, const Certificate& certificate,
       break;
     }
     case Outcome::kNotExercised:
-    case Outcome::kNotApplicable: {
+    case Outcome::kNotApplicable:
+    case Outcome::kRefused:
+    case Outcome::kInconclusive: {
       std::string reason(OutcomeName(result.outcome));
       if (!result.message.empty()) reason += ": " + result.message;
       Skip(test, reason, totals);

@@ -37,7 +37,10 @@ std::string_view Mark(Outcome outcome) {
     case Outcome::kNotExercised:
       return "<span class=\"mark idle\">○</span>";
     case Outcome::kNotApplicable:
+    case Outcome::kRefused:
       return "<span class=\"mark none\">–</span>";
+    case Outcome::kInconclusive:
+      return "<span class=\"mark idle\">?</span>";
   }
   return "";
 }

@@ -56,7 +56,7 @@ class Tally {
   }
 
  private:
-  std::array<std::uint64_t, 4> counts_{};  // by Outcome
+  std::array<std::uint64_t, 6> counts_{};  // by Outcome
   std::uint64_t cases_ = 0;
 };
 

@@ -184,7 +184,7 @@ std::string RequireHead(const std::string& line, std::string_view word, std::uin
                         const std::string& subject) {
   if (const auto reason = AfterHead(line, "fault", id)) throw SubjectFault(*reason);
   if (const auto reason = AfterHead(line, "refused", id)) {
-    throw InputError("subject " + subject, "it refused the scene: " + *reason,
+    throw SubjectRefusal("subject " + subject, "it refused the scene: " + *reason,
                      "give it another one");
   }
   if (std::optional<std::string> rest = AfterHead(line, word, id)) return *std::move(rest);

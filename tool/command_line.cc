@@ -418,6 +418,9 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
   } catch (const SubjectFault& fault) {
     std::cerr << "rasterproof: the subject failed: " << fault.what() << '\n';
     return kExitViolated;
+  } catch (const SubjectTooSlow& slow) {
+    std::cerr << "rasterproof: the subject is too slow to judge: " << slow.what() << '\n';
+    return kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";
     return kExitUsage;

@@ -15,6 +15,7 @@
 #include "core/subject.h"
 #include "fmt/format.h"
 #include "tool/commands.h"
+#include "tool/interrupt.h"
 #include "tool/outside.h"
 
 namespace rasterproof::tool {
@@ -142,9 +143,18 @@ void AddPipe(CLI::App* app, PipeOptions& options) {
   AddCampaign(app, options.campaign);
 }
 
+using Run = std::function<int()>;
+
+// For verbs that say what they know so far when they are interrupted. Any other one ends at once,
+// as programs do.
+int UntilInterrupted(const Run& verb) {
+  CatchInterrupts();
+  const int status = verb();
+  return Interrupted() ? InterruptStatus() : status;
+}
+
 // Every verb adds its options and what is to be run. The option structures live as long as the
 // program.
-using Run = std::function<int()>;
 
 void AddList(CLI::App& app, Run& run) {
   static ListOptions options;
@@ -205,7 +215,8 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_option("--save", options.save, "Folder for shrunken counterexamples");
   AddCampaign(verb, options.campaign);
-  verb->callback([&run] { run = [] { return RunCheck(options); }; });
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunCheck(options); }); }; });
 }
 
 void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::string& own) {
@@ -221,7 +232,8 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")->capture_default_str();
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
   AddCampaign(verb, options.campaign);
-  verb->callback([&run] { run = [] { return RunCertify(options); }; });
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });
 }
 
 void AddInfer(CLI::App& app, Run& run) {
@@ -272,7 +284,8 @@ void AddShrink(CLI::App& app, Run& run) {
   AddCase(verb, options.choice);
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
   verb->add_option("--budget", options.budget, "Most evaluations")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunShrink(options); }; });
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
 }
 
 void AddPlan(CLI::App& app, Run& run) {
@@ -419,8 +432,8 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
     std::cerr << "rasterproof: the subject failed: " << fault.what() << '\n';
     return kExitViolated;
   } catch (const SubjectTooSlow& slow) {
-    std::cerr << "rasterproof: the subject is too slow to judge: " << slow.what() << '\n';
-    return kExitInconclusive;
+    std::cerr << "rasterproof: the subject was too slow to judge: " << slow.what() << '\n';
+    return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";
     return kExitUsage;

@@ -14,8 +14,10 @@
 #include "core/error.h"
 #include "core/subject.h"
 #include "fmt/format.h"
+#include "report/text.h"
 #include "tool/commands.h"
 #include "tool/outside.h"
+#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -224,8 +226,9 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   verb->callback([&run] { run = [] { return RunCertify(options); }; });
 }
 
-void AddInfer(CLI::App& app, Run& run) {
+void AddInfer(CLI::App& app, Run& run, const std::string& own) {
   static InferOptions options;
+  options.subject = own;
   CLI::App* verb =
       app.add_subcommand("infer", "The model that a subject follows, found by experiment");
   AddSubject(verb, options.subject);
@@ -239,15 +242,17 @@ void AddInfer(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunInfer(options); }; });
 }
 
-void AddReplay(CLI::App& app, Run& run) {
+void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
   static ReplayOptions options;
+  options.choice.typed = typed;
   CLI::App* verb = app.add_subcommand("replay", "Run one case again, saved or generated");
   AddCase(verb, options.choice);
   verb->callback([&run] { run = [] { return RunReplay(options); }; });
 }
 
-void AddExplain(CLI::App& app, Run& run) {
+void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
   static ExplainOptions options;
+  options.choice.typed = typed;
   CLI::App* verb =
       app.add_subcommand("explain", "The pixel grid at the failing place, with exact edge values");
   AddCase(verb, options.choice);
@@ -266,8 +271,9 @@ void AddExplain(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunExplain(options); }; });
 }
 
-void AddShrink(CLI::App& app, Run& run) {
+void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
   static ShrinkOptions options;
+  options.choice.typed = typed;
   CLI::App* verb = app.add_subcommand("shrink", "Make a failing case as small as it gets");
   AddCase(verb, options.choice);
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
@@ -359,9 +365,10 @@ void AddHost(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return HostSubject(options.subject, options.describe); }; });
 }
 
+// As it was typed, to be typed again.
 std::string CommandLine(int argc, char** argv) {
   std::string line = "rasterproof";
-  for (int k = 1; k < argc; ++k) line += std::string(" ") + argv[k];
+  for (int k = 1; k < argc; ++k) line += " " + ShellWord(argv[k]);
   return line;
 }
 
@@ -371,16 +378,17 @@ int Parse(int argc, char** argv, const std::string& own) {
   app.set_version_flag("--version", "rasterproof " RASTERPROOF_VERSION);
   Run run;
   AddCheck(app, run, own);
-  AddExplain(app, run);
-  AddReplay(app, run);
-  AddInfer(app, run);
-  AddCertify(app, run, CommandLine(argc, argv), own);
+  const std::string typed = CommandLine(argc, argv);
+  AddExplain(app, run, typed);
+  AddReplay(app, run, typed);
+  AddInfer(app, run, own);
+  AddCertify(app, run, typed, own);
   AddList(app, run);
   AddCoverage(app, run);
   AddRender(app, run);
   AddPlan(app, run);
   AddBench(app, run);
-  AddShrink(app, run);
+  AddShrink(app, run, typed);
   AddDiff(app, run);
   AddDecode(app, run);
   AddSelftest(app, run);
@@ -413,10 +421,11 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
   try {
     return Parse(argc, argv, own);
   } catch (const InputError& error) {
-    std::cerr << "rasterproof: " << error.what() << '\n';
+    // The words of a file or a program may be in it: nothing of theirs steers the terminal.
+    std::cerr << "rasterproof: " << report::CleanText(error.what()) << '\n';
     return kExitUsage;
   } catch (const SubjectFault& fault) {
-    std::cerr << "rasterproof: the subject failed: " << fault.what() << '\n';
+    std::cerr << "rasterproof: the subject failed: " << report::CleanText(fault.what()) << '\n';
     return kExitViolated;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";

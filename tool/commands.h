@@ -99,6 +99,7 @@ struct CaseChoice {
   std::string profile;  ///< judge by this one; empty: the file's, or the subject's own
   std::uint64_t seed = 1;
   std::int64_t index = -1;
+  std::string typed;  ///< the command line as the user gave it, quoted for a shell
 };
 
 struct ReplayOptions {

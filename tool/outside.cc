@@ -126,9 +126,13 @@ std::vector<std::string> OwnNames() {
   return names;
 }
 
-bool IsOutside(std::string_view name) {
+bool NamesWhatToRun(std::string_view name) {
   return name.starts_with(kPluginPrefix) || name.starts_with(kExecPrefix) ||
-         name.ends_with(kDescriptionEnding) || OwnMakers().contains(std::string(name));
+         name.ends_with(kDescriptionEnding);
+}
+
+bool IsOutside(std::string_view name) {
+  return NamesWhatToRun(name) || OwnMakers().contains(std::string(name));
 }
 
 std::unique_ptr<Subject> MakeOutside(const std::string& name) {

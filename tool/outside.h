@@ -28,6 +28,10 @@ subjects::ProcessLimits& OutsideLimits();
 void RegisterOwn(const std::string& name, std::function<std::unique_ptr<Subject>()> make);
 std::vector<std::string> OwnNames();
 
+/// Whether the name is of a kind that says what to run or to load: a library, a program, or a file
+/// that names one.
+bool NamesWhatToRun(std::string_view name);
+
 /// Whether the name is that of a subject outside: a library, a program or an own type.
 bool IsOutside(std::string_view name);
 

@@ -24,6 +24,7 @@
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/outside.h"
+#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -121,16 +122,35 @@ std::string Suggestion(std::string_view wrong, const std::vector<std::string>& n
   return fmt::format("did you mean {}? ", *nearest);
 }
 
-// As one word of a shell's.
-std::string Quoted(const std::string& word) {
-  constexpr std::string_view kPlain = "_-+=:,./@%";
-  const bool plain = std::ranges::all_of(word, [&](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || kPlain.find(c) != kPlain.npos;
-  });
-  if (plain) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+// What this program is made of: no name of these makes another program run than the user's own.
+bool IsOurs(const std::string& name) {
+  if (NamesWhatToRun(name)) return false;
+  const std::vector<std::string> own = OwnNames();
+  return MakeOracle(name, {}) != nullptr || subjects::MakeBuiltin(name) != nullptr ||
+         subjects::MakeMutant(name) != nullptr || std::ranges::find(own, name) != own.end();
+}
+
+// Case files are what people exchange: one must not decide what runs on the machine that reads it.
+void RequireOursInFile(const std::string& name, const CaseChoice& choice, std::string_view verb) {
+  if (IsOurs(name)) return;
+  if (!NamesWhatToRun(name)) {
+    throw InputError(choice.path,
+                     fmt::format("there is no subject {}, which it names", ShellWord(name)),
+                     "give --subject; 'rasterproof list subjects' names all that there are");
+  }
+  constexpr std::size_t kLongestShown = 1000;  // what a reader can judge before typing it
+  const std::string option = SubjectOption(name);
+  if (option.size() > kLongestShown) {
+    throw InputError(choice.path,
+                     fmt::format("the file names a subject outside this program, in {} characters, "
+                                 "and no file decides what is run",
+                                 name.size()),
+                     "if you trust it, name it yourself: --plugin, --exec or --subject");
+  }
+  const std::string typed = choice.typed.empty() ? CommandFor(verb, choice) : choice.typed;
+  throw InputError(choice.path,
+                   "the file names a subject outside this program, and no file decides what is run",
+                   fmt::format("if you trust it, name it yourself: {} {}", typed, option));
 }
 
 void RequireTargetSize(const SceneOptions& options) {
@@ -259,13 +279,23 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
                    "use a float64 subject (f64-..., spans-exact), or \"precision\": \"float32\"");
 }
 
+std::string SubjectOption(const std::string& name) {
+  if (name.starts_with(kPluginPrefix)) {
+    return "--plugin " + ShellWord(name.substr(kPluginPrefix.size()));
+  }
+  if (name.starts_with(kExecPrefix)) return "--exec " + ShellWord(name.substr(kExecPrefix.size()));
+  return "--subject " + ShellWord(name);
+}
+
 std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   std::string command = fmt::format("rasterproof {}", verb);
   const auto add = [&](std::string_view option, const std::string& value) {
-    if (!value.empty()) command += fmt::format("{} {}", option, Quoted(value));
+    if (!value.empty()) command += fmt::format("{} {}", option, ShellWord(value));
   };
-  add("", choice.path);
-  add(" --subject", choice.subject);
+  // What begins like an option is none behind "./".
+  const bool like_option = choice.path.size() > 1 && choice.path.front() == '-';
+  add("", like_option ? "./" + choice.path : choice.path);
+  if (!choice.subject.empty()) command += " " + SubjectOption(choice.subject);
   add(" --property", choice.property);
   add(" --profile", choice.profile);
   if (choice.index >= 0) command += fmt::format(" --seed {} --case {}", choice.seed, choice.index);
@@ -276,7 +306,10 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   LoadedCase loaded;
   std::string subject = choice.subject;
   std::string property = choice.property;
+  const std::vector<std::string> own = OwnNames();
+  const std::string unnamed = own.empty() ? std::string() : own.front();  // of kit/main.h's program
   if (choice.index >= 0) {
+    if (subject.empty()) subject = unnamed;
     if (!choice.path.empty()) {
       throw InputError("--case", "a case file and the number of a generated case were both given",
                        "give one of them");
@@ -289,7 +322,9 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
     loaded.property = &RequireProperty(property);
     loaded.value = props::DrawCase(loaded.subject->Info(), *loaded.property, choice.seed,
                                    static_cast<std::uint64_t>(choice.index));
-    loaded.replay = CommandFor(verb, choice);
+    CaseChoice stated = choice;
+    stated.subject = subject;
+    loaded.replay = CommandFor(verb, stated);
     return loaded;
   }
   if (choice.path.empty()) {
@@ -297,7 +332,11 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
                      "give a case file, or --subject, --property, --seed and --case");
   }
   const io::CaseFile file = io::ReadCase(choice.path);
-  if (subject.empty()) subject = file.subject;
+  if (subject.empty() && !file.subject.empty()) {
+    RequireOursInFile(file.subject, choice, verb);
+    subject = file.subject;
+  }
+  if (subject.empty()) subject = unnamed;
   if (property.empty()) property = file.property;
   if (subject.empty()) {
     throw InputError(choice.path, "the file names no subject", "give --subject");

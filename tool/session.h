@@ -44,8 +44,15 @@ struct LoadedCase {
   const props::Property* property = nullptr;  ///< nullptr: none was named
   std::string replay;                         ///< the command that loads it again
 };
-/// Error:      InputError if the choice is of no case or of two, or lacks what its case needs.
+/// A subject that only the file names is one of this program's own: the built-in ones, the oracle,
+/// planted bugs and legal variants, the type of kit/main.h. Any other is for the user to name.
+///
+/// Error:      InputError if the choice is of no case or of two, or lacks what its case needs; with
+///             the command to type where the file names a subject outside.
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
+
+/// The option that names the subject on a command line, quoted for a shell: "--exec './a b'".
+std::string SubjectOption(const std::string& name);
 
 /// The command that runs the verb on the choice's case, quoted for a shell.
 std::string CommandFor(std::string_view verb, const CaseChoice& choice);

@@ -1,4 +1,4 @@
-"""Saved cases: what a file may bring to run (nothing), and the commands that are printed to be typed.
+"""Saved cases: what a file may bring to run (nothing), and commands that are printed to be typed.
 
 usage: saved_case_test.py PROGRAM SOURCES EXAMPLES FAULTY
 """
@@ -112,7 +112,8 @@ class WhatAFileMayBring(TemporaryFolder):
             self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_subjects_of_ours_are_taken_from_the_file(self):
-        for subject in ("f32-direct", "exact-integers", "mutant:ties-inclusive", "legal:snap-floor"):
+        ours = ("f32-direct", "exact-integers", "mutant:ties-inclusive", "legal:snap-floor")
+        for subject in ours:
             done = run("replay", self.case(subject))
             self.assertIn(done.returncode, (0, 1), (subject, done.stderr))
 
@@ -139,8 +140,8 @@ class WhatAFileMayBring(TemporaryFolder):
         self.assertEqual(done.returncode, 2)
         self.assertTrue(done.stderr.decode().strip().isprintable(), done.stderr)
         word = printed_command(done.stderr.decode(), "replay").split("--exec ")[1]
-        echoed = subprocess.run(["bash", "-c", f"printf %s {word}"], capture_output=True, check=True)
-        self.assertEqual(echoed.stdout.decode(), hidden)
+        echoed = subprocess.check_output(["bash", "-c", f"printf %s {word}"])
+        self.assertEqual(echoed.decode(), hidden)
 
     def test_a_name_is_never_shown_at_a_length_that_nobody_reads(self):
         done = run("replay", self.case("exec:true " + "x" * 100000))

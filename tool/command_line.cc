@@ -16,6 +16,7 @@
 #include "fmt/format.h"
 #include "report/text.h"
 #include "tool/commands.h"
+#include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/shell.h"
 
@@ -144,9 +145,18 @@ void AddPipe(CLI::App* app, PipeOptions& options) {
   AddCampaign(app, options.campaign);
 }
 
+using Run = std::function<int()>;
+
+// For verbs that say what they know so far when they are interrupted. Any other one ends at once,
+// as programs do.
+int UntilInterrupted(const Run& verb) {
+  CatchInterrupts();
+  const int status = verb();
+  return Interrupted() ? InterruptStatus() : status;
+}
+
 // Every verb adds its options and what is to be run. The option structures live as long as the
 // program.
-using Run = std::function<int()>;
 
 void AddList(CLI::App& app, Run& run) {
   static ListOptions options;
@@ -207,7 +217,8 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_option("--save", options.save, "Folder for shrunken counterexamples");
   AddCampaign(verb, options.campaign);
-  verb->callback([&run] { run = [] { return RunCheck(options); }; });
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunCheck(options); }); }; });
 }
 
 void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::string& own) {
@@ -223,7 +234,8 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")->capture_default_str();
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
   AddCampaign(verb, options.campaign);
-  verb->callback([&run] { run = [] { return RunCertify(options); }; });
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });
 }
 
 void AddInfer(CLI::App& app, Run& run, const std::string& own) {
@@ -427,6 +439,9 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
   } catch (const SubjectFault& fault) {
     std::cerr << "rasterproof: the subject failed: " << report::CleanText(fault.what()) << '\n';
     return kExitViolated;
+  } catch (const SubjectTooSlow& slow) {
+    std::cerr << "rasterproof: the subject was too slow to judge: " << slow.what() << '\n';
+    return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";
     return kExitUsage;

@@ -16,6 +16,8 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/subject.h"
+#include "subjects/process/groups.h"
 
 namespace rasterproof::subjects {
 namespace {
@@ -49,8 +51,6 @@ void LimitMemory(std::uint64_t bytes) {
 // The child's side of the fork: nothing here may allocate or throw.
 [[noreturn]] void Become(char* const* argv, const Pipe& in, const Pipe& out, int report,
                          std::uint64_t most_bytes) {
-  setpgid(0, 0);
-  signal(SIGPIPE, SIG_DFL);
   dup2(in.read, STDIN_FILENO);
   dup2(out.write, STDOUT_FILENO);
   const rlimit no_core{0, 0};
@@ -65,6 +65,7 @@ void LimitMemory(std::uint64_t bytes) {
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes) {
+  if (Interrupted()) throw SubjectTooSlow(kInterruptedText);
   const std::string& program = command.front();
   std::vector<char*> argv;
   for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
@@ -72,7 +73,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_
   const Pipe in = MakePipe(program);
   const Pipe out = MakePipe(program);
   const Pipe report = MakePipe(program);  // closed by a good exec, else tells why it failed
-  pid_ = fork();
+  pid_ = ForkGroup();
   if (pid_ < 0) CannotStart(program, errno);
   if (pid_ == 0) Become(argv.data(), in, out, report.write, most_bytes);
   close(in.read);
@@ -114,14 +115,18 @@ void ChildProcess::SayNoMore() {
 
 // Writes and reads what can be written and read now; waits until something can, or the deadline.
 PipeEnd ChildProcess::Exchange(Clock::time_point deadline) {
+  if (Interrupted()) return PipeEnd::kInterrupted;
   const auto left =
       std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
   if (left <= 0) return PipeEnd::kTimedOut;
   const bool has_words = to_child_ >= 0 && said_ < to_say_.size();
-  std::array<pollfd, 2> ends{{{from_child_, POLLIN, 0}, {has_words ? to_child_ : -1, POLLOUT, 0}}};
+  std::array<pollfd, 3> ends{{{from_child_, POLLIN, 0},
+                              {has_words ? to_child_ : -1, POLLOUT, 0},
+                              {InterruptedFile(), POLLIN, 0}}};
   if (poll(ends.data(), ends.size(), static_cast<int>(std::min<long long>(left, 1000))) < 0) {
     return errno == EINTR ? PipeEnd::kOpen : PipeEnd::kClosed;
   }
+  if (Interrupted()) return PipeEnd::kInterrupted;
   if (ends[1].revents != 0) {
     const ssize_t n = write(to_child_, to_say_.data() + said_, to_say_.size() - said_);
     if (n > 0) said_ += static_cast<std::size_t>(n);
@@ -172,20 +177,16 @@ std::string ChildProcess::Ending() {
   from_child_ = -1;
   if (pid_ < 0) return "had ended";
   int status = 0;
-  pid_t ended = 0;
+  bool ended = false;
   // A child that closed its output is on its way out: give it a moment to say with what.
-  for (int n = 0; n < 50 && ended == 0; ++n) {
-    ended = waitpid(pid_, &status, WNOHANG);
-    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(n < 10 ? 1 : 5));
+  for (int n = 0; n < 50 && !ended; ++n) {
+    siginfo_t info{};
+    ended = waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT | WNOHANG) == 0 &&
+            info.si_pid == pid_;
+    if (!ended) std::this_thread::sleep_for(std::chrono::milliseconds(n < 10 ? 1 : 5));
   }
-  kill(-pid_, SIGKILL);
-  if (ended == 0) {
-    kill(pid_, SIGKILL);
-    waitpid(pid_, &status, 0);
-    pid_ = -1;
-    return "still ran";
-  }
-  pid_ = -1;
+  EndGroup(std::exchange(pid_, -1), status);
+  if (!ended) return "still ran";
   if (WIFSIGNALED(status)) {
     return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
            strsignal(WTERMSIG(status)) + ")";

@@ -15,17 +15,22 @@ namespace rasterproof::subjects {
 
 /// How an exchange with a child ended.
 enum class PipeEnd : std::uint8_t {
-  kOpen,     ///< the child goes on
-  kClosed,   ///< the child closed its output: it ended, or is about to
-  kTimedOut  ///< the deadline came first
+  kOpen,        ///< the child goes on
+  kClosed,      ///< the child closed its output: it ended, or is about to
+  kTimedOut,    ///< the deadline came first
+  kInterrupted  ///< the command is to end (groups.h)
 };
+
+/// What SubjectTooSlow says where PipeEnd::kInterrupted ended an exchange.
+inline constexpr const char* kInterruptedText = "the command was interrupted before it answered";
 
 /// Owns the child: it is killed, with its process group, and waited for when this goes.
 class ChildProcess {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Error:      InputError if the program can't be started.
+  /// Error:      InputError if the program can't be started; SubjectTooSlow if the command was
+  ///             interrupted.
   ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;

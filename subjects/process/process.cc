@@ -74,6 +74,8 @@ class ProcessSubject::Child {
         return line;
       case PipeEnd::kTimedOut:
         throw SubjectFault("it gave no answer within " + SecondsText(limits_.seconds));
+      case PipeEnd::kInterrupted:
+        throw SubjectTooSlow(kInterruptedText);
       case PipeEnd::kClosed:
         break;
     }
@@ -174,6 +176,9 @@ std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, doub
     } catch (const SubjectFault&) {
       outcome.error = std::current_exception();
       return outcomes;
+    } catch (const SubjectTooSlow&) {
+      outcome.error = std::current_exception();
+      return outcomes;
     }
   }
   child_ = std::move(child);
@@ -252,6 +257,7 @@ std::string OutputOf(const std::vector<std::string>& command, const std::string&
       throw InputError(place, "it did not end within " + SecondsText(limits.seconds),
                        "mend the program");
     }
+    if (end == PipeEnd::kInterrupted) throw SubjectTooSlow(kInterruptedText);
     const std::string ending = process.Ending();
     if (ending == "ended with status 0") return output;
     throw InputError(place, "it " + ending, "mend the program, or give another");

@@ -1,0 +1,45 @@
+#include "tool/interrupt.h"
+
+#include <signal.h>
+
+#include <array>
+#include <atomic>
+
+#include "subjects/process/groups.h"
+
+namespace rasterproof::tool {
+namespace {
+
+constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+
+std::atomic<int> arrived{0};
+
+void OnSignal(int number) {
+  arrived = number;
+  for (const int other : kSignals) {
+    if (other != number) signal(other, SIG_DFL);
+  }
+  subjects::Interrupt();
+}
+
+}  // namespace
+
+void CatchInterrupts() {
+  for (const int number : kSignals) {
+    struct sigaction before{};
+    if (sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
+    struct sigaction action{};
+    action.sa_handler = OnSignal;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(number, &action, nullptr);
+  }
+}
+
+bool Interrupted() noexcept { return arrived != 0; }
+
+int InterruptStatus() noexcept {
+  const int number = arrived;
+  return number == 0 ? 0 : 128 + number;
+}
+
+}  // namespace rasterproof::tool

@@ -1,0 +1,20 @@
+// SIGINT, SIGTERM and SIGHUP, for verbs that say what they know so far.
+#ifndef RASTERPROOF_TOOL_INTERRUPT_H_
+#define RASTERPROOF_TOOL_INTERRUPT_H_
+
+namespace rasterproof::tool {
+
+/// From here on the first SIGINT, SIGTERM or SIGHUP sets Interrupted() and kills the subjects
+/// outside; who waits for their answers gets SubjectTooSlow. The second one ends the command at
+/// once. A signal that the caller told this command to ignore stays ignored.
+void CatchInterrupts();
+
+/// Whether SIGINT, SIGTERM or SIGHUP has arrived: end soon, and say what is known so far.
+bool Interrupted() noexcept;
+
+/// 128 + the number of the signal that arrived, as a shell tells it; 0: none did.
+int InterruptStatus() noexcept;
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_INTERRUPT_H_

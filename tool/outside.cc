@@ -32,7 +32,12 @@ Makers& OwnMakers() {
 
 std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
+// Every subject outside is made here, whatever described it. That a method is exact, and what is
+// proved of its arithmetic, are claims of reference/ and exact/ alone: nothing that comes from
+// outside makes them, whatever it is called.
 std::unique_ptr<Subject> InAProcess(std::vector<std::string> command, SubjectInfo info) {
+  info.claims_exact = false;
+  info.proofs.clear();
   return props::WithFacings(
       std::make_unique<props::BatchingSubject>(std::make_unique<subjects::ProcessSubject>(
           std::move(command), std::move(info), OutsideLimits())));

@@ -45,6 +45,7 @@ class OracleSubject final : public Subject {
     info_.summary = "the oracle, decided by " + std::string(exact::DeciderName(decider));
     info_.input = Precision::kFloat64;
     info_.takes_clip = true;
+    info_.claims_exact = true;
   }
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
@@ -65,6 +66,8 @@ class JudgedSubject final : public Subject {
  public:
   JudgedSubject(std::unique_ptr<Subject> subject, const Profile& profile)
       : subject_(std::move(subject)), info_(subject_->Info()) {
+    // What it claims, it claims of its own profile.
+    info_.claims_exact = info_.claims_exact && SameModel(info_.profile, profile);
     // What it can be given is no matter of judgement.
     const std::optional<FixedInput> fixed = info_.profile.fixed;
     info_.profile = profile;
@@ -86,15 +89,6 @@ class JudgedSubject final : public Subject {
   std::unique_ptr<Subject> subject_;
   SubjectInfo info_;
 };
-
-bool IsMeshPath(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  if (dot == std::string::npos) return false;
-  std::string ending = path.substr(dot + 1);
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array<std::string_view, 6> kMeshEndings{"obj", "ply", "off", "stl", "gltf", "glb"};
-  return std::ranges::find(kMeshEndings, ending) != kMeshEndings.end();
-}
 
 // How many letters must be put in, taken out or exchanged (Levenshtein), capitals or not.
 std::size_t Distance(std::string_view a, std::string_view b) {
@@ -191,9 +185,16 @@ std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profil
 
 std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& profile) {
   const Profile named = profile.empty() ? Profile{} : io::ReadProfile(profile);
-  if (std::unique_ptr<Subject> oracle = MakeOracle(name, named)) return oracle;
+  std::unique_ptr<Subject> oracle = MakeOracle(name, named);
   std::unique_ptr<Subject> subject = subjects::MakeBuiltin(name);
   if (subject == nullptr) subject = subjects::MakeMutant(name);
+  const std::vector<std::string> own = OwnNames();
+  if ((oracle || subject) && std::ranges::find(own, name) != own.end()) {
+    throw InputError(fmt::format("subject '{}'", name),
+                     "a type of your own has the name of one of rasterproof's subjects",
+                     "rename the type");
+  }
+  if (oracle) return oracle;
   if (subject == nullptr) subject = MakeOutside(std::string(name));
   if (subject == nullptr) {
     throw InputError(
@@ -212,6 +213,15 @@ const props::Property& RequireProperty(const std::string& name) {
   throw InputError(
       fmt::format("property '{}'", name), "there is no such property",
       Suggestion(name, names) + "'rasterproof list properties' names all that there are");
+}
+
+bool IsMeshPath(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string::npos) return false;
+  std::string ending = path.substr(dot + 1);
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::array<std::string_view, 6> kMeshEndings{"obj", "ply", "off", "stl", "gltf", "glb"};
+  return std::ranges::find(kMeshEndings, ending) != kMeshEndings.end();
 }
 
 Scene LoadScene(const SceneOptions& options) {

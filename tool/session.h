@@ -34,6 +34,9 @@ std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profil
 /// Error:      InputError naming the properties there are.
 const props::Property& RequireProperty(const std::string& name);
 
+/// Whether LoadScene takes the file for a mesh: by its ending.
+bool IsMeshPath(const std::string& path);
+
 /// Reads a scene file or projects a mesh, by the file's ending.
 Scene LoadScene(const SceneOptions& options);
 

@@ -38,6 +38,8 @@ TEST(Mutants, HaveNamesOfTheirOwnUnderWhichTheyAreMade) {
     const std::unique_ptr<Subject> subject = tool::MakeSubject(mutant.name);
     EXPECT_EQ(subject->Info().name, mutant.name);
     EXPECT_EQ(subject->Info().summary, mutant.change);
+    EXPECT_TRUE(subject->Info().proofs.empty()) << mutant.name;
+    EXPECT_FALSE(subject->Info().claims_exact) << mutant.name;
   }
   EXPECT_EQ(subjects::MakeMutant("mutant:none-such"), nullptr);
   EXPECT_THROW(tool::MakeSubject("mutant:none-such"), InputError);

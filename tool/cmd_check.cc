@@ -18,6 +18,7 @@
 #include "props/run/campaign.h"
 #include "tool/commands.h"
 #include "tool/failure.h"
+#include "tool/file_names.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -97,11 +98,7 @@ std::string ResultLine(const PropertyResult& result) {
 
 void SaveCounterexample(const std::string& folder, const PropertyResult& result) {
   io::MakeFolder(folder);
-  std::string subject = result.subject;
-  for (char& c : subject) {
-    if (c == ':' || c == '/') c = '+';
-  }
-  io::WriteFile(fmt::format("{}/{}-{}.json", folder, subject, result.property),
+  io::WriteFile(fmt::format("{}/{}-{}.json", folder, FileNameOf(result.subject), result.property),
                 io::CaseToJson({*result.counterexample, result.subject, result.property}));
 }
 

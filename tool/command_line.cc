@@ -231,7 +231,8 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   verb->add_flag(
       "--all", options.all,
       "Every built-in subject; the status then tells only whether each keeps its own claims");
-  verb->add_option("--scenes", options.scene_set, "Scene set to measure")->capture_default_str();
+  verb->add_option("--scenes", options.scene_set, "Scene set to measure")
+      ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
   AddCampaign(verb, options.campaign);
   verb->callback(

@@ -76,7 +76,7 @@ int RunCheck(const CheckOptions& options);
 struct CertifyOptions {
   std::vector<std::string> subjects;
   bool all = false;
-  std::string scene_set = "scenes/certify.json";
+  std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
   std::string output = "out";
   CampaignChoice campaign;
   std::string command;  ///< the command line, for the record

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <map>
 #include <memory>
 #include <string>
@@ -27,6 +28,16 @@ Subject& SubjectOf(std::string_view name) {
   return *found->second;
 }
 
+// A fault of ours is no finding about the subject, and no input to go past either.
+Verdict Judged(Subject& subject, const props::Property& property, const Case& c,
+               std::span<const std::uint8_t> bytes) {
+  try {
+    return props::RunCase(subject, property, c);
+  } catch (const std::exception& error) {
+    Fail(std::string("a fault of the program itself: ") + error.what(), bytes);
+  }
+}
+
 }  // namespace
 
 void Fail(std::string_view what, std::span<const std::uint8_t> bytes) {
@@ -42,7 +53,7 @@ void PutToTheTest(std::span<const Claim> claims, std::span<const std::uint8_t> b
     const props::Property* property = props::FindProperty(claim.property);
     if (property == nullptr) Fail("no such property: " + std::string(claim.property), bytes);
     const Case c = props::DecodeCase(bytes, subject.Info());
-    const Verdict verdict = props::RunCase(subject, *property, c);
+    const Verdict verdict = Judged(subject, *property, c, bytes);
     if (verdict.outcome != Outcome::kViolated) continue;
     std::fprintf(
         stderr,

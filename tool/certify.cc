@@ -13,6 +13,7 @@
 #include "props/run/campaign.h"
 #include "tool/evidence.h"
 #include "tool/interrupt.h"
+#include "tool/outside.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -27,11 +28,15 @@ bool Stands(const PropertyResult& result) {
 
 void TestProperties(Subject& subject, const CertifyOptions& options,
                     report::Certificate& certificate) {
+  props::Pace pace;
   for (const props::Property& property : props::Catalog()) {
     props::CampaignOptions campaign;
     campaign.seed = options.campaign.seed;
     campaign.cases = options.campaign.cases;
     campaign.seconds = options.campaign.seconds;
+    campaign.time_limit = TimeLimitOf(subject);
+    campaign.stop = &Interrupted;
+    campaign.pace = &pace;
     PropertyResult result = props::RunCampaign(subject, property, campaign);
     certificate.interrupted = Interrupted();
     if (!certificate.interrupted || Stands(result)) certificate.tested.push_back(std::move(result));

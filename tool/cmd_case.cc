@@ -14,23 +14,26 @@
 #include "io/output.h"
 #include "props/codec/codec.h"
 #include "props/run/campaign.h"
-#include "props/shrink/shrink.h"
+#include "props/run/counterexample.h"
 #include "report/picture.h"
 #include "report/text.h"
 #include "tool/commands.h"
+#include "tool/exit_status.h"
 #include "tool/failure.h"
+#include "tool/outside.h"
+#include "tool/progress.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
 
+constexpr double kNoLimit = 1e9;  // seconds
+
 // Without a property the claim is the plainest one: the counts are the model's.
 Verdict CompareWithModel(Subject& subject, const Case& c) {
+  if (!Takes(subject.Info(), c.scene)) return Verdict::NotApplicable("it takes no such scene");
+  const CoverageCounts observed = Draw(subject, c.scene, c.options);
   const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
-  std::string failure;
-  const auto drawn = DrawUnlessItFails(subject, c.scene, c.options, failure);
-  if (!drawn) return Verdict::Violated(1, failure, Witness{});
-  const CoverageCounts& observed = *drawn;
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(difference.samples);
   const std::size_t pixel = difference.first_wrong / static_cast<std::size_t>(expected.samples);
@@ -48,20 +51,25 @@ Verdict CompareWithModel(Subject& subject, const Case& c) {
                            witness);
 }
 
+// What the case is judged by.
+const props::Property& ClaimOf(const LoadedCase& loaded) {
+  static const props::Property plain{.name = "coverage",
+                                     .group = "coverage",
+                                     .clause = "the counts are those of the model",
+                                     .precondition = "a scene that the oracle decides",
+                                     .tolerance = "none: exact",
+                                     .domains = {},
+                                     .check = CompareWithModel};
+  return loaded.property != nullptr ? *loaded.property : plain;
+}
+
 Verdict Judge(const LoadedCase& loaded) {
   RequireTakes(*loaded.subject, loaded.value.scene, loaded.value.scene.name);
-  if (loaded.property == nullptr) return CompareWithModel(*loaded.subject, loaded.value);
-  return props::RunCase(*loaded.subject, *loaded.property, loaded.value);
+  return props::RunCase(*loaded.subject, ClaimOf(loaded), loaded.value);
 }
 
 std::string PropertyName(const LoadedCase& loaded) {
   return loaded.property != nullptr ? std::string(loaded.property->name) : std::string();
-}
-
-// Only a claim that was put to the test and held is a pass.
-int ExitStatusOf(Outcome outcome) {
-  if (outcome == Outcome::kViolated) return kExitViolated;
-  return outcome == Outcome::kHolds ? kExitHolds : kExitInconclusive;
 }
 
 void RequirePixel(const ExplainOptions& options, const Scene& scene) {
@@ -118,7 +126,7 @@ int RunReplay(const ReplayOptions& options) {
                         /*colour=*/false);
   }
   io::WriteStandardOutput(report::CleanText(text));
-  return ExitStatusOf(verdict.outcome);
+  return StatusOf(verdict.outcome);
 }
 
 int RunExplain(const ExplainOptions& options) {
@@ -148,31 +156,39 @@ int RunExplain(const ExplainOptions& options) {
   if (chosen) text += PixelLine(explanation, options.x, options.y) + "\n";
   io::WriteStandardOutput(report::CleanText(text) +
                           report::ExplanationToText(explanation, options.colour));
-  return ExitStatusOf(verdict.outcome);
+  return StatusOf(verdict.outcome);
 }
 
 int RunShrink(const ShrinkOptions& options) {
   RequireHonestEnvironment();
   const LoadedCase loaded = LoadCase(options.choice, "shrink");
-  if (Judge(loaded).outcome != Outcome::kViolated) {
+  RequireTakes(*loaded.subject, loaded.value.scene, loaded.value.scene.name);
+  Progress progress;
+  props::CampaignOptions campaign;
+  campaign.shrink_budget = options.budget;
+  campaign.shrink_seconds = kNoLimit;
+  campaign.time_limit = TimeLimitOf(*loaded.subject);
+  campaign.shrinking = [&](std::uint64_t evaluations) {
+    if (evaluations == 0) progress.Stage("shrink", options.budget);
+    progress.Done(evaluations);
+  };
+  const props::Counterexample shrunk =
+      props::ShrinkFailing(*loaded.subject, ClaimOf(loaded), loaded.value, campaign);
+  if (shrunk.outcome == Outcome::kInconclusive) {
+    progress.Say(shrunk.message);
+    return kExitInconclusive;
+  }
+  if (shrunk.outcome != Outcome::kViolated) {
     throw InputError("case", "it does not fail, so there is nothing to shrink",
                      "give a case that 'rasterproof replay' reports as violated");
   }
-  const auto fails = [&](const Case& candidate) {
-    if (!Takes(loaded.subject->Info(), candidate.scene)) return false;
-    const Verdict verdict = loaded.property != nullptr
-                                ? props::RunCase(*loaded.subject, *loaded.property, candidate)
-                                : CompareWithModel(*loaded.subject, candidate);
-    return verdict.outcome == Outcome::kViolated;
-  };
-  const props::Shrunk shrunk = props::Shrink(loaded.value, fails, options.budget);
-  const std::string text =
-      io::CaseToJson({shrunk.minimal, loaded.subject->Info().name, PropertyName(loaded)});
-  WriteOutput(options.output, text);
-  fmt::print(stderr, "{} triangles in {}x{}, after {} evaluations (from {} in {}x{})\n",
-             shrunk.minimal.scene.triangles.size(), shrunk.minimal.scene.width,
-             shrunk.minimal.scene.height, shrunk.evaluations, loaded.value.scene.triangles.size(),
-             loaded.value.scene.width, loaded.value.scene.height);
+  const Scene& scene = shrunk.value.scene;
+  WriteOutput(options.output,
+              io::CaseToJson({shrunk.value, loaded.subject->Info().name, PropertyName(loaded)}));
+  progress.Say(fmt::format("{} triangles in {}x{}, after {} evaluations (from {} in {}x{}); {}",
+                           scene.triangles.size(), scene.width, scene.height, shrunk.evaluations,
+                           loaded.value.scene.triangles.size(), loaded.value.scene.width,
+                           loaded.value.scene.height, shrunk.message));
   return kExitHolds;
 }
 

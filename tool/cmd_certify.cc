@@ -21,6 +21,7 @@
 #include "subjects/builtin/builtin.h"
 #include "tool/certify.h"
 #include "tool/commands.h"
+#include "tool/exit_status.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
@@ -146,14 +147,12 @@ bool Counts(const report::Certificate& certificate, Outcome outcome, bool survey
 
 // Of several subjects the worst one tells.
 int ExitStatus(const std::vector<report::Certificate>& certificates, bool survey) {
-  bool inconclusive = certificates.empty();
+  int status = certificates.empty() ? kExitInconclusive : kExitHolds;
   for (const report::Certificate& certificate : certificates) {
     const Outcome outcome = report::OverallOf(certificate).outcome;
-    if (!Counts(certificate, outcome, survey)) continue;
-    if (outcome == Outcome::kViolated) return kExitViolated;
-    inconclusive = inconclusive || outcome != Outcome::kHolds;
+    if (Counts(certificate, outcome, survey)) status = WorseStatus(status, StatusOf(outcome));
   }
-  return inconclusive ? kExitInconclusive : kExitHolds;
+  return status;
 }
 
 // Each once, in order; misspelt names are found before any work.

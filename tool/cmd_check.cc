@@ -17,6 +17,7 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tool/commands.h"
+#include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
 #include "tool/outside.h"
@@ -34,26 +35,28 @@ std::vector<const props::Property*> ChosenProperties(const CheckOptions& options
   return chosen;
 }
 
-// What a whole run comes to: one violation outweighs all; nothing exercised is no pass.
+// What a whole run comes to: one violation outweighs all, then a claim that could not be judged;
+// nothing exercised is no pass.
 class Tally {
  public:
   void Count(Outcome outcome, std::uint64_t cases) {
     ++counts_[static_cast<std::size_t>(outcome)];
     cases_ += cases;
   }
-  void Add(const Tally& more) {
-    for (std::size_t k = 0; k < counts_.size(); ++k) counts_[k] += more.counts_[k];
-    cases_ += more.cases_;
-  }
   std::uint64_t Of(Outcome outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
   int ExitStatus() const {
     if (Of(Outcome::kViolated) != 0) return kExitViolated;
+    if (Of(Outcome::kRefused) + Of(Outcome::kInconclusive) != 0) return kExitInconclusive;
     return Of(Outcome::kHolds) != 0 ? kExitHolds : kExitInconclusive;
   }
   std::string Line(const std::string& subject) const {
-    return fmt::format("{}: {} hold, {} violated, {} not exercised, {} not applicable; {} cases\n",
-                       subject, Of(Outcome::kHolds), Of(Outcome::kViolated),
-                       Of(Outcome::kNotExercised), Of(Outcome::kNotApplicable), cases_);
+    std::string line = fmt::format("{}: {} hold, {} violated, {} not exercised, {} not applicable",
+                                   subject, Of(Outcome::kHolds), Of(Outcome::kViolated),
+                                   Of(Outcome::kNotExercised), Of(Outcome::kNotApplicable));
+    for (const Outcome outcome : {Outcome::kRefused, Outcome::kInconclusive}) {
+      if (Of(outcome) != 0) line += fmt::format(", {} {}", Of(outcome), OutcomeName(outcome));
+    }
+    return line + fmt::format("; {} cases\n", cases_);
   }
 
  private:
@@ -87,10 +90,19 @@ class NotAsked {
   std::vector<Reason> reasons_;
 };
 
+std::string NotJudgedText(std::uint64_t samples) {
+  return samples == 0
+             ? ""
+             : fmt::format(", {} samples not judged: a legal choice could turn the triangle",
+                           samples);
+}
+
 std::string ResultLine(const PropertyResult& result) {
   std::string line = fmt::format("{:<16} {:<10} {:<50} {} cases, exercised {} times in {}",
                                  OutcomeName(result.outcome), result.subject, result.property,
                                  result.cases, result.exercised, result.cases_exercised);
+  if (result.cases_refused != 0) line += fmt::format(", {} refused", result.cases_refused);
+  line += NotJudgedText(result.not_judged);
   if (result.worst_ratio != 0) line += fmt::format(", error/bound {:.3f}", result.worst_ratio);
   if (!result.message.empty()) line += "; " + result.message;
   return line + "\n";
@@ -106,13 +118,23 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
                     std::string& text, Tally& tally) {
   const std::string& name = subject.Info().name;
   NotAsked not_asked;
+  props::Pace pace;
   for (const props::Property* property : ChosenProperties(options)) {
     progress.Stage(fmt::format("{} {}", name, property->name), options.campaign.cases);
     props::CampaignOptions campaign;
     campaign.seed = options.campaign.seed;
     campaign.cases = options.campaign.cases;
     campaign.seconds = options.campaign.seconds;
+    campaign.time_limit = TimeLimitOf(subject);
     campaign.progress = [&](std::uint64_t done) { progress.Done(done); };
+    campaign.shrinking = [&](std::uint64_t evaluations) {
+      if (evaluations == 0) {
+        progress.Stage(fmt::format("{} {}: shrinking what failed", name, property->name),
+                       campaign.shrink_budget);
+      }
+      progress.Done(evaluations);
+    };
+    campaign.pace = &pace;
     const PropertyResult result = props::RunCampaign(subject, *property, campaign);
     tally.Count(result.outcome, result.cases);
     if (result.outcome == Outcome::kNotApplicable && !result.counterexample) {
@@ -150,9 +172,10 @@ void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progres
         not_asked.Add(verdict.message, property->name);
         continue;
       }
-      text += fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}\n",
+      text += fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}\n",
                           OutcomeName(verdict.outcome), name, property->name, path,
-                          verdict.exercised, verdict.message.empty() ? "" : "; ", verdict.message);
+                          verdict.exercised, NotJudgedText(verdict.not_judged),
+                          verdict.message.empty() ? "" : "; ", verdict.message);
       if (verdict.outcome != Outcome::kViolated) continue;
       CaseChoice choice;
       choice.path = path;
@@ -184,7 +207,7 @@ int RunCheck(const CheckOptions& options) {
   for (const std::string& name : options.subjects) {
     subjects.push_back(MakeSubject(name, options.profile));
   }
-  Tally tally;
+  int status = kExitHolds;
   for (const std::unique_ptr<Subject>& subject : subjects) {
     std::string text;
     Tally own;
@@ -197,10 +220,10 @@ int RunCheck(const CheckOptions& options) {
       }
     }
     text += own.Line(subject->Info().name) + Hint(*subject, own, options.profile);
-    tally.Add(own);
+    status = WorseStatus(status, own.ExitStatus());
     io::WriteStandardOutput(text);
   }
-  return tally.ExitStatus();
+  return status;
 }
 
 }  // namespace rasterproof::tool

@@ -19,6 +19,7 @@
 #include "props/run/batching.h"
 #include "props/run/campaign.h"
 #include "props/run/facings.h"
+#include "props/run/tally.h"
 #include "subjects/process/protocol.h"
 #include "tool/commands.h"
 #include "tool/description.h"
@@ -86,6 +87,13 @@ struct PipeTally {
   std::uint64_t refused = 0;
   std::uint64_t idle = 0;  ///< the case did not exercise the claim
   std::uint64_t violated = 0;
+
+  int Status() const {
+    if (violated != 0) return kExitViolated;
+    const auto asked = static_cast<double>(refused + held);
+    const bool refuses_too_much = static_cast<double>(refused) > props::kMostRefusedShare * asked;
+    return held != 0 && !refuses_too_much ? kExitHolds : kExitInconclusive;
+  }
 };
 
 }  // namespace
@@ -141,8 +149,7 @@ int RunVer(const PipeOptions& options) {
   io::WriteStandardOutput(
       fmt::format("{}{}: {} cases held, {} violated, {} did not exercise it, {} refused\n",
                   failures, property.name, tally.held, tally.violated, tally.idle, tally.refused));
-  if (tally.violated != 0) return kExitViolated;
-  return tally.held != 0 ? kExitHolds : kExitInconclusive;
+  return tally.Status();
 }
 
 }  // namespace rasterproof::tool

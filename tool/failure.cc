@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <string>
 
+#include "core/error.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "exact/homogeneous.h"
 #include "exact/rational.h"
 #include "fmt/format.h"
+#include "io/scene_file.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -18,6 +20,7 @@ namespace {
 
 constexpr int kViewSide = 16;              // pixels shown around the failing place
 constexpr std::size_t kMostTriangles = 8;  // whose edge values are listed
+constexpr std::size_t kMostPrinted = 512;  // vertices or triangles of a scene in one line
 
 // The first pixel at which the counts differ; (-1, -1) if none does.
 std::array<int, 2> FirstWrongPixel(const CoverageCounts& observed, const CoverageCounts& expected) {
@@ -41,6 +44,37 @@ PixelRect ViewAround(const Scene& scene, int x, int y) {
 std::string HexVertex(const Vertex& v, bool clip) {
   return clip ? fmt::format("({:a}, {:a}, {:a}, {:a})", v.x, v.y, v.z, v.w)
               : fmt::format("({:a}, {:a})", v.x, v.y);
+}
+
+// JSON of several lines as one.
+std::string InOneLine(const std::string& json) {
+  std::string line;
+  bool is_indent = false;
+  for (const char c : json) {
+    if (c == '\n' && line.ends_with(',')) line += ' ';
+    if (c == '\n') is_indent = true;
+    if (is_indent && c != '\n' && c != ' ') is_indent = false;
+    if (!is_indent) line += c;
+  }
+  return line;
+}
+
+// How a case is drawn, as far as that is not the plain way: "; drawn with cull back, tile 8".
+std::string OptionsText(const DrawOptions& options) {
+  std::string text;
+  const auto add = [&](const std::string& option) {
+    text += (text.empty() ? "; drawn with " : ", ") + option;
+  };
+  if (options.cull != Cull::kNone) {
+    add(options.cull == Cull::kFront ? "cull front" : "cull back");
+  }
+  if (options.scissor) {
+    const PixelRect& r = *options.scissor;
+    add(fmt::format("scissor [{}, {}, {}, {}]", r.x0, r.y0, r.x1, r.y1));
+  }
+  if (options.tile != 0) add(fmt::format("tile {}", options.tile));
+  if (options.threads > 1) add(fmt::format("threads {}", options.threads));
+  return text;
 }
 
 bool SameShape(const CoverageCounts& a, const CoverageCounts& b) {
@@ -153,15 +187,50 @@ std::string FailureLine(const std::string& property, const Case& c, const Verdic
     }
     if (w.edge >= 0) line += fmt::format("edge {} ", w.edge);
     if (w.x >= 0) line += fmt::format("pixel ({}, {}) ", w.x, w.y);
-    line += fmt::format("=> observed {}, expected {}; ", w.observed, w.expected);
+    if (!w.observed.empty() || !w.expected.empty()) {
+      line += fmt::format("=> observed {}, expected {}; ", w.observed, w.expected);
+    }
   }
   return line + verdict.message;
 }
 
+std::string SceneLine(const Case& c) {
+  const Scene& scene = c.scene;
+  const std::string options = OptionsText(c.options);
+  if (scene.triangles.size() > kMostPrinted || scene.vertices.size() > kMostPrinted) {
+    return fmt::format("scene: {} triangles of {} vertices in {}x{}, too many to print{}",
+                       scene.triangles.size(), scene.vertices.size(), scene.width, scene.height,
+                       options);
+  }
+  return "scene: " + InOneLine(io::SceneToJson(scene)) + options;
+}
+
+namespace {
+
+// A breakdown has no place; a scene that the oracle does not decide has no picture, and there is
+// none of a subject that takes too long over it now.
+std::string PictureText(Subject& subject, const Case& c, const Verdict& verdict,
+                        const std::string& replay, bool colour) {
+  const bool has_place =
+      verdict.compared != nullptr ||
+      (verdict.witness && (verdict.witness->x >= 0 || verdict.witness->triangle >= 0));
+  const std::string no_picture = replay.empty() ? "" : "replay: " + replay + "\n";
+  if (!has_place) return no_picture;
+  try {
+    return report::ExplanationToText(Explain(subject, c, verdict, replay), colour);
+  } catch (const InputError&) {
+    return no_picture;
+  } catch (const SubjectTooSlow&) {
+    return no_picture;
+  }
+}
+
+}  // namespace
+
 std::string FailureText(Subject& subject, const std::string& property, const Case& c,
                         const Verdict& verdict, const std::string& replay, bool colour) {
-  std::string text = FailureLine(property, c, verdict) + "\n";
-  text += report::ExplanationToText(Explain(subject, c, verdict, replay), colour);
+  std::string text = FailureLine(property, c, verdict) + "\n" + SceneLine(c) + "\n";
+  text += PictureText(subject, c, verdict, replay, colour);
   if (!text.ends_with('\n')) text += '\n';
   return text;
 }

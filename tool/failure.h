@@ -18,10 +18,16 @@ namespace rasterproof::tool {
 report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verdict,
                             const std::string& replay);
 
-/// "property: triangle 0 (0x1p+0, 0x0p+0) ... => observed 2, expected 1".
+/// "property: triangle 0 (0x1p+0, 0x0p+0) ... => observed 2, expected 1; why". What the verdict
+/// does not tell is left out.
 std::string FailureLine(const std::string& property, const Case& c, const Verdict& verdict);
 
-/// The line, the picture and the replay command.
+/// The case's scene in one line, which a scene file may hold as it is: hex coordinates, triangles;
+/// and how it was drawn, where that is not the plain way. Says only how large it is where that is
+/// more than anybody reads.
+std::string SceneLine(const Case& c);
+
+/// The line, the scene, the picture if there is a place to show, and the replay command.
 std::string FailureText(Subject& subject, const std::string& property, const Case& c,
                         const Verdict& verdict, const std::string& replay, bool colour);
 

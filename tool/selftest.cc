@@ -84,7 +84,7 @@ std::string MutantFigures(const std::vector<HuntResult>& results, std::string_vi
 std::string LegalFigures(const std::vector<HuntResult>& results, std::uint64_t legal_cases) {
   std::set<std::string> variants;
   std::set<std::uint64_t> seeds;
-  std::uint64_t cases = 0, exercised = 0;
+  std::uint64_t cases = 0, exercised = 0, inconclusive = 0;
   std::string violations;
   for (const HuntResult& result : results) {
     if (!result.mutant.legal) continue;
@@ -92,6 +92,7 @@ std::string LegalFigures(const std::vector<HuntResult>& results, std::uint64_t l
     seeds.insert(result.seed);
     cases += result.hunt.cases;
     exercised += result.hunt.exercised;
+    inconclusive += result.hunt.inconclusive;
     if (result.AsItShould()) continue;
     violations +=
         fmt::format("  - {} under seed {} violates {}: {}\n", result.mutant.name, result.seed,
@@ -100,9 +101,10 @@ std::string LegalFigures(const std::vector<HuntResult>& results, std::uint64_t l
   if (variants.empty()) return "";
   return fmt::format(
       "- legal variants: {} under {} seeds each, {} cases a property; {} violations in {} cases, "
-      "{} of which put a claim to the test\n{}",
+      "{} of which put a claim to the test{}\n{}",
       variants.size(), seeds.size(), legal_cases, std::ranges::count(violations, '\n'), cases,
-      exercised, violations);
+      exercised, inconclusive == 0 ? "" : fmt::format("; {} runs inconclusive", inconclusive),
+      violations);
 }
 
 }  // namespace
@@ -132,6 +134,7 @@ Hunt HuntBug(Subject& subject, const HuntOptions& options) {
       again.push_back(property);
       hunt.cases += result.cases;
       hunt.exercised += result.cases_exercised;
+      if (result.outcome == Outcome::kInconclusive) ++hunt.inconclusive;
       if (result.outcome != Outcome::kViolated) continue;
       hunt.violation = std::move(result);
       break;
@@ -164,6 +167,7 @@ std::string SelftestJson(const std::vector<HuntResult>& results) {
     json.BeginObject().Key("name").Text(result.mutant.name);
     json.Key("legal").Bool(result.mutant.legal).Key("late").Bool(result.mutant.is_late);
     json.Key("seed").Integer(result.seed).Key("cases").Integer(result.hunt.cases);
+    json.Key("inconclusive").Integer(result.hunt.inconclusive);
     json.Key("seconds").Rounded(result.hunt.seconds);
     json.Key("violated").Bool(result.hunt.violation.has_value());
     if (result.hunt.violation) {

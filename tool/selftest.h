@@ -28,7 +28,9 @@ struct Hunt {
   std::optional<PropertyResult> violation;
   std::uint64_t cases = 0;      ///< run in all, over all properties, the violating one included
   std::uint64_t exercised = 0;  ///< cases that put a claim to the test
-  double seconds = 0;           ///< shrinking included
+  /// Runs that could not be judged: the subject is not deterministic, or refuses too much.
+  std::uint64_t inconclusive = 0;
+  double seconds = 0;  ///< shrinking included
 };
 
 /// Runs the catalogue on the subject until a property is violated.

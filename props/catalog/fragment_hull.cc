@@ -1,6 +1,7 @@
 #include "props/catalog/fragment_hull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,8 +20,8 @@ Verdict FragmentDepthStaysInTheHull(Subject& subject, const Case& c) {
     if (!f.query.inside || !Claims(f.depth_tolerance)) continue;
     ++exercised;
     const auto [low, high] = std::minmax({f.z[0], f.z[1], f.z[2]});
-    // Its distance from the nearest depth of the hull; a depth that is not finite has none.
-    const double nearest = std::clamp(f.depth, low, high);
+    // The nearest depth of the hull; NaN has none, and is within of nothing.
+    const double nearest = std::isfinite(f.depth) ? std::clamp(f.depth, low, high) : low;
     if (CompareWithExact(f.depth, exact::Rational(nearest), f.depth_tolerance).within) continue;
     return FragmentViolation(f, -1, exercised, "the depth of a fragment leaves the hull",
                              HexText(f.depth),

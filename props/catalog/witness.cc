@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <exception>
 #include <optional>
 #include <utility>
 
+#include "core/error.h"
 #include "core/profile.h"
 #include "exact/attributes.h"
 #include "exact/coverage.h"
@@ -78,19 +78,17 @@ Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& ex
 
 namespace {
 
-// The subject's counts for the case, or nothing if it can't draw it: then that is not what failed.
+// The subject's counts for the case, or nothing if it refuses it: then that is not what failed.
 std::optional<CoverageCounts> DrawnIfPossible(Subject& subject, const Case& c,
                                               const DrawOptions& options) {
   try {
     return Drawn(subject, c.scene, c.profile, options);
-  } catch (const std::exception&) {
+  } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
-}  // namespace
-
-void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
+void BlameOneOf(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
   const std::size_t count = std::min(c.scene.triangles.size(), kMaxTrianglesBlamed);
   for (std::size_t t = 0; t < count; ++t) {
     const Case alone = OnlyTriangles(c, {t});
@@ -110,6 +108,18 @@ void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, 
     witness.edge = NearestEdge(places[0].at, p);
     witness.expected += EdgeValuesText(places[0].at, p);
     return;
+  }
+}
+
+}  // namespace
+
+void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
+  try {
+    BlameOneOf(subject, c, options, witness);
+  } catch (const SubjectFault&) {
+    // What is wrong was seen before: a breakdown over less of the case does not unsay it.
+  } catch (const SubjectTooSlow&) {
+    // Nor does a lack of time.
   }
 }
 

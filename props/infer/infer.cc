@@ -6,10 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "core/error.h"
 #include "exact/coverage.h"
 #include "props/infer/declarations.h"
 #include "props/infer/locate.h"
 #include "props/infer/race.h"
+#include "props/run/batching.h"
+#include "props/run/guarded.h"
 #include "props/shrink/shrink.h"
 
 namespace rasterproof::props {
@@ -123,14 +126,22 @@ bool Inference::Agrees() const {
 
 Inference Infer(Subject& subject, const InferOptions& options) {
   const Clock::time_point start = Clock::now();
-  Observer observer(subject);
+  GuardedSubject guarded(subject);
+  const bool is_outside = BatchingOf(subject) != nullptr;  // which is guarded at the rasterizer
+  Observer observer(is_outside ? subject : guarded);
   Inference inference;
-  try {
-    FindModels(observer, options, inference);
-  } catch (const std::exception& error) {
+  const auto broke_off = [&](const std::exception& error) {
     inference.remaining.clear();
     inference.message = std::string("the subject broke off: ") + error.what();
     inference.witness = CaseOf(observer.last_scene(), subject.Info().profile);
+  };
+  // What else is thrown is a fault of ours, or a subject that is too slow to be judged.
+  try {
+    FindModels(observer, options, inference);
+  } catch (const InputError& error) {
+    broke_off(error);
+  } catch (const SubjectFault& error) {
+    broke_off(error);
   }
   inference.experiments = observer.draws();
   inference.seconds = std::chrono::duration<double>(Clock::now() - start).count();

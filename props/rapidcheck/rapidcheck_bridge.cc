@@ -15,6 +15,7 @@
 
 #include "core/ulp.h"
 #include "props/domains/bit_source.h"
+#include "props/run/counterexample.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
 #include "props/shrink/cost.h"
@@ -84,22 +85,26 @@ class Run {
 
   bool Holds(const Case& c) {
     if (minimal_ && tried_++ >= budget_) return true;
+    if (!could_not_judge_.empty()) return true;
     const Verdict verdict = RunCase(subject_, property_, c);
     if (!minimal_) {
       const auto& domains = tally_.domains();
       const auto domain = std::ranges::find(domains, c.scene.name, &Domain::name);
       tally_.AddCase(static_cast<std::size_t>(domain - domains.begin()), c, verdict);
     }
+    if (verdict.outcome == Outcome::kInconclusive && !minimal_) could_not_judge_ = verdict.message;
     if (verdict.outcome != Outcome::kViolated) return true;
     minimal_ = c;  // RapidCheck goes on from the first shrink that fails: the last one is the least
+    seen_ = verdict;
     return false;
   }
 
   bool HasDomains() const { return !tally_.domains().empty(); }
 
   PropertyResult Result() const {
+    if (!could_not_judge_.empty()) return tally_.Inconclusive(could_not_judge_);
     if (!minimal_) return tally_.Concluded();
-    return tally_.Violated(subject_, property_, *minimal_, tally_.cases() - 1);
+    return tally_.Failed(RunOnceMore(subject_, property_, *minimal_, seen_), tally_.cases() - 1);
   }
 
  private:
@@ -109,6 +114,8 @@ class Run {
   std::uint64_t budget_;
   std::uint64_t tried_ = 0;
   std::optional<Case> minimal_;
+  Verdict seen_;  ///< of the minimal case
+  std::string could_not_judge_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "props/run/campaign.h"
+#include "props/run/guarded.h"
 
 namespace rasterproof::props {
 namespace {
@@ -61,26 +61,27 @@ Call NextCall(std::span<DrawLedger> ledgers) {
 }
 
 // Draws what the ledgers ask for. After a breakdown the rest is left open: the case that caused it
-// is judged first.
-void DrawOpenJobs(Subject& subject, std::span<DrawLedger> ledgers) {
+// is judged first. Returns whether there was none.
+bool DrawOpenJobs(Subject& subject, std::span<DrawLedger> ledgers) {
   for (;;) {
     const Call call = NextCall(ledgers);
-    if (call.jobs.empty()) return;
+    if (call.jobs.empty()) return true;
     std::vector<DrawOutcome> outcomes = subject.DrawMany(call.jobs);
+    const bool broke_down_at_its_end = outcomes.back().BrokeDown();
     for (std::size_t k = 0; k < outcomes.size(); ++k) {
       call.ledgers[k]->outcomes.push_back(std::move(outcomes[k]));
     }
-    if (outcomes.size() == call.jobs.size()) continue;
+    if (!broke_down_at_its_end) continue;
     DrawLedger& broke_down = *call.ledgers[outcomes.size() - 1];
     broke_down.jobs.resize(broke_down.outcomes.size());
-    return;
+    return false;
   }
 }
 
 }  // namespace
 
 BatchingSubject::BatchingSubject(std::unique_ptr<Subject> behind)
-    : behind_(std::move(behind)), info_(behind_->Info()) {}
+    : behind_(std::make_unique<GuardedSubject>(std::move(behind))), info_(behind_->Info()) {}
 
 BatchingSubject::BatchingSubject(SubjectInfo info) : info_(std::move(info)) {}
 
@@ -88,6 +89,10 @@ const EdgeEvaluator* BatchingSubject::Edges() const { return behind_ ? behind_->
 
 const WeightEvaluator* BatchingSubject::Weights() const {
   return behind_ ? behind_->Weights() : nullptr;
+}
+
+void BatchingSubject::SetDeadline(std::chrono::steady_clock::time_point deadline) {
+  if (behind_) behind_->SetDeadline(deadline);
 }
 
 void BatchingSubject::Follow(DrawLedger& ledger, OnMiss on_miss) {
@@ -165,37 +170,71 @@ BatchingSubject* BatchingOf(Subject& subject) {
   return dynamic_cast<BatchingSubject*>(&subject.Whole());
 }
 
-std::vector<Verdict> RunCasesInBatches(Subject& subject, BatchingSubject& batching,
-                                       const Property& property, std::span<const Case> cases) {
+namespace {
+
+// What came of the case, or nothing if a draw of it was put off.
+std::optional<Trial> TryUnlessPutOff(Subject& subject, const Property& property, const Case& c) {
+  try {
+    return TryCase(subject, property, c);
+  } catch (const PutOff&) {
+    return std::nullopt;
+  }
+}
+
+// Draws go to the rasterizer again, however a run in batches ends.
+class Following {
+ public:
+  explicit Following(BatchingSubject& batching) : batching_(batching) {}
+  ~Following() { batching_.FollowNone(); }
+  Following(const Following&) = delete;
+  Following& operator=(const Following&) = delete;
+
+ private:
+  BatchingSubject& batching_;
+};
+
+// Behind these outcomes no case of the batch counts.
+bool EndsTheBatch(Outcome outcome) {
+  return outcome == Outcome::kViolated || outcome == Outcome::kInconclusive;
+}
+
+}  // namespace
+
+std::vector<Trial> RunCasesInBatches(Subject& subject, BatchingSubject& batching,
+                                     const Property& property, std::span<const Case> cases,
+                                     const std::function<bool()>& stop) {
+  const Following following(batching);
   std::vector<DrawLedger> ledgers(cases.size());
-  std::vector<std::optional<Verdict>> verdicts(cases.size());
-  std::size_t end = cases.size();  // behind the first violated case
+  std::vector<std::optional<Trial>> trials(cases.size());
+  std::size_t end = cases.size();  // behind the case that ends the batch
   const auto judge = [&](std::size_t first, std::size_t last, OnMiss on_miss) {
     for (std::size_t k = first; k < std::min(last, end); ++k) {
-      if (verdicts[k] || (ledgers[k].HasOpenJobs() && on_miss == OnMiss::kPutOff)) continue;
+      if (trials[k] || (ledgers[k].HasOpenJobs() && on_miss == OnMiss::kPutOff)) continue;
+      if (stop && stop()) return;
       batching.Follow(ledgers[k], on_miss);
-      Verdict verdict = RunCase(subject, property, cases[k]);
+      std::optional<Trial> trial = TryUnlessPutOff(subject, property, cases[k]);
       if (ledgers[k].HasOpenJobs() && on_miss == OnMiss::kPutOff) continue;
-      verdicts[k] = std::move(verdict);
-      if (verdicts[k]->outcome == Outcome::kViolated) end = k + 1;
+      trials[k] = std::move(trial);
+      if (EndsTheBatch(trials[k]->verdict.outcome)) end = k + 1;
     }
   };
   const std::size_t half = cases.size() / 2;
-  std::future<void> drawing;  // of the half that is not being judged
+  std::future<bool> drawing;  // of the half that is not being judged
   for (std::size_t turn = 0; turn < 2 * kMostRounds; ++turn) {
     const std::size_t first = turn % 2 == 0 ? 0 : half;
     const std::size_t count = turn % 2 == 0 ? half : cases.size() - half;
     judge(first, first + count, OnMiss::kPutOff);
-    if (drawing.valid()) drawing.get();
+    // Behind a breakdown most draws would be in vain, and might each cost a time limit.
+    if (drawing.valid() && !drawing.get()) break;
+    if (stop && stop()) break;
     drawing = std::async(std::launch::async, [&ledgers, &batching, first, count] {
-      DrawOpenJobs(batching.Behind(), std::span(ledgers).subspan(first, count));
+      return DrawOpenJobs(batching.Behind(), std::span(ledgers).subspan(first, count));
     });
   }
-  drawing.get();
+  if (drawing.valid()) drawing.get();
   judge(0, end, OnMiss::kDrawNow);
-  batching.FollowNone();
-  std::vector<Verdict> done;
-  for (std::size_t k = 0; k < end; ++k) done.push_back(std::move(*verdicts[k]));
+  std::vector<Trial> done;
+  for (std::size_t k = 0; k < end && trials[k]; ++k) done.push_back(std::move(*trials[k]));
   return done;
 }
 

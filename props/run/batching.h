@@ -2,8 +2,10 @@
 #ifndef RASTERPROOF_PROPS_RUN_BATCHING_H_
 #define RASTERPROOF_PROPS_RUN_BATCHING_H_
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "core/drawing.h"
 #include "core/subject.h"
 #include "props/property.h"
+#include "props/run/trial.h"
 
 namespace rasterproof::props {
 
@@ -30,10 +33,12 @@ enum class OnMiss : std::uint8_t {
   kRefuse         ///< an InputError is thrown
 };
 
-/// Thrown through a property whose draw was put off. No std::exception: nothing handles it.
+/// Thrown through a property whose draw was put off. No std::exception, so that no property takes
+/// it for a failure; RunCasesInBatches handles it.
 struct PutOff {};
 
 /// A rasterizer whose draws can be taken from a ledger. Below whatever splits or judges its draws.
+/// What the rasterizer's own calls throw is its fault (GuardedSubject).
 class BatchingSubject final : public Subject {
  public:
   explicit BatchingSubject(std::unique_ptr<Subject> behind);
@@ -46,6 +51,7 @@ class BatchingSubject final : public Subject {
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
   const EdgeEvaluator* Edges() const override;
   const WeightEvaluator* Weights() const override;
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override;
 
   /// From here on draws go by the ledger. kPutOff, kDrawNow: the n-th draw gets the n-th outcome,
   /// so a property that is run again draws what it drew before. Otherwise equal draws are one.
@@ -72,12 +78,15 @@ class BatchingSubject final : public Subject {
 BatchingSubject* BatchingOf(Subject& subject);
 
 /// Runs the property on every case, the first draws of all of them in a few calls; one half of the
-/// cases is judged while the other half is drawn. The verdicts are those of RunCase() on each,
+/// cases is judged while the other half is drawn. The verdicts are those of TryCase() on each,
 /// unless what a subject draws depends on other scenes.
 ///
-/// Returns:    verdicts in the order of the cases; fewer if the last one is violated.
-std::vector<Verdict> RunCasesInBatches(Subject& subject, BatchingSubject& batching,
-                                       const Property& property, std::span<const Case> cases);
+/// Returns:    what came of the cases, in their order; fewer if the last one is violated or
+///             inconclusive, or `stop`, which is asked before each, said so.
+/// Error:      as TryCase.
+std::vector<Trial> RunCasesInBatches(Subject& subject, BatchingSubject& batching,
+                                     const Property& property, std::span<const Case> cases,
+                                     const std::function<bool()>& stop = {});
 
 }  // namespace rasterproof::props
 

@@ -1,32 +1,32 @@
 #include "props/run/campaign.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
-#include "props/catalog/degenerate.h"
-#include "props/catalog/redraw.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 #include "props/run/batching.h"
-#include "props/run/own_transform.h"
+#include "props/run/budget.h"
+#include "props/run/counterexample.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
-#include "props/shrink/shrink.h"
+#include "props/run/trial.h"
 
 namespace rasterproof::props {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::uint64_t kCasesPerProgress = 16;
-constexpr std::chrono::seconds kMostShrinking{60};
+// Cases that are run together; the draws of one block share calls.
+constexpr std::size_t kCasesInABlock = 32;
+// A subject outside that takes so long over a case is slow.
+constexpr double kSlowSeconds = 1;
 
 Case DrawFrom(const std::vector<const Domain*>& domains, const SubjectInfo& info,
               std::uint64_t seed, std::uint64_t index) {
@@ -38,105 +38,138 @@ Case DrawFrom(const std::vector<const Domain*>& domains, const SubjectInfo& info
   return c;
 }
 
-Case Minimal(Subject& subject, const Property& property, const Case& failing,
-             std::uint64_t budget) {
-  // A subject that hangs costs its whole time limit at every step.
-  const Clock::time_point end = Clock::now() + kMostShrinking;
-  const auto fails = [&](const Case& candidate) {
-    return Clock::now() < end &&
-           RunCase(subject, property, candidate).outcome == Outcome::kViolated;
-  };
-  return Shrink(failing, fails, budget).minimal;
+// How long a case takes, roughly.
+std::uint64_t SizeOf(const Case& c) {
+  const auto samples = std::uint64_t{1} * static_cast<std::uint64_t>(c.scene.width) *
+                       static_cast<std::uint64_t>(c.scene.height) *
+                       static_cast<std::uint64_t>(c.profile.lattice.samples());
+  return samples * (1 + c.scene.triangles.size());
 }
 
-// Cases that are run together; the draws of one chunk share calls.
-std::size_t ChunkSize(Subject& subject, const Property& property) {
-  constexpr std::size_t kCasesInABatch = 32;
-  const bool batches = BatchingOf(subject) != nullptr && !property.is_about_sequence;
-  return batches ? kCasesInABatch : 1;
-}
+// Cases that are drawn together, with their numbers.
+struct Block {
+  std::vector<std::uint64_t> indices;
+  std::vector<Case> cases;
+};
 
-std::vector<Verdict> RunChunk(Subject& subject, const Property& property,
-                              std::span<const Case> cases) {
-  if (cases.size() == 1) return {RunCase(subject, property, cases.front())};
-  return RunCasesInBatches(subject, *BatchingOf(subject), property, cases);
-}
+// One run. The same cases in the same order every time, unless the subject is slow.
+class Campaign {
+ public:
+  Campaign(Subject& subject, const Property& property, const CampaignOptions& options)
+      : subject_(subject),
+        property_(property),
+        options_(options),
+        pace_(options.pace != nullptr ? *options.pace : own_pace_),
+        is_outside_(BatchingOf(subject) != nullptr),
+        budget_(subject, options),
+        tally_(subject, property, options.seed) {}
 
-// The result of a run that ended with a violated case. What is violated among other cases must be
-// violated alone, or else it is the company that matters.
-PropertyResult Failed(Subject& subject, const Property& property, const Case& c,
-                      const Verdict& verdict, const CampaignOptions& options, std::uint64_t index,
-                      const Tally& tally) {
-  const bool was_alone = ChunkSize(subject, property) == 1;
-  if (was_alone || RunCase(subject, property, c).outcome == Outcome::kViolated) {
-    return tally.Violated(subject, property, Minimal(subject, property, c, options.shrink_budget),
-                          index);
+  PropertyResult Run() {
+    const auto start = budget_.Now();
+    PropertyResult result = RunBlocks();
+    result.seconds = budget_.Since(start);
+    return result;
   }
-  PropertyResult result = tally.Violated(subject, property, c, index);
-  result.verdict = verdict;
-  result.message = verdict.message +
-                   "; alone the case does not fail: what the subject draws "
-                   "depends on other scenes";
-  return result;
-}
 
-// Runs the cases until one fails or the time is up.
-PropertyResult RunCases(Subject& subject, const Property& property, const CampaignOptions& options,
-                        Clock::time_point start) {
-  Tally tally(subject, property, options.seed);
-  if (tally.domains().empty()) return tally.Concluded();
-  const std::size_t chunk = ChunkSize(subject, property);
-  for (std::uint64_t i = 0; i < options.cases;) {
-    const std::chrono::duration<double> elapsed = Clock::now() - start;
-    if (options.seconds > 0 && elapsed.count() >= options.seconds) break;
-    std::vector<Case> cases;
-    for (std::uint64_t n = i; n < std::min<std::uint64_t>(i + chunk, options.cases); ++n) {
-      cases.push_back(
-          DrawFrom(tally.domains(), subject.Info(), options.seed, options.first_case + n));
-    }
-    const std::vector<Verdict> verdicts = RunChunk(subject, property, cases);
-    for (std::size_t k = 0; k < verdicts.size(); ++k, ++i) {
-      const std::uint64_t index = options.first_case + i;
-      tally.AddCase(index % tally.domains().size(), cases[k], verdicts[k]);
-      if (verdicts[k].outcome == Outcome::kViolated) {
-        return Failed(subject, property, cases[k], verdicts[k], options, index, tally);
-      }
-      if (options.progress && tally.cases() % kCasesPerProgress == 0) {
-        options.progress(tally.cases());
+ private:
+  PropertyResult RunBlocks() {
+    if (tally_.domains().empty()) return tally_.Concluded();
+    for (std::uint64_t done = 0; done < options_.cases;) {
+      const Block block = DrawBlock(done);
+      done += block.cases.size();
+      const std::size_t together = GoOneByOne() ? 1 : block.cases.size();
+      for (std::size_t first = 0; first < block.cases.size(); first += together) {
+        if (budget_.IsStopped()) return tally_.Interrupted();
+        if (budget_.IsUp()) return tally_.Concluded();
+        if (auto end = RunTogether(block, first, together)) return *std::move(end);
       }
     }
+    return tally_.Concluded();
   }
-  return tally.Concluded();
-}
 
-// Checks what the profile promises of the case: its model is the one for the target's size, and
-// triangles of zero area are taken out where it leaves what they cover unspecified.
-Verdict CheckAsPromised(Subject& subject, const Property& property, const Case& c) {
-  if (c.profile.targets.empty() && c.profile.zero_area == ZeroArea::kNothing) {
-    return property.check(subject, c);
+  // A slow subject may be stopped behind any case, a small one first.
+  bool GoOneByOne() const {
+    return !is_outside_ || property_.is_about_sequence || pace_.is_slow || pace_.hangs;
   }
-  Case judged = c;
-  judged.profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  // A crash or a write outside the target is no freedom of flat triangles.
-  if (c.profile.zero_area == ZeroArea::kNothing || property.group == "extremes") {
-    return property.check(subject, judged);
+
+  Block DrawBlock(std::uint64_t done) const {
+    const std::size_t most = GoOneByOne() && !pace_.is_slow ? 1 : kCasesInABlock;
+    std::vector<std::pair<std::uint64_t, Case>> drawn;
+    for (std::uint64_t n = done; n < std::min<std::uint64_t>(done + most, options_.cases); ++n) {
+      const std::uint64_t index = options_.first_case + n;
+      drawn.emplace_back(index, DrawFrom(tally_.domains(), subject_.Info(), options_.seed, index));
+    }
+    if (pace_.is_slow) {
+      std::ranges::stable_sort(drawn, {}, [](const auto& entry) { return SizeOf(entry.second); });
+    }
+    Block block;
+    for (auto& [index, c] : drawn) {
+      block.indices.push_back(index);
+      block.cases.push_back(std::move(c));
+    }
+    return block;
   }
-  if (c.scene.clip_space && !judged.profile.snap.IsNone()) {
-    return {Outcome::kNotExercised, 0, 0, "the area after the division and snapping is not decided",
-            std::nullopt};
+
+  // The result of the run if it ends with these cases.
+  std::optional<PropertyResult> RunTogether(const Block& block, std::size_t first,
+                                            std::size_t count) {
+    const std::span<const Case> cases(block.cases.data() + first, count);
+    const auto began = budget_.Now();
+    if (pace_.hangs && options_.time_limit > 0) budget_.GiveSubject(options_.time_limit);
+    const std::vector<Trial> trials = TryAll(cases);
+    const double took = budget_.Since(began);
+    if (is_outside_ && took >= kSlowSeconds * static_cast<double>(count)) pace_.is_slow = true;
+    for (std::size_t k = 0; k < trials.size(); ++k) {
+      const Trial& trial = trials[k];
+      const bool no_answer = trial.verdict.outcome == Outcome::kInconclusive;
+      // What breaks down as the run is stopped may have been stopped with it.
+      if ((no_answer || trial.broke_down) && budget_.IsStopped()) return tally_.Interrupted();
+      const bool took_a_limit = options_.time_limit > 0 && took >= options_.time_limit;
+      // The case does not count: it is the run's time that was up, not the subject's.
+      if (no_answer && budget_.IsUp() && !took_a_limit) return tally_.Concluded();
+      const std::uint64_t index = block.indices[first + k];
+      tally_.AddCase(index % tally_.domains().size(), cases[k], trial.verdict);
+      if (no_answer) return TooSlow(cases[k], trial.verdict);
+      if (trial.verdict.outcome == Outcome::kViolated) {
+        return Failed({cases, k, trial, took}, index);
+      }
+      if (options_.progress && tally_.cases() % kCasesPerProgress == 0) {
+        options_.progress(tally_.cases());
+      }
+    }
+    if (trials.size() < cases.size()) return tally_.Interrupted();
+    return std::nullopt;
   }
-  const std::vector<std::size_t> flat = FlatTriangles(judged);
-  std::vector<std::size_t> kept;
-  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
-    if (!std::ranges::binary_search(flat, t)) kept.push_back(t);
+
+  std::vector<Trial> TryAll(std::span<const Case> cases) {
+    if (cases.size() == 1) return {TryCase(subject_, property_, cases.front())};
+    return RunCasesInBatches(subject_, *BatchingOf(subject_), property_, cases, options_.stop);
   }
-  Verdict verdict = property.check(subject, OnlyTriangles(judged, kept));
-  if (verdict.witness && verdict.witness->triangle >= 0) {
-    const auto among_kept = static_cast<std::size_t>(verdict.witness->triangle);
-    verdict.witness->triangle = static_cast<int>(kept[among_kept]);
+
+  PropertyResult TooSlow(const Case& c, const Verdict& verdict) {
+    if (is_outside_) pace_.is_slow = true;
+    std::string message = c.origin + ": " + verdict.message;
+    if (pace_.hangs) {
+      message += "; another claim saw the subject hang, so a case has one time limit in all";
+    }
+    return tally_.Inconclusive(message);
   }
-  return verdict;
-}
+
+  PropertyResult Failed(const Failure& failure, std::uint64_t index) {
+    const bool took_a_limit = options_.time_limit > 0 && failure.took >= options_.time_limit;
+    if (failure.trial.broke_down && took_a_limit) pace_.hangs = true;
+    return tally_.Failed(Investigate(subject_, property_, failure, options_, budget_), index);
+  }
+
+  Subject& subject_;
+  const Property& property_;
+  const CampaignOptions& options_;
+  Pace own_pace_;
+  Pace& pace_;
+  bool is_outside_;
+  Budget budget_;
+  Tally tally_;
+};
 
 }  // namespace
 
@@ -151,31 +184,12 @@ Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t s
 }
 
 Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
-  const auto threw = [](const std::string& what) {
-    return Verdict::Violated(1, "the subject threw: " + what, Witness{});
-  };
-  try {
-    return CheckSeen(subject, c, [&](Subject& seen, const Case& seen_case) {
-      return CheckAsPromised(seen, property, seen_case);
-    });
-  } catch (const InputError& error) {
-    // The oracle or the subject says that it takes no such scene.
-    return Verdict::NotApplicable(error.what());
-  } catch (const SubjectFault& fault) {
-    return Verdict::Violated(1, std::string("the subject failed: ") + fault.what(), Witness{});
-  } catch (const std::exception& error) {
-    return threw(error.what());
-  } catch (...) {
-    return threw("something that is no std::exception");
-  }
+  return TryCase(subject, property, c).verdict;
 }
 
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options) {
-  const Clock::time_point start = Clock::now();
-  PropertyResult result = RunCases(subject, property, options, start);
-  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return result;
+  return Campaign(subject, property, options).Run();
 }
 
 }  // namespace rasterproof::props

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_RUN_CAMPAIGN_H_
 #define RASTERPROOF_PROPS_RUN_CAMPAIGN_H_
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 
@@ -14,25 +15,51 @@ namespace rasterproof::props {
 inline constexpr std::uint64_t kDefaultSeed = 1;
 inline constexpr std::uint64_t kDefaultCases = 1000;
 
+/// What earlier runs saw of a subject's pace.
+struct Pace {
+  bool is_slow = false;  ///< small cases come first
+  bool hangs = false;    ///< no case gets more than one time limit in all
+};
+
 struct CampaignOptions {
   std::uint64_t seed = kDefaultSeed;
   /// Cases in all, spread evenly over the property's domains: case i is domain i % n, Philox(seed,
   /// i).
   std::uint64_t cases = kDefaultCases;
-  std::uint64_t first_case = 0;        ///< for shards and replays
-  double seconds = 0;                  ///< stop after this long; 0: no limit
-  std::uint64_t shrink_budget = 2000;  ///< evaluations; a minute at most
+  std::uint64_t first_case = 0;  ///< for shards and replays
+  /// Stop after this long, within a case or while shrinking as well if the subject can be stopped;
+  /// 0: no limit.
+  double seconds = 0;
+  std::uint64_t shrink_budget = 2000;  ///< evaluations
+  double shrink_seconds = 60;          ///< shrinking ends after this long at the latest
+  /// What one draw of a subject that can be stopped may take, in seconds. 0: it can't be stopped.
+  double time_limit = 0;
   /// Called now and then with the number of cases done. May be empty.
-  std::function<void(std::uint64_t)> progress;
+  std::function<void(std::uint64_t)> progress = {};
+  /// Called now and then with the number of evaluations, 0 first, while a failing case is shrunk.
+  /// May be empty.
+  std::function<void(std::uint64_t)> shrinking = {};
+  /// Asked between cases and between steps of shrinking: true ends the run. May be empty.
+  std::function<bool()> stop = {};
+  /// Read and kept up to date, if there is one: for runs of several properties on one subject.
+  Pace* pace = nullptr;
+  /// The clock, for tests. Empty: std::chrono::steady_clock.
+  std::function<std::chrono::steady_clock::time_point()> now = {};
 };
 
 /// Returns what was found. Stops at the first violation and shrinks it.
 ///
-/// A run in which no case put the claim to the test is kNotExercised, never kHolds; a property that
-/// does not apply to the subject is kNotApplicable. Domains that the subject cannot take are left
-/// out and named in the message. A near-edge domain that gave no sample on or within 256 lattice
-/// steps of an edge in all its cases (four at least) makes the run kNotExercised as well: a dead
-/// generator is not a pass.
+/// kHolds         some case put the claim to the test, and none failed.
+/// kNotExercised  none did. Also if a near-edge domain gave no sample on or within 256 lattice
+///                steps of an edge in all its cases (four at least): a dead generator is no pass.
+/// kNotApplicable the property does not apply to the subject. Domains that the subject can't take
+///                are left out and named in the message.
+/// kInconclusive  a case was too slow to judge; the counterexample does not fail again, and then
+///                the message has both answers; the subject refused more than kMostRefusedShare of
+///                the cases; or the run was stopped. The message says which, and what was
+///                exercised so far.
+///
+/// Error:      JudgingFault.
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options = {});
 
@@ -44,8 +71,7 @@ Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t s
 
 /// Runs one property on one given case (replay, saved failures, worst-case files).
 ///
-/// Returns:    what the property says; kViolated if the subject threw; kNotApplicable if the
-///             subject or the oracle refused the scene by an InputError.
+/// Returns:    the verdict of TryCase().
 Verdict RunCase(Subject& subject, const Property& property, const Case& c);
 
 }  // namespace rasterproof::props

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "props/run/campaign.h"
 #include "props/run/near_edge.h"
 #include "props/run/own_transform.h"
 #include "props/run/property_domains.h"
@@ -47,6 +46,10 @@ void Tally::AddCase(std::size_t domain, const Case& c, const Verdict& verdict) {
   ++drawn_[domain];
   Add(near_edge_[domain], counts);
   Add(result_.near_edge, counts);
+  result_.not_judged += verdict.not_judged;
+  if (verdict.outcome == Outcome::kRefused && result_.cases_refused++ == 0) {
+    why_refused_ = verdict.message;
+  }
   if (verdict.outcome != Outcome::kNotApplicable) return;
   ++not_applicable_;
   if (why_not_.empty()) why_not_ = verdict.message;
@@ -59,26 +62,51 @@ PropertyResult Tally::Concluded() const {
     AddSentence(result.message, why_not_);
     return result;
   }
+  const auto refused = static_cast<double>(result.cases_refused);
+  const auto asked = static_cast<double>(result.cases_refused + result.cases_exercised);
+  if (refused > kMostRefusedShare * asked) {
+    result.outcome = Outcome::kInconclusive;
+    AddSentence(result.message, "the subject refuses too much: " + SoFar() +
+                                    "; the first refusal: " + why_refused_);
+    return result;
+  }
   const std::string dead = DeadDomains();
   const bool holds = result.exercised != 0 && dead.empty();
   result.outcome = holds ? Outcome::kHolds : Outcome::kNotExercised;
   if (result.exercised == 0) AddSentence(result.message, "no case put the claim to the test");
   AddSentence(result.message, dead);
+  if (holds && result.cases_refused != 0) {
+    AddSentence(result.message, "holds where it did not refuse: " + SoFar());
+  }
   return result;
 }
 
-PropertyResult Tally::Violated(Subject& subject, const Property& property, Case minimal,
-                               std::uint64_t failing_case) const {
+PropertyResult Tally::Inconclusive(const std::string& why) const {
   PropertyResult result = result_;
-  result.outcome = Outcome::kViolated;
-  result.failing_case = failing_case;
-  result.verdict = RunCase(subject, property, minimal);
-  result.counterexample = std::move(minimal);
-  AddSentence(result.message,
-              result.verdict->outcome == Outcome::kViolated
-                  ? result.verdict->message
-                  : "the subject is not deterministic: its counterexample does not fail again");
+  result.outcome = Outcome::kInconclusive;
+  AddSentence(result.message, why);
+  AddSentence(result.message, "nothing violated so far, " + SoFar());
   return result;
+}
+
+PropertyResult Tally::Interrupted() const { return Inconclusive("interrupted"); }
+
+PropertyResult Tally::Failed(Counterexample found, std::uint64_t failing_case) const {
+  PropertyResult result = result_;
+  result.outcome = found.outcome;
+  result.failing_case = failing_case;
+  result.counterexample = std::move(found.value);
+  result.verdict = std::move(found.verdict);
+  AddSentence(result.message, found.message);
+  return result;
+}
+
+// "exercised in 2 of 120 cases, 118 refused"
+std::string Tally::SoFar() const {
+  std::string text = "exercised in " + std::to_string(result_.cases_exercised) + " of " +
+                     std::to_string(result_.cases) + " cases";
+  if (result_.cases_refused != 0) text += ", " + std::to_string(result_.cases_refused) + " refused";
+  return text;
 }
 
 std::string Tally::DeadDomains() const {

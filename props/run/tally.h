@@ -12,8 +12,13 @@
 #include "core/verdict.h"
 #include "props/domains/domain.h"
 #include "props/property.h"
+#include "props/run/counterexample.h"
 
 namespace rasterproof::props {
+
+/// Of the cases that would have put the claim to the test, at most so many may be refused: beyond
+/// that, what holds was hardly asked.
+inline constexpr double kMostRefusedShare = 0.5;
 
 /// Counts cases, how often they put the claim to the test, and how near to edges they came.
 class Tally {
@@ -28,15 +33,18 @@ class Tally {
   /// Adds one case of domains()[domain].
   void AddCase(std::size_t domain, const Case& c, const Verdict& verdict);
 
-  /// The result of a run in which nothing was violated. Not a pass if nothing was exercised or a
-  /// near-edge domain gave nothing near an edge.
+  /// The result of a run in which nothing was violated. Not a pass if nothing was exercised, if a
+  /// near-edge domain gave nothing near an edge, or if the subject refused too much.
   PropertyResult Concluded() const;
-
-  /// The result of a run that ended with a violation: its smallest counterexample is run once more.
-  PropertyResult Violated(Subject& subject, const Property& property, Case minimal,
-                          std::uint64_t failing_case) const;
+  /// The result of a run that ended with a case that could not be judged.
+  PropertyResult Inconclusive(const std::string& why) const;
+  /// The result of a run that was stopped before anything was violated.
+  PropertyResult Interrupted() const;
+  /// The result of a run that ended with a case that failed.
+  PropertyResult Failed(Counterexample found, std::uint64_t failing_case) const;
 
  private:
+  std::string SoFar() const;
   std::string DeadDomains() const;
 
   PropertyResult result_;
@@ -45,6 +53,7 @@ class Tally {
   std::vector<NearEdgeCounts> near_edge_;
   std::uint64_t not_applicable_ = 0;
   std::string why_not_;
+  std::string why_refused_;
 };
 
 }  // namespace rasterproof::props

@@ -97,14 +97,15 @@ bool HasADomain(const Property& property, const SubjectInfo& info) {
 // Runs the cases both ways, up to the first violated one.
 void ExpectTheSameVerdicts(Outside outside, const Property& property, std::uint64_t n) {
   const std::vector<Case> cases = SomeCases(outside.whole->Info(), property, n);
-  const std::vector<Verdict> batched =
+  const std::vector<Trial> batched =
       RunCasesInBatches(*outside.whole, *BatchingOf(*outside.whole), property, cases);
   ASSERT_FALSE(batched.empty());
   for (std::size_t k = 0; k < batched.size(); ++k) {
     const Verdict alone = RunCase(*outside.whole, property, cases[k]);
-    ASSERT_EQ(batched[k].outcome, alone.outcome) << property.name << " " << k;
-    EXPECT_EQ(batched[k].message, alone.message) << property.name << " " << k;
-    EXPECT_EQ(batched[k].exercised, alone.exercised) << property.name << " " << k;
+    const Verdict& together = batched[k].verdict;
+    ASSERT_EQ(together.outcome, alone.outcome) << property.name << " " << k;
+    EXPECT_EQ(together.message, alone.message) << property.name << " " << k;
+    EXPECT_EQ(together.exercised, alone.exercised) << property.name << " " << k;
     const bool is_last = k + 1 == batched.size();
     EXPECT_EQ(is_last, k + 1 == cases.size() || alone.outcome == Outcome::kViolated);
   }

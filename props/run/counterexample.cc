@@ -1,0 +1,206 @@
+#include "props/run/counterexample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "props/run/batching.h"
+#include "props/shrink/shrink.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kEvaluationsPerProgress = 16;
+
+std::string AnswerText(const Verdict& verdict) {
+  std::string text(OutcomeName(verdict.outcome));
+  if (!verdict.message.empty()) text += ": " + verdict.message;
+  if (!verdict.witness || verdict.witness->observed.empty()) return text;
+  const Witness& w = *verdict.witness;
+  if (w.x >= 0) text += ", at pixel (" + std::to_string(w.x) + ", " + std::to_string(w.y) + ")";
+  return text + " observed " + w.observed + ", expected " + w.expected;
+}
+
+std::string TwoAnswersText(const Verdict& one, const Verdict& other) {
+  return "first " + AnswerText(one) + "; then " + AnswerText(other);
+}
+
+Counterexample NotDeterministic(const Case& c, const Verdict& seen, const Verdict& then) {
+  return {c, seen, Outcome::kInconclusive,
+          "the subject is not deterministic: its counterexample does not fail again; " +
+              TwoAnswersText(seen, then),
+          0};
+}
+
+Counterexample Violated(const Case& c, const Verdict& verdict) {
+  return {c, verdict, Outcome::kViolated, verdict.message, 0};
+}
+
+// Judges smaller and smaller cases, as long as it may.
+class Shrinking {
+ public:
+  Shrinking(Subject& subject, const Property& property, const CampaignOptions& options,
+            Budget& budget, const Failure& failure)
+      : subject_(subject),
+        property_(property),
+        options_(options),
+        budget_(budget),
+        hung_(failure.trial.broke_down && options.time_limit > 0 &&
+              failure.took >= options.time_limit),
+        first_(failure.trial.verdict),
+        last_(first_) {}
+
+  bool Hung() const { return hung_; }
+  const Verdict& Last() const { return last_; }    ///< of the last case that failed
+  const std::string& Cut() const { return cut_; }  ///< why it ended early; empty if it did not
+  int hangs() const { return hangs_; }
+  std::uint64_t evaluations() const { return evaluations_; }
+
+  Verdict Judge(const Case& c) {
+    const auto began = budget_.Now();
+    if (hung_) budget_.GiveSubject(options_.time_limit);
+    const Trial trial = TryCase(subject_, property_, c);
+    const bool no_answer = trial.broke_down || trial.verdict.outcome == Outcome::kInconclusive;
+    if (!hung_ || !no_answer || budget_.Since(began) < options_.time_limit) return trial.verdict;
+    ++hangs_;
+    return first_;
+  }
+
+  Case Smallest(const Case& failing) {
+    began_ = budget_.Now();
+    budget_.GiveSubject(options_.shrink_seconds);
+    const auto fails = [this](const Case& candidate) { return Fails(candidate); };
+    Case smallest = Shrink(failing, fails, options_.shrink_budget).minimal;
+    budget_.GiveSubjectAll();
+    return smallest;
+  }
+
+ private:
+  std::string WhyToCut() const {
+    if (budget_.IsStopped()) return "interrupted";
+    if (hangs_ >= kMostHangs) return "it hung " + std::to_string(hangs_) + " times";
+    const bool is_late = budget_.IsUp() || budget_.Since(began_) >= options_.shrink_seconds;
+    return is_late ? "the time was up" : "";
+  }
+
+  bool Fails(const Case& candidate) {
+    if (cut_.empty()) cut_ = WhyToCut();
+    if (!cut_.empty()) return false;
+    if (options_.shrinking && evaluations_ % kEvaluationsPerProgress == 0) {
+      options_.shrinking(evaluations_);
+    }
+    ++evaluations_;
+    const Verdict verdict = Judge(candidate);
+    // What breaks down as the run is stopped may have been stopped with it.
+    if (verdict.outcome != Outcome::kViolated || budget_.IsStopped()) return false;
+    last_ = verdict;
+    return true;
+  }
+
+  Subject& subject_;
+  const Property& property_;
+  const CampaignOptions& options_;
+  Budget& budget_;
+  bool hung_;
+  Verdict first_;
+  Verdict last_;
+  Budget::Clock::time_point began_;
+  std::uint64_t evaluations_ = 0;
+  int hangs_ = 0;
+  std::string cut_;
+};
+
+bool MayGoOn(const Budget& budget) { return !budget.IsUp() && !budget.IsStopped(); }
+
+// The case holds alone. Its company is to blame if it does it again; otherwise nobody knows.
+Counterexample InCompany(Subject& subject, const Property& property, const Failure& failure,
+                         const Verdict& alone, const CampaignOptions& options,
+                         const Budget& budget) {
+  const Case& c = failure.company[failure.at];
+  const Verdict& seen = failure.trial.verdict;
+  const auto is_violated = [](const Trial& trial) {
+    return trial.verdict.outcome == Outcome::kViolated;
+  };
+  if (MayGoOn(budget)) {
+    const std::vector<Trial> again =
+        RunCasesInBatches(subject, *BatchingOf(subject), property, failure.company, options.stop);
+    if (std::ranges::none_of(again, is_violated) && MayGoOn(budget)) {
+      return NotDeterministic(c, seen, alone);
+    }
+  }
+  return {c, seen, Outcome::kViolated,
+          seen.message +
+              "; alone the case does not fail: what the subject draws depends on other "
+              "scenes; " +
+              TwoAnswersText(seen, alone),
+          0};
+}
+
+// The smallest case once more; and if that was luck, the one that failed first.
+Counterexample Confirmed(Subject& subject, const Property& property, const Case& smallest,
+                         const Verdict& seen, const Failure& failure) {
+  Counterexample found = RunOnceMore(subject, property, smallest, seen);
+  const Case& failing = failure.company[failure.at];
+  if (found.outcome == Outcome::kViolated || smallest == failing) return found;
+  Counterexample first = RunOnceMore(subject, property, failing, failure.trial.verdict);
+  if (first.outcome != Outcome::kViolated) return found;
+  first.message += "; smaller cases fail only now and then";
+  return first;
+}
+
+}  // namespace
+
+Counterexample RunOnceMore(Subject& subject, const Property& property, const Case& failing,
+                           const Verdict& seen) {
+  const Verdict again = RunCase(subject, property, failing);
+  if (again.outcome == Outcome::kViolated) return Violated(failing, again);
+  Counterexample once = Violated(failing, seen);
+  if (again.outcome == Outcome::kInconclusive) {
+    once.message += "; run once more it could not be judged: " + again.message;
+    return once;
+  }
+  if (!property.is_about_sequence) return NotDeterministic(failing, seen, again);
+  once.message += "; not every time: " + TwoAnswersText(seen, again);
+  return once;
+}
+
+Counterexample Investigate(Subject& subject, const Property& property, const Failure& failure,
+                           const CampaignOptions& options, Budget& budget) {
+  const Case& failing = failure.company[failure.at];
+  Shrinking shrinking(subject, property, options, budget, failure);
+  if (options.shrinking) options.shrinking(0);
+  if (failure.company.size() > 1 && MayGoOn(budget)) {
+    const Verdict alone = shrinking.Judge(failing);
+    const bool could_be_judged = alone.outcome != Outcome::kInconclusive;
+    if (alone.outcome != Outcome::kViolated && could_be_judged && !budget.IsStopped()) {
+      return InCompany(subject, property, failure, alone, options, budget);
+    }
+  }
+  const Case smallest = shrinking.Smallest(failing);
+  Counterexample found = Violated(smallest, shrinking.Last());
+  // What hung once would cost a time limit each time.
+  if (!shrinking.Hung() && MayGoOn(budget)) {
+    found = Confirmed(subject, property, smallest, shrinking.Last(), failure);
+  }
+  found.evaluations = shrinking.evaluations();
+  if (shrinking.hangs() > 0) {
+    found.message += "; smaller cases without an answer in one time limit were taken to hang";
+  }
+  if (!shrinking.Cut().empty()) found.message += "; not shrunk any further: " + shrinking.Cut();
+  return found;
+}
+
+Counterexample ShrinkFailing(Subject& subject, const Property& property, const Case& failing,
+                             const CampaignOptions& options) {
+  Budget budget(subject, options);
+  const auto began = budget.Now();
+  Failure failure{{&failing, 1}, 0, TryCase(subject, property, failing), 0};
+  failure.took = budget.Since(began);
+  const Verdict& verdict = failure.trial.verdict;
+  if (verdict.outcome != Outcome::kViolated) {
+    return {failing, verdict, verdict.outcome, verdict.message, 0};
+  }
+  return Investigate(subject, property, failure, options, budget);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,66 @@
+// From a case that failed to the result of its run: is it so alone, how small can it get, and is it
+// so again?
+#ifndef RASTERPROOF_PROPS_RUN_COUNTEREXAMPLE_H_
+#define RASTERPROOF_PROPS_RUN_COUNTEREXAMPLE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/property.h"
+#include "props/run/budget.h"
+#include "props/run/campaign.h"
+#include "props/run/trial.h"
+
+namespace rasterproof::props {
+
+/// So many evaluations may hang while a case is shrunk: each costs a whole time limit.
+inline constexpr int kMostHangs = 8;
+
+/// What failed, and what is said of it.
+struct Counterexample {
+  Case value;
+  Verdict verdict;  ///< violated; the first answer where there are two
+  Outcome outcome = Outcome::kViolated;
+  std::string message;
+  std::uint64_t evaluations = 0;  ///< that shrinking took
+};
+
+/// What a failing case comes to when it is run once more, alone.
+///
+/// Returns:    violated with what is said then. If it does not fail again: inconclusive with both
+///             answers; violated all the same for claims about sequences of calls, which say
+///             themselves that equal draws are equal, and if it could not be run again.
+Counterexample RunOnceMore(Subject& subject, const Property& property, const Case& failing,
+                           const Verdict& seen);
+
+/// A case that failed, by its trial, among the cases that shared calls with it.
+struct Failure {
+  std::span<const Case> company;  ///< itself included
+  std::size_t at = 0;             ///< which of them
+  Trial trial;
+  double took = 0;  ///< seconds, all of them together
+};
+
+/// Judges the case alone, shrinks it and runs the smallest one once more.
+///
+/// What hung is shrunk with one time limit an evaluation: none is given the time to prove that it
+/// hangs, and at most kMostHangs are tried. What is violated in company alone is violated if the
+/// company does it again. Ends in time when the budget does, or if it is stopped; then the message
+/// says so.
+Counterexample Investigate(Subject& subject, const Property& property, const Failure& failure,
+                           const CampaignOptions& options, Budget& budget);
+
+/// Runs the case, and shrinks it by the same rules if it fails.
+///
+/// Returns:    what came of it: as given, and with its own outcome, if it is not violated.
+Counterexample ShrinkFailing(Subject& subject, const Property& property, const Case& failing,
+                             const CampaignOptions& options);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_RUN_COUNTEREXAMPLE_H_

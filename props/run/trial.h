@@ -1,0 +1,38 @@
+// One property on one case, and what the subject did beside answering.
+#ifndef RASTERPROOF_PROPS_RUN_TRIAL_H_
+#define RASTERPROOF_PROPS_RUN_TRIAL_H_
+
+#include <stdexcept>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+
+/// What came of one case.
+struct Trial {
+  Verdict verdict;
+  /// It crashed, hung, threw or answered what is no answer: that is what the verdict says.
+  bool broke_down = false;
+};
+
+/// A fault of ours, met while a claim was judged: the message says of which claim and case. What
+/// the subject's own calls throw is none.
+class JudgingFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs the property on the case.
+///
+/// Returns:    what the property says; kRefused if the subject refused a scene of it, kViolated if
+///             it broke down over one, kInconclusive if it took longer than it may, and
+///             kNotApplicable if the oracle can't decide the case (any other InputError).
+/// Error:      JudgingFault. PutOff goes through.
+Trial TryCase(Subject& subject, const Property& property, const Case& c);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_RUN_TRIAL_H_

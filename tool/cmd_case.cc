@@ -16,6 +16,7 @@
 #include "report/picture.h"
 #include "tool/commands.h"
 #include "tool/failure.h"
+#include "tool/progress.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -121,10 +122,11 @@ int RunShrink(const ShrinkOptions& options) {
   const std::string text =
       io::CaseToJson({shrunk.minimal, loaded.subject->Info().name, PropertyName(loaded)});
   WriteOutput(options.output, text);
-  fmt::print(stderr, "{} triangles in {}x{}, after {} evaluations (from {} in {}x{})\n",
-             shrunk.minimal.scene.triangles.size(), shrunk.minimal.scene.width,
-             shrunk.minimal.scene.height, shrunk.evaluations, loaded.value.scene.triangles.size(),
-             loaded.value.scene.width, loaded.value.scene.height);
+  Tell(fmt::format("{} triangles in {}x{}, after {} evaluations (from {} in {}x{})\n",
+                   shrunk.minimal.scene.triangles.size(), shrunk.minimal.scene.width,
+                   shrunk.minimal.scene.height, shrunk.evaluations,
+                   loaded.value.scene.triangles.size(), loaded.value.scene.width,
+                   loaded.value.scene.height));
   return kExitHolds;
 }
 

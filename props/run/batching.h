@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_RUN_BATCHING_H_
 #define RASTERPROOF_PROPS_RUN_BATCHING_H_
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -44,6 +45,7 @@ class BatchingSubject final : public Subject {
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
   Drawing Show(const DrawJob& job) override;
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override;
   const EdgeEvaluator* Edges() const override;
   const WeightEvaluator* Weights() const override;
 

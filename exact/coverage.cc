@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/target_size.h"
 #include "exact/edge.h"
 #include "exact/homogeneous.h"
 #include "exact/sample_frame.h"
@@ -57,6 +58,7 @@ bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule, Deci
 
 CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options,
                         Decider decider) {
+  RequireTargetSize("oracle", scene.width, scene.height, profile.lattice.samples());
   const Scene snapped = PlacedScene(scene, profile);
   const SampleFrame frame(scene, profile, options);
   CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());

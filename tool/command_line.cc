@@ -1,6 +1,9 @@
 // Options are parsed here, in one translation unit; cmd_*.cc do the work.
 #include "tool/command_line.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdint>
 #include <exception>
@@ -18,6 +21,7 @@
 #include "tool/commands.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
+#include "tool/progress.h"
 #include "tool/shell.h"
 
 namespace rasterproof::tool {
@@ -28,7 +32,7 @@ std::uint64_t ParseSeed(const std::string& text) {
   if (text == "random") {
     std::random_device device;
     const std::uint64_t seed = (std::uint64_t{device()} << 32) | device();
-    fmt::print(stderr, "seed {}\n", seed);
+    Tell(fmt::format("seed {}\n", seed));
     return seed;
   }
   std::size_t used = 0;
@@ -378,6 +382,14 @@ void AddHost(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return HostSubject(options.subject, options.describe); }; });
 }
 
+// A standard file that the caller closed would give its number to the next file that is opened.
+// Nothing is to be read there and nothing to be written; only complaints may get lost.
+void OpenStandardFiles() {
+  for (int n = STDIN_FILENO; n <= STDERR_FILENO; ++n) {
+    if (fcntl(n, F_GETFD) < 0) open("/dev/null", n == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
 // As it was typed, to be typed again.
 std::string CommandLine(int argc, char** argv) {
   std::string line = "rasterproof";
@@ -431,6 +443,7 @@ int Parse(int argc, char** argv, const std::string& own) {
 int RunCommandLine(int argc, char** argv, const std::string& own) {
   // A closed pipe is an error that is reported, not a signal that kills.
   std::signal(SIGPIPE, SIG_IGN);
+  OpenStandardFiles();
   try {
     return Parse(argc, argv, own);
   } catch (const InputError& error) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/target_size.h"
 #include "exact/coverage.h"
 #include "exact/environment.h"
 #include "fmt/format.h"
@@ -82,6 +84,9 @@ class JudgedSubject final : public Subject {
     return subject_->DrawMany(jobs);
   }
   Subject& Whole() override { return subject_->Whole(); }
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
+    subject_->SetDeadline(deadline);
+  }
   const EdgeEvaluator* Edges() const override { return subject_->Edges(); }
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
@@ -145,17 +150,6 @@ void RequireOursInFile(const std::string& name, const CaseChoice& choice, std::s
   throw InputError(choice.path,
                    "the file names a subject outside this program, and no file decides what is run",
                    fmt::format("if you trust it, name it yourself: {} {}", typed, option));
-}
-
-void RequireTargetSize(const SceneOptions& options) {
-  const auto samples = std::int64_t{options.width} * options.height;
-  if (options.width >= 1 && options.height >= 1 && options.width <= kMaxTargetSide &&
-      options.height <= kMaxTargetSide && samples <= kMaxTargetSamples) {
-    return;
-  }
-  throw InputError(fmt::format("--width {} --height {}", options.width, options.height),
-                   "the target is out of range",
-                   fmt::format("give sides of 1 to {} and at most 2^28 samples", kMaxTargetSide));
 }
 
 }  // namespace
@@ -232,7 +226,8 @@ Scene LoadScene(const SceneOptions& options) {
     }
     return io::ReadScene(options.path);
   }
-  RequireTargetSize(options);
+  RequireTargetSize(fmt::format("--width {} --height {}", options.width, options.height),
+                    options.width, options.height, 1);
   const io::Mesh mesh = io::ReadMesh(options.path);
   const std::string text = options.camera.empty() ? "front" : options.camera;
   const io::Camera camera = io::ParseCamera(text, mesh);
@@ -247,7 +242,9 @@ Scene LoadScene(const SceneOptions& options) {
 }
 
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options) {
-  CoverageCounts counts(scene.width, scene.height, subject.Info().profile.lattice.samples());
+  const int samples = subject.Info().profile.lattice.samples();
+  RequireTargetSize("scene", scene.width, scene.height, samples);
+  CoverageCounts counts(scene.width, scene.height, samples);
   subject.Draw(scene, options, counts);
   return counts;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,6 +39,9 @@ class FacingSubject final : public Subject {
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
   Subject& Whole() override { return subject_->Whole(); }
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
+    subject_->SetDeadline(deadline);
+  }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     const DrawJob job{scene, options, counts.samples};

@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "core/coverage.h"
 #include "core/error.h"
 #include "core/subject.h"
 #include "exact/coverage.h"
+#include "exact/environment.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "props/shrink/shrink.h"
@@ -41,12 +43,21 @@ subjects::LoadedPlugin Load(const std::string& path) {
   return {std::move(subject), std::move(profile)};
 }
 
+// The oracle computes in the process that the library is loaded into, and in its threads.
+void RequireHonest() {
+  if (const exact::Environment environment = exact::InspectEnvironment(); !environment.Honest()) {
+    throw std::runtime_error("the library left this process unfit to judge: " +
+                             environment.Complaint());
+  }
+}
+
 // The subject's counts of a scene, and the time it took.
 CoverageCounts Drawn(Subject& subject, const Scene& scene, double& seconds) {
   CoverageCounts counts(scene.width, scene.height);
   const Clock::time_point begun = Clock::now();
   subject.Draw(scene, {}, counts);
   seconds += Since(begun);
+  RequireHonest();
   return counts;
 }
 

@@ -324,20 +324,7 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   return json;
 }
 
-}  // namespace
-
-std::string PresetNames() {
-  std::string names;
-  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
-  return names;
-}
-
-Profile ProfileFromJson(const JsonValue& value) {
-  if (value.kind() == JsonKind::kString) {
-    if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
-    throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
-                      "write an object, or one of the presets" + PresetNames());
-  }
+Profile ProfileFromObject(const JsonValue& value) {
   value.RequireObject(kProfileKeys);
   Profile profile;
   profile.name = value.Get("name").RequireString();
@@ -366,10 +353,36 @@ Profile ProfileFromJson(const JsonValue& value) {
   return profile;
 }
 
+}  // namespace
+
+std::string PresetNames() {
+  std::string names;
+  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
+  return names;
+}
+
+std::string ProfileName(const Profile& profile) {
+  const std::optional<Profile> preset = PresetProfile(profile.name);
+  return !preset || *preset == profile ? profile.name : profile.name + ", changed";
+}
+
+Profile ProfileFromJson(const JsonValue& value) {
+  if (value.kind() == JsonKind::kString) {
+    if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
+    throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
+                      "write an object, or one of the presets" + PresetNames());
+  }
+  Profile profile = ProfileFromObject(value);
+  if (ProfileName(profile) == profile.name) return profile;
+  throw value.Get("name").Error(
+      Quoted(profile.name) + " is the name of a preset, and this is not what the preset says",
+      "give it another name, or write " + Quoted(profile.name) + " alone for the preset");
+}
+
 std::string ProfileToJson(const Profile& profile) {
   if (PresetProfile(profile.name) == profile) return JsonString(profile.name);
   const std::string line = ",\n    ";
-  std::string json = "{\n    \"name\": " + JsonString(profile.name);
+  std::string json = "{\n    \"name\": " + JsonString(ProfileName(profile));
   json += SnapToJson(profile.snap, line);
   json += line + "\"sample_locations\": " + LatticeToJson(profile.lattice);
   json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));

@@ -74,6 +74,7 @@ class JudgedSubject final : public Subject {
     const std::optional<FixedInput> fixed = info_.profile.fixed;
     info_.profile = profile;
     if (!profile.fixed) info_.profile.fixed = fixed;
+    info_.profile.name = io::ProfileName(info_.profile);
   }
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
@@ -172,7 +173,14 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name) { return MakeSubject
 
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile) {
   for (const auto& [oracle, decider] : kOracles) {
-    if (name == oracle) return std::make_unique<OracleSubject>(name, decider, profile);
+    if (name != oracle) continue;
+    if (decider != exact::Decider::kFast && !profile.crossing.IsNone()) {
+      throw InputError(
+          fmt::format("subject '{}'", name),
+          fmt::format("it does not decide the rounded crossings of profile {}", profile.name),
+          "use --subject exact, or a profile without crossing");
+    }
+    return std::make_unique<OracleSubject>(name, decider, profile);
   }
   return nullptr;
 }

@@ -72,6 +72,31 @@ TEST(ProfileJson, KeysThatAreLeftOutSayWhatTheyAlwaysDid) {
   EXPECT_EQ(fixed.fixed, (FixedInput{9, 0, true, false}));
 }
 
+TEST(ProfileJson, APresetsNameIsForWhatThePresetSays) {
+  for (const std::string_view name : kPresetProfiles) {
+    const Profile preset = *PresetProfile(name);
+    Profile other = preset;
+    other.snap.bits = 4;
+    EXPECT_EQ(ProfileName(preset), name);
+    EXPECT_NE(ProfileName(other), name);
+    // What is written is read back, and never under the preset's name.
+    Profile renamed = other;
+    renamed.name = ProfileName(other);
+    EXPECT_EQ(ParseProfile(ProfileToJson(other), "written"), renamed);
+  }
+  const std::string vulkan = R"({"name": "vulkan", "subpixel_bits": 8, "coordinate_limit": 32768})";
+  EXPECT_EQ(ParseProfile(vulkan, "p.json"), *PresetProfile("vulkan"));
+  try {
+    ParseProfile(R"({"name": "vulkan", "subpixel_bits": 4})", "p.json");
+    ADD_FAILURE() << "a profile of 4 bits is taken for the preset of 8";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "p.json: name: \"vulkan\" is the name of a preset, and this is not what the preset "
+        "says; give it another name, or write \"vulkan\" alone for the preset");
+  }
+}
+
 std::string Message(const std::string& member) {
   try {
     ParseProfile(R"({"name": "p", )" + member + "}", "p.json");

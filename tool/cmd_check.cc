@@ -16,10 +16,12 @@
 #include "io/output.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/tally.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
+#include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -46,7 +48,7 @@ class Tally {
   std::uint64_t Of(Outcome outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
   int ExitStatus() const {
     if (Of(Outcome::kViolated) != 0) return kExitViolated;
-    if (Of(Outcome::kRefused) + Of(Outcome::kInconclusive) != 0) return kExitInconclusive;
+    if (Of(Outcome::kInconclusive) != 0 || RefusesTooMuch()) return kExitInconclusive;
     return Of(Outcome::kHolds) != 0 ? kExitHolds : kExitInconclusive;
   }
   std::string Line(const std::string& subject) const {
@@ -60,6 +62,13 @@ class Tally {
   }
 
  private:
+  // Of claims on given scenes. A campaign has counted the refusals of its cases itself.
+  bool RefusesTooMuch() const {
+    const auto refused = static_cast<double>(Of(Outcome::kRefused));
+    const auto holds = static_cast<double>(Of(Outcome::kHolds));
+    return refused > props::kMostRefusedShare * (refused + holds);
+  }
+
   std::array<std::uint64_t, 6> counts_{};  // by Outcome
   std::uint64_t cases_ = 0;
 };
@@ -120,6 +129,7 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
   NotAsked not_asked;
   props::Pace pace;
   for (const props::Property* property : ChosenProperties(options)) {
+    if (Interrupted()) break;
     progress.Stage(fmt::format("{} {}", name, property->name), options.campaign.cases);
     props::CampaignOptions campaign;
     campaign.seed = options.campaign.seed;
@@ -134,6 +144,7 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
       }
       progress.Done(evaluations);
     };
+    campaign.stop = Interrupted;
     campaign.pace = &pace;
     const PropertyResult result = props::RunCampaign(subject, *property, campaign);
     tally.Count(result.outcome, result.cases);
@@ -165,6 +176,7 @@ void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progres
     given.profile = subject.Info().profile;
     RequireTakes(subject, given.scene, path);
     for (const props::Property* property : ChosenProperties(options)) {
+      if (Interrupted()) break;
       progress.Stage(fmt::format("{} {} on {}", name, property->name, path));
       const Verdict verdict = props::RunCase(subject, *property, given);
       tally.Count(verdict.outcome, 1);
@@ -210,6 +222,7 @@ int RunCheck(const CheckOptions& options) {
   }
   int status = kExitHolds;
   for (const std::unique_ptr<Subject>& subject : subjects) {
+    if (Interrupted()) break;
     std::string text;
     Tally own;
     {
@@ -224,7 +237,9 @@ int RunCheck(const CheckOptions& options) {
     status = WorseStatus(status, own.ExitStatus());
     io::WriteStandardOutput(text);
   }
-  return status;
+  if (!Interrupted()) return status;
+  io::WriteStandardOutput("interrupted: this is what was found so far\n");
+  return WorseStatus(status, kExitInconclusive);
 }
 
 }  // namespace rasterproof::tool

@@ -295,7 +295,8 @@ void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
   AddCase(verb, options.choice);
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
   verb->add_option("--budget", options.budget, "Most evaluations")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunShrink(options); }; });
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
 }
 
 void AddPlan(CLI::App& app, Run& run) {
@@ -454,7 +455,7 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
     std::cerr << "rasterproof: the subject failed: " << report::CleanText(fault.what()) << '\n';
     return kExitViolated;
   } catch (const SubjectTooSlow& slow) {
-    std::cerr << "rasterproof: the subject is too slow to judge: " << report::CleanText(slow.what())
+    std::cerr << "rasterproof: the subject was too slow to judge: " << report::CleanText(slow.what())
               << '\n';
     return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {

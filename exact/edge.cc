@@ -25,8 +25,23 @@ std::string_view DeciderName(Decider decider) {
   return "";
 }
 
-TierCounts Tiers() { return ThreadTiers(); }
-void ResetTiers() { ThreadTiers() = TierCounts{}; }
+TierCounts& TierCounts::operator+=(const TierCounts& more) {
+  filter += more.filter;
+  stable += more.stable;
+  exact += more.exact;
+  symbolic += more.symbolic;
+  return *this;
+}
+
+TierScope::TierScope() : start_(ThreadTiers()) {}
+
+TierCounts TierScope::Counts() const {
+  const TierCounts& now = ThreadTiers();
+  return {now.filter - start_.filter, now.stable - start_.stable, now.exact - start_.exact,
+          now.symbolic - start_.symbolic};
+}
+
+void CreditTiers(const TierCounts& kept) { ThreadTiers() += kept; }
 
 int EdgeSign(Point2 a, Point2 b, Point2 p, Decider decider) {
   if (decider == Decider::kIntegers) return IntegerEdgeSign(a, b, p);

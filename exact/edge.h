@@ -19,16 +19,35 @@ enum class Decider : std::uint8_t {
 };
 std::string_view DeciderName(Decider decider);
 
-/// How often each tier of the fast path decided, in this thread since the last reset.
+/// How often each tier of the fast path decided.
 struct TierCounts {
   std::uint64_t filter = 0;  ///< branch-free floating-point filter
   std::uint64_t stable =
       0;  ///< comparison of two products with their rounding errors, or 128-bit integers
-  std::uint64_t exact = 0;     ///< wide integers
+  std::uint64_t exact = 0;     ///< wide integers or rationals
   std::uint64_t symbolic = 0;  ///< E == 0: the tie rule's shift decided
+
+  TierCounts& operator+=(const TierCounts& more);
+  friend bool operator==(const TierCounts&, const TierCounts&) = default;
 };
-TierCounts Tiers();
-void ResetTiers();
+
+/// Counts what the fast path decides in this thread while the scope lives. Scopes may nest: each
+/// sees what the ones inside it see.
+class TierScope {
+ public:
+  TierScope();
+  TierScope(const TierScope&) = delete;
+  TierScope& operator=(const TierScope&) = delete;
+
+  TierCounts Counts() const;
+
+ private:
+  TierCounts start_;
+};
+
+/// Adds decisions to every scope that lives in this thread: those behind a result that was kept
+/// from an earlier call, so that whoever uses it counts what it took.
+void CreditTiers(const TierCounts& kept);
 
 /// Returns the sign of E(a, b; p) = (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x).
 ///

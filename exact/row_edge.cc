@@ -6,6 +6,7 @@
 
 #include "core/snap.h"
 #include "exact/rational.h"
+#include "exact/signs.h"
 
 namespace rasterproof::exact {
 namespace {
@@ -29,12 +30,13 @@ Rational CrossingOf(Point2 upper, Point2 lower, double y) {
 
 }  // namespace
 
-int RowEdge::FirstColumnAtRounded(const SampleFrame& frame, int row, std::size_t s,
-                                  int least_sign) const {
+int RowEdge::FirstColumnAtRounded(const SampleFrame& frame, int row, std::size_t s, int least_sign,
+                                  std::uint64_t& certain) const {
   const double y = row + frame.offsets[s].y;
   const Guess guess = At(y, 0);
   const double low = SnapCoordinate(guess.at - guess.error, frame.crossing);
   const double high = SnapCoordinate(guess.at + guess.error, frame.crossing);
+  ++(low == high ? certain : ThreadTiers().exact);
   const double x =
       low == high ? low : SnapCoordinate(ToOdd(CrossingOf(upper_, lower_, y)), frame.crossing);
   // Exact near the target: a column of 17 bits, and at most 20 fractional ones in either.

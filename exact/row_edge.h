@@ -55,12 +55,12 @@ class RowEdge {
   int Side(Point2 p, const FillRule& rule) const {
     return ShiftedEdgeSign(upper_, lower_, p, rule);
   }
-  /// The first column of the clip rectangle whose Side in the row is at least least_sign.
+  /// The first column of the clip rectangle whose Side in the row is at least least_sign. Adds one
+  /// to `certain` if the guess alone decides it; what else decides counts its own tier.
   int FirstColumnAtSide(const SampleFrame& frame, int row, std::size_t s, int least_sign,
                         std::uint64_t& certain) const {
     if (!frame.crossing.IsNone()) {
-      ++certain;
-      return FirstColumnAtRounded(frame, row, s, least_sign);
+      return FirstColumnAtRounded(frame, row, s, least_sign, certain);
     }
     const Guess guess = At(row + frame.offsets[s].y, frame.offsets[s].x);
     return FirstColumn(guess, frame.clip.x0, frame.clip.x1, certain, [&](int column) {
@@ -69,7 +69,8 @@ class RowEdge {
   }
 
  private:
-  int FirstColumnAtRounded(const SampleFrame& frame, int row, std::size_t s, int least_sign) const;
+  int FirstColumnAtRounded(const SampleFrame& frame, int row, std::size_t s, int least_sign,
+                           std::uint64_t& certain) const;
 
   Point2 upper_;
   Point2 lower_;

@@ -16,7 +16,7 @@ struct TieredSign {
   std::uint64_t TierCounts::* tier = &TierCounts::filter;
 };
 
-/// This thread's counters.
+/// What this thread has decided since it began; TierScope reads differences of it.
 TierCounts& ThreadTiers();
 
 /// Sign of E(a, b; p).

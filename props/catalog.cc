@@ -301,7 +301,8 @@ constexpr auto kProperties = std::to_array<Property>({
                "a shared vertex D3D11.3 functional specification 3.4.2.1 (top-left rule).",
      .precondition =
          "contract sample-exact or watertight; a consistent fill rule; the snapped mesh has one "
-         "facing and does not overlap itself; for a watertight subject away from the outline",
+         "facing and does not overlap itself; where vertices may move away from the outline and "
+         "from triangles that a legal choice turns",
      .tolerance = kExact,
      .domains = kMeshes,
      .check = EmbeddedMeshSamplesAreCoveredOnce},
@@ -329,7 +330,8 @@ constexpr auto kProperties = std::to_array<Property>({
      .group = "coverage",
      .clause = "A closed surface has no boundary: what it shows of its front it shows of its back.",
      .precondition = "contract sample-exact or closed; coordinates within the limit; window space; "
-                     "every edge is walked as often each way",
+                     "every edge is walked as often each way; facings told, or no legal choice "
+                     "turns a triangle there",
      .tolerance = kExact,
      .domains = kClosed,
      .check = ClosedMeshCancels},
@@ -464,7 +466,8 @@ constexpr auto kProperties = std::to_array<Property>({
      .group = "extremes",
      .clause = "A triangle with NaN or infinity in x, y or w covers nothing (the profile says so; "
                "D3D11.3 drops NaN).",
-     .precondition = "contract sample-exact; a vertex that is not finite",
+     .precondition = "contract sample-exact; a vertex that is NaN, or infinite where the profile "
+                     "says what it covers",
      .tolerance = kExact,
      .domains = kNonFinite,
      .check = NonFiniteTrianglesCoverNothing},

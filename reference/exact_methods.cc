@@ -21,7 +21,7 @@ Method ExactMethod(std::string_view name, std::string_view summary,
                    void (*draw)(const Scene&, const RasterOptions&, CoverageCounts&)) {
   static const ExactEdgeValues edge_values;
   Method method = WindowMethod(name, summary, Precision::kFloat64);
-  method.exact = true;
+  method.info.claims_exact = true;
   method.draw = draw;
   method.edges = &edge_values;
   return method;

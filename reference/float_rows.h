@@ -10,6 +10,7 @@
 #include "reference/edge_values.h"
 #include "reference/edge_walks.h"
 #include "reference/method_rows.h"
+#include "reference/proved.h"
 
 namespace rasterproof::reference {
 
@@ -19,6 +20,8 @@ Method FloatMethod(std::string_view name, std::string_view summary) {
   static const FloatEdgeValues<Walk, kArithmetic, true> canonical;
   constexpr bool kSingle = std::is_same_v<typename Walk::T, float>;
   Method method = WindowMethod(name, summary, kSingle ? Precision::kFloat32 : Precision::kFloat64);
+  // The bound of an edge is that of the edge reversed: canonical edges share the proofs.
+  method.info.proofs = EdgeProofs(kArithmetic);
   method.can_be_canonical = true;
   method.draw = &DrawScene<Walk, kTies>;
   method.edges = &own_direction;

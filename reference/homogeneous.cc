@@ -12,6 +12,7 @@
 #include "reference/box.h"
 #include "reference/homogeneous_edges.h"
 #include "reference/method.h"
+#include "reference/proved.h"
 #include "reference/sample_grid.h"
 
 namespace rasterproof::reference {
@@ -183,7 +184,11 @@ std::array<Method, 5> MakeRows() {
           DrawRow<ThroughTheEye<Double>>),
       Row("hom-exact", "(V_j x V_i) . p: float64 filter, then exact integers", Precision::kFloat64,
           DrawRow<ThroughTheEye<ExactHomogeneousEdge>>)};
-  rows.back().exact = true;
+  // The projected form divides and then is the direct one; the filter of hom-exact rests on the
+  // bound of the others.
+  rows.front().info.proofs = EdgeProofs(EdgeArithmetic::kDirect);
+  for (std::size_t k = 1; k < rows.size(); ++k) rows[k].info.proofs = HomogeneousProofs();
+  rows.back().info.claims_exact = true;
   return rows;
 }
 

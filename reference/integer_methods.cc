@@ -9,6 +9,7 @@
 #include "reference/edge_walks.h"
 #include "reference/integer_form.h"
 #include "reference/method_rows.h"
+#include "reference/proved.h"
 #include "reference/spans.h"
 
 namespace rasterproof::reference {
@@ -34,7 +35,8 @@ Method IntegerMethod(std::string_view name, std::string_view summary) {
   static const IntegerEdgeValues<I, kBits> edge_values;
   Method method = WindowMethod(name, summary, Precision::kFloat64, IntegerForm<I, kBits>::kSnap,
                                kIntegerCoordinateLimit<I>);
-  method.exact = true;
+  method.info.claims_exact = true;
+  method.info.proofs = IntegerProofs();
   method.draw = &DrawSnapped<I, kBits>;
   method.edges = &edge_values;
   return method;

@@ -23,9 +23,9 @@ struct RasterOptions : DrawOptions {
 struct Method {
   std::string_view name;     ///< "f32-direct"
   std::string_view summary;  ///< one line
-  SubjectInfo info;          ///< number format, profile (its own), window or clip space
-  bool exact =
-      false;  ///< claims 0 wrong samples against its own profile (inside its proven domain)
+  /// Number format, profile (its own), window or clip space; whether it claims to be exact inside
+  /// its proven domain, and what is proved of its edge arithmetic.
+  SubjectInfo info;
   bool can_be_canonical = false;
   void (*draw)(const Scene&, const RasterOptions&, CoverageCounts&) = nullptr;
   const EdgeEvaluator* edges = nullptr;

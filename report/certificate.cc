@@ -1,6 +1,5 @@
 #include "report/certificate.h"
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +30,7 @@ void WriteSubject(JsonWriter& json, const Certificate& certificate) {
   json.Key("input").Text(info.input == Precision::kFloat32 ? "float32" : "float64");
   json.Key("takes_window").Bool(info.takes_window);
   json.Key("takes_clip").Bool(info.takes_clip);
-  json.Key("claims_exact").Bool(certificate.claims_exact);
+  json.Key("claims_exact").Bool(info.claims_exact);
   json.Key("profile").Value(io::ProfileToJson(info.profile));
   json.EndObject();
 }
@@ -84,6 +83,8 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
   json.Key("cases").Integer(result.cases);
   json.Key("cases_exercised").Integer(result.cases_exercised);
   json.Key("exercised").Integer(result.exercised);
+  json.Key("cases_refused").Integer(result.cases_refused);
+  json.Key("not_judged").Integer(result.not_judged);
   json.Key("worst_ratio").Exact(result.worst_ratio);
   WriteNearEdge(json, result.near_edge);
   json.Key("seconds").Rounded(result.seconds);
@@ -92,12 +93,13 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
 }
 
 void WriteMeasured(JsonWriter& json, const Certificate& certificate, const SceneResult& result) {
+  const std::string why = WhyNotJudged(certificate, result);
   json.BeginObject();
   json.Key("scene").Text(result.scene);
   json.Key("profile").Text(result.profile);
-  json.Key("judged").Bool(IsJudged(certificate, result));
+  json.Key("judged").Bool(why.empty());
   json.Key("applicable").Bool(result.applicable);
-  json.Key("message").Text(result.message);
+  json.Key("message").Text(result.message.empty() ? why : result.message);
   json.Key("triangles").Integer(result.triangles);
   if (result.applicable) {
     json.Key("samples").Integer(result.difference.samples);
@@ -112,38 +114,6 @@ void WriteMeasured(JsonWriter& json, const Certificate& certificate, const Scene
 
 }  // namespace
 
-bool IsJudged(const Certificate& certificate, const SceneResult& result) {
-  const Profile& own = certificate.subject.profile;
-  const bool answers = certificate.claims_exact || HasOneModel(own);
-  return answers && result.applicable && result.message.empty() && result.profile == own.name;
-}
-
-std::string OverallVerdict(const Certificate& certificate) {
-  bool exercised = false;
-  for (const PropertyResult& result : certificate.tested) {
-    if (result.outcome == Outcome::kViolated) return "violated";
-    exercised = exercised || result.outcome == Outcome::kHolds;
-  }
-  for (const SceneResult& result : certificate.measured) {
-    if (!IsJudged(certificate, result)) continue;
-    if (result.difference.wrong != 0) return "violated";
-    exercised = exercised || result.difference.samples != 0;
-  }
-  return exercised ? "holds" : "inconclusive";
-}
-
-std::vector<Evidence> NotApplicable(const Certificate& certificate) {
-  std::vector<Evidence> list = certificate.not_applicable;
-  for (const PropertyResult& result : certificate.tested) {
-    const bool listed = std::ranges::any_of(
-        list, [&](const Evidence& evidence) { return evidence.claim == result.property; });
-    if (result.outcome == Outcome::kNotApplicable && !listed) {
-      list.push_back({result.property, result.message});
-    }
-  }
-  return list;
-}
-
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result) {
   const auto found = certificate.replay.find(result.property);
   if (found != certificate.replay.end()) return found->second;
@@ -156,7 +126,10 @@ std::string CertificateToJson(const Certificate& certificate) {
   json.Key("rasterproof_certificate").Integer(1);
   json.Key("tool_version").Text(certificate.tool_version);
   json.Key("command").Text(certificate.command);
-  json.Key("verdict").Text(OverallVerdict(certificate));
+  const Overall overall = OverallOf(certificate);
+  json.Key("verdict").Text(OutcomeName(overall.outcome));
+  json.Key("reason").Text(overall.reason);
+  json.Key("interrupted").Bool(certificate.interrupted);
   WriteSubject(json, certificate);
   json.Key("environment").BeginObject();
   for (const auto& [name, value] : certificate.environment) json.Key(name).Text(value);

@@ -21,36 +21,59 @@ struct Evidence {
 struct Certificate {
   std::string tool_version;
   SubjectInfo subject;
-  bool claims_exact = false;
   std::string command;                             ///< the command line that issued it
   std::map<std::string, std::string> environment;  ///< compiler, flags, rounding, subnormals, ...
   std::uint64_t seed = 0;
+  bool interrupted = false;  ///< someone ended the run early: not all that was asked was done
+  /// Statements about the subject's arithmetic; `by` names the script by its hash, and where it was
+  /// run or that it was not.
   std::vector<Evidence> proved;
   std::vector<Evidence> exhausted;
   std::vector<PropertyResult> tested;
   std::vector<SceneResult>
       measured;  ///< on real scenes, against the subject's own profile and real geometry
-  std::map<std::string, std::uint64_t>
-      oracle_tiers;  ///< which tier of the oracle decided how often
-  std::vector<Evidence>
-      not_applicable;  ///< what was not asked of this subject, and why: never green
+  /// Which tier of the oracle decided how often, over all that this certificate rests on.
+  std::map<std::string, std::uint64_t> oracle_tiers;
   /// The command that replays a property's counterexample, by property. Without one the reader is
   /// told to save the counterexample's case and to replay that file.
   std::map<std::string, std::string> replay;
 };
 
-/// Returns whether the subject's profile answers for this measurement: a sample-exact contract (or
-/// the claim to be exact), the subject's own profile, a scene within its limits. Everything else is
-/// observed, never judged.
+/// Why a wrong sample of this measurement would be no violation: the scene was not drawn, or lies
+/// beyond what the profile promises, or the profile leaves more than one result legal, or it is not
+/// the subject's own.
+///
+/// Returns:    empty if the subject's profile answers for every sample: the measurement is judged.
+///             Everything else is observed, never judged.
+std::string WhyNotJudged(const Certificate& certificate, const SceneResult& result);
 bool IsJudged(const Certificate& certificate, const SceneResult& result);
 
-/// "violated" if a property is, or a judged scene has a wrong sample; "holds" if nothing is
-/// violated and something was exercised; else "inconclusive".
+/// What a certificate comes to.
+struct Overall {
+  Outcome outcome = Outcome::kInconclusive;  ///< kHolds, kViolated or kInconclusive
+  std::string reason;                        ///< one line; empty if it just holds
+};
+
+/// The one place that decides it; JSON, JUnit, page, summary and exit status all read it.
+///
+/// Returns:    kViolated if a property is, or a judged scene has a wrong sample; else kInconclusive
+///             if the run was interrupted, a property could not be judged, or nothing was
+///             exercised; else kHolds.
+Overall OverallOf(const Certificate& certificate);
+
+/// "holds", "violated" or "inconclusive".
 std::string OverallVerdict(const Certificate& certificate);
 
-/// The properties that do not apply to the subject, with the reason, each once: those of
-/// `not_applicable` and those among `tested` that say so of themselves.
+/// What was not asked of the subject, with the reason, each once: properties and scenes that say so
+/// of themselves.
 std::vector<Evidence> NotApplicable(const Certificate& certificate);
+
+/// What an outcome does not speak for: cases that the subject refused (unless the result's own
+/// message says it), samples that were not judged. Empty if there are none.
+std::string Reservations(const PropertyResult& result);
+
+/// The result's message, and its reservations.
+std::string Said(const PropertyResult& result);
 
 /// The command that replays the counterexample of a result.
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result);
@@ -58,8 +81,9 @@ std::string ReplayCommand(const Certificate& certificate, const PropertyResult& 
 /// JSON as docs/certificate.schema.json describes; counterexamples inline as case files.
 std::string CertificateToJson(const Certificate& certificate);
 
-/// JUnit XML: one test case per property; not applicable and not exercised are skipped, with the
-/// reason.
+/// JUnit XML: one test case per property and per scene against the subject's own profile; what is
+/// neither good nor bad is skipped, with the reason. If the certificate is inconclusive that is an
+/// error of its own, since a file with nothing but skipped tests counts as green.
 std::string JUnitXml(const Certificate& certificate);
 
 }  // namespace rasterproof::report

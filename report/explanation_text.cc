@@ -96,7 +96,7 @@ std::string Legend(const Explanation& explanation) {
   if (PanelTitles(explanation).size() == 3) {
     legend += "   difference: . right  - gap  + overlap  ! facing";
   }
-  if (explanation.focus_x >= 0) legend += "   [ ] the failing pixel";
+  if (explanation.focus_x >= 0) legend += "   [ ] the pixel in question";
   return legend;
 }
 

@@ -15,6 +15,7 @@ namespace {
 struct Totals {
   std::uint64_t tests = 0;
   std::uint64_t failures = 0;
+  std::uint64_t errors = 0;
   std::uint64_t skipped = 0;
   double seconds = 0;
 };
@@ -47,14 +48,23 @@ void Skip(pugi::xml_node test, const std::string& reason, Totals& totals) {
   ++totals.skipped;
 }
 
+// What is neither failed nor skipped and still wants to be read.
+void Say(pugi::xml_node test, const std::string& text) {
+  test.append_child("system-out")
+      .append_child(pugi::node_pcdata)
+      .set_value(CleanText(text + "\n").c_str());
+}
+
 void AppendProperty(pugi::xml_node suite, const Certificate& certificate,
                     const PropertyResult& result, Totals& totals) {
   pugi::xml_node test = AppendCase(suite, certificate, result.property, result.seconds, totals);
+  const std::string said = Said(result);
   switch (result.outcome) {
     case Outcome::kHolds:
+      if (result.cases_refused != 0 || result.not_judged != 0) Say(test, said);
       break;
     case Outcome::kViolated: {
-      std::string text = result.clause + "\n" + result.message + "\n";
+      std::string text = result.clause + "\n" + said + "\n";
       if (result.verdict && result.verdict->witness) {
         const Witness& w = *result.verdict->witness;
         text += fmt::format(
@@ -71,25 +81,40 @@ void AppendProperty(pugi::xml_node suite, const Certificate& certificate,
     case Outcome::kRefused:
     case Outcome::kInconclusive: {
       std::string reason(OutcomeName(result.outcome));
-      if (!result.message.empty()) reason += ": " + result.message;
+      if (!said.empty()) reason += ": " + said;
       Skip(test, reason, totals);
       break;
     }
   }
 }
 
-// A judged scene is a test of its own: else the file could be green and the verdict not.
+// A scene against the subject's own profile is a test of its own: else the file could be green and
+// the verdict not.
 void AppendScene(pugi::xml_node suite, const Certificate& certificate, const SceneResult& result,
                  Totals& totals) {
-  if (!IsJudged(certificate, result)) return;
+  if (result.profile != certificate.subject.profile.name) return;
   const std::string name = fmt::format("SceneMatchesModel: {}", result.scene);
   pugi::xml_node test = AppendCase(suite, certificate, name, result.seconds, totals);
+  const std::string why = WhyNotJudged(certificate, result);
+  if (!why.empty()) {
+    Skip(test, why, totals);
+    return;
+  }
   const CoverageDifference& difference = result.difference;
   if (difference.wrong == 0) return;
   const std::string message = fmt::format(
       "{} of {} samples wrong, {} gaps, {} overlaps, against profile {}", difference.wrong,
       difference.samples, difference.gaps, difference.overlaps, result.profile);
   Fail(test, message, message + "\n", totals);
+}
+
+// A file in which nothing failed is green wherever it is read, however much of it was skipped.
+void AppendOverall(pugi::xml_node suite, const Certificate& certificate, Totals& totals) {
+  const Overall overall = OverallOf(certificate);
+  if (overall.outcome != Outcome::kInconclusive) return;
+  pugi::xml_node test = AppendCase(suite, certificate, "CertificateIsConclusive", 0, totals);
+  Set(test.append_child("error"), "message", "inconclusive: " + overall.reason);
+  ++totals.errors;
 }
 
 }  // namespace
@@ -108,9 +133,10 @@ std::string JUnitXml(const Certificate& certificate) {
   for (const SceneResult& result : certificate.measured) {
     AppendScene(suite, certificate, result, totals);
   }
+  AppendOverall(suite, certificate, totals);
   Set(suite, "tests", std::to_string(totals.tests));
   Set(suite, "failures", std::to_string(totals.failures));
-  Set(suite, "errors", "0");
+  Set(suite, "errors", std::to_string(totals.errors));
   Set(suite, "skipped", std::to_string(totals.skipped));
   Set(suite, "time", fmt::format("{:.3f}", totals.seconds));
   std::ostringstream text;

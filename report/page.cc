@@ -47,7 +47,7 @@ std::string Commands(const Page& page) {
 
 constexpr std::string_view kGlossary =
     "<dl class=\"glossary\">\n"
-    "<div><dt>proved</dt><dd>derived, and checked by a proof script</dd></div>\n"
+    "<div><dt>proved</dt><dd>derived, and checked by a proof script where it says so</dd></div>\n"
     "<div><dt>exhausted</dt><dd>all N cases were run</dd></div>\n"
     "<div><dt>tested</dt><dd>k of N cases were run, from a seed</dd></div>\n"
     "<div><dt>measured</dt><dd>observed on these scenes, on this machine</dd></div>\n"
@@ -55,6 +55,7 @@ constexpr std::string_view kGlossary =
     "<p class=\"key\"><span class=\"mark holds\">✓</span> holds "
     "<span class=\"mark violated\">✗</span> violated "
     "<span class=\"mark idle\">○</span> not exercised: neither good nor bad "
+    "<span class=\"mark idle\">?</span> inconclusive: it could not be judged "
     "<span class=\"mark none\">–</span> not applicable: not asked of this subject</p>\n";
 
 }  // namespace
@@ -75,10 +76,11 @@ std::string PageToHtml(const Page& page) {
       "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<main>\n"
       "<header>\n<h1>{0}</h1>\n<p class=\"extent\">{2}</p>\n</header>\n",
       Escaped(page.title), kPageStyle, Extent(page));
-  html += Section("verdicts", "Verdicts",
-                  "One line per subject. A subject that does not claim to be exact may fail: that "
-                  "is what it is here to show.",
-                  VerdictTable(page.certificates));
+  html +=
+      Section("verdicts", "Verdicts",
+              "One line per subject, by what each promises. A built-in method that does not claim "
+              "to be exact may fail: that is what it is here to show.",
+              VerdictTable(page.certificates));
   html += kGlossary;
   html += Section("scenes", "Wrong samples",
                   "Every sample of every scene against the exact oracle: under the subject's own "

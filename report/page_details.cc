@@ -11,11 +11,7 @@ namespace rasterproof::report {
 namespace {
 
 std::string Chip(Outcome outcome) {
-  const std::string_view look = outcome == Outcome::kHolds          ? "holds"
-                                : outcome == Outcome::kViolated     ? "violated"
-                                : outcome == Outcome::kNotExercised ? "idle"
-                                                                    : "none";
-  return fmt::format("<span class=\"chip {}\">{}</span>", look, OutcomeName(outcome));
+  return fmt::format("<span class=\"chip {}\">{}</span>", LookOf(outcome), OutcomeName(outcome));
 }
 
 std::string EvidenceList(std::string_view title, const std::vector<Evidence>& list) {
@@ -39,7 +35,8 @@ std::string WitnessText(const Witness& w) {
 // What was said of a property: its clause, and what failed and how to see it again.
 std::string Remarks(const Certificate& certificate, const PropertyResult& result) {
   std::string html = fmt::format("<div class=\"why\">{}</div>", Escaped(result.clause));
-  if (!result.message.empty()) html += fmt::format("<div>{}</div>", Escaped(result.message));
+  const std::string said = Said(result);
+  if (!said.empty()) html += fmt::format("<div>{}</div>", Escaped(said));
   if (result.outcome != Outcome::kViolated) return html;
   if (result.verdict && result.verdict->witness) {
     html +=
@@ -50,6 +47,8 @@ std::string Remarks(const Certificate& certificate, const PropertyResult& result
         fmt::format("<div class=\"why\">case {} of seed {}, shrunk to {} triangles in {}x{}</div>",
                     result.failing_case, result.seed, result.counterexample->scene.triangles.size(),
                     result.counterexample->scene.width, result.counterexample->scene.height);
+  }
+  if (result.counterexample || certificate.replay.contains(result.property)) {
     html += fmt::format("<pre><code>{}</code></pre>", Escaped(ReplayCommand(certificate, result)));
   }
   return html;
@@ -87,11 +86,12 @@ std::string MeasuredList(const Certificate& certificate) {
   std::string html = "<h4>measured</h4>\n<ul class=\"plain\">\n";
   for (const SceneResult& result : certificate.measured) {
     const CoverageDifference& d = result.difference;
+    const std::string why = WhyNotJudged(certificate, result);
     const std::string what =
         result.applicable
-            ? fmt::format("{} of {} samples wrong{}{}", Grouped(d.wrong), Grouped(d.samples),
-                          result.message.empty() ? "" : "; ", Escaped(result.message))
-            : "not applicable: " + Escaped(result.message);
+            ? fmt::format("{} of {} samples {}{}{}", Grouped(d.wrong), Grouped(d.samples),
+                          why.empty() ? "wrong" : "differ", why.empty() ? "" : "; ", Escaped(why))
+            : Escaped(why);
     html += fmt::format("<li>{} against {} <span class=\"why\">{}</span></li>\n",
                         Escaped(result.scene), Escaped(result.profile), what);
   }
@@ -111,13 +111,13 @@ std::string TierList(const Certificate& certificate) {
 }  // namespace
 
 std::string SubjectDetails(const Certificate& certificate) {
-  const std::string verdict = OverallVerdict(certificate);
+  const Overall overall = OverallOf(certificate);
   std::string html = fmt::format(
-      "<details id=\"{}\">\n<summary><span class=\"name\">{}</span>"
-      "<span class=\"chip {}\">{}</span></summary>\n<p>{}</p>\n",
-      AnchorOf(certificate), Escaped(certificate.subject.name),
-      verdict == "inconclusive" ? "idle" : verdict, verdict, Escaped(certificate.subject.summary));
-  html += EvidenceList("proved", certificate.proved);
+      "<details id=\"{}\">\n<summary><span class=\"name\">{}</span>{}</summary>\n<p>{}</p>\n",
+      AnchorOf(certificate), Escaped(certificate.subject.name), Chip(overall.outcome),
+      Escaped(certificate.subject.summary));
+  if (!overall.reason.empty()) html += fmt::format("<p>{}</p>\n", Escaped(overall.reason));
+  html += EvidenceList("proved, by script", certificate.proved);
   html += EvidenceList("exhausted", certificate.exhausted);
   html += TestedTable(certificate);
   html += MeasuredList(certificate);

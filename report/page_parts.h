@@ -14,6 +14,9 @@ namespace rasterproof::report {
 /// The style sheet. Light and dark as the reader's system has it; readable without it, too.
 extern const std::string_view kPageStyle;
 
+/// The class of the style sheet that shows an outcome.
+std::string_view LookOf(Outcome outcome);
+
 /// What an element refers to a subject by.
 std::string AnchorOf(const Certificate& certificate);
 

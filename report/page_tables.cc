@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -55,17 +54,21 @@ const SceneResult* Find(const Certificate& certificate, std::string_view scene,
 }
 
 // Wrong samples over all scenes within the limits of the profile that they were measured against.
+// A difference from the canonical model of a profile that leaves others legal is none.
 struct Total {
   std::uint64_t wrong = 0;
   std::uint64_t samples = 0;
 };
 
-Total TotalOf(const Certificate& certificate, std::string_view profile) {
+enum class Counted : std::uint8_t { kJudged, kObserved };
+
+Total TotalOf(const Certificate& certificate, std::string_view profile, Counted counted) {
   Total total;
   for (const SceneResult& result : certificate.measured) {
     // A scene may be there twice: under the subject's own profile, and that is the real one.
     if (Find(certificate, result.scene, profile) != &result) continue;
     if (!result.applicable || !result.message.empty()) continue;
+    if (counted == Counted::kJudged && !IsJudged(certificate, result)) continue;
     total.wrong += result.difference.wrong;
     total.samples += result.difference.samples;
   }
@@ -79,19 +82,22 @@ std::string TotalCell(const Total& total) {
 }
 
 std::string VerdictRow(const Certificate& certificate) {
-  std::array<std::uint64_t, 4> outcomes{};
-  for (const PropertyResult& result : certificate.tested) {
-    ++outcomes[static_cast<std::size_t>(result.outcome)];
-  }
-  const std::string verdict = OverallVerdict(certificate);
-  const std::string_view look = verdict == "inconclusive" ? "idle" : std::string_view(verdict);
+  const auto count = [&](Outcome outcome) {
+    return static_cast<std::uint64_t>(
+        std::ranges::count(certificate.tested, outcome, &PropertyResult::outcome));
+  };
+  const Overall overall = OverallOf(certificate);
   std::string row = fmt::format(
-      "<tr><th scope=\"row\">{}</th><td><span class=\"chip {}\">{}</span></td><td>{}</td>",
-      Link(certificate), look, verdict, certificate.claims_exact ? "exact" : "");
-  row +=
-      Number(outcomes[0]) + Number(outcomes[1], "gap") + Number(outcomes[2]) + Number(outcomes[3]);
-  row += TotalCell(TotalOf(certificate, certificate.subject.profile.name));
-  return row + TotalCell(TotalOf(certificate, kRealProfile)) + "</tr>\n";
+      "<tr><th scope=\"row\">{}</th><td title=\"{}\"><span class=\"chip {}\">{}</span>{}</td>"
+      "<td>{}</td>",
+      Link(certificate), Escaped(overall.reason), LookOf(overall.outcome),
+      OutcomeName(overall.outcome), certificate.interrupted ? " interrupted" : "",
+      certificate.subject.claims_exact ? "exact" : "");
+  row += Number(count(Outcome::kHolds)) + Number(count(Outcome::kViolated), "gap") +
+         Number(count(Outcome::kNotExercised)) + Number(count(Outcome::kInconclusive)) +
+         Number(count(Outcome::kNotApplicable));
+  row += TotalCell(TotalOf(certificate, certificate.subject.profile.name, Counted::kJudged));
+  return row + TotalCell(TotalOf(certificate, kRealProfile, Counted::kObserved)) + "</tr>\n";
 }
 
 // Parts of a million, to three digits or to the unit.
@@ -121,7 +127,7 @@ std::string SceneRow(const Certificate& certificate, std::string_view scene) {
   // A subject that does not take the scene at all is measured against neither.
   if (of_real == nullptr && of_own != nullptr && !of_own->applicable) of_real = of_own;
   std::string note;
-  if (of_own != nullptr && of_own->applicable) note = of_own->message;
+  if (of_own != nullptr && of_own->applicable) note = WhyNotJudged(certificate, *of_own);
   return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why {}\">{}{}</td>{}{}</tr>\n",
                      Link(certificate), note.empty() ? "" : "noted", Escaped(own),
                      note.empty() ? "" : ": " + Escaped(note), DifferenceCells(of_own),
@@ -214,6 +220,22 @@ std::uint64_t Less(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : 0;
 
 }  // namespace
 
+std::string_view LookOf(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kHolds:
+      return "holds";
+    case Outcome::kViolated:
+      return "violated";
+    case Outcome::kNotExercised:
+    case Outcome::kInconclusive:
+      return "idle";
+    case Outcome::kNotApplicable:
+    case Outcome::kRefused:
+      return "none";
+  }
+  return "none";
+}
+
 std::string AnchorOf(const Certificate& certificate) {
   std::string anchor = "subject-";
   for (const char c : certificate.subject.name) {
@@ -231,7 +253,8 @@ std::string VerdictTable(const std::vector<Certificate>& certificates) {
   std::string html =
       "<div class=\"scroll\"><table><thead><tr><th>subject</th><th>verdict</th><th>claims</th>"
       "<th class=\"number\">hold</th><th class=\"number\">violated</th>"
-      "<th class=\"number\">not exercised</th><th class=\"number\">not applicable</th>"
+      "<th class=\"number\">not exercised</th><th class=\"number\">inconclusive</th>"
+      "<th class=\"number\">not applicable</th>"
       "<th class=\"number\">wrong, own profile</th><th class=\"number\">wrong, real geometry</th>"
       "</tr></thead><tbody>\n";
   for (const Certificate& certificate : certificates) html += VerdictRow(certificate);

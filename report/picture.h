@@ -23,7 +23,7 @@ struct Explanation {
   CoverageCounts expected;
   CoverageCounts observed;
   PixelRect view;    ///< the pixels to show
-  int focus_x = -1;  ///< the failing pixel
+  int focus_x = -1;  ///< the pixel in question: the failing one, or one that was chosen
   int focus_y = -1;
   std::vector<int> triangles;  ///< the triangles that matter there
   /// Lines such as "triangle 0, edge 1: E = -3/65536".

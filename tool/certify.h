@@ -2,16 +2,18 @@
 #ifndef RASTERPROOF_TOOL_CERTIFY_H_
 #define RASTERPROOF_TOOL_CERTIFY_H_
 
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "exact/edge.h"
+#include "io/scene_set.h"
 #include "report/certificate.h"
 #include "report/page.h"
 #include "tool/commands.h"
@@ -19,45 +21,64 @@
 
 namespace rasterproof::tool {
 
+/// A subject that shows no counts is drawn one triangle at a time, each draw as large as the
+/// target. Scenes of more triangles times samples than this are not drawn by it.
+inline constexpr std::uint64_t kMostSamplesByTriangle = std::uint64_t{1} << 28;
+
 /// A scene of the set, loaded once, with the oracle's counts per profile, computed once.
 class MeasuredScene {
  public:
-  MeasuredScene(std::string name, bool real, std::string command_arguments, Scene scene);
+  MeasuredScene(const io::SceneEntry& entry, Scene scene);
 
   const std::string& name() const { return name_; }
   bool real() const { return real_; }
-  /// What a command line needs to name this scene.
-  const std::string& arguments() const { return arguments_; }
   const Scene& scene() const { return scene_; }
+  /// The command that draws this scene, with "--mode weights --output ..." or the like behind it.
+  std::string CommandOf(const std::string& verb) const;
+  /// The command that shows where the subject differs on this scene.
+  std::string CommandThatShows(const std::string& subject) const;
   /// The oracle's counts under the profile. Safe to call from several threads.
   ///
   /// Error:      InputError where the profile's model is not defined on the scene.
+  /// Properties: the decisions that they took are credited to the calling thread, whoever asked
+  ///             first (exact::TierScope).
   const CoverageCounts& Truth(const Profile& profile);
 
  private:
+  struct Known {
+    Profile profile;
+    CoverageCounts counts;
+    exact::TierCounts tiers;
+  };
+
   std::string name_;
   bool real_;
+  bool mesh_;
   std::string arguments_;
   Scene scene_;
   std::mutex mutex_;
-  std::list<std::pair<Profile, CoverageCounts>> truths_;
+  std::list<Known> truths_;
 };
 
-/// Loads every scene of the set.
-std::vector<std::unique_ptr<MeasuredScene>> LoadSceneSet(const std::string& path,
-                                                         Progress& progress);
+using MeasuredScenes = std::vector<std::unique_ptr<MeasuredScene>>;
+
+/// Loads every scene of the set; empty: of scenes/certify.json, which lies beside the command.
+///
+/// Error:      InputError if there is no set, or a file of it can't be read.
+MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress);
+
+/// Draws every scene of the set; what the subject breaks down over, refuses, or takes too long over
+/// goes to the certificate too.
+void MeasureScenes(Subject& subject, MeasuredScenes& scenes, report::Certificate& certificate);
 
 /// Runs every property and measures every scene; fills the certificate of one subject.
 report::Certificate CertifySubject(const std::string& name, const CertifyOptions& options,
-                                   std::vector<std::unique_ptr<MeasuredScene>>& scenes);
+                                   MeasuredScenes& scenes);
 
 /// Pictures of real scenes and of what went wrong where.
-std::vector<report::Picture> TakePictures(std::vector<std::unique_ptr<MeasuredScene>>& scenes,
+std::vector<report::Picture> TakePictures(MeasuredScenes& scenes,
                                           const std::vector<report::Certificate>& certificates,
                                           Progress& progress);
-
-/// What was proved about a subject's arithmetic, with the script that proves it.
-std::vector<report::Evidence> ProvedOf(const std::string& subject);
 
 }  // namespace rasterproof::tool
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "exact/coverage.h"
+#include "core/result.h"
 #include "fmt/format.h"
 #include "io/image.h"
 #include "reference/method.h"
@@ -14,7 +14,9 @@
 #include "report/picture.h"
 #include "tool/certify.h"
 #include "tool/failure.h"
+#include "tool/file_names.h"
 #include "tool/session.h"
+#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -31,38 +33,52 @@ void PictureRender(const MeasuredScene& measured, std::vector<report::Picture>& 
   const FragmentBuffers fragments =
       reference::RasterizeFragments(measured.scene(), *method, {}, {.weights = true});
   pictures.push_back({measured.name() + ": barycentric weights of the nearest triangle",
-                      fmt::format("rasterproof render {} --mode weights --output {}.png",
-                                  measured.arguments(), measured.name()),
+                      fmt::format("{} --mode weights --output {}", measured.CommandOf("render"),
+                                  ShellWord(FileNameOf(measured.name()) + ".png")),
                       "", io::EncodePng(report::PaintWeights(fragments))});
+}
+
+// The measurement on the scene by which the subject is violated; nullptr if it is not.
+const SceneResult* WrongOn(const report::Certificate& certificate, const std::string& scene) {
+  for (const SceneResult& result : certificate.measured) {
+    if (result.scene == scene && result.difference.wrong != 0 &&
+        report::IsJudged(certificate, result)) {
+      return &result;
+    }
+  }
+  return nullptr;
 }
 
 // The first place at which the subject differs from the model on the scene, explained; nothing if
 // it doesn't.
-void PictureFailure(const std::string& name, MeasuredScene& measured,
+void PictureFailure(const report::Certificate& certificate, const MeasuredScene& measured,
                     std::vector<report::Picture>& pictures) {
+  const SceneResult* result = WrongOn(certificate, measured.name());
+  if (result == nullptr) return;
+  const std::string& name = certificate.subject.name;
   const std::unique_ptr<Subject> subject = MakeSubject(name);
-  if (!Takes(subject->Info(), measured.scene())) return;
-  std::string failure;
-  const auto observed = DrawUnlessItFails(*subject, measured.scene(), {}, failure);
-  if (!observed) return;  // told among the properties
-  const CoverageDifference difference = Compare(*observed, measured.Truth(subject->Info().profile));
-  if (difference.wrong == 0) return;
   Case c;
   c.scene = measured.scene();
   c.profile = subject->Info().profile;
+  const CoverageDifference& difference = result->difference;
   Verdict verdict;
   verdict.message =
       fmt::format("{} on {}: {} of {} samples wrong, {} gaps, {} overlaps", name, measured.name(),
                   difference.wrong, difference.samples, difference.gaps, difference.overlaps);
-  const std::string replay =
-      fmt::format("rasterproof explain {} --subject {}", measured.arguments(), name);
-  const report::Explanation explanation = Explain(*subject, c, verdict, replay);
-  pictures.push_back({explanation.headline, replay, report::ExplanationToSvg(explanation), ""});
+  const std::string replay = measured.CommandThatShows(name);
+  try {
+    const report::Explanation explanation = Explain(*subject, c, verdict, replay);
+    pictures.push_back({explanation.headline, replay, report::ExplanationToSvg(explanation), ""});
+  } catch (const InputError&) {
+    // It drew the scene before and refuses it now: the certificate stands, the page has one picture
+    // less.
+  } catch (const SubjectTooSlow&) {
+  }
 }
 
 }  // namespace
 
-std::vector<report::Picture> TakePictures(std::vector<std::unique_ptr<MeasuredScene>>& scenes,
+std::vector<report::Picture> TakePictures(MeasuredScenes& scenes,
                                           const std::vector<report::Certificate>& certificates,
                                           Progress& progress) {
   std::vector<report::Picture> pictures;
@@ -80,7 +96,7 @@ std::vector<report::Picture> TakePictures(std::vector<std::unique_ptr<MeasuredSc
       const std::string& name = certificate.subject.name;
       if (std::ranges::find(shown, name) != shown.end()) continue;
       const std::size_t before = pictures.size();
-      PictureFailure(name, *measured, pictures);
+      PictureFailure(certificate, *measured, pictures);
       if (pictures.size() == before) continue;
       shown.push_back(name);
       break;

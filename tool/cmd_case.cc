@@ -1,4 +1,6 @@
 // rasterproof replay, explain, shrink and decode: one case, saved or generated.
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,6 +16,7 @@
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
 #include "report/picture.h"
+#include "report/text.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -70,6 +73,45 @@ std::string PropertyName(const LoadedCase& loaded) {
   return loaded.property != nullptr ? std::string(loaded.property->name) : std::string();
 }
 
+void RequirePixel(const ExplainOptions& options, const Scene& scene) {
+  if (options.x >= 0 && options.y >= 0 && options.x < scene.width && options.y < scene.height) {
+    return;
+  }
+  throw InputError(fmt::format("--pixel {},{}", options.x, options.y),
+                   "the pixel lies outside the target",
+                   fmt::format("give 0 to {} and 0 to {}", scene.width - 1, scene.height - 1));
+}
+
+// The counts of a pixel's samples, in the order of the sample locations: "2", or "1 0 0 1"; with
+// facings "1+1", front before back.
+std::string CountsAt(const CoverageCounts& counts, int x, int y, bool facings) {
+  std::string text;
+  for (int sample = 0; sample < counts.samples; ++sample) {
+    const std::size_t k = counts.Index(x, y, sample);
+    if (sample != 0) text += " ";
+    text += facings ? fmt::format("{}+{}", counts.front[k], counts.back[k])
+                    : fmt::format("{}", counts.Count(k));
+  }
+  return text;
+}
+
+std::string PixelLine(const report::Explanation& explanation, int x, int y) {
+  const auto counts = [&](bool facings) {
+    return std::array{CountsAt(explanation.observed, x, y, facings),
+                      CountsAt(explanation.expected, x, y, facings)};
+  };
+  auto [observed, expected] = counts(false);
+  const auto [observed_apart, expected_apart] = counts(true);
+  std::string what;
+  if (observed == expected && observed_apart != expected_apart) {
+    observed = observed_apart;
+    expected = expected_apart;
+    what = " (front+back)";
+  }
+  return fmt::format("chosen pixel ({}, {}): observed {}, expected {}{}", x, y, observed, expected,
+                     what);
+}
+
 }  // namespace
 
 int RunReplay(const ReplayOptions& options) {
@@ -84,26 +126,25 @@ int RunReplay(const ReplayOptions& options) {
     text += FailureText(*loaded.subject, PropertyName(loaded), loaded.value, verdict, loaded.replay,
                         /*colour=*/false);
   }
-  io::WriteStandardOutput(text);
+  io::WriteStandardOutput(report::CleanText(text));
   return StatusOf(verdict.outcome);
 }
 
 int RunExplain(const ExplainOptions& options) {
   RequireHonestEnvironment();
   const LoadedCase loaded = LoadCase(options.choice, "explain");
-  Verdict verdict = Judge(loaded);
-  if (options.x >= 0 || options.y >= 0) {
-    const Scene& scene = loaded.value.scene;
-    if (options.x < 0 || options.y < 0 || options.x >= scene.width || options.y >= scene.height) {
-      throw InputError(fmt::format("--pixel {},{}", options.x, options.y),
-                       "the pixel lies outside the target",
-                       fmt::format("give 0 to {} and 0 to {}", scene.width - 1, scene.height - 1));
-    }
-    if (!verdict.witness) verdict.witness.emplace();
-    verdict.witness->x = options.x;
-    verdict.witness->y = options.y;
+  const bool chosen = options.x >= 0 || options.y >= 0;
+  if (chosen) RequirePixel(options, loaded.value.scene);
+  const Verdict verdict = Judge(loaded);
+  Verdict shown = verdict;
+  if (chosen) {
+    shown.witness.emplace();  // what was said of the failing place is not so of this one
+    shown.witness->x = options.x;
+    shown.witness->y = options.y;
   }
-  report::Explanation explanation = Explain(*loaded.subject, loaded.value, verdict, loaded.replay);
+  std::string again = loaded.replay;
+  if (chosen) again += fmt::format(" --pixel {},{}", options.x, options.y);
+  report::Explanation explanation = Explain(*loaded.subject, loaded.value, shown, again);
   if (explanation.headline.empty()) {
     explanation.headline =
         fmt::format("{} {}", loaded.subject->Info().name, OutcomeName(verdict.outcome));
@@ -112,7 +153,9 @@ int RunExplain(const ExplainOptions& options) {
   if (!options.png.empty()) {
     io::WriteFile(options.png, io::EncodePng(report::ExplanationToImage(explanation)));
   }
-  io::WriteStandardOutput(FailureLine(PropertyName(loaded), loaded.value, verdict) + "\n" +
+  std::string text = FailureLine(PropertyName(loaded), loaded.value, verdict) + "\n";
+  if (chosen) text += PixelLine(explanation, options.x, options.y) + "\n";
+  io::WriteStandardOutput(report::CleanText(text) +
                           report::ExplanationToText(explanation, options.colour));
   return StatusOf(verdict.outcome);
 }

@@ -20,6 +20,7 @@
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
+#include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
@@ -118,11 +119,7 @@ std::string ResultLine(const PropertyResult& result) {
 
 void SaveCounterexample(const std::string& folder, const PropertyResult& result) {
   io::MakeFolder(folder);
-  std::string subject = result.subject;
-  for (char& c : subject) {
-    if (c == ':' || c == '/') c = '+';
-  }
-  io::WriteFile(fmt::format("{}/{}-{}.json", folder, subject, result.property),
+  io::WriteFile(fmt::format("{}/{}-{}.json", folder, FileNameOf(result.subject), result.property),
                 io::CaseToJson({*result.counterexample, result.subject, result.property}));
 }
 
@@ -221,6 +218,7 @@ int RunCheck(const CheckOptions& options) {
   std::vector<std::unique_ptr<Subject>> subjects;
   for (const std::string& name : options.subjects) {
     subjects.push_back(MakeSubject(name, options.profile));
+    SayOfPreset(subjects.back()->Info().profile);
   }
   int status = kExitHolds;
   for (const std::unique_ptr<Subject>& subject : subjects) {

@@ -6,7 +6,6 @@
 #include "io/output.h"
 #include "props/domains/domain.h"
 #include "props/property.h"
-#include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/commands.h"
 #include "tool/session.h"
@@ -24,8 +23,7 @@ std::string ListSubjects() {
                                                              : "window";
     text += fmt::format("  {:<38} {:<7} {:<12} {:<5} {}\n", name,
                         info.input == Precision::kFloat32 ? "float32" : "float64", space,
-                        subjects::ClaimsExact(name) || name.starts_with("exact") ? "exact" : "",
-                        info.summary);
+                        info.claims_exact ? "exact" : "", info.summary);
   }
   return text;
 }

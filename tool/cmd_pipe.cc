@@ -58,7 +58,7 @@ props::DrawLedger RequestsOf(const SubjectInfo& info, const props::Property& pro
   return ledger;
 }
 
-std::string NextLine() {
+std::string NextLine(std::size_t /*most_bytes*/) {
   std::string line;
   if (std::getline(std::cin, line)) return line;
   throw InputError("standard input", "it ends before every request was answered",

@@ -1,6 +1,9 @@
 // Options are parsed here, in one translation unit; cmd_*.cc do the work.
 #include "tool/command_line.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdint>
 #include <exception>
@@ -14,9 +17,12 @@
 #include "core/error.h"
 #include "core/subject.h"
 #include "fmt/format.h"
+#include "report/text.h"
 #include "tool/commands.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
+#include "tool/progress.h"
+#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -26,7 +32,7 @@ std::uint64_t ParseSeed(const std::string& text) {
   if (text == "random") {
     std::random_device device;
     const std::uint64_t seed = (std::uint64_t{device()} << 32) | device();
-    fmt::print(stderr, "seed {}\n", seed);
+    Tell(fmt::format("seed {}\n", seed));
     return seed;
   }
   std::size_t used = 0;
@@ -229,15 +235,17 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   verb->add_flag(
       "--all", options.all,
       "Every built-in subject; the status then tells only whether each keeps its own claims");
-  verb->add_option("--scenes", options.scene_set, "Scene set to measure")->capture_default_str();
+  verb->add_option("--scenes", options.scene_set, "Scene set to measure")
+      ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
   AddCampaign(verb, options.campaign);
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });
 }
 
-void AddInfer(CLI::App& app, Run& run) {
+void AddInfer(CLI::App& app, Run& run, const std::string& own) {
   static InferOptions options;
+  options.subject = own;
   CLI::App* verb =
       app.add_subcommand("infer", "The model that a subject follows, found by experiment");
   AddSubject(verb, options.subject);
@@ -251,15 +259,17 @@ void AddInfer(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunInfer(options); }; });
 }
 
-void AddReplay(CLI::App& app, Run& run) {
+void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
   static ReplayOptions options;
+  options.choice.typed = typed;
   CLI::App* verb = app.add_subcommand("replay", "Run one case again, saved or generated");
   AddCase(verb, options.choice);
   verb->callback([&run] { run = [] { return RunReplay(options); }; });
 }
 
-void AddExplain(CLI::App& app, Run& run) {
+void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
   static ExplainOptions options;
+  options.choice.typed = typed;
   CLI::App* verb =
       app.add_subcommand("explain", "The pixel grid at the failing place, with exact edge values");
   AddCase(verb, options.choice);
@@ -278,8 +288,9 @@ void AddExplain(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunExplain(options); }; });
 }
 
-void AddShrink(CLI::App& app, Run& run) {
+void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
   static ShrinkOptions options;
+  options.choice.typed = typed;
   CLI::App* verb = app.add_subcommand("shrink", "Make a failing case as small as it gets");
   AddCase(verb, options.choice);
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
@@ -372,9 +383,18 @@ void AddHost(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return HostSubject(options.subject, options.describe); }; });
 }
 
+// A standard file that the caller closed would give its number to the next file that is opened.
+// Nothing is to be read there and nothing to be written; only complaints may get lost.
+void OpenStandardFiles() {
+  for (int n = STDIN_FILENO; n <= STDERR_FILENO; ++n) {
+    if (fcntl(n, F_GETFD) < 0) open("/dev/null", n == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+// As it was typed, to be typed again.
 std::string CommandLine(int argc, char** argv) {
   std::string line = "rasterproof";
-  for (int k = 1; k < argc; ++k) line += std::string(" ") + argv[k];
+  for (int k = 1; k < argc; ++k) line += " " + ShellWord(argv[k]);
   return line;
 }
 
@@ -384,16 +404,17 @@ int Parse(int argc, char** argv, const std::string& own) {
   app.set_version_flag("--version", "rasterproof " RASTERPROOF_VERSION);
   Run run;
   AddCheck(app, run, own);
-  AddExplain(app, run);
-  AddReplay(app, run);
-  AddInfer(app, run);
-  AddCertify(app, run, CommandLine(argc, argv), own);
+  const std::string typed = CommandLine(argc, argv);
+  AddExplain(app, run, typed);
+  AddReplay(app, run, typed);
+  AddInfer(app, run, own);
+  AddCertify(app, run, typed, own);
   AddList(app, run);
   AddCoverage(app, run);
   AddRender(app, run);
   AddPlan(app, run);
   AddBench(app, run);
-  AddShrink(app, run);
+  AddShrink(app, run, typed);
   AddDiff(app, run);
   AddDecode(app, run);
   AddSelftest(app, run);
@@ -423,16 +444,19 @@ int Parse(int argc, char** argv, const std::string& own) {
 int RunCommandLine(int argc, char** argv, const std::string& own) {
   // A closed pipe is an error that is reported, not a signal that kills.
   std::signal(SIGPIPE, SIG_IGN);
+  OpenStandardFiles();
   try {
     return Parse(argc, argv, own);
   } catch (const InputError& error) {
-    std::cerr << "rasterproof: " << error.what() << '\n';
+    // The words of a file or a program may be in it: nothing of theirs steers the terminal.
+    std::cerr << "rasterproof: " << report::CleanText(error.what()) << '\n';
     return kExitUsage;
   } catch (const SubjectFault& fault) {
-    std::cerr << "rasterproof: the subject failed: " << fault.what() << '\n';
+    std::cerr << "rasterproof: the subject failed: " << report::CleanText(fault.what()) << '\n';
     return kExitViolated;
   } catch (const SubjectTooSlow& slow) {
-    std::cerr << "rasterproof: the subject was too slow to judge: " << slow.what() << '\n';
+    std::cerr << "rasterproof: the subject was too slow to judge: " << report::CleanText(slow.what())
+              << '\n';
     return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";

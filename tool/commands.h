@@ -76,7 +76,7 @@ int RunCheck(const CheckOptions& options);
 struct CertifyOptions {
   std::vector<std::string> subjects;
   bool all = false;
-  std::string scene_set = "scenes/certify.json";
+  std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
   std::string output = "out";
   CampaignChoice campaign;
   std::string command;  ///< the command line, for the record
@@ -99,6 +99,7 @@ struct CaseChoice {
   std::string profile;  ///< judge by this one; empty: the file's, or the subject's own
   std::uint64_t seed = 1;
   std::int64_t index = -1;
+  std::string typed;  ///< the command line as the user gave it, quoted for a shell
 };
 
 struct ReplayOptions {

@@ -1,50 +1,80 @@
-// What was proved about each subject's arithmetic. Every entry names the script that the tests run.
+#include "tool/evidence.h"
+
 #include <array>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tool/certify.h"
+#include "core/error.h"
+#include "fmt/format.h"
+#include "io/json_document.h"
+#include "io/output.h"
+#include "tool/shared_files.h"
 
 namespace rasterproof::tool {
 namespace {
 
-struct Proof {
-  std::string_view subjects;  ///< what the subjects' names begin with; empty: all
-  std::string_view claim;
-  std::string_view script;  ///< in reference/proofs/, run by the test proofs
+// Of every script: "edge_direct.g 0123... edge_kahan.g 4567...", as the build found them.
+constexpr std::string_view kHashes = RASTERPROOF_PROOF_HASHES;
+
+// Empty if this program was built without the script.
+std::string HashOf(const std::string& script) {
+  std::istringstream words{std::string(kHashes)};
+  std::string name;
+  std::string hash;
+  while (words >> name >> hash) {
+    if (name == script) return hash;
+  }
+  return "";
+}
+
+// What the tests wrote of a script that they ran.
+struct Record {
+  std::string sha256;
+  std::string gappa;
+  std::string date;
 };
 
-constexpr std::array kProofs{
-    Proof{"f", "the direct form is off by at most 3u S + u |E|, fused or not", "edge_direct.g"},
-    Proof{"f32-kahan", "Kahan's form is off by at most 2u S + 2u |E|", "edge_kahan.g"},
-    Proof{"f64-kahan", "Kahan's form is off by at most 2u S + 2u |E|", "edge_kahan.g"},
-    Proof{"f32-affine",
-          "the affine form is off by at most u (4 |A x| + 4 |B y| + 3 |C's products|)",
-          "edge_affine.g"},
-    Proof{"f32-incremental", "one step of a walk is off by half an ulp of its binade",
-          "increment.g"},
-    Proof{"f64-incremental", "one step of a walk is off by half an ulp of its binade",
-          "increment.g"},
-    Proof{"f32-index", "the fused index form adds one rounding, however many steps", "index.g"},
-    Proof{"i", "inside its coordinate limit every integer of the kernel fits", "exactness.g"},
-    Proof{"hom-f", "(V_j x V_i) . p is off by at most 5u of its terms' magnitudes",
-          "homogeneous.g"},
-    Proof{"f", "weights over the sum of the edge values add up to 1 within 3u inside",
-          "weights_sum.g"},
-    Proof{"f", "(1 - l0) - l1 is right within u inside", "weights_one_minus.g"},
-    Proof{"f", "a weight times its height carries three roundings", "weights_distance.g"},
-};
+std::optional<Record> ReadRecord(const std::string& script) {
+  constexpr std::array<std::string_view, 5> kKeys{"rasterproof_proof", "script", "sha256", "gappa",
+                                                  "date"};
+  const std::optional<std::string> path =
+      FindShared("proofs/" + script.substr(0, script.rfind('.')) + ".json");
+  if (!path) return std::nullopt;
+  try {
+    const std::string text = io::ReadFile(*path);
+    const io::JsonDocument document(text, *path);
+    const io::JsonValue root = document.root();
+    root.RequireObject(kKeys);
+    root.Get("rasterproof_proof").RequireInteger(1, 1);  // the version
+    if (root.Get("script").RequireString() != script) return std::nullopt;
+    return Record{std::string(root.Get("sha256").RequireString()),
+                  std::string(root.Get("gappa").RequireString()),
+                  std::string(root.Get("date").RequireString())};
+  } catch (const InputError&) {  // what can't be read records nothing
+    return std::nullopt;
+  }
+}
+
+std::string WhereProved(const std::string& script) {
+  const std::string hash = HashOf(script);
+  const std::string named = fmt::format("reference/proofs/{}, sha256 {}", script, hash);
+  const std::optional<Record> record = ReadRecord(script);
+  if (hash.empty() || !record || record->sha256 != hash) {
+    return named + ": not run for this source";
+  }
+  return fmt::format("{}: run by this build's tests, Gappa {}, {}", named, record->gappa,
+                     record->date);
+}
 
 }  // namespace
 
-std::vector<report::Evidence> ProvedOf(const std::string& subject) {
+std::vector<report::Evidence> ProvedOf(const SubjectInfo& info) {
   std::vector<report::Evidence> proved;
-  for (const Proof& proof : kProofs) {
-    if (subject.starts_with(proof.subjects)) {
-      proved.push_back(
-          {std::string(proof.claim), "gappa reference/proofs/" + std::string(proof.script)});
-    }
+  for (const Proof& proof : info.proofs) {
+    proved.push_back({proof.statement, WhereProved(proof.script)});
   }
   return proved;
 }

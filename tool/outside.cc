@@ -13,7 +13,6 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "props/run/batching.h"
-#include "props/run/facings.h"
 #include "subjects/plugin/plugin.h"
 #include "subjects/process/process.h"
 #include "subjects/process/serve.h"
@@ -32,10 +31,14 @@ Makers& OwnMakers() {
 
 std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
+// Every subject outside is made here, whatever described it. That a method is exact, and what is
+// proved of its arithmetic, are claims of reference/ and exact/ alone: nothing that comes from
+// outside makes them, whatever it is called.
 std::unique_ptr<Subject> InAProcess(std::vector<std::string> command, SubjectInfo info) {
-  return props::WithFacings(
-      std::make_unique<props::BatchingSubject>(std::make_unique<subjects::ProcessSubject>(
-          std::move(command), std::move(info), OutsideLimits())));
+  info.claims_exact = false;
+  info.proofs.clear();
+  return std::make_unique<props::BatchingSubject>(std::make_unique<subjects::ProcessSubject>(
+      std::move(command), std::move(info), OutsideLimits()));
 }
 
 // This program once more, as the host of a library or an own type: what they break, they break
@@ -130,9 +133,13 @@ std::vector<std::string> OwnNames() {
   return names;
 }
 
-bool IsOutside(std::string_view name) {
+bool NamesWhatToRun(std::string_view name) {
   return name.starts_with(kPluginPrefix) || name.starts_with(kExecPrefix) ||
-         name.ends_with(kDescriptionEnding) || OwnMakers().contains(std::string(name));
+         name.ends_with(kDescriptionEnding);
+}
+
+bool IsOutside(std::string_view name) {
+  return NamesWhatToRun(name) || OwnMakers().contains(std::string(name));
 }
 
 std::unique_ptr<Subject> MakeOutside(const std::string& name) {

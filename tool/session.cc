@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/target_size.h"
 #include "exact/coverage.h"
 #include "exact/environment.h"
 #include "fmt/format.h"
@@ -21,9 +24,12 @@
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/run/campaign.h"
+#include "props/run/facings.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/outside.h"
+#include "tool/progress.h"
+#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -44,6 +50,7 @@ class OracleSubject final : public Subject {
     info_.summary = "the oracle, decided by " + std::string(exact::DeciderName(decider));
     info_.input = Precision::kFloat64;
     info_.takes_clip = true;
+    info_.claims_exact = true;
   }
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
@@ -64,10 +71,13 @@ class JudgedSubject final : public Subject {
  public:
   JudgedSubject(std::unique_ptr<Subject> subject, const Profile& profile)
       : subject_(std::move(subject)), info_(subject_->Info()) {
+    // What it claims, it claims of its own profile.
+    info_.claims_exact = info_.claims_exact && SameModel(info_.profile, profile);
     // What it can be given is no matter of judgement.
     const std::optional<FixedInput> fixed = info_.profile.fixed;
     info_.profile = profile;
     if (!profile.fixed) info_.profile.fixed = fixed;
+    info_.profile.name = io::ProfileName(info_.profile);
   }
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
@@ -78,6 +88,9 @@ class JudgedSubject final : public Subject {
     return subject_->DrawMany(jobs);
   }
   Subject& Whole() override { return subject_->Whole(); }
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
+    subject_->SetDeadline(deadline);
+  }
   const EdgeEvaluator* Edges() const override { return subject_->Edges(); }
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
@@ -85,15 +98,6 @@ class JudgedSubject final : public Subject {
   std::unique_ptr<Subject> subject_;
   SubjectInfo info_;
 };
-
-bool IsMeshPath(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  if (dot == std::string::npos) return false;
-  std::string ending = path.substr(dot + 1);
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array<std::string_view, 6> kMeshEndings{"obj", "ply", "off", "stl", "gltf", "glb"};
-  return std::ranges::find(kMeshEndings, ending) != kMeshEndings.end();
-}
 
 // How many letters must be put in, taken out or exchanged (Levenshtein), capitals or not.
 std::size_t Distance(std::string_view a, std::string_view b) {
@@ -121,27 +125,35 @@ std::string Suggestion(std::string_view wrong, const std::vector<std::string>& n
   return fmt::format("did you mean {}? ", *nearest);
 }
 
-// As one word of a shell's.
-std::string Quoted(const std::string& word) {
-  constexpr std::string_view kPlain = "_-+=:,./@%";
-  const bool plain = std::ranges::all_of(word, [&](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || kPlain.find(c) != kPlain.npos;
-  });
-  if (plain) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+// What this program is made of: no name of these makes another program run than the user's own.
+bool IsOurs(const std::string& name) {
+  if (NamesWhatToRun(name)) return false;
+  const std::vector<std::string> own = OwnNames();
+  return MakeOracle(name, {}) != nullptr || subjects::MakeBuiltin(name) != nullptr ||
+         subjects::MakeMutant(name) != nullptr || std::ranges::find(own, name) != own.end();
 }
 
-void RequireTargetSize(const SceneOptions& options) {
-  const auto samples = std::int64_t{options.width} * options.height;
-  if (options.width >= 1 && options.height >= 1 && options.width <= kMaxTargetSide &&
-      options.height <= kMaxTargetSide && samples <= kMaxTargetSamples) {
-    return;
+// Case files are what people exchange: one must not decide what runs on the machine that reads it.
+void RequireOursInFile(const std::string& name, const CaseChoice& choice, std::string_view verb) {
+  if (IsOurs(name)) return;
+  if (!NamesWhatToRun(name)) {
+    throw InputError(choice.path,
+                     fmt::format("there is no subject {}, which it names", ShellWord(name)),
+                     "give --subject; 'rasterproof list subjects' names all that there are");
   }
-  throw InputError(fmt::format("--width {} --height {}", options.width, options.height),
-                   "the target is out of range",
-                   fmt::format("give sides of 1 to {} and at most 2^28 samples", kMaxTargetSide));
+  constexpr std::size_t kLongestShown = 1000;  // what a reader can judge before typing it
+  const std::string option = SubjectOption(name);
+  if (option.size() > kLongestShown) {
+    throw InputError(choice.path,
+                     fmt::format("the file names a subject outside this program, in {} characters, "
+                                 "and no file decides what is run",
+                                 name.size()),
+                     "if you trust it, name it yourself: --plugin, --exec or --subject");
+  }
+  const std::string typed = choice.typed.empty() ? CommandFor(verb, choice) : choice.typed;
+  throw InputError(choice.path,
+                   "the file names a subject outside this program, and no file decides what is run",
+                   fmt::format("if you trust it, name it yourself: {} {}", typed, option));
 }
 
 }  // namespace
@@ -160,20 +172,46 @@ std::vector<std::string> SubjectNames() {
   return names;
 }
 
+void SayOfPreset(const Profile& profile) {
+  static std::set<std::string> said;
+  if (!IsApiPreset(profile.name) || PresetProfile(profile.name) != profile) return;
+  if (!said.insert(profile.name).second) return;
+  Tell(fmt::format(
+      "note: profile {} is judged by its canonical model: {} subpixel bits, {}, {}; of a "
+      "rasterizer that the API lets do otherwise (4 bits, another rounding) say so in a "
+      "profile file, snap_tolerance and any_tie_rule included\n",
+      profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
+      FillRuleName(profile.fill_rule)));
+}
+
 std::unique_ptr<Subject> MakeSubject(std::string_view name) { return MakeSubject(name, ""); }
 
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile) {
   for (const auto& [oracle, decider] : kOracles) {
-    if (name == oracle) return std::make_unique<OracleSubject>(name, decider, profile);
+    if (name != oracle) continue;
+    if (decider != exact::Decider::kFast && !profile.crossing.IsNone()) {
+      throw InputError(
+          fmt::format("subject '{}'", name),
+          fmt::format("it does not decide the rounded crossings of profile {}", profile.name),
+          "use --subject exact, or a profile without crossing");
+    }
+    return std::make_unique<OracleSubject>(name, decider, profile);
   }
   return nullptr;
 }
 
 std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& profile) {
   const Profile named = profile.empty() ? Profile{} : io::ReadProfile(profile);
-  if (std::unique_ptr<Subject> oracle = MakeOracle(name, named)) return oracle;
+  std::unique_ptr<Subject> oracle = MakeOracle(name, named);
   std::unique_ptr<Subject> subject = subjects::MakeBuiltin(name);
   if (subject == nullptr) subject = subjects::MakeMutant(name);
+  const std::vector<std::string> own = OwnNames();
+  if ((oracle || subject) && std::ranges::find(own, name) != own.end()) {
+    throw InputError(fmt::format("subject '{}'", name),
+                     "a type of your own has the name of one of rasterproof's subjects",
+                     "rename the type");
+  }
+  if (oracle) return oracle;
   if (subject == nullptr) subject = MakeOutside(std::string(name));
   if (subject == nullptr) {
     throw InputError(
@@ -181,8 +219,9 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& p
         fmt::format("{}choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
                     Suggestion(name, SubjectNames()), fmt::join(SubjectNames(), ", ")));
   }
-  if (profile.empty()) return subject;
-  return std::make_unique<JudgedSubject>(std::move(subject), named);
+  // Facings last: they are worked out by the profile that the subject is judged by.
+  if (!profile.empty()) subject = std::make_unique<JudgedSubject>(std::move(subject), named);
+  return props::WithFacings(std::move(subject));
 }
 
 const props::Property& RequireProperty(const std::string& name) {
@@ -194,6 +233,15 @@ const props::Property& RequireProperty(const std::string& name) {
       Suggestion(name, names) + "'rasterproof list properties' names all that there are");
 }
 
+bool IsMeshPath(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string::npos) return false;
+  std::string ending = path.substr(dot + 1);
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::array<std::string_view, 6> kMeshEndings{"obj", "ply", "off", "stl", "gltf", "glb"};
+  return std::ranges::find(kMeshEndings, ending) != kMeshEndings.end();
+}
+
 Scene LoadScene(const SceneOptions& options) {
   if (!IsMeshPath(options.path)) {
     if (!options.camera.empty()) {
@@ -202,7 +250,8 @@ Scene LoadScene(const SceneOptions& options) {
     }
     return io::ReadScene(options.path);
   }
-  RequireTargetSize(options);
+  RequireTargetSize(fmt::format("--width {} --height {}", options.width, options.height),
+                    options.width, options.height, 1);
   const io::Mesh mesh = io::ReadMesh(options.path);
   const std::string text = options.camera.empty() ? "front" : options.camera;
   const io::Camera camera = io::ParseCamera(text, mesh);
@@ -217,7 +266,9 @@ Scene LoadScene(const SceneOptions& options) {
 }
 
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options) {
-  CoverageCounts counts(scene.width, scene.height, subject.Info().profile.lattice.samples());
+  const int samples = subject.Info().profile.lattice.samples();
+  RequireTargetSize("scene", scene.width, scene.height, samples);
+  CoverageCounts counts(scene.width, scene.height, samples);
   subject.Draw(scene, options, counts);
   return counts;
 }
@@ -259,13 +310,23 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
                    "use a float64 subject (f64-..., spans-exact), or \"precision\": \"float32\"");
 }
 
+std::string SubjectOption(const std::string& name) {
+  if (name.starts_with(kPluginPrefix)) {
+    return "--plugin " + ShellWord(name.substr(kPluginPrefix.size()));
+  }
+  if (name.starts_with(kExecPrefix)) return "--exec " + ShellWord(name.substr(kExecPrefix.size()));
+  return "--subject " + ShellWord(name);
+}
+
 std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   std::string command = fmt::format("rasterproof {}", verb);
   const auto add = [&](std::string_view option, const std::string& value) {
-    if (!value.empty()) command += fmt::format("{} {}", option, Quoted(value));
+    if (!value.empty()) command += fmt::format("{} {}", option, ShellWord(value));
   };
-  add("", choice.path);
-  add(" --subject", choice.subject);
+  // What begins like an option is none behind "./".
+  const bool like_option = choice.path.size() > 1 && choice.path.front() == '-';
+  add("", like_option ? "./" + choice.path : choice.path);
+  if (!choice.subject.empty()) command += " " + SubjectOption(choice.subject);
   add(" --property", choice.property);
   add(" --profile", choice.profile);
   if (choice.index >= 0) command += fmt::format(" --seed {} --case {}", choice.seed, choice.index);
@@ -276,7 +337,10 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   LoadedCase loaded;
   std::string subject = choice.subject;
   std::string property = choice.property;
+  const std::vector<std::string> own = OwnNames();
+  const std::string unnamed = own.empty() ? std::string() : own.front();  // of kit/main.h's program
   if (choice.index >= 0) {
+    if (subject.empty()) subject = unnamed;
     if (!choice.path.empty()) {
       throw InputError("--case", "a case file and the number of a generated case were both given",
                        "give one of them");
@@ -289,7 +353,9 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
     loaded.property = &RequireProperty(property);
     loaded.value = props::DrawCase(loaded.subject->Info(), *loaded.property, choice.seed,
                                    static_cast<std::uint64_t>(choice.index));
-    loaded.replay = CommandFor(verb, choice);
+    CaseChoice stated = choice;
+    stated.subject = subject;
+    loaded.replay = CommandFor(verb, stated);
     return loaded;
   }
   if (choice.path.empty()) {
@@ -297,7 +363,11 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
                      "give a case file, or --subject, --property, --seed and --case");
   }
   const io::CaseFile file = io::ReadCase(choice.path);
-  if (subject.empty()) subject = file.subject;
+  if (subject.empty() && !file.subject.empty()) {
+    RequireOursInFile(file.subject, choice, verb);
+    subject = file.subject;
+  }
+  if (subject.empty()) subject = unnamed;
   if (property.empty()) property = file.property;
   if (subject.empty()) {
     throw InputError(choice.path, "the file names no subject", "give --subject");

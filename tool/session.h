@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
 #include "props/property.h"
@@ -28,11 +29,18 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name);
 /// The subject of that name, judged by another profile than its own ("" : its own).
 std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& profile);
 
+/// Says on standard error, once for each of them, that the preset of an API is one of the models
+/// that it leaves legal, so that nobody takes another legal one for wrong.
+void SayOfPreset(const Profile& profile);
+
 /// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);
 
 /// Error:      InputError naming the properties there are.
 const props::Property& RequireProperty(const std::string& name);
+
+/// Whether LoadScene takes the file for a mesh: by its ending.
+bool IsMeshPath(const std::string& path);
 
 /// Reads a scene file or projects a mesh, by the file's ending.
 Scene LoadScene(const SceneOptions& options);
@@ -44,8 +52,15 @@ struct LoadedCase {
   const props::Property* property = nullptr;  ///< nullptr: none was named
   std::string replay;                         ///< the command that loads it again
 };
-/// Error:      InputError if the choice is of no case or of two, or lacks what its case needs.
+/// A subject that only the file names is one of this program's own: the built-in ones, the oracle,
+/// planted bugs and legal variants, the type of kit/main.h. Any other is for the user to name.
+///
+/// Error:      InputError if the choice is of no case or of two, or lacks what its case needs; with
+///             the command to type where the file names a subject outside.
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
+
+/// The option that names the subject on a command line, quoted for a shell: "--exec './a b'".
+std::string SubjectOption(const std::string& name);
 
 /// The command that runs the verb on the choice's case, quoted for a shell.
 std::string CommandFor(std::string_view verb, const CaseChoice& choice);

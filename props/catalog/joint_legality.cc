@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
+#include "props/catalog/free_choices.h"
 #include "props/catalog/model_search.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
@@ -67,6 +69,12 @@ std::string NeedsText(const Case& c, const ModelSearch& search,
   return text;
 }
 
+Verdict NotJudged(const Case& c, const char* why) {
+  Verdict verdict{Outcome::kNotExercised, 0, 0, why, std::nullopt};
+  verdict.not_judged = DecisionsOf(c);
+  return verdict;
+}
+
 Verdict NoModel(const Singles& singles, const ModelSearch& search,
                 const std::vector<std::size_t>& conflict, std::uint64_t exercised) {
   std::string names;
@@ -104,8 +112,12 @@ Verdict OneLegalModelExplainsTheMesh(Subject& subject, const Case& c) {
     return Verdict::NotApplicable(
         "the profile's contract does not say what single triangles cover");
   }
-  const Need need{.space = Space::kWindow, .any_model_suffices = true};
+  const Need need{.space = Space::kEither, .any_model_suffices = true};
   if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  if (c.scene.clip_space) return NotJudged(c, "models are searched in window space alone");
+  if (!IsUnclippedInEveryModel(c)) {
+    return NotJudged(c, "a legal choice leaves the profile's no-clip rectangle");
+  }
   const Singles singles = DrawSingles(subject, c);
   const std::uint64_t exercised = DecisionsOf(singles.drawn);
   ModelSearch search(singles.drawn);
@@ -117,7 +129,10 @@ Verdict OneLegalModelExplainsTheMesh(Subject& subject, const Case& c) {
   const std::vector<std::size_t> conflict = search.Conflict();
   if (!conflict.empty()) return NoModel(singles, search, conflict, exercised);
   const CoverageCounts whole = Drawn(subject, singles.drawn.scene, c.profile, WholeTarget(c));
-  return SameCounts(whole, sum, exercised, "the sum of its triangles, each drawn alone,");
+  Verdict verdict =
+      SameCounts(whole, sum, exercised, "the sum of its triangles, each drawn alone,");
+  verdict.not_judged = DecisionsOf(c) - exercised;  // of the triangles behind the most
+  return verdict;
 }
 
 }  // namespace rasterproof::props

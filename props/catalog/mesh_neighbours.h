@@ -23,14 +23,14 @@ struct Neighbours {
 /// they lie on either side of the edge. Clip space: positions are (x, y, w); a and b are not set.
 std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit);
 
-/// A directed edge of the boundary, on the subpixel grid.
+/// A directed edge of the boundary.
 struct BoundaryEdge {
   Point2 a;
   Point2 b;
 };
 
-/// The directed edges of a window-space mesh that no opposite edge cancels, by position.
-std::vector<BoundaryEdge> BoundaryOf(const Case& c);
+/// The directed edges of a window-space mesh that no opposite edge cancels, by position as it is.
+std::vector<BoundaryEdge> BoundaryOf(const Scene& scene);
 
 }  // namespace rasterproof::props
 

@@ -28,6 +28,7 @@ bool IsNear(const Neighbours& pair, Point2 p) {
 Verdict PairsCoverOnce(Subject& subject, const Case& c,
                        const std::function<bool(const Neighbours&)>& takes) {
   std::uint64_t exercised = 0;
+  std::uint64_t not_judged = 0;
   for (const Neighbours& pair : SharedEdges(c, kPairs)) {
     if (!takes(pair)) continue;
     const Case alone = OnlyTriangles(c, {pair.first, pair.second});
@@ -35,6 +36,7 @@ Verdict PairsCoverOnce(Subject& subject, const Case& c,
                                    true};
     Verdict verdict = JudgePlanarMesh(subject, alone, beside_the_edge);
     exercised += verdict.exercised;
+    not_judged += verdict.not_judged;
     if (verdict.outcome != Outcome::kViolated) continue;
     verdict.exercised = exercised;
     verdict.witness->triangle = static_cast<int>(pair.first);
@@ -43,7 +45,9 @@ Verdict PairsCoverOnce(Subject& subject, const Case& c,
                        std::to_string(pair.second) + " share";
     return verdict;
   }
-  return Verdict::Held(exercised);
+  Verdict verdict = Verdict::Held(exercised);
+  verdict.not_judged = not_judged;
+  return verdict;
 }
 
 }  // namespace rasterproof::props

@@ -3,25 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/profile.h"
 #include "core/scene.h"
+#include "props/catalog/free_choices.h"
 
 namespace rasterproof::props {
 namespace {
 
-// How far from the outline a sample must be where the outline is not judged. Edge values of float32
-// displace an edge by at most a few 2^-24 of the largest coordinate (docs/mathematics.md, forward
-// bounds): 2^-18 of it is generous. A watertight subject may also have moved its vertices by
-// snapping them to a grid of its own: a pixel is generous for that.
-constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
-constexpr double kOutlineMargin = 0x1p-10;
-constexpr double kMovedOutlineMargin = 1;
-
-double MarginOf(const Scene& scene, bool may_move) {
+double MarginOf(const Scene& scene, double moved) {
   double largest = 0;
   for (const Vertex& v : scene.vertices) {
     largest = std::max({largest, std::fabs(v.x), std::fabs(v.y)});
   }
-  return (may_move ? kMovedOutlineMargin : kOutlineMargin) + kOutlineMarginPerCoordinate * largest;
+  return moved + kOutlineMarginPerCoordinate * largest;
 }
 
 double SegmentDistance(const BoundaryEdge& edge, Point2 p) {
@@ -35,8 +29,16 @@ double SegmentDistance(const BoundaryEdge& edge, Point2 p) {
 
 }  // namespace
 
-Outline::Outline(const Case& c, bool may_move)
-    : boundary_(BoundaryOf(c)), margin_(MarginOf(c.scene, may_move)) {}
+Outline::Outline(const Case& c)
+    : boundary_(BoundaryOf(SnapScene(c.scene, c.profile))),
+      margin_(MarginOf(c.scene, kOutlineMargin)) {}
+
+Outline Outline::OfMoved(const Case& c, double most_moved) {
+  Outline outline;
+  outline.boundary_ = BoundaryOf(UnsnappedScene(c));
+  outline.margin_ = MarginOf(c.scene, std::max(kMovedOutlineMargin, most_moved));
+  return outline;
+}
 
 bool Outline::IsNear(Point2 p) const {
   return std::ranges::any_of(

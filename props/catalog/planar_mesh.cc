@@ -8,6 +8,7 @@
 
 #include "core/scene.h"
 #include "exact/winding.h"
+#include "props/catalog/free_choices.h"
 #include "props/catalog/outline.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
@@ -28,23 +29,24 @@ std::optional<Verdict> OwnsNoEdges(const Profile& profile) {
 }
 
 Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view) {
-  const exact::MeshShape shape = exact::ShapeOf(c.scene, c.profile);
-  if (shape.folded) return NotExercised("the snapped mesh is folded");
   const bool watertight_only = !HasOneModel(c.profile) || !IsUnclipped(c.scene, c.profile);
-  if (watertight_only && shape.degenerate != 0) {
-    return NotExercised("the snapped mesh has triangles of zero area");
+  const OpenTriangles open = watertight_only ? OpenTriangles(c) : OpenTriangles();
+  if (watertight_only ? open.RestIsFolded() : exact::ShapeOf(c.scene, c.profile).folded) {
+    return NotExercised("the snapped mesh is folded");
   }
   const std::vector<std::int64_t> winding = exact::BoundaryWinding(c.scene, c.profile);
   if (std::ranges::any_of(winding, [](std::int64_t w) { return std::abs(w) > 1; })) {
     return NotExercised("the mesh overlaps itself");
   }
-  const Outline outline =
-      watertight_only || view.spares_outline ? Outline(c, watertight_only) : Outline();
+  const Outline outline = watertight_only       ? Outline::OfMoved(c, open.MostMoved())
+                          : view.spares_outline ? Outline(c)
+                                                : Outline();
   const auto is_judged = [&](const SamplePlace& place) {
     return (!view.looks_at || view.looks_at(place)) && !outline.IsNear(place.at);
   };
   const CoverageCounts counts = Drawn(subject, c.scene, c.profile, WholeTarget(c));
   std::uint64_t exercised = 0;
+  std::uint64_t not_judged = 0;
   for (int row = 0; row < counts.height; ++row) {
     for (int x = 0; x < counts.width; ++x) {
       for (int s = 0; s < counts.samples; ++s) {
@@ -55,6 +57,10 @@ Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view) {
         if (is_right && expected == 0) continue;  // outside and left alone: not worth counting
         const SamplePlace place = PlaceOf(c, x, row, s);
         if (!is_judged(place)) continue;
+        if (open.CanCover(place.at)) {
+          ++not_judged;
+          continue;
+        }
         ++exercised;
         if (is_right) continue;
         Witness witness =
@@ -69,7 +75,9 @@ Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view) {
       }
     }
   }
-  return Verdict::Held(exercised);
+  Verdict verdict = Verdict::Held(exercised);
+  verdict.not_judged = not_judged;
+  return verdict;
 }
 
 }  // namespace rasterproof::props

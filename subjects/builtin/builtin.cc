@@ -3,8 +3,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "reference/proved.h"
 #include "reference/rasterize.h"
 #include "reference/weights.h"
 
@@ -22,6 +24,9 @@ class BuiltinSubject final : public Subject {
       info_.name += kCanonicalSuffix;
       info_.summary += "; each edge from its lexicographically smaller end";
     }
+    if (ShowsWeights()) {
+      for (Proof& proof : reference::WeightProofs()) info_.proofs.push_back(std::move(proof));
+    }
   }
 
   const SubjectInfo& Info() const override { return info_; }
@@ -35,12 +40,13 @@ class BuiltinSubject final : public Subject {
   }
 
   const WeightEvaluator* Weights() const override {
-    // The reference's weights take window-space vertices as they are: not snapped, not divided.
-    const bool unsnapped_window = info_.takes_window && info_.profile.snap.IsNone();
-    return unsnapped_window ? &reference::ReferenceWeights(info_.input) : nullptr;
+    return ShowsWeights() ? &reference::ReferenceWeights(info_.input) : nullptr;
   }
 
  private:
+  // The reference's weights take window-space vertices as they are: not snapped, not divided.
+  bool ShowsWeights() const { return info_.takes_window && info_.profile.snap.IsNone(); }
+
   const reference::Method& method_;
   bool canonical_;
   SubjectInfo info_;
@@ -74,11 +80,6 @@ std::unique_ptr<Subject> MakeBuiltin(std::string_view name) {
   const NamedMethod found = Find(name);
   if (found.method == nullptr) return nullptr;
   return std::make_unique<BuiltinSubject>(*found.method, found.canonical);
-}
-
-bool ClaimsExact(std::string_view name) {
-  const NamedMethod found = Find(name);
-  return found.method != nullptr && found.method->exact;
 }
 
 }  // namespace rasterproof::subjects

@@ -17,9 +17,6 @@ std::vector<std::string> BuiltinNames();
 /// Returns the subject of that name, or nullptr.
 std::unique_ptr<Subject> MakeBuiltin(std::string_view name);
 
-/// Returns whether the subject claims 0 wrong samples against its own profile.
-bool ClaimsExact(std::string_view name);
-
 }  // namespace rasterproof::subjects
 
 #endif  // RASTERPROOF_SUBJECTS_BUILTIN_BUILTIN_H_

@@ -23,6 +23,9 @@ class ShownValues final : public Subject, public EdgeEvaluator, public WeightEva
         info_(method_.info) {
     info_.name = name;
     info_.summary = summary;
+    // What is proved of the method is not of the one with a bug in it.
+    info_.proofs.clear();
+    info_.claims_exact = false;
     info_.profile.contract = Contract::kNone;
   }
 

@@ -41,8 +41,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void PrintTiers(const char* what, std::uint64_t n, double seconds) {
-  const TierCounts t = Tiers();
+void PrintTiers(const char* what, std::uint64_t n, double seconds, const TierCounts& t) {
   std::printf(
       "%s: %llu compared in %.1f s; tiers: filter %llu, stable %llu, exact %llu, symbolic %llu\n",
       what, static_cast<unsigned long long>(n), seconds, static_cast<unsigned long long>(t.filter),
@@ -53,7 +52,7 @@ void PrintTiers(const char* what, std::uint64_t n, double seconds) {
 TEST(Agreement, OfThreeDecidersOnSigns) {
   const int n = Full() ? kFullSigns : kFullSigns / kShare;
   const Stopwatch watch;
-  ResetTiers();
+  const TierScope scope;
   Draw draw(1);
   for (int k = 0; k < n; ++k) {
     const auto family = static_cast<Family>(k % kFamilies);
@@ -67,16 +66,16 @@ TEST(Agreement, OfThreeDecidersOnSigns) {
                 b.y, p.x, p.y);
     FAIL();
   }
-  PrintTiers("signs", static_cast<std::uint64_t>(n), watch.Seconds());
-  EXPECT_GT(Tiers().filter, 0U);
-  EXPECT_GT(Tiers().stable, 0U);
-  EXPECT_GT(Tiers().exact, 0U);
+  PrintTiers("signs", static_cast<std::uint64_t>(n), watch.Seconds(), scope.Counts());
+  EXPECT_GT(scope.Counts().filter, 0U);
+  EXPECT_GT(scope.Counts().stable, 0U);
+  EXPECT_GT(scope.Counts().exact, 0U);
 }
 
 TEST(Agreement, OfThreeDecidersOnTriangleCoverages) {
   const int n = Full() ? kFullTriangles : kFullTriangles / kShare;
   const Stopwatch watch;
-  ResetTiers();
+  const TierScope scope;
   Draw draw(2);
   std::uint64_t triangles = 0;
   std::uint64_t samples = 0;
@@ -97,10 +96,10 @@ TEST(Agreement, OfThreeDecidersOnTriangleCoverages) {
     samples += fast.size() * scene.triangles.size();
     for (std::size_t i = 0; i < fast.size(); ++i) covered += fast.Count(i);
   }
-  PrintTiers("triangle coverages", triangles, watch.Seconds());
+  PrintTiers("triangle coverages", triangles, watch.Seconds(), scope.Counts());
   std::printf("samples asked %llu, covered %llu\n", static_cast<unsigned long long>(samples),
               static_cast<unsigned long long>(covered));
-  EXPECT_GT(Tiers().symbolic, 0U);
+  EXPECT_GT(scope.Counts().symbolic, 0U);
   EXPECT_GT(covered, 0U);
 }
 

@@ -172,11 +172,13 @@ TEST(Coverage, IsInstantFarOffAndOnTheLargestTargets) {
   Scene scene =
       MakeScene(kMaxTargetSide, 16, {{-1e30, -1e30}, {1e30, -1e30}, {7, 1e30}, {3e38, 3e38}},
                 {{0, 1, 2}, {0, 1, 3}});
-  ResetTiers();
+  const TierScope scope;
   const CoverageCounts counts = Coverage(scene, {});
   EXPECT_EQ(counts.Count(0), 2U) << "the second one's left side y = x passes through the centre";
   EXPECT_EQ(counts.Count(counts.Index(0, 1)), 1U);
-  EXPECT_LT(Tiers().filter + Tiers().stable + Tiers().exact + Tiers().symbolic, 16U * 4 * 20)
+  EXPECT_LT(scope.Counts().filter + scope.Counts().stable + scope.Counts().exact +
+                scope.Counts().symbolic,
+            16U * 4 * 20)
       << "a row takes two crossings, a crossing at most log2(65536) signs more";
   scene.width = 16;
   scene.height = kMaxTargetSide;

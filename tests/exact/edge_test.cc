@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <thread>
 
 #include "core/fill_rule.h"
 #include "core/vertex.h"
@@ -93,30 +94,45 @@ TEST(EdgeSign, TurnsOverWithTheEdgeAndWithAnyTwoPoints) {
 }
 
 TEST(EdgeSign, ReachesEveryTierAndCountsEachDecisionOnce) {
-  ResetTiers();
+  const TierScope scope;
   EXPECT_EQ(EdgeSign({0, 0}, {3, 0}, {1, 5}), -1);
-  EXPECT_EQ(Tiers().filter, 1U) << "far from the edge";
+  EXPECT_EQ(scope.Counts().filter, 1U) << "far from the edge";
   EXPECT_EQ(EdgeSign({0, 0}, {4, 2}, {2, 1}), 0);
-  EXPECT_EQ(Tiers().stable, 1U) << "on the edge, exact differences";
+  EXPECT_EQ(scope.Counts().stable, 1U) << "on the edge, exact differences";
   EXPECT_EQ(EdgeSign({0x1p-60, 0}, {3, 3}, {1, 1}), -1);
-  EXPECT_EQ(Tiers().exact, 1U) << "a difference that is rounded";
+  EXPECT_EQ(scope.Counts().exact, 1U) << "a difference that is rounded";
   EXPECT_EQ(EdgeSign({0, 0}, {1e-200, 1e-200}, {2e-200, 3e-200}), -1);
-  EXPECT_EQ(Tiers().exact, 2U) << "products that underflow";
+  EXPECT_EQ(scope.Counts().exact, 2U) << "products that underflow";
   EXPECT_NE(ShiftedEdgeSign({0, 0}, {4, 2}, {2, 1}, kTopLeft), 0);
-  EXPECT_EQ(Tiers().symbolic, 1U) << "a tie";
-  const TierCounts t = Tiers();
+  EXPECT_EQ(scope.Counts().symbolic, 1U) << "a tie";
+  const TierCounts t = scope.Counts();
   EXPECT_EQ(t.filter + t.stable + t.exact + t.symbolic, 5U);
+}
+
+TEST(TierScope, SeesWhatItsOwnThreadDecidesWhileItLives) {
+  const TierScope outer;
+  EdgeSign({0, 0}, {3, 0}, {1, 5});
+  {
+    const TierScope inner;
+    EXPECT_EQ(inner.Counts(), TierCounts{}) << "what was decided before is another call's";
+    EdgeSign({0, 0}, {3, 0}, {1, 5});
+    std::thread([] { EdgeSign({0, 0}, {3, 0}, {1, 5}); }).join();
+    EXPECT_EQ(inner.Counts().filter, 1U);
+    CreditTiers({0, 2, 0, 1});
+    EXPECT_EQ(inner.Counts(), (TierCounts{1, 2, 0, 1}));
+  }
+  EXPECT_EQ(outer.Counts(), (TierCounts{2, 2, 0, 1}));
 }
 
 TEST(EdgeSign, FilterIsSilentWithinItsOwnErrorBound) {
   // Of these |E| is one part in 2^48 to 2^106, and most anchors make the differences round.
   Draw draw(11);
-  ResetTiers();
+  const TierScope scope;
   for (int k = 0; k < 1000; ++k) {
     const auto [a, b, p] = draw.EdgeAndPoint(Family::kMovedHardest);
     ASSERT_EQ(EdgeSign(a, b, p), NaiveEdgeSign(a, b, p));
   }
-  EXPECT_GT(Tiers().exact, 500U);
+  EXPECT_GT(scope.Counts().exact, 500U);
 }
 
 TEST(ShiftedEdgeSign, IsTheSignAtTheMovedSampleUnderEveryRule) {

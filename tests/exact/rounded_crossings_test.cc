@@ -175,12 +175,47 @@ TEST(RoundedCrossings, AreRoundedOnce) {
   EXPECT_EQ(Coverage(scene, profile).Count(1), 1U);
 }
 
+TEST(RoundedCrossings, ThatRationalsDecideAreNotCountedAsFiltered) {
+  Scene scene;
+  scene.width = 4;
+  scene.height = 1;
+  scene.precision = Precision::kFloat64;
+  scene.vertices = {{2, 0, 0, 1}, {2 - 0x1p-52, 2, 0, 1}, {-8, 2, 0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  Profile profile;
+  profile.crossing = {0, SnapRule::kFloor};
+  {
+    const TierScope scope;
+    Coverage(scene, profile);
+    EXPECT_EQ(scope.Counts().exact, 1U) << "the right side crosses 2^-54 below 2";
+  }
+  scene.vertices[1].x = 1;
+  const TierScope scope;
+  Coverage(scene, profile);
+  EXPECT_EQ(scope.Counts().exact, 0U) << "no crossing lies near a place where the rounding changes";
+}
+
 TEST(RoundedCrossings, AreNoMatterOfHomogeneousClipSpace) {
   Scene scene;
   scene.clip_space = true;
   Profile profile;
   profile.crossing = {8, SnapRule::kFloor};
   EXPECT_THROW(Coverage(scene, profile), InputError);
+}
+
+// A decider that would only repeat what the fast path says gives no second opinion.
+TEST(RoundedCrossings, AreDecidedByTheFastPathAlone) {
+  Scene scene;
+  scene.width = 4;
+  scene.height = 1;
+  scene.vertices = {{2.375, 0, 0, 1}, {2.375, 1, 0, 1}, {-8, 1, 0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  Profile profile;
+  profile.crossing = {8, SnapRule::kFloor};
+  for (const Decider decider : {Decider::kIntegers, Decider::kCgal}) {
+    EXPECT_THROW(Coverage(scene, profile, {}, decider), InputError);
+    EXPECT_EQ(Coverage(scene, {}, {}, decider).Count(1), 1U);
+  }
 }
 
 }  // namespace

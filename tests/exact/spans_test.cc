@@ -73,15 +73,16 @@ TEST(Spans, AskExactlyOnlyWhereTheGuessCannotTell) {
       scene.vertices.push_back({draw.Unit() * 256, draw.Unit() * 256, 0, 1});
     scene.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
-  ResetTiers();
+  const TierScope scope;
   Coverage(scene, {});
-  EXPECT_GT(Tiers().filter, 5000U);
-  EXPECT_LT(Tiers().stable + Tiers().exact + Tiers().symbolic, 10U);
-  ResetTiers();
+  EXPECT_GT(scope.Counts().filter, 5000U);
+  EXPECT_LT(scope.Counts().stable + scope.Counts().exact + scope.Counts().symbolic, 10U);
+  const TierScope tie_scope;
   scene.vertices = {{0, 0, 0, 1}, {256, 256, 0, 1}, {0, 256, 0, 1}};
   scene.triangles = {{0, 1, 2}};
   Coverage(scene, {});
-  EXPECT_EQ(Tiers().symbolic, 256U) << "the diagonal passes through a centre in every row";
+  EXPECT_EQ(tie_scope.Counts().symbolic, 256U)
+      << "the diagonal passes through a centre in every row";
 }
 
 TEST(Spans, OfAProjectedMeshEqualThoseOfItsClipSpace) {

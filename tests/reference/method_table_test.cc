@@ -1,9 +1,11 @@
 // The table itself: names that others rely on, and what each row says of itself.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "reference/method.h"
 
@@ -37,7 +39,7 @@ TEST(MethodTableTest, FormatsProfilesAndClaimsFollowFromTheName) {
     const bool is_float = is_float32 || name.starts_with("f64");
     const bool is_integer = name.starts_with("i");
     EXPECT_EQ(method.info.input, is_float32 ? Precision::kFloat32 : Precision::kFloat64) << name;
-    EXPECT_EQ(method.exact, !is_float) << name;
+    EXPECT_EQ(method.info.claims_exact, !is_float) << name;
     EXPECT_EQ(method.can_be_canonical, is_float) << name;
     EXPECT_EQ(method.canonical_edges != nullptr, is_float) << name;
     EXPECT_EQ(method.info.profile.snap.IsNone(), !is_integer) << name;
@@ -48,6 +50,38 @@ TEST(MethodTableTest, FormatsProfilesAndClaimsFollowFromTheName) {
   EXPECT_EQ(FindMethod("i32-snap4")->info.profile.coordinate_limit, 1440);
   EXPECT_EQ(FindMethod("spans-exact")->info.profile.coordinate_limit,
             std::numeric_limits<double>::max());
+}
+
+TEST(MethodTableTest, ProofsAreOfTheMethodsOwnArithmetic) {
+  using Scripts = std::vector<std::string>;
+  const auto scripts = [](const char* name) {
+    Scripts list;
+    for (const Proof& proof : FindMethod(name)->info.proofs) list.push_back(proof.script);
+    return list;
+  };
+  EXPECT_EQ(scripts("textbook"), Scripts{"edge_direct.g"}) << "it is the direct form";
+  EXPECT_EQ(FindMethod("textbook")->info.proofs, FindMethod("f32-direct")->info.proofs);
+  EXPECT_EQ(scripts("f32-direct-fma"), Scripts{"edge_direct.g"});
+  EXPECT_EQ(scripts("f64-kahan"), Scripts{"edge_kahan.g"});
+  EXPECT_EQ(scripts("f32-affine-fma"), Scripts{"edge_affine.g"});
+  EXPECT_NE(FindMethod("f32-affine")->info.proofs, FindMethod("f32-affine-fma")->info.proofs);
+  EXPECT_EQ(scripts("f32-incremental-16"), (Scripts{"edge_direct.g", "increment.g"}));
+  EXPECT_EQ(scripts("f32-incremental-compensated"), Scripts{"edge_direct.g"});
+  EXPECT_EQ(scripts("f32-index"), (Scripts{"edge_direct.g", "index.g"}));
+  EXPECT_EQ(scripts("filtered-exact"), Scripts{}) << "its filter is another condition";
+  EXPECT_EQ(scripts("spans-exact"), Scripts{});
+  EXPECT_EQ(scripts("i32-snap4"), Scripts{"exactness.g"});
+  EXPECT_EQ(scripts("hom-projected-f32"), Scripts{"edge_direct.g"});
+  EXPECT_EQ(scripts("hom-exact"), Scripts{"homogeneous.g"}) << "of its filter";
+}
+
+TEST(MethodTableTest, EveryScriptThatIsNamedIsThere) {
+  for (const Method& method : Methods()) {
+    for (const Proof& proof : method.info.proofs) {
+      EXPECT_TRUE(std::filesystem::exists("reference/proofs/" + proof.script)) << proof.script;
+      EXPECT_FALSE(proof.statement.empty());
+    }
+  }
 }
 
 }  // namespace

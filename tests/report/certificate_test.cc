@@ -7,6 +7,7 @@
 
 #include "io/case_file.h"
 #include "io/output.h"
+#include "report/page_parts.h"
 #include "tests/report/json.h"
 #include "tests/report/sample_results.h"
 #include "tests/report/schema.h"
@@ -57,11 +58,16 @@ TEST(CertificateTest, KeepsTheFourWordsApart) {
 TEST(CertificateTest, SaysWhatDoesNotApplyOnceAndNeverAmongTheTested) {
   Certificate sample = SampleCertificate();
   json certificate = Parsed(sample);
+  ASSERT_EQ(certificate["not_applicable"].size(), 1U) << "nothing but what a result says";
+  EXPECT_EQ(certificate["not_applicable"][0]["claim"], "WalkIsExact");
+  EXPECT_EQ(certificate["not_applicable"][0]["by"], "it shows no edge values");
+  sample.measured[0].applicable = false;
+  sample.measured[0].message = "the subject refused it: too large";
+  sample.measured.push_back(sample.measured[0]);
+  certificate = Parsed(sample);
   ASSERT_EQ(certificate["not_applicable"].size(), 2U);
-  EXPECT_EQ(certificate["not_applicable"][1]["claim"], "WalkIsExact");
-  EXPECT_EQ(certificate["not_applicable"][1]["by"], "it shows no edge values");
-  sample.not_applicable.push_back({"WalkIsExact", "it shows no edge values"});
-  EXPECT_EQ(Parsed(sample)["not_applicable"].size(), 2U);
+  EXPECT_EQ(certificate["not_applicable"][1]["claim"], "scene bunny <front>");
+  EXPECT_EQ(certificate["not_applicable"][1]["by"], "the subject refused it: too large");
 }
 
 TEST(CertificateTest, ACounterexampleIsACaseFileWithTheSameBits) {
@@ -117,6 +123,52 @@ TEST(VerdictTest, NothingExercisedIsInconclusiveAndNeverGreen) {
   EXPECT_EQ(OverallVerdict(certificate), "holds");
 }
 
+TEST(VerdictTest, WhatCouldNotBeJudgedIsInconclusiveWhateverElseHolds) {
+  Certificate certificate;
+  certificate.tested = {SampleProperty("a", Outcome::kHolds),
+                        SampleProperty("b", Outcome::kInconclusive)};
+  certificate.tested[1].message = "too slow to judge";
+  EXPECT_EQ(OverallVerdict(certificate), "inconclusive");
+  EXPECT_EQ(OverallOf(certificate).reason, "b: too slow to judge");
+  const auto errors = SchemaErrors(Schema(), Parsed(certificate));
+  EXPECT_TRUE(errors.empty()) << errors.front();
+  certificate.tested.push_back(SampleProperty("c", Outcome::kViolated));
+  EXPECT_EQ(OverallVerdict(certificate), "violated");
+}
+
+TEST(VerdictTest, AnInterruptedRunIsNoPass) {
+  Certificate certificate;
+  certificate.tested = {SampleProperty("a", Outcome::kHolds)};
+  certificate.interrupted = true;
+  EXPECT_EQ(OverallVerdict(certificate), "inconclusive");
+  EXPECT_EQ(Parsed(certificate)["interrupted"], true);
+  certificate.tested.push_back(SampleProperty("c", Outcome::kViolated));
+  EXPECT_EQ(OverallVerdict(certificate), "violated");
+}
+
+TEST(VerdictTest, SaysWhatItDoesNotSpeakFor) {
+  PropertyResult result = SampleProperty("a", Outcome::kHolds);
+  EXPECT_EQ(Reservations(result), "");
+  result.cases = 120;
+  result.cases_exercised = 2;
+  result.cases_refused = 118;
+  EXPECT_EQ(Reservations(result),
+            "holds where it did not refuse: exercised in 2 of 120 cases, 118 refused");
+  result.not_judged = 7;
+  result.message = "seen";
+  EXPECT_EQ(Said(result), result.message + "; " + Reservations(result));
+  PropertyResult told = result;
+  told.message = "holds where it did not refuse: exercised in 2 of 120 cases, 118 refused";
+  EXPECT_TRUE(Reservations(told).starts_with("7 samples not judged")) << "and said once";
+  Certificate certificate;
+  certificate.tested = {result};
+  const json tested = Parsed(certificate)["tested"][0];
+  EXPECT_EQ(tested["cases_refused"], 118);
+  EXPECT_EQ(tested["not_judged"], 7);
+  EXPECT_NE(SubjectDetails(certificate).find("118 refused; 7 samples not judged"),
+            std::string::npos);
+}
+
 TEST(VerdictTest, AWrongSampleOnAJudgedSceneViolates) {
   Certificate certificate = SampleCertificate();
   certificate.tested = {SampleProperty("a", Outcome::kHolds)};
@@ -141,12 +193,14 @@ TEST(VerdictTest, WhatIsObservedIsNotJudged) {
   // Where a profile leaves choices, a scene that differs from the canonical model may be legal.
   certificate.subject.profile.freedom.snap_tolerance = 0.6;
   EXPECT_EQ(OverallVerdict(certificate), "holds");
+  EXPECT_NE(CertificateToJson(certificate).find("leaves more than one result legal"),
+            std::string::npos);
   certificate.subject.profile.freedom = {};
   EXPECT_EQ(OverallVerdict(certificate), "violated");
 
   certificate.subject.profile.contract = Contract::kNone;
   EXPECT_EQ(OverallVerdict(certificate), "holds");
-  certificate.claims_exact = true;
+  certificate.subject.claims_exact = true;
   EXPECT_EQ(OverallVerdict(certificate), "violated");
 }
 

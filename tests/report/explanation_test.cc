@@ -58,7 +58,7 @@ TEST(ExplanationTextTest, ShowsExpectedActualAndDifferenceSideBySide) {
             " 1 1[1]1 1        1[.]2 1        .[-]+ .\n"
             " 2 1 1 1 1        1 1 1 1        . . . !\n"
             "counts: . none, 1 to 9, # more   difference: . right  - gap  + overlap  ! facing"
-            "   [ ] the failing pixel\n"
+            "   [ ] the pixel in question\n"
             "triangle 0, edge 0: E = -3/65536\n"
             "replay: rasterproof explain case.json\n");
 }
@@ -73,7 +73,7 @@ TEST(ExplanationTextTest, ShowsOnePanelWhereCoverageIsRight) {
             " 0 1 1 1 1\n"
             " 1 1[1]1 1\n"
             " 2 1 1 1 1\n"
-            "counts: . none, 1 to 9, # more   [ ] the failing pixel\n"
+            "counts: . none, 1 to 9, # more   [ ] the pixel in question\n"
             "triangle 0, edge 0: E = -3/65536\n"
             "replay: rasterproof explain case.json\n");
   const std::string svg = ExplanationToSvg(explanation);

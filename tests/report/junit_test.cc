@@ -65,6 +65,36 @@ TEST_F(JUnitTest, AWrongSampleOnAJudgedSceneFails) {
   EXPECT_FALSE(Case(Suite(sound), "SceneMatchesModel: bunny <front>").child("failure"));
 }
 
+TEST_F(JUnitTest, AnInconclusiveCertificateIsNeverGreen) {
+  Certificate sample = SampleCertificate();
+  sample.tested = {SampleProperty("a", Outcome::kInconclusive)};
+  sample.tested[0].message = "too slow to judge";
+  sample.measured.clear();
+  const pugi::xml_node suite = Suite(sample);
+  EXPECT_STREQ(Case(suite, "a").child("skipped").attribute("message").value(),
+               "inconclusive: too slow to judge");
+  EXPECT_EQ(suite.attribute("errors").as_int(), 1);
+  EXPECT_STREQ(Case(suite, "CertificateIsConclusive").child("error").attribute("message").value(),
+               "inconclusive: a: too slow to judge");
+}
+
+TEST_F(JUnitTest, WhatHoldsWhereItWasNotRefusedSaysSo) {
+  Certificate sample = SampleCertificate();
+  sample.tested[0].cases_refused = 2;
+  const pugi::xml_node test = Case(Suite(sample), "EdgeIsAntisymmetric");
+  EXPECT_STREQ(test.child("system-out").text().get(),
+               "holds where it did not refuse: exercised in 998 of 1000 cases, 2 refused\n");
+}
+
+TEST_F(JUnitTest, ASceneThatIsNotJudgedIsSkippedWithTheReason) {
+  Certificate sample = SampleCertificate();
+  sample.measured[0].applicable = false;
+  sample.measured[0].message = "the subject refused it: too large";
+  const pugi::xml_node test = Case(Suite(sample), "SceneMatchesModel: bunny <front>");
+  EXPECT_STREQ(test.child("skipped").attribute("message").value(),
+               "not applicable: the subject refused it: too large");
+}
+
 TEST_F(JUnitTest, HoldsNoCharacterThatXmlForbids) {
   Certificate sample = SampleCertificate();
   sample.subject.name = "a\x01<b>\x1b&\xff\"c\"";

@@ -60,7 +60,6 @@ TEST(PageTest, EverythingThatOthersNamedIsEscaped) {
   certificate.environment = {{evil, evil}};
   certificate.proved = {{evil, evil}};
   certificate.exhausted = {{evil, evil}};
-  certificate.not_applicable = {{evil, evil}};
   certificate.oracle_tiers = {{evil, 1}};
   certificate.measured[0].scene = evil;
   certificate.measured[0].profile = evil;
@@ -88,6 +87,25 @@ TEST(PageTest, OnlyWhatHoldsIsGreen) {
   EXPECT_EQ(Count(matrix, "mark violated"), 1U);
   EXPECT_EQ(Count(matrix, "mark idle"), 1U);
   EXPECT_EQ(Count(matrix, "mark none"), 1U);
+}
+
+TEST(PageTest, WhatCouldNotBeJudgedIsCountedAndNotGreen) {
+  Certificate certificate = SampleCertificate();
+  certificate.tested = {SampleProperty("a", Outcome::kInconclusive)};
+  certificate.measured.clear();
+  EXPECT_EQ(Count(PropertyMatrix({certificate}), "mark holds"), 0U);
+  EXPECT_EQ(Count(PropertyMatrix({certificate}), "mark idle\">?<"), 1U);
+  EXPECT_TRUE(Has(VerdictTable({certificate}), "<span class=\"chip idle\">inconclusive</span>"));
+  EXPECT_EQ(Count(VerdictTable({certificate}), "<td class=\"number \">1</td>"), 1U);
+}
+
+TEST(PageTest, WhatALegalSubjectDrawsIsNotCalledWrong) {
+  Certificate certificate = SampleCertificate();
+  certificate.subject.profile.name = "free";
+  certificate.subject.profile.freedom.snap_tolerance = 0.6;
+  certificate.measured[0].profile = "free";
+  EXPECT_EQ(Count(VerdictTable({certificate}), ">5 of"), 0U);
+  EXPECT_TRUE(Has(SubjectDetails(certificate), "samples differ; its profile leaves more than one"));
 }
 
 TEST(PageTest, APropertyThatASubjectWasNotAskedIsNotGreenEither) {

@@ -72,7 +72,6 @@ Certificate SampleCertificate() {
                         SampleProperty("WalkIsExact", Outcome::kNotApplicable)};
   certificate.measured = {OnScene("real", 5)};
   certificate.oracle_tiers = {{"filter", 900}, {"exact", 3}};
-  certificate.not_applicable = {{"C ABI plugins", "this build has none"}};
   return certificate;
 }
 

@@ -57,16 +57,15 @@ TEST(BuiltinTest, NamesThatAreNoSubjectGiveNone) {
   for (const char* const name : {"", "f32", "spans-exact:canonical", ":canonical",
                                  "f32-direct:", "f32-direct:canonical:canonical", "F32-DIRECT"}) {
     EXPECT_EQ(MakeBuiltin(name), nullptr) << name;
-    EXPECT_FALSE(ClaimsExact(name)) << name;
   }
 }
 
 TEST(BuiltinTest, OnlySoundMethodsClaimToBeExact) {
   for (const char* const name : {"spans-exact", "filtered-exact", "i64-snap8", "i32-snap4"}) {
-    EXPECT_TRUE(ClaimsExact(name)) << name;
+    EXPECT_TRUE(MakeBuiltin(name)->Info().claims_exact) << name;
   }
   for (const char* const name : {"textbook", "f32-direct", "f32-direct:canonical", "f64-kahan"}) {
-    EXPECT_FALSE(ClaimsExact(name)) << name;
+    EXPECT_FALSE(MakeBuiltin(name)->Info().claims_exact) << name;
   }
 }
 
@@ -106,6 +105,16 @@ TEST(BuiltinTest, WeightsBelongToUnsnappedWindowSubjects) {
   EXPECT_NE(MakeBuiltin("f32-direct")->Weights(), nullptr);
   EXPECT_NE(MakeBuiltin("spans-exact")->Weights(), nullptr);
   EXPECT_EQ(MakeBuiltin("i64-snap8")->Weights(), nullptr);
+}
+
+TEST(BuiltinTest, WhatIsProvedOfWeightsIsOfSubjectsThatShowThem) {
+  for (const std::string& name : BuiltinNames()) {
+    const std::unique_ptr<Subject> subject = MakeBuiltin(name);
+    const auto of_weights = std::ranges::count_if(subject->Info().proofs, [](const Proof& proof) {
+      return proof.script.starts_with("weights_");
+    });
+    EXPECT_EQ(of_weights, subject->Weights() != nullptr ? 3 : 0) << name;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+// What scripts of proofs/ prove of the table's arithmetic, as data of the methods that use it.
+#ifndef RASTERPROOF_REFERENCE_PROVED_H_
+#define RASTERPROOF_REFERENCE_PROVED_H_
+
+#include <vector>
+
+#include "core/subject.h"
+#include "reference/bounds.h"
+
+namespace rasterproof::reference {
+
+/// What is proved of edge values in the arithmetic. u is the precision's unit roundoff, S the sum
+/// of the magnitudes of the two exact products.
+std::vector<Proof> EdgeProofs(EdgeArithmetic arithmetic);
+
+/// Of integer edge values inside the method's coordinate limit.
+std::vector<Proof> IntegerProofs();
+
+/// Of edges of (x, y, w) vertices, by V_j x V_i.
+std::vector<Proof> HomogeneousProofs();
+
+/// Of ReferenceWeights, in either precision.
+std::vector<Proof> WeightProofs();
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_PROVED_H_

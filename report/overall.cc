@@ -1,0 +1,109 @@
+// What a certificate comes to, and what it does not speak for.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "fmt/format.h"
+#include "report/certificate.h"
+
+namespace rasterproof::report {
+namespace {
+
+constexpr std::string_view kObserved = ": observed, not judged";
+
+// Empty if none is.
+std::string Violations(const Certificate& certificate) {
+  const auto violated =
+      std::ranges::count(certificate.tested, Outcome::kViolated, &PropertyResult::outcome);
+  const auto wrong = std::ranges::count_if(certificate.measured, [&](const SceneResult& result) {
+    return IsJudged(certificate, result) && result.difference.wrong != 0;
+  });
+  std::string text;
+  if (violated != 0) text = fmt::format("claims violated: {}", violated);
+  if (wrong != 0)
+    text += fmt::format("{}scenes with wrong samples: {}", violated ? "; " : "", wrong);
+  return text;
+}
+
+bool IsExercised(const Certificate& certificate) {
+  const bool held =
+      std::ranges::count(certificate.tested, Outcome::kHolds, &PropertyResult::outcome) != 0;
+  return held || std::ranges::any_of(certificate.measured, [&](const SceneResult& result) {
+           return IsJudged(certificate, result) && result.difference.samples != 0;
+         });
+}
+
+}  // namespace
+
+std::string WhyNotJudged(const Certificate& certificate, const SceneResult& result) {
+  const Profile& own = certificate.subject.profile;
+  if (!result.applicable) return "not applicable: " + result.message;
+  if (!result.message.empty()) return result.message;
+  if (result.profile != own.name) {
+    return "against " + result.profile + ", which is not the subject's profile" +
+           std::string(kObserved);
+  }
+  if (certificate.subject.claims_exact || HasOneModel(own)) return "";
+  return "its profile leaves more than one result legal" + std::string(kObserved);
+}
+
+bool IsJudged(const Certificate& certificate, const SceneResult& result) {
+  return WhyNotJudged(certificate, result).empty();
+}
+
+Overall OverallOf(const Certificate& certificate) {
+  const std::string violations = Violations(certificate);
+  if (!violations.empty()) return {Outcome::kViolated, violations};
+  if (certificate.interrupted) {
+    return {Outcome::kInconclusive, "interrupted before all was done"};
+  }
+  for (const PropertyResult& result : certificate.tested) {
+    if (result.outcome != Outcome::kInconclusive) continue;
+    return {Outcome::kInconclusive,
+            result.property + (result.message.empty() ? "" : ": " + result.message)};
+  }
+  if (!IsExercised(certificate)) return {Outcome::kInconclusive, "nothing was exercised"};
+  return {Outcome::kHolds, ""};
+}
+
+std::string OverallVerdict(const Certificate& certificate) {
+  return std::string(OutcomeName(OverallOf(certificate).outcome));
+}
+
+std::vector<Evidence> NotApplicable(const Certificate& certificate) {
+  std::vector<Evidence> list;
+  const auto add = [&](const std::string& claim, const std::string& why) {
+    if (!std::ranges::count(list, claim, &Evidence::claim)) list.push_back({claim, why});
+  };
+  for (const PropertyResult& result : certificate.tested) {
+    if (result.outcome == Outcome::kNotApplicable) add(result.property, result.message);
+  }
+  for (const SceneResult& result : certificate.measured) {
+    if (!result.applicable) add("scene " + result.scene, result.message);
+  }
+  return list;
+}
+
+std::string Reservations(const PropertyResult& result) {
+  std::string text;
+  const std::string refused =
+      fmt::format("exercised in {} of {} cases, {} refused", result.cases_exercised, result.cases,
+                  result.cases_refused);
+  if (result.cases_refused != 0 && result.message.find(refused) == std::string::npos) {
+    const bool holds = result.outcome == Outcome::kHolds;
+    text = (holds ? "holds where it did not refuse: " : "") + refused;
+  }
+  if (result.not_judged != 0) {
+    text += fmt::format("{}{} samples not judged: a legal choice of the subject's decides them",
+                        text.empty() ? "" : "; ", result.not_judged);
+  }
+  return text;
+}
+
+std::string Said(const PropertyResult& result) {
+  const std::string reservations = Reservations(result);
+  const bool both = !result.message.empty() && !reservations.empty();
+  return result.message + (both ? "; " : "") + reservations;
+}
+
+}  // namespace rasterproof::report

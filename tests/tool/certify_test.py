@@ -1,0 +1,379 @@
+"""certify, as its users meet it: what it says of subjects of every kind, and that all of it agrees.
+
+usage: certify_test.py PROGRAM SOURCES EXAMPLES FAULTY
+"""
+import hashlib
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:5])
+HERE = os.path.dirname(os.path.abspath(__file__))
+STATUS = {"holds": 0, "violated": 1, "inconclusive": 4}
+SECONDS = re.compile(rb'("seconds":\s*)("[^"]*"|[0-9.e+-]+)|( time=)"[0-9.]+"')
+
+
+class Certify(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = os.path.realpath(folder.name)
+        self.out = os.path.join(self.folder, "out")
+
+    def scenes(self, *names):
+        path = os.path.join(self.folder, "set.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"rasterproof_scene_set": 1,
+                       "scenes": [{"name": name, "path": f"{SOURCES}/scenes/{name}.json"}
+                                  for name in names]}, file)  # fmt: skip
+        return path
+
+    def run_certify(self, *arguments, program=PROGRAM, out=None, cwd=SOURCES):
+        return subprocess.run([program, "certify", *arguments, "--out", out or self.out], cwd=cwd,
+                              capture_output=True, timeout=300, check=False)  # fmt: skip
+
+    def certify(self, *arguments, scenes=("ties", "duplicates"), program=PROGRAM):
+        done = self.run_certify(*arguments, "--scenes", self.scenes(*scenes), program=program)
+        text = done.stdout.decode() + done.stderr.decode()
+        self.assertIn(done.returncode, STATUS.values(), text)
+        return done
+
+    def read(self, path):
+        with open(path, "rb") as file:
+            return file.read()
+
+    def certificates(self):
+        return [json.loads(self.read(os.path.join(self.out, name, "certificate.json")))
+                for name in sorted(os.listdir(self.out)) if name != "report.html"]  # fmt: skip
+
+    def agreed(self, done, verdict):
+        """The one certificate, if status, certificate, summary, JUnit and page say the verdict."""
+        text = done.stdout.decode() + done.stderr.decode()
+        self.assertEqual(done.returncode, STATUS[verdict], text)
+        (certificate,) = self.certificates()
+        self.assertEqual(certificate["verdict"], verdict, certificate["reason"])
+        self.assertRegex(done.stdout.decode().splitlines()[0], rf" {verdict} +\d+ hold ")
+        (folder,) = [name for name in os.listdir(self.out) if name != "report.html"]
+        junit = xml.etree.ElementTree.parse(os.path.join(self.out, folder, "junit.xml"))
+        (suite,) = junit.getroot()
+        self.assertEqual(int(suite.get("failures")) != 0, verdict == "violated")
+        self.assertEqual(int(suite.get("errors")) != 0, verdict == "inconclusive")
+        self.assertEqual(len(junit.findall(".//failure")), int(suite.get("failures")))
+        page = self.read(os.path.join(self.out, "report.html")).decode()
+        look = "idle" if verdict == "inconclusive" else verdict
+        self.assertIn(f'<span class="chip {look}">{verdict}</span>', page)
+        return certificate
+
+    def subject_file(self, name, *lines, command=f"{SOURCES}/kit/examples/program.py"):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join((f"command {command}", "profile real", "input float64",
+                                  *(lines or ("coverage counts",)))) + "\n")  # fmt: skip
+        return path
+
+
+class Outside(Certify):
+    def test_a_plugin_that_keeps_its_profile(self):
+        done = self.certify("--plugin", f"{EXAMPLES}/example_plugin.so", "--cases", "8")
+        certificate = self.agreed(done, "holds")
+        self.assertEqual([scene["wrong"] for scene in certificate["measured"] if scene["judged"]],
+                         [0, 0])  # fmt: skip
+
+    def test_a_program_on_a_pipe(self):
+        done = self.certify("--exec", "kit/examples/program.py", "--cases", "1",
+                            scenes=("duplicates",))  # fmt: skip
+        certificate = self.agreed(done, "holds")
+        self.assertEqual(certificate["subject"]["name"], "exec:kit/examples/program.py")
+
+    def test_a_type_of_ones_own_that_violates(self):
+        done = self.certify("--cases", "8", program=f"{EXAMPLES}/example_own_type")
+        certificate = self.agreed(done, "violated")
+        failed = [p for p in certificate["tested"] if p["outcome"] == "violated"]
+        self.assertTrue(failed)
+        for result in failed:
+            case = os.path.join(self.out, "Naive", result["property"] + ".json")
+            self.assertIn(case, result["counterexample"]["replay"])
+            self.assertTrue(os.path.exists(case))
+
+    def test_every_replay_of_a_certificate_runs_as_it_is_printed(self):
+        self.certify("--plugin", f"{FAULTY}/shown_SCISSOR.so", "--cases", "70")
+        (certificate,) = self.certificates()
+        replays = [p["counterexample"]["replay"] for p in certificate["tested"]
+                   if p["outcome"] == "violated"]  # fmt: skip
+        self.assertTrue(replays)
+        for replay in replays:
+            self.assertTrue(replay.startswith("rasterproof "), replay)
+            line = f"'{PROGRAM}' {replay.removeprefix('rasterproof ')}"
+            done = subprocess.run(line, shell=True, cwd=SOURCES, capture_output=True, timeout=300,
+                                  check=False)  # fmt: skip
+            self.assertEqual(done.returncode, 1, line + done.stderr.decode())
+
+    def test_one_that_crashes_is_violated_on_the_scene_too(self):
+        done = self.certify("--plugin", f"{FAULTY}/faulty_CRASH.so", "--cases", "2")
+        certificate = self.agreed(done, "violated")
+        (on_ties,) = [p for p in certificate["tested"] if p["property"].endswith(" on ties")]
+        self.assertIn("killed by signal 11", on_ties["message"])
+
+    def test_a_refused_scene_is_not_applicable_and_told(self):
+        done = self.certify("--exec", f"{HERE}/refuses.py 10", "--cases", "1")
+        (certificate,) = self.certificates()
+        self.assertNotEqual(certificate["verdict"], "violated", done.stdout.decode())
+        said = {entry["claim"]: entry["by"] for entry in certificate["not_applicable"]}
+        self.assertIn("the subject refused it: ", said["scene ties"])
+        self.assertIn("48 triangles are too many", said["scene ties"])
+        self.assertNotIn("scene duplicates", said)
+        self.assertIn(b"scene ties: the subject refused it", done.stdout)
+        self.assertIn(b"48 triangles are too many", self.read(f"{self.out}/report.html"))
+
+    def test_one_that_refuses_everything_is_inconclusive(self):
+        done = self.certify("--plugin", f"{FAULTY}/faulty_REFUSES.so", "--cases", "2")
+        certificate = self.agreed(done, "inconclusive")
+        self.assertEqual([scene["applicable"] for scene in certificate["measured"]
+                          if scene["profile"] == "real"], [False, False])  # fmt: skip
+
+    def test_a_subject_without_counts_is_not_drawn_for_ever(self):
+        path = self.subject_file("mask.subject", "coverage mask",
+                                 command=f"{HERE}/paints_all.py")  # fmt: skip
+        done = self.certify("--subject", path, "--cases", "1", scenes=("map", "duplicates"))
+        self.assertIn(b"scene map: not judged: too large to draw triangle by triangle", done.stdout)
+        (certificate,) = self.certificates()
+        self.assertEqual([scene["applicable"] for scene in certificate["measured"]], [False, True])
+
+    def test_of_several_subjects_the_worst_one_tells(self):
+        refuses = ("--plugin", f"{FAULTY}/faulty_REFUSES.so", "--cases", "2")
+        done = self.certify(*refuses, "--subject", "spans-exact")
+        self.assertEqual(done.returncode, 4, done.stdout.decode())
+        done = self.certify(*refuses, "--subject", "spans-exact", "--subject", "textbook")
+        self.assertEqual(done.returncode, 1, done.stdout.decode())
+
+
+class Verdicts(Certify):
+    def test_what_is_legal_by_freedom_holds_with_status_0(self):
+        for name in ("overdraw", "promises-nothing", "watertight-elsewhere"):
+            with self.subTest(name=name):
+                shutil.rmtree(self.out, ignore_errors=True)
+                done = self.certify("--subject", f"legal:{name}", "--cases", "10",
+                                    scenes=("ties", "slivers", "glyphs"))  # fmt: skip
+                certificate = self.agreed(done, "holds")
+                differ = [scene for scene in certificate["measured"] if scene.get("wrong")]
+                self.assertTrue(differ, "a scene on which it differs from the canonical model")
+                for scene in differ:
+                    self.assertFalse(scene["judged"])
+                    self.assertIn("observed, not judged", scene["message"])
+
+    def test_a_survey_fails_on_broken_claims_only(self):
+        done = self.certify("--all", "--cases", "3", scenes=("ties",))
+        self.assertEqual(done.returncode, 0, done.stdout.decode())
+        verdicts = {c["subject"]["name"]: c["verdict"] for c in self.certificates()}
+        self.assertEqual(verdicts["textbook"], "violated")
+        self.assertEqual(verdicts["spans-exact"], "holds")
+
+    def test_nothing_is_listed_as_not_applicable_but_what_a_result_says(self):
+        self.certify("--subject", "spans-exact", "--cases", "1")
+        (certificate,) = self.certificates()
+        for entry in certificate["not_applicable"]:
+            self.assertNotIn("this build has no", entry["by"])
+            self.assertRegex(entry["claim"], r"^([A-Z]\w+|scene .*)$")
+
+    def test_twice_gives_the_same_bytes(self):
+        scenes = self.scenes("ties", "glyphs", "needles", "fan", "subnormal")
+        told = []
+        for _ in range(2):
+            # The command line is on record: both runs write to one place.
+            shutil.rmtree(self.out, ignore_errors=True)
+            done = self.run_certify("--all", "--cases", "20", "--scenes", scenes)
+            files = {"": SECONDS.sub(b"", done.stdout)}
+            for folder, _, names in os.walk(self.out):
+                for name in names:
+                    path = os.path.join(folder, name)
+                    files[os.path.relpath(path, self.out)] = SECONDS.sub(b"", self.read(path))
+            told.append(files)
+        self.assertEqual(sorted(told[0]), sorted(told[1]))
+        for path, content in told[0].items():
+            self.assertEqual(content, told[1][path], path)
+        tiers = json.loads(self.read(f"{self.out}/f32-direct/certificate.json"))["oracle_tiers"]
+        shutil.rmtree(self.out)
+        self.run_certify("--subject", "f32-direct", "--cases", "20", "--scenes", scenes)
+        alone = json.loads(self.read(f"{self.out}/f32-direct/certificate.json"))["oracle_tiers"]
+        self.assertEqual(tiers, alone, "who else was certified changes nothing")
+
+
+class Claims(Certify):
+    def proofs(self, *arguments, program=PROGRAM):
+        shutil.rmtree(self.out, ignore_errors=True)
+        done = self.run_certify(*arguments, "--cases", "1", "--scenes", self.scenes("duplicates"),
+                                program=program)  # fmt: skip
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        (certificate,) = self.certificates()
+        scripts = [re.search(r"reference/proofs/(\w+\.g)", entry["by"])[1]
+                   for entry in certificate["proved"]]  # fmt: skip
+        return scripts, certificate["subject"]["claims_exact"]
+
+    def test_a_name_proves_nothing(self):
+        for name in ("fancy.subject", "f32-direct.subject", "exactly.subject", "i64.subject"):
+            path = self.subject_file(name)
+            self.assertEqual(self.proofs("--subject", os.path.relpath(path, SOURCES)), ([], False))
+        link = os.path.join(self.folder, "f32-direct")
+        os.symlink(f"{EXAMPLES}/example_plugin.so", link)
+        self.assertEqual(self.proofs("--plugin", link), ([], False))
+        self.assertEqual(self.proofs("--subject", "mutant:weights-permuted")[0], [])
+        self.assertEqual(self.proofs("--subject", "exact"), ([], True))
+
+    def test_a_type_that_claims_to_be_exact_is_not_believed(self):
+        self.assertEqual(self.proofs(program=f"{EXAMPLES}/own_exactly"), ([], False))
+
+    def test_a_type_with_the_name_of_a_built_in_subject_is_refused(self):
+        done = self.run_certify("--scenes", self.scenes("ties"), program=f"{EXAMPLES}/own_textbook")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn(b"subject 'textbook': a type of your own has the name", done.stderr)
+
+    def test_a_method_has_the_proofs_of_its_own_arithmetic(self):
+        weights = ["weights_sum.g", "weights_one_minus.g", "weights_distance.g"]
+        for name, scripts in (
+            ("textbook", ["edge_direct.g", *weights]),
+            ("f32-direct", ["edge_direct.g", *weights]),
+            ("f32-kahan", ["edge_kahan.g", *weights]),
+            ("f32-incremental", ["edge_direct.g", "increment.g", *weights]),
+            ("filtered-exact", weights),
+            ("i64-snap8", ["exactness.g"]),
+            ("hom-f32", ["homogeneous.g"]),
+        ):
+            self.assertEqual(self.proofs("--subject", name)[0], scripts, name)
+
+    def installed(self):
+        """The command at another place, with nothing beside it."""
+        program = os.path.join(self.folder, "bin", "rasterproof")
+        os.makedirs(os.path.dirname(program), exist_ok=True)
+        shutil.copy(PROGRAM, program)
+        return program
+
+    def proved(self, program):
+        shutil.rmtree(self.out, ignore_errors=True)
+        self.run_certify("--subject", "hom-f32", "--cases", "1", "--scenes",
+                         self.scenes("duplicates"), program=program)  # fmt: skip
+        (certificate,) = self.certificates()
+        (evidence,) = certificate["proved"]
+        return evidence["by"]
+
+    def test_proved_names_the_script_and_its_run_or_says_that_there_was_none(self):
+        program = self.installed()
+        script = f"{SOURCES}/reference/proofs/homogeneous.g"
+        sha256 = hashlib.sha256(self.read(script)).hexdigest()
+        not_run = f"reference/proofs/homogeneous.g, sha256 {sha256}: not run for this source"
+        self.assertEqual(self.proved(program), not_run)
+
+        record = os.path.join(self.folder, "bin", "proofs", "homogeneous.json")
+        def prove(path):
+            return subprocess.run([f"{SOURCES}/scripts/prove", "gappa", path, record],
+                                  capture_output=True, check=False).returncode  # fmt: skip
+
+        self.assertEqual(prove(script), 0)
+        self.assertRegex(self.proved(program), rf"homogeneous\.g, sha256 {sha256}: run by this "
+                                               r"build's tests, Gappa [\d.]+, \d{4}-\d\d-\d\d$")
+        # Another script: what was proved of it is nothing of this program's.
+        other = os.path.join(self.folder, "homogeneous.g")
+        with open(other, "wb") as file:
+            file.write(self.read(script) + b"# changed\n")
+        self.assertEqual(prove(other), 0)
+        self.assertEqual(self.proved(program), not_run)
+        # One that does not hold leaves no record.
+        self.assertEqual(prove(script), 0)
+        with open(other, "wb") as file:
+            file.write(self.read(script).replace(b"83886091b-48", b"83886080b-48"))
+        self.assertEqual(prove(other), 1)
+        self.assertEqual(self.proved(program), not_run)
+
+
+class Files(Certify):
+    def test_scenes_are_found_wherever_the_command_is_called(self):
+        done = self.run_certify("--subject", "hom-exact", "--cases", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (certificate,) = self.certificates()
+        self.assertIn("clip_behind", [scene["scene"] for scene in certificate["measured"]])
+
+    def test_scenes_are_found_where_they_are_installed(self):
+        program = os.path.join(self.folder, "bin", "rasterproof")
+        os.makedirs(os.path.dirname(program))
+        shutil.copy(PROGRAM, program)
+        done = self.run_certify("--subject", "hom-exact", "--cases", "1", program=program,
+                                cwd=self.folder)  # fmt: skip
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn(b"name one with --scenes FILE", done.stderr)
+        share = os.path.join(self.folder, "share", "rasterproof", "scenes")
+        os.makedirs(share)
+        shutil.copy(f"{SOURCES}/scenes/duplicates.json", share)
+        with open(os.path.join(share, "certify.json"), "w", encoding="utf-8") as file:
+            file.write('{"rasterproof_scene_set": 1, "scenes": '
+                       '[{"name": "d", "path": "duplicates.json"}]}')  # fmt: skip
+        done = self.run_certify("--subject", "spans-exact", "--cases", "1", program=program,
+                                cwd=self.folder)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_results_stay_inside_the_output_folder(self):
+        scenes = self.scenes("duplicates")
+        program = os.path.join(self.folder, "p.py")
+        shutil.copy(f"{HERE}/paints_all.py", program)
+        deep = os.path.join(self.folder, *(["d" * 60] * 6))
+        os.makedirs(deep)
+        shutil.copy(program, deep)
+        folders = 0
+        for name in ("python3 ./p.py", "python3 ././p.py", f"python3 {deep}/p.py",
+                     "python3 ../" + os.path.basename(self.folder) + "/p.py",
+                     "python3 p.py #/../../..",
+                     "python3 p.py # \n\t'\"$(x)*?|<>\\"):  # fmt: skip
+            done = self.run_certify("--exec", name, "--cases", "1", "--scenes", scenes,
+                                    cwd=self.folder)  # fmt: skip
+            self.assertEqual(done.returncode, 1, done.stderr)
+            folders += 1
+            entries = [entry for entry in os.listdir(self.out) if entry != "report.html"]
+            self.assertEqual(len(entries), folders, "each has a folder of its own")
+            for entry in entries:
+                self.assertRegex(entry, r"^[A-Za-z0-9][-A-Za-z0-9_.+]{0,99}$")
+                self.assertIn("certificate.json", os.listdir(os.path.join(self.out, entry)))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["d" * 60, "out", "p.py", "set.json"])
+
+    def test_names_that_look_alike_keep_folders_apart(self):
+        a, b = os.path.join(self.folder, "a b.subject"), os.path.join(self.folder, "a_b.subject")
+        for path in (a, b):
+            self.subject_file(os.path.basename(path), command=f"{HERE}/paints_all.py")
+        self.run_certify("--subject", "a b.subject", "--subject", "a_b.subject", "--cases", "1",
+                         "--scenes", self.scenes("duplicates"), cwd=self.folder)  # fmt: skip
+        self.assertEqual({c["subject"]["name"] for c in self.certificates()},
+                         {"a b.subject", "a_b.subject"})  # fmt: skip
+
+
+class Interrupts(Certify):
+    def test_an_interrupted_run_writes_what_it_knows_and_says_so(self):
+        fifo = os.path.join(self.folder, "asked")
+        os.mkfifo(fifo)
+        program = os.path.join(self.folder, "hangs.py")
+        with open(program, "w", encoding="utf-8") as file:
+            # It tells that it was asked, and never answers.
+            file.write("import sys, signal\nsys.stdin.readline()\n"
+                       f"open({fifo!r}, 'w').close()\nsignal.pause()\n")  # fmt: skip
+        arguments = ["--subject", "spans-exact", "--exec", f"{sys.executable} {program}",
+                     "--time-limit", "200", "--cases", "1", "--scenes", self.scenes("duplicates"),
+                     "--out", self.out]  # fmt: skip
+        with subprocess.Popen([PROGRAM, "certify", *arguments], cwd=SOURCES, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as running:  # fmt: skip
+            with open(fifo, "rb") as asked:
+                asked.read()
+            running.send_signal(signal.SIGINT)
+            stdout, stderr = running.communicate(timeout=200)
+        self.assertEqual(running.returncode, 128 + signal.SIGINT, stderr)
+        self.assertIn(b"interrupted: ", stdout)
+        hung = [c for c in self.certificates() if c["subject"]["name"].startswith("exec:")][0]
+        self.assertTrue(hung["interrupted"])
+        self.assertEqual(hung["verdict"], "inconclusive")
+        self.assertIn("interrupted", hung["reason"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[5:])

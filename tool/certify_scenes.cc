@@ -1,0 +1,222 @@
+// The scenes of a certificate: found, loaded, drawn by the subject, compared with the oracle.
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "core/result.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "fmt/format.h"
+#include "fmt/ranges.h"
+#include "io/scene_set.h"
+#include "props/catalog/degenerate.h"
+#include "props/property.h"
+#include "tool/certify.h"
+#include "tool/interrupt.h"
+#include "tool/session.h"
+#include "tool/shared_files.h"
+#include "tool/shell.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kSceneSet = "scenes/certify.json";
+constexpr std::string_view kNotJudged = ": observed, not judged";
+
+// Empty if the counts of the scene's samples are promised.
+std::string WhyNotPromised(const Scene& scene, const Profile& profile) {
+  if (!WithinLimits(scene, profile)) {
+    return "coordinates beyond what the profile promises" + std::string(kNotJudged);
+  }
+  if (!IsUnclipped(scene, profile)) {
+    return "triangles leave the profile's no-clip rectangle" + std::string(kNotJudged);
+  }
+  if (profile.zero_area == ZeroArea::kNothing) return "";
+  if (scene.clip_space && !profile.snap.IsNone()) {
+    return "areas after the division and snapping are not decided" + std::string(kNotJudged);
+  }
+  Case c;
+  c.scene = scene;
+  c.profile = profile;
+  return props::FlatTriangles(c).empty()
+             ? ""
+             : "triangles of zero area, which the profile leaves unspecified" +
+                   std::string(kNotJudged);
+}
+
+std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
+  if (scene.clip_space && !info.takes_clip) return "the scene is in clip space";
+  if (!scene.clip_space && !info.takes_window) return "the scene is in window space";
+  return info.profile.fixed ? "coordinates that the subject's integers do not hold"
+                            : "the scene is float64";
+}
+
+// Empty unless drawing the scene would take for ever.
+std::string WhyTooLarge(const SubjectInfo& info, const Scene& scene) {
+  const bool by_triangle = info.coverage == CoverageKind::kMask || ShowsWinners(info);
+  if (!by_triangle) return "";
+  const std::uint64_t samples =
+      CoverageCounts::Size(scene.width, scene.height, info.profile.lattice.samples());
+  if (scene.triangles.size() <= kMostSamplesByTriangle / samples) return "";
+  return fmt::format(
+      "not judged: too large to draw triangle by triangle, as a subject without counts is: {} "
+      "triangles times {} samples, and at most {} in all",
+      scene.triangles.size(), samples, kMostSamplesByTriangle);
+}
+
+// What came of drawing a scene: counts, or why there are none.
+struct Attempt {
+  std::optional<CoverageCounts> counts;
+  Outcome outcome = Outcome::kNotApplicable;  ///< of no counts; kViolated or kInconclusive are told
+  std::string reason;
+  double seconds = 0;
+};
+
+Attempt TryToDraw(Subject& subject, const Scene& scene) {
+  Attempt attempt;
+  if (!Takes(subject.Info(), scene)) {
+    attempt.reason = WhyNotTaken(subject.Info(), scene);
+    return attempt;
+  }
+  attempt.reason = WhyTooLarge(subject.Info(), scene);
+  if (!attempt.reason.empty()) return attempt;
+  const auto start = Clock::now();
+  try {
+    attempt.counts = Draw(subject, scene);
+  } catch (const SubjectRefusal& refusal) {
+    attempt.outcome = Outcome::kRefused;
+    attempt.reason = std::string("the subject refused it: ") + refusal.what();
+  } catch (const InputError& error) {
+    attempt.reason = std::string("it can't be given to the subject: ") + error.what();
+  } catch (const SubjectTooSlow& slow) {
+    attempt.outcome = Outcome::kInconclusive;
+    attempt.reason = std::string("too slow to judge: ") + slow.what();
+  } catch (const SubjectFault& fault) {
+    attempt.outcome = Outcome::kViolated;
+    attempt.reason = std::string("the subject failed: ") + fault.what();
+  }
+  attempt.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return attempt;
+}
+
+SceneResult Measure(const SubjectInfo& info, MeasuredScene& measured, const Profile& profile,
+                    const Attempt& attempt) {
+  SceneResult result;
+  result.scene = measured.name();
+  result.subject = info.name;
+  result.profile = profile.name;
+  result.triangles = measured.scene().triangles.size();
+  result.seconds = attempt.seconds;
+  result.applicable = attempt.counts.has_value();
+  result.message = attempt.reason;
+  if (!result.applicable) return result;
+  try {
+    result.difference = Compare(*attempt.counts, measured.Truth(profile));
+  } catch (const InputError& error) {
+    result.applicable = false;
+    result.message = error.what();
+    return result;
+  }
+  result.message = WhyNotPromised(measured.scene(), profile);
+  return result;
+}
+
+// A breakdown over a given scene, or a draw that took too long, as a result of the claim that a
+// draw comes back.
+PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
+                        const Attempt& attempt) {
+  const props::Property& property = *props::FindProperty("DrawStaysInsideItsTarget");
+  PropertyResult result;
+  result.property = fmt::format("{} on {}", property.name, measured.name());
+  result.subject = info.name;
+  result.clause = property.clause;
+  result.tolerance = property.tolerance;
+  result.outcome = attempt.outcome;
+  result.cases = 1;
+  if (attempt.outcome == Outcome::kViolated) result.cases_exercised = result.exercised = 1;
+  result.message = attempt.reason;
+  result.seconds = attempt.seconds;
+  return result;
+}
+
+}  // namespace
+
+MeasuredScene::MeasuredScene(const io::SceneEntry& entry, Scene scene)
+    : name_(entry.name),
+      real_(entry.real),
+      mesh_(IsMeshPath(entry.path)),
+      arguments_(ShellWord(entry.path)),
+      scene_(std::move(scene)) {
+  if (!mesh_) return;
+  if (!entry.camera.empty()) arguments_ += " --camera " + ShellWord(entry.camera);
+  if (entry.project != "auto") arguments_ += " --project " + entry.project;
+  arguments_ += fmt::format(" --width {} --height {}", entry.width, entry.height);
+}
+
+std::string MeasuredScene::CommandOf(const std::string& verb) const {
+  return fmt::format("rasterproof {} {}", verb, arguments_);
+}
+
+std::string MeasuredScene::CommandThatShows(const std::string& subject) const {
+  // explain takes no mesh.
+  return fmt::format("{} --subject {}", CommandOf(mesh_ ? "diff" : "explain"), ShellWord(subject));
+}
+
+const CoverageCounts& MeasuredScene::Truth(const Profile& profile) {
+  const std::lock_guard lock(mutex_);
+  for (const Known& known : truths_) {
+    if (!SameModel(known.profile, profile)) continue;
+    exact::CreditTiers(known.tiers);
+    return known.counts;
+  }
+  const exact::TierScope scope;
+  CoverageCounts counts = exact::Coverage(scene_, profile);
+  return truths_.emplace_back(Known{profile, std::move(counts), scope.Counts()}).counts;
+}
+
+MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
+  const std::optional<std::string> found = path.empty() ? FindShared(kSceneSet) : path;
+  if (!found) {
+    throw InputError(kSceneSet,
+                     fmt::format("no scene set lies beside the command (looked in {})",
+                                 fmt::join(SharedFolders(), ", ")),
+                     "name one with --scenes FILE");
+  }
+  MeasuredScenes scenes;
+  for (const io::SceneEntry& entry : io::ReadSceneSet(*found)) {
+    progress.Stage("reading " + entry.name);
+    scenes.push_back(std::make_unique<MeasuredScene>(
+        entry, LoadScene({entry.path, entry.camera, entry.project, entry.width, entry.height})));
+  }
+  return scenes;
+}
+
+void MeasureScenes(Subject& subject, MeasuredScenes& scenes, report::Certificate& certificate) {
+  const Profile real = *PresetProfile("real");
+  const SubjectInfo& info = subject.Info();
+  for (const std::unique_ptr<MeasuredScene>& measured : scenes) {
+    if (Interrupted()) certificate.interrupted = true;
+    if (certificate.interrupted) return;
+    const Attempt attempt = TryToDraw(subject, measured->scene());
+    if (Interrupted() && !attempt.counts) continue;  // whatever came of it, the interrupt did it
+    if (attempt.outcome == Outcome::kViolated || attempt.outcome == Outcome::kInconclusive) {
+      certificate.tested.push_back(AsResult(info, *measured, attempt));
+      certificate.replay[certificate.tested.back().property] =
+          measured->CommandThatShows(info.name);
+    }
+    certificate.measured.push_back(Measure(info, *measured, info.profile, attempt));
+    if (!SameModel(info.profile, real) && info.profile.lattice == real.lattice) {
+      certificate.measured.push_back(Measure(info, *measured, real, attempt));
+    }
+  }
+}
+
+}  // namespace rasterproof::tool

@@ -1,0 +1,62 @@
+#include "tool/file_names.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "fmt/format.h"
+
+namespace rasterproof::tool {
+namespace {
+
+constexpr std::size_t kLongestReadable = 80;
+
+// Not the locale's letters: these.
+bool IsLetterOrDigit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+bool IsPlain(char c) { return IsLetterOrDigit(c) || c == '-' || c == '_' || c == '.'; }
+
+// FNV-1a, 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/
+std::uint64_t HashOf(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3;
+  }
+  return hash;
+}
+
+// What a name that stays readable may not look like: one that was made.
+bool EndsLikeMade(std::string_view name) {
+  constexpr std::size_t kDigits = 16;
+  if (name.size() <= kDigits || name[name.size() - kDigits - 1] != '-') return false;
+  return std::ranges::all_of(name.substr(name.size() - kDigits), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+  });
+}
+
+}  // namespace
+
+std::string FileNameOf(std::string_view subject) {
+  std::string readable;
+  bool is_plain = !subject.empty() && IsLetterOrDigit(subject.front());
+  for (const char c : subject) {
+    is_plain = is_plain && (IsPlain(c) || c == ':');
+    const char shown = IsPlain(c) ? c : c == ':' ? '+' : '_';
+    if (shown != '_' || !readable.ends_with('_')) readable += shown;
+  }
+  is_plain = is_plain && readable.size() == subject.size() && !EndsLikeMade(subject);
+  if (is_plain && readable.size() <= kLongestReadable) return readable;
+  // The end of a path or of a command tells more than its beginning.
+  if (readable.size() > kLongestReadable) readable.erase(0, readable.size() - kLongestReadable);
+  readable.erase(0, std::min(readable.size(), static_cast<std::size_t>(
+                                                  std::ranges::find_if(readable, IsLetterOrDigit) -
+                                                  readable.begin())));
+  return fmt::format("{}{}{:016x}", readable, readable.empty() ? "" : "-", HashOf(subject));
+}
+
+}  // namespace rasterproof::tool

@@ -1,0 +1,23 @@
+// What belongs to the command and lies beside it: scene sets, records of proofs.
+#ifndef RASTERPROOF_TOOL_SHARED_FILES_H_
+#define RASTERPROOF_TOOL_SHARED_FILES_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rasterproof::tool {
+
+/// Folders in which files of the command's own may lie, nearest first: the program's own folder and
+/// the two above it, each itself and its share/rasterproof.
+std::vector<std::string> SharedFolders();
+
+/// The first of them that holds the file, as a path to open: relative to the working folder if it
+/// lies in it.
+///
+/// Returns:    nothing if none does.
+std::optional<std::string> FindShared(const std::string& file);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_SHARED_FILES_H_

@@ -7,24 +7,38 @@
 #include "core/case.h"
 #include "core/vertex.h"
 #include "props/catalog/mesh_neighbours.h"
+#include "props/catalog/visible_edge.h"
 
 namespace rasterproof::props {
 
-/// The samples beside the boundary of a window-space mesh.
+/// How far a subject may have moved a vertex, in pixels, where its profile does not say how far: a
+/// pixel is generous for a grid of its own, or for clipping.
+inline constexpr double kMovedOutlineMargin = 1;
+
+/// The samples beside some edges of a mesh: those of its boundary, or all.
 class Outline {
  public:
   /// No outline: nothing is near.
   Outline() = default;
-  /// `may_move`: the subject may have moved the boundary by up to a pixel, by snapping its vertices
-  /// to a grid of its own or by clipping it.
+  /// The boundary. `may_move`: the subject may have moved it by up to a pixel, by snapping its
+  /// vertices to a grid of its own or by clipping it.
   Outline(const Case& c, bool may_move);
+  /// Every edge of every triangle.
+  static Outline OfAllEdges(const Case& c, bool may_move);
 
   bool IsNear(Point2 p) const;
-  bool IsEmpty() const { return boundary_.empty(); }
+  bool IsEmpty() const { return edges_.empty(); }
 
  private:
-  std::vector<BoundaryEdge> boundary_;
-  double margin_ = 0;
+  struct Edge {
+    VisibleEdge seen;
+    double margin = 0;
+  };
+
+  void Add(const Case& c, const BoundaryEdge& edge, double moved);
+
+  std::vector<Edge> edges_;
+  double largest_ = 0;  ///< window coordinate
 };
 
 }  // namespace rasterproof::props

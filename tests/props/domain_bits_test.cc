@@ -148,7 +148,9 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"target-ends", 0x9ac0171ff55ad36c},
       {"near-repeats", 0xeaf8df9bfe302900},
       {"sparse-indices", 0x5f8f39b3cbfd5e3d},
-      {"codec examples", 0x891c61ccb468e150},
+      {"perspective-meshes", 0x167eb923a4328f5e},
+      {"meshes-around-eye", 0x31f92320d626d3d6},
+      {"codec examples", 0x26b8358fee1609a6},
   };
   return golden;
 }

@@ -26,7 +26,7 @@ constexpr auto kProfileKeys =
                                      "contract",   "snap_tolerance", "any_tie_rule",
                                      "zero_area",  "overdraw",       "fixed",
                                      "max_extent", "no_clip",        "crossing",
-                                     "transform",  "targets"});
+                                     "transform",  "targets",        "infinite_vertex"});
 constexpr auto kTargetKeys =
     std::to_array<std::string_view>({"max_width", "max_height", "subpixel_bits", "snap_rule",
                                      "snap_form", "snap_origin", "sample_locations", "fill_rule"});
@@ -50,6 +50,8 @@ constexpr std::array<std::pair<Contract, std::string_view>, 6> kContracts{
      {Contract::kNone, "none"}}};
 constexpr std::array<std::pair<ZeroArea, std::string_view>, 2> kZeroAreas{
     {{ZeroArea::kNothing, "nothing"}, {ZeroArea::kUnspecified, "unspecified"}}};
+constexpr std::array<std::pair<InfiniteVertex, std::string_view>, 2> kInfiniteVertices{
+    {{InfiniteVertex::kNothing, "nothing"}, {InfiniteVertex::kUnspecified, "unspecified"}}};
 constexpr std::array<std::pair<bool, std::string_view>, 2> kOverdraws{
     {{false, "none"}, {true, "allowed"}}};
 
@@ -307,6 +309,10 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
     json +=
         line + "\"zero_area\": " + InQuotes(NameOf(profile.zero_area, Names<ZeroArea>(kZeroAreas)));
   }
+  if (profile.infinite_vertex != InfiniteVertex::kNothing) {
+    json += line + "\"infinite_vertex\": " +
+            InQuotes(NameOf(profile.infinite_vertex, Names<InfiniteVertex>(kInfiniteVertices)));
+  }
   if (profile.overdraw) {
     json += line + "\"overdraw\": " + InQuotes(NameOf(true, Names<bool>(kOverdraws)));
   }
@@ -353,6 +359,9 @@ Profile ProfileFromJson(const JsonValue& value) {
   ReadIfThere(value, "coordinate_limit", profile.coordinate_limit, LimitFromJson);
   ReadIfThere(value, "zero_area", profile.zero_area,
               [](const JsonValue& v) { return FromName(v, Names<ZeroArea>(kZeroAreas)); });
+  ReadIfThere(value, "infinite_vertex", profile.infinite_vertex, [](const JsonValue& v) {
+    return FromName(v, Names<InfiniteVertex>(kInfiniteVertices));
+  });
   ReadIfThere(value, "overdraw", profile.overdraw,
               [](const JsonValue& v) { return FromName(v, Names<bool>(kOverdraws)); });
   ReadIfThere(value, "fixed", profile.fixed, FixedInputFromJson);

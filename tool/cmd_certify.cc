@@ -128,7 +128,8 @@ std::string SummaryLine(const report::Certificate& certificate) {
 int RunCertify(const CertifyOptions& options) {
   RequireHonestEnvironment();
   const std::vector<std::string> names = options.all ? subjects::BuiltinNames() : options.subjects;
-  for (const std::string& name : names) MakeSubject(name);  // misspelt names before any work
+  // Misspelt names before any work.
+  for (const std::string& name : names) SayOfPreset(MakeSubject(name)->Info().profile);
   io::MakeFolder(options.output);
   report::Page page;
   {

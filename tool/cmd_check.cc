@@ -186,6 +186,7 @@ int RunCheck(const CheckOptions& options) {
   std::vector<std::unique_ptr<Subject>> subjects;
   for (const std::string& name : options.subjects) {
     subjects.push_back(MakeSubject(name, options.profile));
+    SayOfPreset(subjects.back()->Info().profile);
   }
   Tally tally;
   for (const std::unique_ptr<Subject>& subject : subjects) {

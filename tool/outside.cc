@@ -13,7 +13,6 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "props/run/batching.h"
-#include "props/run/facings.h"
 #include "subjects/plugin/plugin.h"
 #include "subjects/process/process.h"
 #include "subjects/process/serve.h"
@@ -33,9 +32,8 @@ Makers& OwnMakers() {
 std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 std::unique_ptr<Subject> InAProcess(std::vector<std::string> command, SubjectInfo info) {
-  return props::WithFacings(
-      std::make_unique<props::BatchingSubject>(std::make_unique<subjects::ProcessSubject>(
-          std::move(command), std::move(info), OutsideLimits())));
+  return std::make_unique<props::BatchingSubject>(std::make_unique<subjects::ProcessSubject>(
+      std::move(command), std::move(info), OutsideLimits()));
 }
 
 // This program once more, as the host of a library or an own type: what they break, they break

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdio>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +23,7 @@
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/run/campaign.h"
+#include "props/run/facings.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/outside.h"
@@ -160,6 +163,18 @@ std::vector<std::string> SubjectNames() {
   return names;
 }
 
+void SayOfPreset(const Profile& profile) {
+  static std::set<std::string> said;
+  if (!IsApiPreset(profile.name) || PresetProfile(profile.name) != profile) return;
+  if (!said.insert(profile.name).second) return;
+  fmt::print(stderr,
+             "note: profile {} is judged by its canonical model: {} subpixel bits, {}, {}; of a "
+             "rasterizer that the API lets do otherwise (4 bits, another rounding) say so in a "
+             "profile file, snap_tolerance and any_tie_rule included\n",
+             profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
+             FillRuleName(profile.fill_rule));
+}
+
 std::unique_ptr<Subject> MakeSubject(std::string_view name) { return MakeSubject(name, ""); }
 
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile) {
@@ -181,8 +196,9 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& p
         fmt::format("{}choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
                     Suggestion(name, SubjectNames()), fmt::join(SubjectNames(), ", ")));
   }
-  if (profile.empty()) return subject;
-  return std::make_unique<JudgedSubject>(std::move(subject), named);
+  // Facings last: they are worked out by the profile that the subject is judged by.
+  if (!profile.empty()) subject = std::make_unique<JudgedSubject>(std::move(subject), named);
+  return props::WithFacings(std::move(subject));
 }
 
 const props::Property& RequireProperty(const std::string& name) {

@@ -73,7 +73,7 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 // Planar subdivisions.
 inline constexpr auto kMeshes =
     std::to_array<std::string_view>({"shared-edge", "fans", "strips", "grids", "triangulations",
-                                     "subdivisions", "covering-fans", "no-clip-ends"});
+                                     "subdivisions", "covering-fans", "no-clip-ends", "folds"});
 
 // The same, and meshes in clip space.
 inline constexpr auto kMeshesAnySpace = [] {
@@ -92,7 +92,7 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>(
      "closed-around-eye"});
 
 // Closed surfaces.
-inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh"});
+inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh", "closed-folds"});
 
 // Closed surfaces around the eye or beside it.
 inline constexpr auto kClosedClip =
@@ -106,11 +106,11 @@ inline constexpr auto kClipSpace = std::to_array<std::string_view>(
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(
     {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye",
-     "covering-fans", "no-clip-ends", "perspective-meshes", "meshes-around-eye"});
+     "covering-fans", "no-clip-ends", "folds", "perspective-meshes", "meshes-around-eye"});
 
 // Vertices that a tolerance lets snap either way, meshes first.
-inline constexpr auto kFreeSnaps =
-    std::to_array<std::string_view>({"shared-snap-ties", "snap-ties", "shared-edge", "fans"});
+inline constexpr auto kFreeSnaps = std::to_array<std::string_view>(
+    {"shared-snap-ties", "snap-ties", "shared-edge", "fans", "folds"});
 
 // Triangles of zero area.
 inline constexpr auto kDegenerate = std::to_array<std::string_view>({"degenerate", "signed-zeros"});

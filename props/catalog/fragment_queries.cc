@@ -69,6 +69,11 @@ std::optional<Verdict> CannotAskFragments(Subject& subject, const Case& c) {
   if (subject.Whole().Info().coverage != CoverageKind::kFragments) {
     return Verdict::NotApplicable("the subject shows no fragments");
   }
+  if (subject.Whole().Info().fragments.weights_of == WeightsOf::kSnapped &&
+      c.profile.freedom.snap_tolerance != 0) {
+    return Verdict::NotApplicable(
+        "the profile leaves the grid points free that the weights belong to");
+  }
   return CannotEvaluate(subject, c);
 }
 

@@ -61,8 +61,7 @@ std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit) {
   return spread;
 }
 
-std::vector<BoundaryEdge> BoundaryOf(const Case& c) {
-  const Scene scene = Keyed(c);
+std::vector<BoundaryEdge> BoundaryOf(const Scene& scene) {
   std::map<DirectedEdge, int> left;  // occurrences not yet cancelled
   for (const Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> v = Corners(scene, t);

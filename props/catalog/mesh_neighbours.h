@@ -25,15 +25,14 @@ struct Neighbours {
 /// side of the edge, as the window shows them or around the eye.
 std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit);
 
-/// A directed edge of the boundary. Window space: on the subpixel grid; clip space: as given.
+/// A directed edge of the boundary.
 struct BoundaryEdge {
   Vertex a;
   Vertex b;
 };
 
-/// The directed edges of a mesh that no opposite edge cancels, by position (clip space: by
-/// (x, y, w)).
-std::vector<BoundaryEdge> BoundaryOf(const Case& c);
+/// The directed edges of a mesh that no opposite edge cancels, by x, y and w as they are.
+std::vector<BoundaryEdge> BoundaryOf(const Scene& scene);
 
 /// Whether every directed edge is walked as often as its reverse, by x, y and w as given.
 bool IsClosed(const Scene& scene);

@@ -65,7 +65,7 @@ Verdict PairsCoverOnce(Subject& subject, const Case& c,
                        const std::function<bool(const Neighbours&)>& takes) {
   Verdict all = Verdict::Held(0);
   const Scene placed = PlacedScene(c);
-  // Every pair is drawn, whatever comes of the first ones: what is asked does not depend on answers.
+  // Every pair is drawn, whatever comes of the first: what is asked does not depend on answers.
   for (const Neighbours& pair : SharedEdges(c, kPairs)) {
     if (!takes(pair)) continue;
     const Case alone = OnlyTriangles(c, {pair.first, pair.second});

@@ -7,16 +7,10 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "props/catalog/free_choices.h"
 
 namespace rasterproof::props {
 namespace {
-
-// How far from the outline a sample must be where the outline is not judged. Edge values of float32
-// displace an edge by at most a few 2^-24 of the largest coordinate (docs/mathematics.md, forward
-// bounds): 2^-18 of it is generous. A watertight subject may also have moved its vertices by
-// snapping them to a grid of its own: kMovedOutlineMargin.
-constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
-constexpr double kOutlineMargin = 0x1p-10;
 
 double LargestCoordinate(const Scene& scene) {
   double largest = 0;
@@ -40,29 +34,43 @@ double HomogeneousMargin(const Scene& scene, const Vertex& a, const Vertex& b) {
   return std::isnan(margin) ? std::numeric_limits<double>::infinity() : margin;
 }
 
-double MovedBy(bool may_move) { return may_move ? kMovedOutlineMargin : kOutlineMargin; }
+// Positions by which edges are one in every legal model.
+Scene AsGiven(const Case& c) { return c.scene.clip_space ? c.scene : UnsnappedScene(c); }
 
 }  // namespace
 
-Outline::Outline(const Case& c, bool may_move) : largest_(LargestCoordinate(c.scene)) {
-  for (const BoundaryEdge& edge : BoundaryOf(c)) Add(c, edge, MovedBy(may_move));
+Outline::Outline(const Case& c) : largest_(LargestCoordinate(c.scene)) {
+  const Scene scene = c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile);
+  for (const BoundaryEdge& edge : BoundaryOf(scene)) Add(scene, edge, kOutlineMargin);
 }
 
-Outline Outline::OfAllEdges(const Case& c, bool may_move) {
+Outline Outline::OfMoved(const Case& c, double most_moved) {
+  Outline outline;
+  outline.largest_ = LargestCoordinate(c.scene);
+  const Scene scene = AsGiven(c);
+  for (const BoundaryEdge& edge : BoundaryOf(scene)) {
+    outline.Add(scene, edge, std::max(kMovedOutlineMargin, most_moved));
+  }
+  return outline;
+}
+
+Outline Outline::OfAllEdges(const Case& c, double most_moved) {
   Outline all;
   all.largest_ = LargestCoordinate(c.scene);
-  const Scene scene = c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile);
+  const Scene scene = AsGiven(c);
   for (const Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> v = Corners(scene, t);
     if (!std::ranges::all_of(v, IsFinite)) continue;
-    for (int i = 0; i < 3; ++i) all.Add(c, {EdgeStart(v, i), EdgeEnd(v, i)}, MovedBy(may_move));
+    for (int i = 0; i < 3; ++i) {
+      all.Add(scene, {EdgeStart(v, i), EdgeEnd(v, i)}, std::max(kMovedOutlineMargin, most_moved));
+    }
   }
   return all;
 }
 
-void Outline::Add(const Case& c, const BoundaryEdge& edge, double moved) {
-  const double rounded = c.scene.clip_space ? HomogeneousMargin(c.scene, edge.a, edge.b)
-                                            : kOutlineMarginPerCoordinate * largest_;
+void Outline::Add(const Scene& scene, const BoundaryEdge& edge, double moved) {
+  const double rounded = scene.clip_space ? HomogeneousMargin(scene, edge.a, edge.b)
+                                          : kOutlineMarginPerCoordinate * largest_;
   const VisibleEdge seen(edge.a, edge.b);
   if (!seen.IsEmpty()) edges_.push_back({seen, moved + rounded});
 }

@@ -11,8 +11,12 @@
 
 namespace rasterproof::props {
 
-/// How far a subject may have moved a vertex, in pixels, where its profile does not say how far: a
-/// pixel is generous for a grid of its own, or for clipping.
+// How far from the outline a sample must be where the outline is not judged. Edge values of float32
+// displace an edge by at most a few 2^-24 of the largest coordinate (docs/mathematics.md, forward
+// bounds): 2^-18 of it is generous. A watertight subject may also have moved its vertices by
+// snapping them to a grid of its own: a pixel on each axis is generous for that.
+inline constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
+inline constexpr double kOutlineMargin = 0x1p-10;
 inline constexpr double kMovedOutlineMargin = 1;
 
 /// The samples beside some edges of a mesh: those of its boundary, or all.
@@ -20,11 +24,14 @@ class Outline {
  public:
   /// No outline: nothing is near.
   Outline() = default;
-  /// The boundary. `may_move`: the subject may have moved it by up to a pixel, by snapping its
-  /// vertices to a grid of its own or by clipping it.
-  Outline(const Case& c, bool may_move);
-  /// Every edge of every triangle.
-  static Outline OfAllEdges(const Case& c, bool may_move);
+  /// The boundary of what the canonical model draws; in clip space as given.
+  explicit Outline(const Case& c);
+  /// The subject may have moved the boundary, by choosing other grid points than the canonical
+  /// ones, by snapping its vertices to a grid of its own or by clipping it: by so many pixels, or
+  /// by one if that is more. Edges cancel only if they are one in every legal model.
+  static Outline OfMoved(const Case& c, double most_moved);
+  /// The same of every edge of every triangle.
+  static Outline OfAllEdges(const Case& c, double most_moved);
 
   bool IsNear(Point2 p) const;
   bool IsEmpty() const { return edges_.empty(); }
@@ -35,7 +42,7 @@ class Outline {
     double margin = 0;
   };
 
-  void Add(const Case& c, const BoundaryEdge& edge, double moved);
+  void Add(const Scene& scene, const BoundaryEdge& edge, double moved);
 
   std::vector<Edge> edges_;
   double largest_ = 0;  ///< window coordinate

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "core/scene.h"
 #include "exact/coverage.h"
+#include "props/catalog/free_choices.h"
 #include "props/catalog/mesh_model.h"
 #include "props/catalog/outline.h"
 #include "props/catalog/precondition.h"
@@ -29,7 +31,7 @@ class SharedTies {
   explicit SharedTies(const Case& c) {
     if (!SharesTies(c.profile)) return;
     if (LegalReach(c) != 0) {
-      edges_ = Outline::OfAllEdges(c, true);
+      edges_ = Outline::OfAllEdges(c, LegalReach(c));
       return;
     }
     Profile inclusive = ForTarget(c.profile, c.scene.width, c.scene.height);
@@ -47,15 +49,56 @@ class SharedTies {
   Outline edges_;
 };
 
+bool LiesAroundTheEye(const Scene& scene) {
+  return scene.clip_space &&
+         std::ranges::any_of(scene.vertices, [](const Vertex& v) { return !(v.w > 0); });
+}
+
+// What a legal choice leaves open of a mesh: where its outline lies, and what it can turn.
+class OpenParts {
+ public:
+  OpenParts(const Case& c, const MeshView& view) {
+    const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
+    if (one_model || LiesAroundTheEye(c.scene)) {
+      const MeshFacings facings = FacingsOf(c);
+      is_folded_ = facings.folded;
+      is_flat_ = !one_model && facings.degenerate != 0;
+    }
+    if (one_model) {
+      if (view.spares_outline) outline_ = Outline(c);
+      return;
+    }
+    double most_moved = LegalReach(c);
+    if (LiesAroundTheEye(c.scene)) {
+      thin_ = ThinTriangles(c, most_moved);
+    } else {
+      open_ = OpenTriangles(c);
+      is_folded_ = open_.RestIsFolded();
+      most_moved = open_.MostMoved();
+    }
+    outline_ = Outline::OfMoved(c, most_moved);
+  }
+
+  bool IsFolded() const { return is_folded_; }
+  /// Around the eye: nothing is said of triangles in a plane with it.
+  bool IsFlat() const { return is_flat_; }
+  bool IsBesideTheOutline(Point2 p) const { return outline_.IsNear(p); }
+  bool CanTurnAt(Point2 p) const { return open_.CanCover(p) || thin_.AreNear(p); }
+
+ private:
+  bool is_folded_ = false;
+  bool is_flat_ = false;
+  Outline outline_;
+  OpenTriangles open_;
+  ThinTriangles thin_;
+};
+
 // What is judged of a mesh, and what is expected there.
 class MeshJudge {
  public:
-  MeshJudge(const Case& c, const MeshView& view, bool watertight_only,
+  MeshJudge(const Case& c, const MeshView& view, const OpenParts& open,
             std::vector<std::int64_t> winding)
-      : case_(c), view_(view), winding_(std::move(winding)), ties_(c) {
-    if (watertight_only || view.spares_outline) outline_ = Outline(c, watertight_only);
-    if (watertight_only && c.scene.clip_space) thin_ = ThinTriangles(c, LegalReach(c));
-  }
+      : case_(c), view_(view), open_(open), winding_(std::move(winding)), ties_(c) {}
 
   Verdict Of(const CoverageCounts& counts) {
     for (int row = 0; row < counts.height; ++row) {
@@ -80,10 +123,10 @@ class MeshJudge {
     const auto least = static_cast<std::uint32_t>(std::abs(winding_[k]));
     const bool is_right = count == least || (count > least && ties_.Allow(count, k, place.at));
     if (is_right && least == 0) return std::nullopt;
-    if ((view_.looks_at && !view_.looks_at(place)) || outline_.IsNear(place.at)) {
+    if ((view_.looks_at && !view_.looks_at(place)) || open_.IsBesideTheOutline(place.at)) {
       return std::nullopt;
     }
-    if (thin_.AreNear(place.at)) {
+    if (open_.CanTurnAt(place.at)) {
       ++not_judged_;
       return std::nullopt;
     }
@@ -102,10 +145,9 @@ class MeshJudge {
 
   const Case& case_;
   const MeshView& view_;
+  const OpenParts& open_;
   std::vector<std::int64_t> winding_;
   SharedTies ties_;
-  Outline outline_;
-  ThinTriangles thin_;
   std::uint64_t exercised_ = 0;
   std::uint64_t not_judged_ = 0;
 };
@@ -124,17 +166,14 @@ std::optional<Verdict> LeavesEdgesOpen(const Profile& profile) {
 }
 
 Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view) {
-  const MeshFacings facings = FacingsOf(c);
-  if (facings.folded) return NotExercised("the snapped mesh is folded");
-  const bool watertight_only = !HasOneModel(c.profile) || !IsUnclipped(c.scene, c.profile);
-  if (watertight_only && facings.degenerate != 0) {
-    return NotExercised("the snapped mesh has triangles of zero area");
-  }
+  const OpenParts open(c, view);
+  if (open.IsFolded()) return NotExercised("the snapped mesh is folded");
+  if (open.IsFlat()) return NotExercised("the mesh has triangles in a plane with the eye");
   std::vector<std::int64_t> winding = WindingOf(c);
   if (std::ranges::any_of(winding, [](std::int64_t w) { return std::abs(w) > 1; })) {
     return NotExercised("the mesh overlaps itself");
   }
-  MeshJudge judge(c, view, watertight_only, std::move(winding));
+  MeshJudge judge(c, view, open, std::move(winding));
   return judge.Of(Drawn(subject, c.scene, c.profile, WholeTarget(c)));
 }
 

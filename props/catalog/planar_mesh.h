@@ -24,20 +24,20 @@ struct MeshView {
 /// Draws the case's mesh and compares every count with the mesh's winding number. Window space, or
 /// clip space: a mesh in front of the eye, or one that lies around it.
 ///
-/// Precondition (else not exercised): no triangle is folded against the others, and no winding
-/// number exceeds 1 in size. Then all areas have one sign, so the count *is* the size of the signed
-/// coverage, and that is the winding number.
+/// Precondition (else not exercised): no triangle is folded against the others, in any legal model,
+/// and no winding number exceeds 1 in size. Then all areas have one sign, so the count *is* the
+/// size of the signed coverage, and that is the winding number.
 ///
 /// Shared ties: where the profile lets every triangle have the samples on its edges (overdraw
 /// allowed, the inclusive fill rule), a sample inside must be covered at least once, and away from
 /// edges once.
 ///
 /// A watertight subject promises where its meshes have no gap, not where their outline lies: for it
-/// meshes with triangles of zero area are not judged, nor samples near the outline (a T-junction
-/// is one), whatever the view. So with a mesh that the subject clips (the profile's no_clip).
-///
-/// Samples near clip-space triangles that a legal choice can turn over are not judged, but counted:
-/// Verdict::not_judged.
+/// samples near the outline (a T-junction is one) are not judged, whatever the view. So with a mesh
+/// that the subject clips (the profile's no_clip), and one whose grid points it may choose. Nor are
+/// samples that a triangle can cover which a legal choice turns over or flattens; all others are:
+/// what covers them has one facing in every legal model, so that the argument above holds. They are
+/// counted as not judged.
 Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view);
 
 /// Not applicable: the profile's fill rule does not give each sample of an edge to one side.

@@ -115,7 +115,7 @@ bool IsWithin(const std::vector<Point2>& polygon, Point2 p, double reach) {
 double LegalReach(const Case& c) {
   const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
   if (profile.contract != Contract::kSampleExact || !IsUnclipped(c.scene, profile)) {
-    return kMovedOutlineMargin;
+    return std::sqrt(2.0) * kMovedOutlineMargin;
   }
   if (profile.freedom.snap_tolerance == 0 || profile.snap.IsNone()) return 0;
   // A legal grid point lies within the tolerance of the vertex, the canonical one within a step;

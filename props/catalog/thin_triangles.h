@@ -11,11 +11,12 @@ namespace rasterproof::props {
 
 /// How far the subject may have moved what the profile's canonical model places, in pixels: 0 where
 /// one model is legal, the grid points that a tolerance leaves free, or kMovedOutlineMargin where
-/// the grid is not promised at all.
+/// the grid is not promised at all, on each axis.
 double LegalReach(const Case& c);
 
-/// The triangles of a clip-space case whose visible part is less than twice the reach across. Such
-/// a triangle may turn over or vanish when its vertices move by the reach; a broader one can't.
+/// The triangles of a clip-space case, around the eye as they may lie, whose visible part is less
+/// than twice the reach across. Such a triangle may turn over or vanish when its vertices move by
+/// the reach; a broader one can't. Cruder than OpenTriangles, which needs every w > 0.
 class ThinTriangles {
  public:
   /// None.

@@ -47,6 +47,10 @@ Case FullTargets(BitSource& bits, const SubjectInfo& info);
 /// Triangles one vertex of which decides a sample by how it is snapped.
 void AddDecidingTies(Sketch& sketch);
 
+// recipes_folds.cc: what a legal choice of grid points turns over.
+Case Folds(BitSource& bits, const SubjectInfo& info);
+Case ClosedFolds(BitSource& bits, const SubjectInfo& info);
+
 // recipes_lists.cc
 Case NearRepeats(BitSource& bits, const SubjectInfo& info);
 Case SparseIndices(BitSource& bits, const SubjectInfo& info);

@@ -185,7 +185,7 @@ std::string RequireHead(const std::string& line, std::string_view word, std::uin
   if (const auto reason = AfterHead(line, "fault", id)) throw SubjectFault(*reason);
   if (const auto reason = AfterHead(line, "refused", id)) {
     throw SubjectRefusal("subject " + subject, "it refused the scene: " + *reason,
-                     "give it another one");
+                         "give it another one");
   }
   if (std::optional<std::string> rest = AfterHead(line, word, id)) return *std::move(rest);
   throw SubjectFault("it answered \"" + line.substr(0, 60) + "\", not \"" + std::string(word) +

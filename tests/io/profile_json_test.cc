@@ -25,6 +25,7 @@ TEST(ProfileJson, RareKeysReadBack) {
   profile.max_extent = MaxExtent{1023.5, 511};
   profile.no_clip = WindowBox{-1024, -0.1, 1023, 0x1p30};
   profile.zero_area = ZeroArea::kUnspecified;
+  profile.infinite_vertex = InfiniteVertex::kUnspecified;
   profile.overdraw = true;
   profile.fill_rule = {.exclusive = true};
   ExpectReadsBack(profile);
@@ -66,6 +67,7 @@ TEST(ProfileJson, KeysThatAreLeftOutSayWhatTheyAlwaysDid) {
                                        "p.json");
   EXPECT_FALSE(profile.fixed || profile.max_extent || profile.no_clip);
   EXPECT_EQ(profile.zero_area, ZeroArea::kNothing);
+  EXPECT_EQ(profile.infinite_vertex, InfiniteVertex::kNothing);
   EXPECT_FALSE(profile.overdraw);
   const Profile fixed =
       ParseProfile(R"({"name": "p", "fixed": {"integer_bits": 9, "fraction_bits": 0}})", "p.json");
@@ -110,6 +112,7 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("transform": {"viewport": "half"})", "write none, multiply-add, fused"},
            Bad{R"("transform": {"matrix": 1})", "unknown key \"matrix\""},
            Bad{R"("zero_area": "line")", "zero_area: \"line\" is unknown; known here are"},
+           Bad{R"("infinite_vertex": "clamped")", "infinite_vertex: \"clamped\" is unknown; known"},
            Bad{R"("overdraw": true)", "overdraw: "},
            Bad{R"("fill_rule": "none")", "inclusive or exclusive"},
            Bad{R"("targets": {})", "targets: "},

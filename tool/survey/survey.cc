@@ -15,6 +15,7 @@
 #include "exact/coverage.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "props/run/facings.h"
 #include "props/shrink/shrink.h"
 #include "subjects/plugin/plugin.h"
 #include "tool/outside.h"
@@ -36,7 +37,7 @@ double Since(Clock::time_point begun) {
 subjects::LoadedPlugin Load(const std::string& path) {
   if (!path.ends_with(kDescriptionEnding)) return subjects::LoadPlugin(path);
   OutsideLimits() = {.seconds = kStallSeconds, .bytes = 0};  // as for a library
-  std::unique_ptr<Subject> subject = MakeOutside(path);
+  std::unique_ptr<Subject> subject = props::WithFacings(MakeOutside(path));
   std::string profile = io::ProfileToJson(subject->Info().profile);
   return {std::move(subject), std::move(profile)};
 }

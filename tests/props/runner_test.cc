@@ -181,7 +181,8 @@ TEST(AFragmentThatIsNoNumber, IsAFindingWithItsWitness) {
       EXPECT_FALSE(result.verdict->witness->observed.empty()) << name;
     }
     const PropertyResult result = RunCampaign(depths, hull, {.cases = 40});
-    EXPECT_TRUE(Says(result.verdict->witness->observed, no_number > 0 || no_number < 0 ? "inf" : "nan"));
+    EXPECT_TRUE(
+        Says(result.verdict->witness->observed, no_number > 0 || no_number < 0 ? "inf" : "nan"));
   }
 }
 

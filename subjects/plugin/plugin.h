@@ -15,7 +15,7 @@ struct LoadedPlugin {
   std::string profile;               ///< a preset's name, or the text of a profile file
 };
 
-/// Loads a library. What it does wrong it does to this process: see plugin/host.h.
+/// Loads a library. What it does wrong it does to this process: see tool/outside.h.
 ///
 /// The subject draws into guarded memory: a write outside the target, or between its rows, is a
 /// SubjectFault that says where, or a crash where it goes farther than a page.

@@ -173,7 +173,7 @@ class PathsTest(unittest.TestCase):
         self.expect("docs/a.md", "| `core/absent/` | [page](decisions/0008-b.md) |\n",
                     "core/absent")  # fmt: skip
         self.expect("docs/a.md", "docs/decisions/0008 says why\n", "docs/decisions/0008")
-        self.expect("scripts/a", "#!/bin/sh\nrun  # as in core/gone.h\n", "core/gone.h")
+        self.expect("scripts/a", "#!/bin/sh\nrun  " + "# as in core/gone.h\n", "core/gone.h")
         self.expect("tests/a.py", 'def f():\n    """Of core/gone.h."""\n', "core/gone.h")
 
     def test_a_path_that_is_there_is_let_be(self):

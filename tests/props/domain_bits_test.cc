@@ -150,8 +150,8 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"target-ends", 0x9ac0171ff55ad36c},
       {"near-repeats", 0xeaf8df9bfe302900},
       {"sparse-indices", 0x5f8f39b3cbfd5e3d},
-      {"folds", 0x0},
-      {"closed-folds", 0x0},
+      {"folds", 0x481d5c251d7c1fb3},
+      {"closed-folds", 0xec7cf8ae2ef50427},
       {"codec examples", 0x891c61ccb468e150},
   };
   return golden;

@@ -144,6 +144,12 @@ int RunExplain(const ExplainOptions& options) {
   }
   std::string again = loaded.replay;
   if (chosen) again += fmt::format(" --pixel {},{}", options.x, options.y);
+  // There is nothing to see of what was not drawn.
+  if (verdict.outcome == Outcome::kRefused || verdict.outcome == Outcome::kInconclusive) {
+    io::WriteStandardOutput(FailureLine(PropertyName(loaded), loaded.value, verdict) + "\n" +
+                            SceneLine(loaded.value) + "\n");
+    return StatusOf(verdict.outcome);
+  }
   report::Explanation explanation = Explain(*loaded.subject, loaded.value, shown, again);
   if (explanation.headline.empty()) {
     explanation.headline =

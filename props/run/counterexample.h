@@ -49,9 +49,9 @@ struct Failure {
 /// Judges the case alone, shrinks it and runs the smallest one once more.
 ///
 /// An evaluation gets one time limit in all, which is no time to prove that a case hangs, and
-/// shrinking ends behind kMostHangs that took it; what hung hangs again if it has no answer by then. What is violated in company alone is violated if the
-/// company does it again. Ends in time when the budget does, or if it is stopped; then the message
-/// says so.
+/// shrinking ends behind kMostHangs that took it; what hung hangs again if it has no answer then.
+/// What is violated in company alone is violated if the company does it again. Ends in time when
+/// the budget does, or if it is stopped; then the message says so.
 Counterexample Investigate(Subject& subject, const Property& property, const Failure& failure,
                            const CampaignOptions& options, Budget& budget);
 

@@ -1,0 +1,97 @@
+"""Programs on a pipe that refuse, change their answers, or answer what is no number.
+
+usage: answers_test.py PROGRAM SOURCES EXAMPLES FAULTY
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:5])
+MODEL = "CoverageEqualsTheModel"
+DEGENERATE = "DegenerateTrianglesCoverNothing"
+SCENE = "scenes/ties.json"
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=300,
+                          check=False)  # fmt: skip
+
+
+def faulty(name):
+    return os.path.join(FAULTY, f"faulty_{name}.so")
+
+
+def answering(row, head="'counts ' + number"):
+    """A program that answers every request by the value of `row` for each of its rows, 0."""
+    return (f"{sys.executable} -c \"\n"
+            "import sys\n"
+            "calls, row = 0, 0\n"
+            "for line in sys.stdin:\n"
+            "    word, number, w, h, s, space, vs, ts = line.split()[:8]\n"
+            "    for _ in range(int(vs) + int(ts)): sys.stdin.readline()\n"
+            "    calls += 1\n"
+            f"    print({head}, flush=False)\n"
+            f"    if not ({head}).startswith('refused'):\n"
+            f"        for _ in range(int(h)): print(*[{row}] * int(w))\n"
+            "    sys.stdout.flush()\n\"")  # fmt: skip
+
+
+class Refusals(unittest.TestCase):
+    def check(self, *arguments, cases="120"):
+        done = run("check", *arguments, "--property", DEGENERATE, "--cases", cases)
+        return done.returncode, done.stdout.decode()
+
+    def test_are_told_and_what_holds_holds_where_it_did_not_refuse(self):
+        often = "('refused ' + number + ' odd' if int(w) % 3 == 0 else 'counts ' + number)"
+        status, text = self.check("--exec", answering("row", often))
+        self.assertEqual(status, 0, text)
+        self.assertRegex(text, "holds where it did not refuse: "
+                         r"exercised in \d+ of 120 cases, \d+ refused")  # fmt: skip
+
+    def test_of_more_than_half_are_inconclusive_not_green(self):
+        all_but_two = "('refused ' + number + ' tired' if calls > 2 else 'counts ' + number)"
+        status, text = self.check("--exec", answering("row", all_but_two))
+        self.assertEqual(status, 4, text)
+        self.assertRegex(text, "the subject refuses too much: "
+                         r"exercised in 2 of 120 cases, \d+ refused")  # fmt: skip
+        status, text = self.check("--plugin", faulty("REFUSES"), cases="9")
+        self.assertEqual(status, 4, text)
+
+    def test_of_a_given_scene_are_inconclusive(self):
+        done = run("check", SCENE, "--plugin", faulty("REFUSES"), "--property", MODEL)
+        self.assertEqual(done.returncode, 4, done.stdout)
+        self.assertIn(b"refused ", done.stdout)
+        for verb in ("replay", "explain"):
+            done = run(verb, SCENE, "--plugin", faulty("REFUSES"), "--property", MODEL)
+            self.assertEqual(done.returncode, 4, done.stdout + done.stderr)
+
+
+class NoNumbers(unittest.TestCase):
+    def test_a_depth_that_is_none_is_a_finding_with_its_witness(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "nan.subject")
+            program = os.path.join(folder, "nan.sh")
+            row = "-1 if ts == '0' else '0 1 0 0 nan'"
+            with open(program, "w", encoding="utf-8") as file:
+                file.write("exec " + answering(row, "'fragments ' + number"))
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(f"command /bin/sh {program}\ncoverage fragments\ntakes window\n")
+            done = run("check", "--subject", path, "--property", "FragmentDepthStaysInTheHull",
+                       "--cases", "9")  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stdout.decode() + done.stderr.decode())
+        self.assertIn(b"observed nan, expected a depth of [", done.stdout)
+
+
+class ChangingAnswers(unittest.TestCase):
+    def test_an_answer_that_does_not_come_again_is_inconclusive_with_both(self):
+        done = run("check", "--exec", answering("row + (1 if calls == 2 else 0)"), "--property",
+                   DEGENERATE, "--cases", "9")  # fmt: skip
+        self.assertEqual(done.returncode, 4, done.stdout)
+        self.assertRegex(done.stdout.decode(),
+                         "not deterministic.*; first violated: .*; then holds")  # fmt: skip
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=0)

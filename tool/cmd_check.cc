@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "io/output.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/contract_evidence.h"
 #include "props/run/tally.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
@@ -123,30 +125,46 @@ void SaveCounterexample(const std::string& folder, const PropertyResult& result)
                 io::CaseToJson({*result.counterexample, result.subject, result.property}));
 }
 
+// One property on generated cases, its progress told.
+PropertyResult Campaign(Subject& subject, const props::Property& property,
+                        const CheckOptions& options, Progress& progress, props::Pace& pace) {
+  const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
+  progress.Stage(stage, options.campaign.cases);
+  props::CampaignOptions campaign;
+  campaign.seed = options.campaign.seed;
+  campaign.cases = options.campaign.cases;
+  campaign.seconds = options.campaign.seconds;
+  campaign.time_limit = TimeLimitOf(subject);
+  campaign.progress = [&](std::uint64_t done) { progress.Done(done); };
+  campaign.shrinking = [&](std::uint64_t evaluations) {
+    if (evaluations == 0) progress.Stage(stage + ": shrinking what failed", campaign.shrink_budget);
+    progress.Done(evaluations);
+  };
+  campaign.stop = Interrupted;
+  campaign.pace = &pace;
+  return props::RunCampaign(subject, property, campaign);
+}
+
+// A run in which no claim of the contract was put to the test is no pass, whatever else holds.
+std::string ContractText(const Subject& subject, std::span<const PropertyResult> results,
+                         Tally& tally) {
+  const props::ContractEvidence evidence = props::EvidenceOfContract(subject.Info(), results);
+  if (evidence.is_exercised) return "";
+  tally.Count(Outcome::kInconclusive, 0);
+  return fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
+                     OutcomeName(Outcome::kInconclusive), subject.Info().name, evidence.why);
+}
+
 void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& progress,
                     std::string& text, Tally& tally) {
   const std::string& name = subject.Info().name;
   NotAsked not_asked;
   props::Pace pace;
+  std::vector<PropertyResult> results;
   for (const props::Property* property : ChosenProperties(options)) {
     if (Interrupted()) break;
-    progress.Stage(fmt::format("{} {}", name, property->name), options.campaign.cases);
-    props::CampaignOptions campaign;
-    campaign.seed = options.campaign.seed;
-    campaign.cases = options.campaign.cases;
-    campaign.seconds = options.campaign.seconds;
-    campaign.time_limit = TimeLimitOf(subject);
-    campaign.progress = [&](std::uint64_t done) { progress.Done(done); };
-    campaign.shrinking = [&](std::uint64_t evaluations) {
-      if (evaluations == 0) {
-        progress.Stage(fmt::format("{} {}: shrinking what failed", name, property->name),
-                       campaign.shrink_budget);
-      }
-      progress.Done(evaluations);
-    };
-    campaign.stop = Interrupted;
-    campaign.pace = &pace;
-    const PropertyResult result = props::RunCampaign(subject, *property, campaign);
+    const PropertyResult& result =
+        results.emplace_back(Campaign(subject, *property, options, progress, pace));
     tally.Count(result.outcome, result.cases);
     if (result.outcome == Outcome::kNotApplicable && !result.counterexample) {
       not_asked.Add(result.message, property->name);
@@ -165,6 +183,7 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
     if (!options.save.empty()) SaveCounterexample(options.save, result);
   }
   text += not_asked.Lines(name, "");
+  if (options.properties.empty() && !Interrupted()) text += ContractText(subject, results, tally);
 }
 
 void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progress,

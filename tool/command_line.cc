@@ -455,8 +455,8 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
     std::cerr << "rasterproof: the subject failed: " << report::CleanText(fault.what()) << '\n';
     return kExitViolated;
   } catch (const SubjectTooSlow& slow) {
-    std::cerr << "rasterproof: the subject was too slow to judge: " << report::CleanText(slow.what())
-              << '\n';
+    std::cerr << "rasterproof: the subject was too slow to judge: "
+              << report::CleanText(slow.what()) << '\n';
     return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";

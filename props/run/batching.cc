@@ -87,10 +87,6 @@ BatchingSubject::BatchingSubject(SubjectInfo info) : info_(std::move(info)) {}
 
 const EdgeEvaluator* BatchingSubject::Edges() const { return behind_ ? behind_->Edges() : nullptr; }
 
-void BatchingSubject::SetDeadline(std::chrono::steady_clock::time_point deadline) {
-  if (behind_) behind_->SetDeadline(deadline);
-}
-
 const WeightEvaluator* BatchingSubject::Weights() const {
   return behind_ ? behind_->Weights() : nullptr;
 }

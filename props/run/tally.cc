@@ -40,7 +40,6 @@ Tally::Tally(const Subject& subject, const Property& property, std::uint64_t see
 void Tally::AddCase(std::size_t domain, const Case& c, const Verdict& verdict) {
   ++result_.cases;
   result_.exercised += verdict.exercised;
-  result_.not_judged += verdict.not_judged;
   if (verdict.exercised != 0) ++result_.cases_exercised;
   result_.worst_ratio = std::max(result_.worst_ratio, verdict.worst_ratio);
   const NearEdgeCounts counts = CountNearEdges(SeenCase(c));

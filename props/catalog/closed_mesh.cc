@@ -1,5 +1,6 @@
 #include "props/catalog/closed_mesh.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -7,13 +8,15 @@
 #include "core/profile.h"
 #include "exact/winding.h"
 #include "props/catalog/free_choices.h"
+#include "props/catalog/mesh_neighbours.h"
 #include "props/catalog/signed_coverage.h"
 
 namespace rasterproof::props {
 namespace {
 
 // What is closed before it is snapped stays closed, whatever grid points are chosen.
-bool IsClosed(const Case& c) {
+bool IsClosedInEveryModel(const Case& c) {
+  if (c.scene.clip_space) return IsClosed(c.scene);
   if (HasOneModel(c.profile)) return exact::ShapeOf(c.scene, c.profile).closed;
   Profile as_it_is;
   as_it_is.lattice = c.profile.lattice;
@@ -23,13 +26,17 @@ bool IsClosed(const Case& c) {
 }  // namespace
 
 Verdict ClosedMeshCancels(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kWindow,
+  const Need need{.space = Space::kEither,
                   .closed_suffices = true,
                   .any_model_suffices = true,
                   .judges_clipped = true};
   if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
+  if (std::ranges::any_of(c.scene.vertices, [](const Vertex& v) { return !(v.w > 0); })) {
+    return {Outcome::kNotExercised, 0, 0, "the surface may wind around the eye", std::nullopt};
+  }
   const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
-  if (!IsClosed(c)) return {Outcome::kNotExercised, 0, 0, "the mesh has a boundary", std::nullopt};
+  if (!IsClosedInEveryModel(c))
+    return {Outcome::kNotExercised, 0, 0, "the mesh has a boundary", std::nullopt};
   Spared spared;
   if (!one_model) {
     spared.open = OpenTriangles(c);

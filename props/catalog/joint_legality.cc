@@ -88,10 +88,16 @@ Verdict NoModel(const Singles& singles, const ModelSearch& search,
     witness = WitnessOfCounts(singles.alone[t], canonical, difference.first_wrong);
   }
   witness.triangle = static_cast<int>(t);
+  const std::string here = witness.observed;
+  const std::string canonical_here = witness.expected;
   witness.observed =
       "triangles " + names + ", each drawn alone" + NeedsText(singles.drawn, search, conflict);
   witness.expected = "one legal grid point for each vertex and one tie rule that explain " +
                      std::string(conflict.size() == 1 ? "it" : "them together");
+  if (!here.empty()) {
+    witness.observed += "; triangle " + std::to_string(t) + " has " + here + " here";
+    witness.expected += "; the canonical model has " + canonical_here + " here";
+  }
   return Verdict::Violated(exercised,
                            conflict.size() == 1
                                ? "no legal model explains triangle " + names + " by itself"

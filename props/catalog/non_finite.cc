@@ -37,6 +37,19 @@ std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
   return triangles;
 }
 
+// The one that covers the witness's sample by itself, or none: then it is their company.
+int Culprit(Subject& subject, const Case& c, const std::vector<std::size_t>& bad,
+            const Witness& witness) {
+  for (const std::size_t t : bad) {
+    const CoverageCounts counts =
+        Drawn(subject, OnlyTriangles(c, {t}).scene, c.profile, WholeTarget(c));
+    if (counts.Count(counts.Index(witness.x, witness.y, witness.sample)) != 0) {
+      return static_cast<int>(t);
+    }
+  }
+  return -1;
+}
+
 }  // namespace
 
 Verdict NonFiniteTrianglesCoverNothing(Subject& subject, const Case& c) {
@@ -56,7 +69,7 @@ Verdict NonFiniteTrianglesCoverNothing(Subject& subject, const Case& c) {
   const CoverageCounts nothing(c.scene.width, c.scene.height, c.profile.lattice.samples());
   Verdict verdict =
       SameCounts(observed, nothing, bad.size(), "none, the triangles are not finite,");
-  if (verdict.witness) verdict.witness->triangle = static_cast<int>(bad.front());
+  if (verdict.witness) verdict.witness->triangle = Culprit(subject, c, bad, *verdict.witness);
   return verdict;
 }
 

@@ -7,6 +7,7 @@
 #include "core/case.h"
 #include "core/vertex.h"
 #include "props/catalog/mesh_neighbours.h"
+#include "props/catalog/visible_edge.h"
 
 namespace rasterproof::props {
 
@@ -18,24 +19,33 @@ inline constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
 inline constexpr double kOutlineMargin = 0x1p-10;
 inline constexpr double kMovedOutlineMargin = 1;
 
-/// The samples beside the boundary of a window-space mesh.
+/// The samples beside some edges of a mesh: those of its boundary, or all.
 class Outline {
  public:
   /// No outline: nothing is near.
   Outline() = default;
-  /// The boundary of what the canonical model draws.
+  /// The boundary of what the canonical model draws; in clip space as given.
   explicit Outline(const Case& c);
   /// The subject may have moved the boundary, by choosing other grid points than the canonical
   /// ones, by snapping its vertices to a grid of its own or by clipping it: by so many pixels, or
   /// by one if that is more. Edges cancel only if they are one in every legal model.
   static Outline OfMoved(const Case& c, double most_moved);
+  /// The same of every edge of every triangle.
+  static Outline OfAllEdges(const Case& c, double most_moved);
 
   bool IsNear(Point2 p) const;
-  bool IsEmpty() const { return boundary_.empty(); }
+  bool IsEmpty() const { return edges_.empty(); }
 
  private:
-  std::vector<BoundaryEdge> boundary_;
-  double margin_ = 0;
+  struct Edge {
+    VisibleEdge seen;
+    double margin = 0;
+  };
+
+  void Add(const Scene& scene, const BoundaryEdge& edge, double moved);
+
+  std::vector<Edge> edges_;
+  double largest_ = 0;  ///< window coordinate
 };
 
 }  // namespace rasterproof::props

@@ -212,6 +212,16 @@ constexpr std::array kDomains{
            .summary = "ties of the snap on the largest targets of each model, and on larger ones",
            .is_promised = [](const Profile& p) { return !p.targets.empty(); },
            .draw = TargetEnds},
+    Domain{.name = "perspective-meshes",
+           .summary = "grids in clip space, in front of the eye, each vertex with a w of its own",
+           .clip = true,
+           .mesh = true,
+           .draw = PerspectiveMeshes},
+    Domain{.name = "meshes-around-eye",
+           .summary = "closed around the eye, or open, and no triangle hides another",
+           .clip = true,
+           .mesh = true,
+           .draw = MeshesAroundEye},
 };
 
 }  // namespace

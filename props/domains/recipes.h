@@ -72,6 +72,7 @@ Case SharedEdge(BitSource& bits, const SubjectInfo& info);
 Case Fans(BitSource& bits, const SubjectInfo& info);
 Case Strips(BitSource& bits, const SubjectInfo& info);
 Case Grids(BitSource& bits, const SubjectInfo& info);
+Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info);
 Case SharedSnapTies(BitSource& bits, const SubjectInfo& info);
 
 // recipes_subdivisions.cc
@@ -82,6 +83,7 @@ Case CoveringFans(BitSource& bits, const SubjectInfo& info);
 
 // recipes_closed.cc
 Case ClosedMesh(BitSource& bits, const SubjectInfo& info);
+Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info);
 Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info);
 Case Perspective(BitSource& bits, const SubjectInfo& info);
 Case MixedW(BitSource& bits, const SubjectInfo& info);

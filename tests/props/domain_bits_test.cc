@@ -152,7 +152,9 @@ const std::map<std::string_view, std::uint64_t>& Golden() {
       {"sparse-indices", 0x5f8f39b3cbfd5e3d},
       {"folds", 0x481d5c251d7c1fb3},
       {"closed-folds", 0xec7cf8ae2ef50427},
-      {"codec examples", 0x891c61ccb468e150},
+      {"perspective-meshes", 0x167eb923a4328f5e},
+      {"meshes-around-eye", 0x31f92320d626d3d6},
+      {"codec examples", 0x26b8358fee1609a6},
   };
   return golden;
 }

@@ -13,6 +13,9 @@ PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv
 PYTHON_EXAMPLE = os.path.join(SOURCES, "kit/examples/program.py")
 MODEL = "CoverageEqualsTheModel"
 SHARED_EDGE = "SharedEdgeSamplesAreCoveredOnce"
+EMBEDDED_MESH = "EmbeddedMeshSamplesAreCoveredOnce"
+SHARED_TIES = ('{"name": "ties", "contract": "watertight", "fill_rule": "inclusive", '
+               '"overdraw": "allowed"}')  # fmt: skip
 DEGENERATE = "DegenerateTrianglesCoverNothing"
 SCENE = "scenes/ties.json"
 
@@ -107,6 +110,46 @@ class SoundSubjects(unittest.TestCase):
                            "coverage counts\ninput float64\n")  # fmt: skip
             done = run("check", "--subject", path, "--property", MODEL, "--cases", "3")
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+
+
+class MeshClaims(unittest.TestCase):
+    """Subjects that promise meshes alone: the claims are put to them, or the run says so."""
+
+    def checked(self, verb, program, profile, takes="clip", data=None):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mine.subject")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(f"command {program}\ntakes {takes}\nprofile {profile}\n")
+            chosen = ["--subject" if verb == "check" else "--description", path,
+                      "--property", SHARED_EDGE, "--cases", "12"]  # fmt: skip
+            if verb == "check":
+                chosen += ["--property", EMBEDDED_MESH]
+            return run(verb, *chosen, data=data)
+
+    def test_are_put_to_a_clip_space_subject_that_shares_ties(self):
+        done = self.checked("check", "tests/tool/clip_program.py", SHARED_TIES)
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertEqual(held(done.stdout.decode()), 2, done.stdout)
+
+    def test_find_a_crack_in_a_clip_space_subject(self):
+        done = self.checked("check", "tests/tool/clip_program.py crack", SHARED_TIES)
+        self.assertEqual(done.returncode, 1, done.stdout.decode() + done.stderr.decode())
+        self.assertIn(b"a gap in the mesh", done.stdout)
+
+    def test_are_put_to_an_inclusive_subject_on_a_pipe_laid_by_hand(self):
+        requests = self.checked("gen", "unused", SHARED_TIES)
+        self.assertEqual(requests.returncode, 0, requests.stderr)
+        answers = run("crack", program=os.path.join(SOURCES, "tests/tool/clip_program.py"),
+                      data=requests.stdout)  # fmt: skip
+        verdict = self.checked("ver", "unused", SHARED_TIES, data=answers.stdout)
+        self.assertEqual(verdict.returncode, 1, verdict.stdout.decode() + verdict.stderr.decode())
+
+    def test_that_nothing_can_be_asked_about_is_said_and_inconclusive(self):
+        profile = '{"name": "ties", "contract": "watertight", "fill_rule": "exclusive"}'
+        for verb in ("gen", "ver"):
+            done = self.checked(verb, "unused", profile, takes="window", data=b"")
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn(b"an exclusive fill rule covers shared edges never", done.stderr)
 
 
 class FaultySubjects(unittest.TestCase):

@@ -29,6 +29,7 @@ std::optional<Profile> PresetProfile(std::string_view name) {
   // range.
   profile.snap = {8, SnapRule::kNearestEven};
   profile.coordinate_limit = 0x1p15;
+  profile.infinite_vertex = InfiniteVertex::kUnspecified;
   if (name == "d3d11") return profile;
   if (name == "vulkan" || name == "gl") return profile;
   return std::nullopt;
@@ -86,6 +87,7 @@ bool SameModel(const Profile& a, const Profile& b) {
   judged_alike.freedom = b.freedom;
   judged_alike.coordinate_limit = b.coordinate_limit;
   judged_alike.zero_area = b.zero_area;
+  judged_alike.infinite_vertex = b.infinite_vertex;
   judged_alike.overdraw = b.overdraw;
   judged_alike.no_clip = b.no_clip;
   return judged_alike == b;

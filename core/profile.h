@@ -54,6 +54,12 @@ enum class ZeroArea : std::uint8_t {
   kUnspecified  ///< it may cover something: it is left out of what is judged
 };
 
+/// What is promised of a triangle with an infinite x, y or w. (One with a NaN covers nothing.)
+enum class InfiniteVertex : std::uint8_t {
+  kNothing,     ///< it covers nothing
+  kUnspecified  ///< it may cover anything: what it covers is not judged
+};
+
 /// The largest triangle that is drawn, in pixels: one that is wider or higher covers nothing.
 struct MaxExtent {
   double width = 0;
@@ -91,7 +97,8 @@ struct TargetModel {
 /// every choice of grid points (one for every vertex) and tie rule (one for all) that the freedom
 /// allows. A result is legal if one of them explains all of it.
 ///
-/// Not finite: a triangle with a NaN or infinite x, y or w covers nothing (z is free).
+/// Not finite: a triangle with a NaN or infinite x, y or w covers nothing (z is free), unless
+///             `infinite_vertex` says otherwise of the infinite ones.
 /// Zero area:  a triangle whose area is zero after snapping covers nothing, unless `zero_area` says
 ///             otherwise.
 /// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
@@ -114,6 +121,7 @@ struct Profile {
   /// Coordinates beyond +-limit are outside what is promised. Binds verdicts, never the oracle.
   double coordinate_limit = 0x1p127;
   ZeroArea zero_area = ZeroArea::kNothing;
+  InfiniteVertex infinite_vertex = InfiniteVertex::kNothing;
   /// A sample on an edge belongs to the triangle that the fill rule names, and may belong to every
   /// other one that has the edge. Meshes are then covered at least once.
   bool overdraw = false;
@@ -131,9 +139,16 @@ struct Profile {
 };
 
 /// Presets: "real" (no snap), "d3d11", "vulkan", "gl" (8 subpixel bits, nearest-even, top-left).
-/// They are the canonical models: what each API leaves free (docs/decisions/0070) is not in them.
+/// They are the canonical models: what each API leaves free (docs/decisions/0070) is not in them,
+/// but for triangles with an infinite vertex, which no API speaks of.
 std::optional<Profile> PresetProfile(std::string_view name);
 inline constexpr std::array<std::string_view, 4> kPresetProfiles{"real", "d3d11", "vulkan", "gl"};
+
+/// Returns whether the preset is the canonical model of an API that leaves more than it to the
+/// rasterizer: a legal one may then differ from it.
+inline bool IsApiPreset(std::string_view name) {
+  return name != "real" && PresetProfile(name).has_value();
+}
 
 /// Returns whether the profile's model of the scene is that of homogeneous coordinates: clip space
 /// that no transform of the rasterizer's own takes to the window.

@@ -94,6 +94,16 @@ double RoundToFloat32(double x) {
   return std::fabs(x) >= 0x1p127 ? x : static_cast<double>(static_cast<float>(x));
 }
 
+// Whether |a - b| > most, though the difference rounds: rounding keeps the order, and where it ends
+// on `most` itself what was lost (Knuth's TwoSum, exact without overflow) decides by its sign.
+bool LieFurtherApart(double a, double b, double most) {
+  const double difference = a - b;
+  if (std::fabs(difference) != most) return std::fabs(difference) > most;
+  const double from_a = difference + b;
+  const double missed = (a - from_a) - (b - (from_a - difference));
+  return difference > 0 ? missed > 0 : missed < 0;
+}
+
 }  // namespace
 
 double SnapCoordinate(double x, const Snap& snap) {
@@ -117,7 +127,7 @@ std::vector<double> GridPointsWithin(double x, const Snap& snap, double toleranc
   std::vector<double> points;
   for (int k = -1; k <= 2; ++k) {
     const double point = first + k * step;
-    if (point == own || std::fabs(point - x) <= tolerance * step) points.push_back(point);
+    if (point == own || !LieFurtherApart(point, x, tolerance * step)) points.push_back(point);
   }
   return points;
 }

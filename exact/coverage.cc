@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/target_size.h"
 #include "exact/edge.h"
 #include "exact/homogeneous.h"
 #include "exact/sample_frame.h"
@@ -39,6 +40,16 @@ Scene PlacedScene(const Scene& scene, const Profile& profile) {
   return snaps ? SnapClipScene(scene, profile) : scene;
 }
 
+// Where an edge crosses a row is worked out by the fast path alone: a second opinion that is the
+// first one's would be none.
+void RequireSecondOpinion(const Profile& profile, Decider decider) {
+  if (decider == Decider::kFast || profile.crossing.IsNone()) return;
+  throw InputError("profile \"" + profile.name + "\"",
+                   "its rounded crossings are decided by the fast path alone, not by " +
+                       std::string(DeciderName(decider)),
+                   "use the fast path (the subject exact), or a profile without crossing");
+}
+
 }  // namespace
 
 int Facing(const std::array<Point2, 3>& v, Decider decider) {
@@ -57,6 +68,8 @@ bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule, Deci
 
 CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options,
                         Decider decider) {
+  RequireTargetSize("oracle", scene.width, scene.height, profile.lattice.samples());
+  RequireSecondOpinion(profile, decider);
   const Scene snapped = PlacedScene(scene, profile);
   const SampleFrame frame(scene, profile, options);
   CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
@@ -68,7 +81,7 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
     const int facing =
         snapped.clip_space ? HomogeneousFacing(*v, decider) : Facing(WindowPoints(*v), decider);
     if (IsCulled(facing, options.cull)) continue;
-    if (decider != Decider::kFast && frame.crossing.IsNone()) {
+    if (decider != Decider::kFast) {
       ScanSamples(*v, snapped.clip_space, facing, frame, decider, counts);
     } else if (snapped.clip_space) {
       AddHomogeneousSpans(*v, facing, frame, target);
@@ -76,7 +89,7 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
       AddWindowSpans(WindowPoints(*v), facing, frame, target);
     }
   }
-  if (decider == Decider::kFast || !frame.crossing.IsNone()) target.Sum();
+  if (decider == Decider::kFast) target.Sum();
   return counts;
 }
 

@@ -22,7 +22,8 @@ namespace rasterproof::exact {
 ///             Triangles with a non-finite x, y or w, or with zero area after snapping,
 ///             cover nothing. Clip space with a snapped profile: every w of a triangle must be
 ///             positive (snapping follows the division, and what clipping does is not the
-///             profile's to say), and |x / w| and |y / w| below 2^(50 - bits).
+///             profile's to say), and |x / w| and |y / w| below 2^(50 - bits). A profile with
+///             rounded crossings: window space, and kFast, which alone decides them.
 /// Error:      none; throws InputError where the domain is left.
 /// Cost:       kFast: spans, about one integer decision per edge and row. The other deciders: one
 ///             sign per edge and sample of the triangle's box, for cross-checking.

@@ -1,11 +1,15 @@
 #include "exact/snap_clip.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "exact/coverage.h"
 #include "exact/signs.h"
 
 namespace rasterproof::exact {
@@ -33,6 +37,24 @@ double SnapQuotient(double x, double w, const Snap& snap) {
     representative = boundary + 0.25 * side;
   }
   return SnapCoordinate(std::ldexp(representative, -snap.bits), snap);
+}
+
+std::optional<double> TrySnapQuotient(double x, double w, const Snap& snap) {
+  const bool has_place = std::isfinite(x) && std::isfinite(w) && w > 0 && !snap.IsNone() &&
+                         snap.form == SnapForm::kCoordinate &&
+                         std::fabs(std::ldexp(x / w, snap.bits)) < kMostSteps;
+  return has_place ? std::optional(SnapQuotient(x, w, snap)) : std::nullopt;
+}
+
+std::optional<int> SnappedClipFacing(const std::array<Vertex, 3>& v, const Snap& snap) {
+  std::array<Point2, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<double> x = TrySnapQuotient(v[k].x, v[k].w, snap);
+    const std::optional<double> y = TrySnapQuotient(v[k].y, v[k].w, snap);
+    if (!x || !y) return std::nullopt;
+    at[k] = {*x, *y};
+  }
+  return Facing(at);
 }
 
 Scene SnapClipScene(const Scene& scene, const Profile& own) {

@@ -2,9 +2,13 @@
 #ifndef RASTERPROOF_EXACT_SNAP_CLIP_H_
 #define RASTERPROOF_EXACT_SNAP_CLIP_H_
 
+#include <array>
+#include <optional>
+
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/snap.h"
+#include "core/vertex.h"
 
 namespace rasterproof::exact {
 
@@ -13,6 +17,15 @@ namespace rasterproof::exact {
 /// Domain:     finite; w > 0; a snap (not kNone) of the form kCoordinate; |x / w| < 2^(50 - bits).
 /// Error:      none: the quotient is never rounded on its way to the grid. InputError outside.
 double SnapQuotient(double x, double w, const Snap& snap);
+
+/// SnapQuotient where its domain is kept, else nothing.
+std::optional<double> TrySnapQuotient(double x, double w, const Snap& snap);
+
+/// +1 front, -1 back, 0 no area: of the triangle that the snapped vertices make. Nothing if one of
+/// them has no place on the grid.
+///
+/// Domain:     clip space.
+std::optional<int> SnappedClipFacing(const std::array<Vertex, 3>& v, const Snap& snap);
 
 /// Returns the window-space scene of the snapped vertices.
 ///

@@ -24,7 +24,11 @@ CaseFile ReadCase(const std::string& path);
 CaseFile ParseCase(std::string_view text, const std::string& place);
 std::string CaseToJson(const CaseFile& file);
 
-/// The profile as CaseToJson writes it: the name of a preset, or an object.
+/// The profile's name, or one of its own ("gl, changed") where it has a preset's name and another
+/// content.
+std::string ProfileName(const Profile& profile);
+
+/// The profile as CaseToJson writes it: the name of a preset, or an object with ProfileName.
 std::string ProfileToJson(const Profile& profile);
 
 /// The profile that a preset's name or the text of a profile file stands for; `place` names the

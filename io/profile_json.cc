@@ -26,7 +26,7 @@ constexpr auto kProfileKeys =
                                      "contract",   "snap_tolerance", "any_tie_rule",
                                      "zero_area",  "overdraw",       "fixed",
                                      "max_extent", "no_clip",        "crossing",
-                                     "transform",  "targets"});
+                                     "transform",  "targets",        "infinite_vertex"});
 constexpr auto kTargetKeys =
     std::to_array<std::string_view>({"max_width", "max_height", "subpixel_bits", "snap_rule",
                                      "snap_form", "snap_origin", "sample_locations", "fill_rule"});
@@ -50,6 +50,8 @@ constexpr std::array<std::pair<Contract, std::string_view>, 6> kContracts{
      {Contract::kNone, "none"}}};
 constexpr std::array<std::pair<ZeroArea, std::string_view>, 2> kZeroAreas{
     {{ZeroArea::kNothing, "nothing"}, {ZeroArea::kUnspecified, "unspecified"}}};
+constexpr std::array<std::pair<InfiniteVertex, std::string_view>, 2> kInfiniteVertices{
+    {{InfiniteVertex::kNothing, "nothing"}, {InfiniteVertex::kUnspecified, "unspecified"}}};
 constexpr std::array<std::pair<bool, std::string_view>, 2> kOverdraws{
     {{false, "none"}, {true, "allowed"}}};
 
@@ -307,6 +309,10 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
     json +=
         line + "\"zero_area\": " + InQuotes(NameOf(profile.zero_area, Names<ZeroArea>(kZeroAreas)));
   }
+  if (profile.infinite_vertex != InfiniteVertex::kNothing) {
+    json += line + "\"infinite_vertex\": " +
+            InQuotes(NameOf(profile.infinite_vertex, Names<InfiniteVertex>(kInfiniteVertices)));
+  }
   if (profile.overdraw) {
     json += line + "\"overdraw\": " + InQuotes(NameOf(true, Names<bool>(kOverdraws)));
   }
@@ -324,20 +330,7 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   return json;
 }
 
-}  // namespace
-
-std::string PresetNames() {
-  std::string names;
-  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
-  return names;
-}
-
-Profile ProfileFromJson(const JsonValue& value) {
-  if (value.kind() == JsonKind::kString) {
-    if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
-    throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
-                      "write an object, or one of the presets" + PresetNames());
-  }
+Profile ProfileFromObject(const JsonValue& value) {
   value.RequireObject(kProfileKeys);
   Profile profile;
   profile.name = value.Get("name").RequireString();
@@ -353,6 +346,9 @@ Profile ProfileFromJson(const JsonValue& value) {
   ReadIfThere(value, "coordinate_limit", profile.coordinate_limit, LimitFromJson);
   ReadIfThere(value, "zero_area", profile.zero_area,
               [](const JsonValue& v) { return FromName(v, Names<ZeroArea>(kZeroAreas)); });
+  ReadIfThere(value, "infinite_vertex", profile.infinite_vertex, [](const JsonValue& v) {
+    return FromName(v, Names<InfiniteVertex>(kInfiniteVertices));
+  });
   ReadIfThere(value, "overdraw", profile.overdraw,
               [](const JsonValue& v) { return FromName(v, Names<bool>(kOverdraws)); });
   ReadIfThere(value, "fixed", profile.fixed, FixedInputFromJson);
@@ -366,10 +362,36 @@ Profile ProfileFromJson(const JsonValue& value) {
   return profile;
 }
 
+}  // namespace
+
+std::string PresetNames() {
+  std::string names;
+  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
+  return names;
+}
+
+std::string ProfileName(const Profile& profile) {
+  const std::optional<Profile> preset = PresetProfile(profile.name);
+  return !preset || *preset == profile ? profile.name : profile.name + ", changed";
+}
+
+Profile ProfileFromJson(const JsonValue& value) {
+  if (value.kind() == JsonKind::kString) {
+    if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
+    throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
+                      "write an object, or one of the presets" + PresetNames());
+  }
+  Profile profile = ProfileFromObject(value);
+  if (ProfileName(profile) == profile.name) return profile;
+  throw value.Get("name").Error(
+      Quoted(profile.name) + " is the name of a preset, and this is not what the preset says",
+      "give it another name, or write " + Quoted(profile.name) + " alone for the preset");
+}
+
 std::string ProfileToJson(const Profile& profile) {
   if (PresetProfile(profile.name) == profile) return JsonString(profile.name);
   const std::string line = ",\n    ";
-  std::string json = "{\n    \"name\": " + JsonString(profile.name);
+  std::string json = "{\n    \"name\": " + JsonString(ProfileName(profile));
   json += SnapToJson(profile.snap, line);
   json += line + "\"sample_locations\": " + LatticeToJson(profile.lattice);
   json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));

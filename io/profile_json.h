@@ -9,7 +9,8 @@
 
 namespace rasterproof::io {
 
-/// The profile that a preset's name or an object stands for.
+/// The profile that a preset's name or an object stands for. An object may have a preset's name
+/// only if it says what the preset says: nothing that compares names is then deceived.
 ///
 /// Error:      InputError with place, reason and remedy.
 Profile ProfileFromJson(const JsonValue& value);

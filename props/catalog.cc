@@ -299,45 +299,43 @@ constexpr auto kProperties = std::to_array<Property>({
      .clause = "Polygons on either side of a common edge produce exactly one fragment for a sample "
                "on it (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization); at "
                "a shared vertex D3D11.3 functional specification 3.4.2.1 (top-left rule).",
-     .precondition =
-         "contract sample-exact or watertight; a consistent fill rule; the snapped mesh has one "
-         "facing and does not overlap itself; for a watertight subject away from the outline",
+     .precondition = kEmbeddedMeshes,
      .tolerance = kExact,
-     .domains = kMeshes,
+     .domains = kMeshesAnySpace,
      .check = EmbeddedMeshSamplesAreCoveredOnce},
     {.name = "SharedEdgeSamplesAreCoveredOnce",
      .group = "coverage",
      .clause = "Exactly one of two polygons on either side of a common edge with identical "
                "endpoints owns a sample on it (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic "
                "Polygon Rasterization).",
-     .precondition =
-         "contract sample-exact or watertight; a consistent fill rule; two triangles of one facing "
-         "with an edge in opposite directions; away from their outline",
+     .precondition = kSharedEdges,
      .tolerance = kExact,
-     .domains = kMeshes,
+     .domains = kMeshesAnySpace,
      .check = SharedEdgeSamplesAreCoveredOnce},
     {.name = "SignedCoverageEqualsTheWindingNumber",
      .group = "coverage",
      .clause = "Front minus back is the winding number of the boundary: every interior edge is "
                "walked once each way, and its two triangles decide it alike.",
-     .precondition = "contract sample-exact; coordinates within the limit; window space; a "
-                     "consistent fill rule",
+     .precondition = "contract sample-exact; coordinates within the limit; a consistent fill rule",
      .tolerance = kExact,
      .domains = kAnyMesh,
      .check = SignedCoverageEqualsTheWindingNumber},
     {.name = "ClosedMeshCancels",
      .group = "coverage",
      .clause = "A closed surface has no boundary: what it shows of its front it shows of its back.",
-     .precondition = "contract sample-exact or closed; coordinates within the limit; window space; "
-                     "every edge is walked as often each way",
+     .precondition =
+         "contract sample-exact or closed; coordinates within the limit; every edge is walked as "
+         "often each way; in clip space in front of the eye; facings told, or no legal "
+         "choice turns a triangle there",
      .tolerance = kExact,
      .domains = kClosed,
      .check = ClosedMeshCancels},
     {.name = "ClosedSurfaceAroundTheEyeIsSeenEquallyOften",
      .group = "coverage",
      .clause = "A closed surface winds equally often around the eye in every direction.",
-     .precondition = "contract sample-exact; coordinates within the limit; clip space without "
-                     "snapping; a closed surface that does not pass through the eye",
+     .precondition = "contract sample-exact or closed; coordinates within the limit; clip space "
+                     "without snapping; "
+                     "a closed surface that does not pass through the eye",
      .tolerance = kExact,
      .domains = kClosedClip,
      .check = ClosedSurfaceAroundTheEyeIsSeenEquallyOften},
@@ -407,9 +405,7 @@ constexpr auto kProperties = std::to_array<Property>({
      .group = "coverage",
      .clause = "A shared edge is clipped alike for both of its triangles: no gap opens and nothing "
                "doubles where they leave the target.",
-     .precondition = "contract sample-exact, or watertight in window space; a consistent fill "
-                     "rule; an edge shared in opposite directions by triangles of which one leaves "
-                     "the target or passes behind the eye",
+     .precondition = kClippedNeighbours,
      .tolerance = kExact,
      .domains = kClipped,
      .check = NeighboursAreClippedAlike},
@@ -464,7 +460,8 @@ constexpr auto kProperties = std::to_array<Property>({
      .group = "extremes",
      .clause = "A triangle with NaN or infinity in x, y or w covers nothing (the profile says so; "
                "D3D11.3 drops NaN).",
-     .precondition = "contract sample-exact; a vertex that is not finite",
+     .precondition = "contract sample-exact; a vertex that is NaN, or infinite where the profile "
+                     "says what it covers",
      .tolerance = kExact,
      .domains = kNonFinite,
      .check = NonFiniteTrianglesCoverNothing},

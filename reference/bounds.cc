@@ -149,11 +149,19 @@ double FreshBound(EdgeArithmetic arithmetic, const EdgeTerms& t, Point2 a, Point
     case EdgeArithmetic::kAffineFma:
       return AffineBound<T>(t, a, b, p, kAffineFmaLineErrorMultiplier<T>,
                             kAffineFmaConstantErrorMultiplier<T>);
-    default:
-      // The fused form's multiplier is the direct form's (a walk starts from the direct form).
+    case EdgeArithmetic::kDirect:
+    case EdgeArithmetic::kDirectFma:
+    case EdgeArithmetic::kIncremental:  // those that walk start from the direct form
+    case EdgeArithmetic::kIncrementalRow:
+    case EdgeArithmetic::kIncremental16:
+    case EdgeArithmetic::kCompensated:
+    case EdgeArithmetic::kIndex:
+    case EdgeArithmetic::kIndexFma:
+      // The fused form's multiplier is the direct form's.
       static_assert(kDirectFmaEdgeErrorMultiplier<T> == kDirectEdgeErrorMultiplier<T>);
       return DirectBound<T>(t);
   }
+  return kNoBound;
 }
 
 /// A walk along one axis, in exact terms; entry n of the walk lies n * length pixels from p.
@@ -310,13 +318,33 @@ std::vector<double> WalkBounds(EdgeArithmetic arithmetic, const WalkTerms& w, in
       return IndexBounds(w, steps, false);
     case EdgeArithmetic::kIndexFma:
       return IndexBounds(w, steps, true);
-    default:
+    case EdgeArithmetic::kDirect:
+    case EdgeArithmetic::kDirectFma:
+    case EdgeArithmetic::kKahan:
+    case EdgeArithmetic::kAffine:
+    case EdgeArithmetic::kAffineFma:
       return FreshBounds(arithmetic, w, steps);
   }
+  return std::vector<double>(static_cast<std::size_t>(steps) + 1, kNoBound);
 }
 
 bool WalksFromStart(EdgeArithmetic arithmetic) {
-  return arithmetic >= EdgeArithmetic::kIncremental;
+  switch (arithmetic) {
+    case EdgeArithmetic::kDirect:
+    case EdgeArithmetic::kDirectFma:
+    case EdgeArithmetic::kKahan:
+    case EdgeArithmetic::kAffine:
+    case EdgeArithmetic::kAffineFma:
+      return false;
+    case EdgeArithmetic::kIncremental:
+    case EdgeArithmetic::kIncrementalRow:
+    case EdgeArithmetic::kIncremental16:
+    case EdgeArithmetic::kCompensated:
+    case EdgeArithmetic::kIndex:
+    case EdgeArithmetic::kIndexFma:
+      return true;
+  }
+  return true;
 }
 
 }  // namespace

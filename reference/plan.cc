@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/error.h"
 #include "core/fill_rule.h"
 #include "reference/homogeneous.h"
 #include "reference/method.h"
@@ -236,10 +237,32 @@ Plan PlanPlaced(const Needs& needs) {
   return plan;
 }
 
+InputError Unplanned(const Profile& profile, const std::string& reason, const std::string& remedy) {
+  return {"profile \"" + profile.name + "\"", reason, remedy};
+}
+
+void RequireKernelFor(const Scene& scene, const Profile& profile) {
+  if (!profile.crossing.IsNone()) {
+    throw Unplanned(profile, "it rounds where edges cross rows, and no kernel of the plan does",
+                    "leave out crossing, or draw by the oracle (coverage --subject exact)");
+  }
+  if (IsHomogeneous(scene, profile) && !PlacesClipSpace(profile)) {
+    throw Unplanned(profile, "its fixed-point input or its largest extent is of window space",
+                    "give vertices [x, y]");
+  }
+  const Profile resolved = ForTarget(profile, scene.width, scene.height);
+  if (resolved.snap != profile.snap || resolved.lattice != profile.lattice ||
+      resolved.fill_rule != profile.fill_rule) {
+    throw Unplanned(profile, "it says something else of targets of this size",
+                    "resolve it first: ForTarget(profile, width, height)");
+  }
+}
+
 }  // namespace
 
 Plan MakePlan(const Scene& scene, const Profile& profile, const DrawOptions& options,
               const Needs& needs) {
+  RequireKernelFor(scene, profile);
   const bool owns_transform = scene.clip_space && profile.transform;
   if (!PlacesClipSpace(profile) || owns_transform) return PlanPlaced(needs);
   return scene.clip_space ? PlanClipSpace(scene, profile, options, needs)

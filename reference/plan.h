@@ -28,9 +28,14 @@ struct Plan {
   void (*draw)(const Scene&, const Profile&, const DrawOptions&, CoverageCounts&) = nullptr;
 };
 
-/// Domain:     any scene, any profile of core/ as ForTarget gives it for the scene's target. Clip
-///             space gets the homogeneous kernel; a profile with fixed-point input or a largest
-///             extent takes window space only.
+/// The cheapest kernel that is proved exact for the scene under the profile's canonical model.
+///
+/// Domain:     any scene; a profile as ForTarget gives it for the scene's target, without rounded
+///             crossings, which no kernel computes. Clip space that no transform of the profile's
+///             places gets the homogeneous kernel, and takes no fixed-point input and no largest
+///             extent.
+/// Error:      InputError where the domain is left; Plan::draw throws it too, where a clip-space
+///             scene can't be snapped (SnapProjected).
 Plan MakePlan(const Scene& scene, const Profile& profile, const DrawOptions& options,
               const Needs& needs);
 

@@ -184,9 +184,11 @@ class WeightsOf final : public WeightEvaluator {
         return NormalizedSumError(v, p, l);
       case BarycentricForm::kOneMinus:
         return OneMinusSumError(l);
-      default:
+      case BarycentricForm::kVertexArea:
+      case BarycentricForm::kUnsignedArea:
         return AreaSumError(form, v, p, l);
     }
+    return kNoBound;
   }
 
   double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,

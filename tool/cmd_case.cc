@@ -20,6 +20,7 @@
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
+#include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -168,6 +169,7 @@ int RunShrink(const ShrinkOptions& options) {
   campaign.shrink_budget = options.budget;
   campaign.shrink_seconds = kNoLimit;
   campaign.time_limit = TimeLimitOf(*loaded.subject);
+  campaign.stop = Interrupted;
   campaign.shrinking = [&](std::uint64_t evaluations) {
     if (evaluations == 0) progress.Stage("shrink", options.budget);
     progress.Done(evaluations);

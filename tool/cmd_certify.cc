@@ -160,7 +160,7 @@ std::vector<std::string> SubjectsOf(const CertifyOptions& options) {
   std::vector<std::string> names;
   for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
     if (std::ranges::find(names, name) != names.end()) continue;
-    MakeSubject(name);
+    SayOfPreset(MakeSubject(name)->Info().profile);
     names.push_back(name);
   }
   return names;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,10 +17,13 @@
 #include "io/output.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/contract_evidence.h"
+#include "props/run/tally.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
+#include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -46,7 +50,7 @@ class Tally {
   std::uint64_t Of(Outcome outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
   int ExitStatus() const {
     if (Of(Outcome::kViolated) != 0) return kExitViolated;
-    if (Of(Outcome::kRefused) + Of(Outcome::kInconclusive) != 0) return kExitInconclusive;
+    if (Of(Outcome::kInconclusive) != 0 || RefusesTooMuch()) return kExitInconclusive;
     return Of(Outcome::kHolds) != 0 ? kExitHolds : kExitInconclusive;
   }
   std::string Line(const std::string& subject) const {
@@ -60,6 +64,13 @@ class Tally {
   }
 
  private:
+  // Of claims on given scenes. A campaign has counted the refusals of its cases itself.
+  bool RefusesTooMuch() const {
+    const auto refused = static_cast<double>(Of(Outcome::kRefused));
+    const auto holds = static_cast<double>(Of(Outcome::kHolds));
+    return refused > props::kMostRefusedShare * (refused + holds);
+  }
+
   std::array<std::uint64_t, 6> counts_{};  // by Outcome
   std::uint64_t cases_ = 0;
 };
@@ -114,28 +125,46 @@ void SaveCounterexample(const std::string& folder, const PropertyResult& result)
                 io::CaseToJson({*result.counterexample, result.subject, result.property}));
 }
 
+// One property on generated cases, its progress told.
+PropertyResult Campaign(Subject& subject, const props::Property& property,
+                        const CheckOptions& options, Progress& progress, props::Pace& pace) {
+  const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
+  progress.Stage(stage, options.campaign.cases);
+  props::CampaignOptions campaign;
+  campaign.seed = options.campaign.seed;
+  campaign.cases = options.campaign.cases;
+  campaign.seconds = options.campaign.seconds;
+  campaign.time_limit = TimeLimitOf(subject);
+  campaign.progress = [&](std::uint64_t done) { progress.Done(done); };
+  campaign.shrinking = [&](std::uint64_t evaluations) {
+    if (evaluations == 0) progress.Stage(stage + ": shrinking what failed", campaign.shrink_budget);
+    progress.Done(evaluations);
+  };
+  campaign.stop = Interrupted;
+  campaign.pace = &pace;
+  return props::RunCampaign(subject, property, campaign);
+}
+
+// A run in which no claim of the contract was put to the test is no pass, whatever else holds.
+std::string ContractText(const Subject& subject, std::span<const PropertyResult> results,
+                         Tally& tally) {
+  const props::ContractEvidence evidence = props::EvidenceOfContract(subject.Info(), results);
+  if (evidence.is_exercised) return "";
+  tally.Count(Outcome::kInconclusive, 0);
+  return fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
+                     OutcomeName(Outcome::kInconclusive), subject.Info().name, evidence.why);
+}
+
 void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& progress,
                     std::string& text, Tally& tally) {
   const std::string& name = subject.Info().name;
   NotAsked not_asked;
   props::Pace pace;
+  std::vector<PropertyResult> results;
   for (const props::Property* property : ChosenProperties(options)) {
-    progress.Stage(fmt::format("{} {}", name, property->name), options.campaign.cases);
-    props::CampaignOptions campaign;
-    campaign.seed = options.campaign.seed;
-    campaign.cases = options.campaign.cases;
-    campaign.seconds = options.campaign.seconds;
-    campaign.time_limit = TimeLimitOf(subject);
-    campaign.progress = [&](std::uint64_t done) { progress.Done(done); };
-    campaign.shrinking = [&](std::uint64_t evaluations) {
-      if (evaluations == 0) {
-        progress.Stage(fmt::format("{} {}: shrinking what failed", name, property->name),
-                       campaign.shrink_budget);
-      }
-      progress.Done(evaluations);
-    };
-    campaign.pace = &pace;
-    const PropertyResult result = props::RunCampaign(subject, *property, campaign);
+    if (Interrupted()) break;
+    const PropertyResult& result =
+        results.emplace_back(Campaign(subject, *property, options, progress, pace));
     tally.Count(result.outcome, result.cases);
     if (result.outcome == Outcome::kNotApplicable && !result.counterexample) {
       not_asked.Add(result.message, property->name);
@@ -154,6 +183,7 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
     if (!options.save.empty()) SaveCounterexample(options.save, result);
   }
   text += not_asked.Lines(name, "");
+  if (options.properties.empty() && !Interrupted()) text += ContractText(subject, results, tally);
 }
 
 void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progress,
@@ -165,6 +195,7 @@ void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progres
     given.profile = subject.Info().profile;
     RequireTakes(subject, given.scene, path);
     for (const props::Property* property : ChosenProperties(options)) {
+      if (Interrupted()) break;
       progress.Stage(fmt::format("{} {} on {}", name, property->name, path));
       const Verdict verdict = props::RunCase(subject, *property, given);
       tally.Count(verdict.outcome, 1);
@@ -206,9 +237,11 @@ int RunCheck(const CheckOptions& options) {
   std::vector<std::unique_ptr<Subject>> subjects;
   for (const std::string& name : options.subjects) {
     subjects.push_back(MakeSubject(name, options.profile));
+    SayOfPreset(subjects.back()->Info().profile);
   }
   int status = kExitHolds;
   for (const std::unique_ptr<Subject>& subject : subjects) {
+    if (Interrupted()) break;
     std::string text;
     Tally own;
     {
@@ -223,7 +256,9 @@ int RunCheck(const CheckOptions& options) {
     status = WorseStatus(status, own.ExitStatus());
     io::WriteStandardOutput(text);
   }
-  return status;
+  if (!Interrupted()) return status;
+  io::WriteStandardOutput("interrupted: this is what was found so far\n");
+  return WorseStatus(status, kExitInconclusive);
 }
 
 }  // namespace rasterproof::tool

@@ -15,7 +15,7 @@ namespace rasterproof::tool {
 
 int RunDiff(const DiffOptions& options) {
   RequireHonestEnvironment();
-  const std::unique_ptr<Subject> subject = MakeSubject(options.subject);
+  std::unique_ptr<Subject> subject = MakeSubject(options.subject);
   const Scene scene = LoadScene(options.scene);
   RequireTakes(*subject, scene, options.scene.path);
   // Against the oracle the subject is held to its own profile, unless another one is named.
@@ -25,11 +25,14 @@ int RunDiff(const DiffOptions& options) {
   } else {
     against = MakeSubject(options.against, options.profile);
   }
+  SayOfPreset(against->Info().profile);
   RequireTakes(*against, scene, options.scene.path);
   if (subject->Info().profile.lattice.samples() != against->Info().profile.lattice.samples()) {
     throw InputError("--against " + options.against, "the two have different samples per pixel",
                      "compare subjects of one sample lattice");
   }
+  // Facings that it does not tell are worked out by the profile that it is compared by.
+  if (!options.profile.empty()) subject = MakeSubject(options.subject, options.profile);
   const CoverageCounts observed = Draw(*subject, scene);
   const CoverageCounts expected = Draw(*against, scene);
   const CoverageDifference difference = Compare(observed, expected);

@@ -118,6 +118,7 @@ std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
 int RunInfer(const InferOptions& options) {
   RequireHonestEnvironment();
   const std::unique_ptr<Subject> subject = MakeSubject(options.subject, options.profile);
+  SayOfPreset(subject->Info().profile);
   props::InferOptions choice;
   choice.seed = options.seed;
   const props::Inference inference = props::Infer(*subject, choice);

@@ -49,16 +49,25 @@ struct LedgerSubject {
   std::unique_ptr<Subject> subject;
 };
 
-// What a subject is asked to draw when the claim is put to the test on the case.
+// What a subject is asked to draw when the claim is put to the test on the case; `why_not` is set
+// to what stands in the way, where nothing is asked and nothing stood there before.
 props::DrawLedger RequestsOf(const SubjectInfo& info, const props::Property& property,
-                             const Case& c) {
+                             const Case& c, std::string& why_not) {
   props::DrawLedger ledger;
   const LedgerSubject recorder(info, ledger, props::OnMiss::kCoverNothing);
-  props::RunCase(*recorder.subject, property, c);
+  const Verdict verdict = props::RunCase(*recorder.subject, property, c);
+  if (ledger.jobs.empty() && why_not.empty()) why_not = verdict.message;
   return ledger;
 }
 
-std::string NextLine() {
+// Of a run that asked for no drawing at all.
+void TellNothingAsked(const props::Property& property, std::uint64_t cases,
+                      const std::string& why_not) {
+  std::cerr << fmt::format("{}: none of {} cases asks for a drawing: {}\n", property.name, cases,
+                           why_not.empty() ? "it was never put to the test" : why_not);
+}
+
+std::string NextLine(std::size_t /*most_bytes*/) {
   std::string line;
   if (std::getline(std::cin, line)) return line;
   throw InputError("standard input", "it ends before every request was answered",
@@ -103,15 +112,18 @@ int RunGen(const PipeOptions& options) {
   const SubjectInfo info = InfoOf(options);
   const props::Property& property = RequireProperty(options.property);
   std::uint64_t id = 0;
+  std::string why_not;
   for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
     const Case c = props::DrawCase(info, property, options.campaign.seed, n);
     std::string text;
-    for (const DrawJob& job : RequestsOf(info, property, c).jobs) {
+    for (const DrawJob& job : RequestsOf(info, property, c, why_not).jobs) {
       text += subjects::RequestText(++id, job);
     }
     io::WriteStandardOutput(text);
   }
-  return kExitHolds;
+  if (id != 0) return kExitHolds;
+  TellNothingAsked(property, options.campaign.cases, why_not);
+  return kExitInconclusive;
 }
 
 int RunVer(const PipeOptions& options) {
@@ -120,6 +132,7 @@ int RunVer(const PipeOptions& options) {
   const props::Property& property = RequireProperty(options.property);
   std::uint64_t id = 0;
   PipeTally tally;
+  std::string why_not;
   std::string failures;
   {
     Progress progress;
@@ -127,7 +140,7 @@ int RunVer(const PipeOptions& options) {
     for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
       progress.Done(n);
       const Case c = props::DrawCase(info, property, options.campaign.seed, n);
-      props::DrawLedger ledger = RequestsOf(info, property, c);
+      props::DrawLedger ledger = RequestsOf(info, property, c, why_not);
       if (!ReadAnswers(info, id, ledger)) {
         ++tally.refused;
         continue;
@@ -146,6 +159,7 @@ int RunVer(const PipeOptions& options) {
       }
     }
   }
+  if (id == 0) TellNothingAsked(property, options.campaign.cases, why_not);
   io::WriteStandardOutput(
       fmt::format("{}{}: {} cases held, {} violated, {} did not exercise it, {} refused\n",
                   failures, property.name, tally.held, tally.violated, tally.idle, tally.refused));

@@ -18,16 +18,6 @@ int RunPlan(const PlanOptions& options) {
   RequireHonestEnvironment();
   const Scene scene = LoadScene(options.scene);
   const Profile profile = ForTarget(io::ReadProfile(options.profile), scene.width, scene.height);
-  if (!profile.crossing.IsNone()) {
-    throw InputError("--profile " + options.profile,
-                     "it rounds where edges cross rows, and no kernel of the plan does",
-                     "leave out crossing, or use coverage --subject exact");
-  }
-  if (IsHomogeneous(scene, profile) && !PlacesClipSpace(profile)) {
-    throw InputError("--profile " + options.profile,
-                     "its fixed-point input or its largest extent is of window space",
-                     "give vertices [x, y]");
-  }
   const reference::Needs needs{options.weights, options.depth, options.wireframe};
   const reference::Plan plan = reference::MakePlan(scene, profile, {}, needs);
   std::string text = fmt::format("scene       {}\nprofile     {}\narithmetic  {}\n",

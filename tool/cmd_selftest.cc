@@ -45,7 +45,7 @@ HuntResult HuntOne(const subjects::MutantInfo& mutant, std::uint64_t seed, std::
   options.seed = seed;
   options.cases = cases;
   options.progress = [&](std::uint64_t done) { progress.Done(done); };
-  const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
+  const std::unique_ptr<Subject> subject = MakeSubject(mutant.name);
   return {mutant, seed, HuntBug(*subject, options)};
 }
 

@@ -1,6 +1,9 @@
 // Options are parsed here, in one translation unit; cmd_*.cc do the work.
 #include "tool/command_line.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdint>
 #include <exception>
@@ -18,6 +21,7 @@
 #include "tool/commands.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
+#include "tool/progress.h"
 #include "tool/shell.h"
 
 namespace rasterproof::tool {
@@ -28,7 +32,7 @@ std::uint64_t ParseSeed(const std::string& text) {
   if (text == "random") {
     std::random_device device;
     const std::uint64_t seed = (std::uint64_t{device()} << 32) | device();
-    fmt::print(stderr, "seed {}\n", seed);
+    Tell(fmt::format("seed {}\n", seed));
     return seed;
   }
   std::size_t used = 0;
@@ -291,7 +295,8 @@ void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
   AddCase(verb, options.choice);
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
   verb->add_option("--budget", options.budget, "Most evaluations")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunShrink(options); }; });
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
 }
 
 void AddPlan(CLI::App& app, Run& run) {
@@ -378,6 +383,14 @@ void AddHost(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return HostSubject(options.subject, options.describe); }; });
 }
 
+// A standard file that the caller closed would give its number to the next file that is opened.
+// Nothing is to be read there and nothing to be written; only complaints may get lost.
+void OpenStandardFiles() {
+  for (int n = STDIN_FILENO; n <= STDERR_FILENO; ++n) {
+    if (fcntl(n, F_GETFD) < 0) open("/dev/null", n == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
 // As it was typed, to be typed again.
 std::string CommandLine(int argc, char** argv) {
   std::string line = "rasterproof";
@@ -431,6 +444,7 @@ int Parse(int argc, char** argv, const std::string& own) {
 int RunCommandLine(int argc, char** argv, const std::string& own) {
   // A closed pipe is an error that is reported, not a signal that kills.
   std::signal(SIGPIPE, SIG_IGN);
+  OpenStandardFiles();
   try {
     return Parse(argc, argv, own);
   } catch (const InputError& error) {
@@ -441,8 +455,8 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
     std::cerr << "rasterproof: the subject failed: " << report::CleanText(fault.what()) << '\n';
     return kExitViolated;
   } catch (const SubjectTooSlow& slow) {
-    std::cerr << "rasterproof: the subject is too slow to judge: " << report::CleanText(slow.what())
-              << '\n';
+    std::cerr << "rasterproof: the subject was too slow to judge: "
+              << report::CleanText(slow.what()) << '\n';
     return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";

@@ -129,6 +129,7 @@ void JoinFixedInput(Description& description, const std::string& place) {
                      "state one of them, or both alike");
   }
   if (description.fixed) promised = description.fixed;
+  description.info.profile.name = io::ProfileName(description.info.profile);
   if (promised && description.info.takes_clip) {
     throw InputError(place, "its input is fixed point, and it takes clip space",
                      "leave clip out of takes");

@@ -13,7 +13,6 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "props/run/batching.h"
-#include "props/run/facings.h"
 #include "subjects/plugin/plugin.h"
 #include "subjects/process/process.h"
 #include "subjects/process/serve.h"
@@ -38,9 +37,8 @@ std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe
 std::unique_ptr<Subject> InAProcess(std::vector<std::string> command, SubjectInfo info) {
   info.claims_exact = false;
   info.proofs.clear();
-  return props::WithFacings(
-      std::make_unique<props::BatchingSubject>(std::make_unique<subjects::ProcessSubject>(
-          std::move(command), std::move(info), OutsideLimits())));
+  return std::make_unique<props::BatchingSubject>(std::make_unique<subjects::ProcessSubject>(
+      std::move(command), std::move(info), OutsideLimits()));
 }
 
 // This program once more, as the host of a library or an own type: what they break, they break

@@ -3,9 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <mutex>
 #include <string>
 
@@ -19,6 +19,14 @@ constexpr auto kBarInterval = std::chrono::milliseconds(200);
 constexpr auto kLineInterval = std::chrono::seconds(5);  // "no silence over 10 s", with room
 
 }  // namespace
+
+void Tell(const std::string& text) noexcept {
+  for (std::size_t told = 0; told < text.size();) {
+    const ssize_t n = write(STDERR_FILENO, text.data() + told, text.size() - told);
+    if (n <= 0 && errno != EINTR) return;
+    told += static_cast<std::size_t>(std::max<ssize_t>(n, 0));
+  }
+}
 
 Progress::Progress()
     : terminal_(isatty(STDERR_FILENO) == 1), began_(Clock::now()), thread_([this] { Loop(); }) {}
@@ -50,7 +58,7 @@ void Progress::Done(std::uint64_t steps) {
 void Progress::Say(const std::string& line) {
   const std::lock_guard lock(mutex_);
   Show(/*final=*/true);
-  fmt::print(stderr, "{}\n", line);
+  Tell(line + "\n");
 }
 
 void Progress::Loop() {
@@ -69,21 +77,20 @@ void Progress::Loop() {
 // printed.
 void Progress::Show(bool final) {
   if (final) {
-    if (terminal_ && !stage_.empty()) fmt::print(stderr, "\r\033[K");
+    if (terminal_ && !stage_.empty()) Tell("\r\033[K");
     return;
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   if (!terminal_) {
-    fmt::print(stderr, "  {}: {}{} after {:.0f} s\n", stage_, done_,
-               total_ != 0 ? fmt::format(" of {}", total_) : "", seconds);
+    Tell(fmt::format("  {}: {}{} after {:.0f} s\n", stage_, done_,
+                     total_ != 0 ? fmt::format(" of {}", total_) : "", seconds));
     return;
   }
   constexpr std::uint64_t kWidth = 30;
   const std::uint64_t filled = total_ == 0 ? 0 : std::min(kWidth, kWidth * done_ / total_);
-  fmt::print(stderr, "\r\033[K{} [{}{}] {}{}", stage_, std::string(filled, '#'),
-             std::string(kWidth - filled, '.'), done_,
-             total_ != 0 ? fmt::format("/{}", total_) : "");
-  std::fflush(stderr);
+  Tell(fmt::format("\r\033[K{} [{}{}] {}{}", stage_, std::string(filled, '#'),
+                   std::string(kWidth - filled, '.'), done_,
+                   total_ != 0 ? fmt::format("/{}", total_) : ""));
 }
 
 }  // namespace rasterproof::tool

@@ -11,6 +11,9 @@
 
 namespace rasterproof::tool {
 
+/// Writes to standard error; what can't be written there is lost, and nothing else.
+void Tell(const std::string& text) noexcept;
+
 /// Says what is being done. A thread of its own repeats it, so that a long step is never silent.
 class Progress {
  public:

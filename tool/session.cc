@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/target_size.h"
 #include "exact/coverage.h"
 #include "exact/environment.h"
 #include "fmt/format.h"
@@ -21,9 +24,11 @@
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/run/campaign.h"
+#include "props/run/facings.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/outside.h"
+#include "tool/progress.h"
 #include "tool/shell.h"
 
 namespace rasterproof::tool {
@@ -72,6 +77,7 @@ class JudgedSubject final : public Subject {
     const std::optional<FixedInput> fixed = info_.profile.fixed;
     info_.profile = profile;
     if (!profile.fixed) info_.profile.fixed = fixed;
+    info_.profile.name = io::ProfileName(info_.profile);
   }
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
@@ -82,6 +88,9 @@ class JudgedSubject final : public Subject {
     return subject_->DrawMany(jobs);
   }
   Subject& Whole() override { return subject_->Whole(); }
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
+    subject_->SetDeadline(deadline);
+  }
   const EdgeEvaluator* Edges() const override { return subject_->Edges(); }
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
@@ -147,17 +156,6 @@ void RequireOursInFile(const std::string& name, const CaseChoice& choice, std::s
                    fmt::format("if you trust it, name it yourself: {} {}", typed, option));
 }
 
-void RequireTargetSize(const SceneOptions& options) {
-  const auto samples = std::int64_t{options.width} * options.height;
-  if (options.width >= 1 && options.height >= 1 && options.width <= kMaxTargetSide &&
-      options.height <= kMaxTargetSide && samples <= kMaxTargetSamples) {
-    return;
-  }
-  throw InputError(fmt::format("--width {} --height {}", options.width, options.height),
-                   "the target is out of range",
-                   fmt::format("give sides of 1 to {} and at most 2^28 samples", kMaxTargetSide));
-}
-
 }  // namespace
 
 void RequireHonestEnvironment() {
@@ -174,11 +172,30 @@ std::vector<std::string> SubjectNames() {
   return names;
 }
 
+void SayOfPreset(const Profile& profile) {
+  static std::set<std::string> said;
+  if (!IsApiPreset(profile.name) || PresetProfile(profile.name) != profile) return;
+  if (!said.insert(profile.name).second) return;
+  Tell(fmt::format(
+      "note: profile {} is judged by its canonical model: {} subpixel bits, {}, {}; of a "
+      "rasterizer that the API lets do otherwise (4 bits, another rounding) say so in a "
+      "profile file, snap_tolerance and any_tie_rule included\n",
+      profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
+      FillRuleName(profile.fill_rule)));
+}
+
 std::unique_ptr<Subject> MakeSubject(std::string_view name) { return MakeSubject(name, ""); }
 
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile) {
   for (const auto& [oracle, decider] : kOracles) {
-    if (name == oracle) return std::make_unique<OracleSubject>(name, decider, profile);
+    if (name != oracle) continue;
+    if (decider != exact::Decider::kFast && !profile.crossing.IsNone()) {
+      throw InputError(
+          fmt::format("subject '{}'", name),
+          fmt::format("it does not decide the rounded crossings of profile {}", profile.name),
+          "use --subject exact, or a profile without crossing");
+    }
+    return std::make_unique<OracleSubject>(name, decider, profile);
   }
   return nullptr;
 }
@@ -202,8 +219,9 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& p
         fmt::format("{}choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
                     Suggestion(name, SubjectNames()), fmt::join(SubjectNames(), ", ")));
   }
-  if (profile.empty()) return subject;
-  return std::make_unique<JudgedSubject>(std::move(subject), named);
+  // Facings last: they are worked out by the profile that the subject is judged by.
+  if (!profile.empty()) subject = std::make_unique<JudgedSubject>(std::move(subject), named);
+  return props::WithFacings(std::move(subject));
 }
 
 const props::Property& RequireProperty(const std::string& name) {
@@ -232,7 +250,8 @@ Scene LoadScene(const SceneOptions& options) {
     }
     return io::ReadScene(options.path);
   }
-  RequireTargetSize(options);
+  RequireTargetSize(fmt::format("--width {} --height {}", options.width, options.height),
+                    options.width, options.height, 1);
   const io::Mesh mesh = io::ReadMesh(options.path);
   const std::string text = options.camera.empty() ? "front" : options.camera;
   const io::Camera camera = io::ParseCamera(text, mesh);
@@ -247,7 +266,9 @@ Scene LoadScene(const SceneOptions& options) {
 }
 
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options) {
-  CoverageCounts counts(scene.width, scene.height, subject.Info().profile.lattice.samples());
+  const int samples = subject.Info().profile.lattice.samples();
+  RequireTargetSize("scene", scene.width, scene.height, samples);
+  CoverageCounts counts(scene.width, scene.height, samples);
   subject.Draw(scene, options, counts);
   return counts;
 }

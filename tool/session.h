@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
 #include "props/property.h"
@@ -27,6 +28,10 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name);
 
 /// The subject of that name, judged by another profile than its own ("" : its own).
 std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& profile);
+
+/// Says on standard error, once for each of them, that the preset of an API is one of the models
+/// that it leaves legal, so that nobody takes another legal one for wrong.
+void SayOfPreset(const Profile& profile);
 
 /// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);

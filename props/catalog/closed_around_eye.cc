@@ -4,33 +4,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
+#include "props/catalog/mesh_neighbours.h"
 #include "props/catalog/signed_coverage.h"
 
 namespace rasterproof::props {
 namespace {
 
 Verdict NotExercised(const char* why) { return {Outcome::kNotExercised, 0, 0, why, std::nullopt}; }
-
-// Every directed edge, by position, as often as its reverse.
-bool IsClosed(const Scene& scene) {
-  std::map<std::array<double, 6>, std::int64_t> balance;
-  for (const Triangle& t : scene.triangles) {
-    const std::array<Vertex, 3> v = Corners(scene, t);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vertex& a = v[i];
-      const Vertex& b = v[(i + 1) % 3];
-      ++balance[{a.x, a.y, a.w, b.x, b.y, b.w}];
-      --balance[{b.x, b.y, b.w, a.x, a.y, a.w}];
-    }
-  }
-  return std::ranges::all_of(balance, [](const auto& entry) { return entry.second == 0; });
-}
 
 // The eye is the origin. A triangle in a plane through it can hold it only if its vertices are not
 // all on one side of w = 0.
@@ -43,8 +28,8 @@ bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
 }  // namespace
 
 Verdict ClosedSurfaceAroundTheEyeIsSeenEquallyOften(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeSignedCoverage(subject, c, {.space = Space::kClip}))
-    return *refusal;
+  const Need need{.space = Space::kClip, .closed_suffices = true, .any_model_suffices = true};
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
   if (!c.profile.snap.IsNone()) {
     return Verdict::NotApplicable("snapping follows the division: a profile without it is needed");
   }

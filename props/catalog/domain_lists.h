@@ -73,19 +73,30 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 // Planar subdivisions.
 inline constexpr auto kMeshes =
     std::to_array<std::string_view>({"shared-edge", "fans", "strips", "grids", "triangulations",
-                                     "subdivisions", "covering-fans", "no-clip-ends"});
+                                     "subdivisions", "covering-fans", "no-clip-ends", "folds"});
+
+// The same, and meshes in clip space.
+inline constexpr auto kMeshesAnySpace = [] {
+  constexpr auto kMore =
+      std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye"});
+  std::array<std::string_view, kMeshes.size() + kMore.size()> domains;
+  std::ranges::copy(kMore, std::ranges::copy(kMeshes, domains.begin()).out);
+  return domains;
+}();
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>(
     {"shared-edge", "fans", "grids", "triangulations", "subdivisions", "t-junctions", "closed-mesh",
      "strips", "windings", "degenerate", "near-edge", "covering-fans", "wrapped-coordinates",
-     "no-clip-ends", "near-repeats", "sparse-indices"});
+     "no-clip-ends", "near-repeats", "sparse-indices", "perspective-meshes", "meshes-around-eye",
+     "closed-around-eye"});
 
 // Closed surfaces.
-inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh"});
+inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh", "closed-folds"});
 
 // Closed surfaces around the eye or beside it.
-inline constexpr auto kClosedClip = std::to_array<std::string_view>({"closed-around-eye"});
+inline constexpr auto kClosedClip =
+    std::to_array<std::string_view>({"closed-around-eye", "meshes-around-eye"});
 
 // Clip space, and window-space places lifted to it for a subject that takes nothing else.
 inline constexpr auto kClipSpace = std::to_array<std::string_view>(
@@ -93,13 +104,13 @@ inline constexpr auto kClipSpace = std::to_array<std::string_view>(
      "hardest-vertex", "centres", "axis-aligned", "needles", "grids", "mixed-magnitude"});
 
 // Meshes that leave the target or pass behind the eye.
-inline constexpr auto kClipped =
-    std::to_array<std::string_view>({"fans", "grids", "triangulations", "shared-edge", "strips",
-                                     "closed-around-eye", "covering-fans", "no-clip-ends"});
+inline constexpr auto kClipped = std::to_array<std::string_view>(
+    {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye",
+     "covering-fans", "no-clip-ends", "folds", "perspective-meshes", "meshes-around-eye"});
 
 // Vertices that a tolerance lets snap either way, meshes first.
-inline constexpr auto kFreeSnaps =
-    std::to_array<std::string_view>({"shared-snap-ties", "snap-ties", "shared-edge", "fans"});
+inline constexpr auto kFreeSnaps = std::to_array<std::string_view>(
+    {"shared-snap-ties", "snap-ties", "shared-edge", "fans", "folds"});
 
 // Triangles of zero area.
 inline constexpr auto kDegenerate = std::to_array<std::string_view>({"degenerate", "signed-zeros"});

@@ -7,9 +7,9 @@
 namespace rasterproof::props {
 
 Verdict EmbeddedMeshSamplesAreCoveredOnce(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kWindow, .watertight_suffices = true, .judges_clipped = true};
+  const Need need{.space = Space::kEither, .watertight_suffices = true, .judges_clipped = true};
   if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  if (auto refusal = OwnsNoEdges(c.profile)) return *refusal;
+  if (auto refusal = LeavesEdgesOpen(c.profile)) return *refusal;
   Verdict verdict = JudgePlanarMesh(subject, c, {});
   if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);
   return verdict;

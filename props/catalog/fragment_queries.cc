@@ -17,8 +17,37 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 // Exact weights are rationals, some ten microseconds each.
 constexpr std::size_t kMostFragments = 24;
-// What the bounds' own evaluation in double may lose, and the terms of second order in u.
-constexpr double kSlack = 1 + 0x1p-16;
+// All tolerances below take the format's fl(x op y) = (x op y)(1 + d), |d| <= u, and a product or a
+// quotient that underflows as off by eta / 2 more. They are worked out in double, to first order in
+// u; this factor covers both: what is left out is at most some 2^5 u of a bound, 2^-19 in float32,
+// and what double rounds is at most 2^5 2^-53 of it.
+constexpr double kSecondOrderFactor = 1 + 0x1p-16;
+
+// Of the five-operation form: each product carries three roundings and the difference one more,
+// 3 u S + u |E|, and |E| <= S. Only its two products can underflow: eta / 2 each, doubled once more
+// by the last rounding at most.
+constexpr double kEdgeErrorMultiplier = 4;
+constexpr double kEdgeUnderflows = 2;
+
+// Of the sum of three edge values as the area: two additions, each off by u times at most the sum of
+// the values' magnitudes.
+constexpr double kAreaSumErrorMultiplier = 2;
+
+// Of a depth, in u of max |z| times W = sum |l_i|, which is at least 1 because the weights sum to
+// one. By weights: a product, and two additions of partial sums, 3 W. By deltas from one vertex, with
+// z of one sign: a difference and a product for each of two weights, 2 W; two additions of partial
+// sums of at most 1 + W each, 4 W.
+constexpr double kDepthErrorMultiplier = 6;
+
+// Where sums of products stay below this, nothing that the forms compute overflows: what they round
+// and add to it is less than a factor of four.
+constexpr double MostSumOfProducts(Precision precision) {
+  return precision == Precision::kFloat32 ? 0x1p126 : 0x1p1022;
+}
+
+double SmallestSubnormal(Precision precision) {
+  return precision == Precision::kFloat32 ? 0x1p-149 : 0x1p-1074;
+}
 
 double UnitRoundoff(Precision precision) {
   return precision == Precision::kFloat32 ? 0x1p-24 : 0x1p-53;
@@ -32,16 +61,14 @@ double EdgeValue(Point2 a, Point2 b, Point2 p) {
   return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
 }
 
-// 3 u S + u |E| of the five-operation form, and a subnormal for each operation.
 double EdgeTolerance(Point2 a, Point2 b, Point2 p, Precision precision) {
   const double u = UnitRoundoff(precision);
-  const double eta = precision == Precision::kFloat32 ? 0x1p-149 : 0x1p-1074;
-  const double sum = SumOfProducts(a, b, p);
-  return kSlack * (4 * u * sum + 5 * eta);  // |E| <= S
+  return kSecondOrderFactor * (kEdgeErrorMultiplier * u * SumOfProducts(a, b, p) +
+                               kEdgeUnderflows * SmallestSubnormal(precision));
 }
 
 bool Overflows(const WeightQuery& q, Precision precision) {
-  const double most = precision == Precision::kFloat32 ? 0x1p126 : 0x1p1022;
+  const double most = MostSumOfProducts(precision);
   for (int i = 0; i < 3; ++i) {
     if (!(SumOfProducts(EdgeStart(q.v, i), EdgeEnd(q.v, i), q.place.at) < most)) return true;
   }
@@ -55,12 +82,45 @@ double DepthTolerance(const SubjectInfo& info, const Fragment& f) {
   if (info.fragments.depth_error > 0) return info.fragments.depth_error;
   const double u = UnitRoundoff(info.input);
   const std::array<exact::Rational, 3> weights = ExactWeights(f.query);
-  double tolerance = 0;
+  // Weights that are off by t_i move the depth by at most sum t_i max |z|, by weights or, z being of
+  // one sign, by deltas.
+  double weight_error = 0;
+  double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double weight = std::fabs(weights[i].ToDouble());
-    tolerance += (f.weight_tolerances[i] + 6 * u * std::max(1.0, weight)) * std::fabs(f.z[i]);
+    weight_error += f.weight_tolerances[i];
+    size += std::fabs(weights[i].ToDouble()) + f.weight_tolerances[i];
   }
-  return tolerance;
+  const double largest = std::max({std::fabs(f.z[0]), std::fabs(f.z[1]), std::fabs(f.z[2])});
+  return kSecondOrderFactor * (weight_error + kDepthErrorMultiplier * u * size) * largest;
+}
+
+// What a triangle's edge values can be off at a sample, for the ways to turn them into weights.
+struct EdgeErrors {
+  std::array<double, 3> value{};      // |E_i|, at most
+  std::array<double, 3> tolerance{};  // of E_i
+  double area = 0;                    // |area|, at least, and as the subject may see it
+  double area_tolerance = 0;          // of the area, computed by itself or as the sum of the E_i
+};
+
+EdgeErrors EdgeErrorsAt(const WeightQuery& q, Precision precision) {
+  EdgeErrors errors;
+  double sum = 0;
+  double sum_tolerance = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Point2 a = EdgeStart(q.v, i);
+    const Point2 b = EdgeEnd(q.v, i);
+    errors.tolerance[k] = EdgeTolerance(a, b, q.place.at, precision);
+    errors.value[k] = std::fabs(EdgeValue(a, b, q.place.at)) + errors.tolerance[k];
+    sum += errors.value[k] + errors.tolerance[k];
+    sum_tolerance += errors.tolerance[k];
+  }
+  const double alone = EdgeTolerance(q.v[0], q.v[1], q.v[2], precision);
+  sum_tolerance += kAreaSumErrorMultiplier * UnitRoundoff(precision) * sum;
+  errors.area_tolerance = std::max(alone, sum_tolerance);
+  // Once for what the subject divides by, once for the value that is worked out here.
+  errors.area = std::fabs(EdgeValue(q.v[0], q.v[1], q.v[2])) - errors.area_tolerance - alone;
+  return errors;
 }
 
 }  // namespace
@@ -68,6 +128,11 @@ double DepthTolerance(const SubjectInfo& info, const Fragment& f) {
 std::optional<Verdict> CannotAskFragments(Subject& subject, const Case& c) {
   if (subject.Whole().Info().coverage != CoverageKind::kFragments) {
     return Verdict::NotApplicable("the subject shows no fragments");
+  }
+  if (subject.Whole().Info().fragments.weights_of == WeightsOf::kSnapped &&
+      c.profile.freedom.snap_tolerance != 0) {
+    return Verdict::NotApplicable(
+        "the profile leaves the grid points free that the weights belong to");
   }
   return CannotEvaluate(subject, c);
 }
@@ -77,18 +142,25 @@ std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuer
   if (declared > 0) return {declared, declared, declared};
   if (Overflows(q, info.input)) return {kNothing, kNothing, kNothing};
   const double u = UnitRoundoff(info.input);
-  const double area_tolerance = EdgeTolerance(q.v[0], q.v[1], q.v[2], info.input);
-  // Once for what the subject divides by, once for the value that is worked out here.
-  const double least_area = std::fabs(EdgeValue(q.v[0], q.v[1], q.v[2])) - 2 * area_tolerance;
-  if (!(least_area > area_tolerance)) return {kNothing, kNothing, kNothing};
-  std::array<double, 3> tolerances{};
-  for (int i = 0; i < 3; ++i) {
-    const Point2 a = EdgeStart(q.v, i);
-    const Point2 b = EdgeEnd(q.v, i);
-    const double edge_tolerance = EdgeTolerance(a, b, q.place.at, info.input);
-    const double weight = (std::fabs(EdgeValue(a, b, q.place.at)) + edge_tolerance) / least_area;
-    tolerances[static_cast<std::size_t>(i)] =
-        kSlack * ((edge_tolerance + weight * area_tolerance) / least_area + u * weight) + 0x1p-149;
+  const EdgeErrors errors = EdgeErrorsAt(q, info.input);
+  if (!(errors.area > errors.area_tolerance)) return {kNothing, kNothing, kNothing};
+  std::array<double, 3> weight{};    // |l_i|, at most
+  std::array<double, 3> quotient{};  // tolerance of E_i over the area
+  for (std::size_t i = 0; i < 3; ++i) {
+    weight[i] = errors.value[i] / errors.area;
+    quotient[i] = kSecondOrderFactor *
+                      ((errors.tolerance[i] + weight[i] * errors.area_tolerance) / errors.area +
+                       u * weight[i]) +
+                  SmallestSubnormal(info.input);
+  }
+  std::array<double, 3> tolerances = quotient;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    // (1 - l_j) - l_k, in either order: a subtraction of at most 1 + |l|, and the result's rounding.
+    const double rounded = u * (1 + std::max(weight[j], weight[k]) + weight[i]);
+    tolerances[i] =
+        std::max(quotient[i], kSecondOrderFactor * (quotient[j] + quotient[k] + rounded));
   }
   return tolerances;
 }

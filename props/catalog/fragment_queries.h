@@ -33,11 +33,16 @@ std::optional<Verdict> CannotAskFragments(Subject& subject, const Case& c);
 /// evenly spread. Winners without area by the declared vertices are left out.
 std::vector<Fragment> SomeFragments(Subject& subject, const Case& c);
 
-/// How far the weights of p may be off: the declared error for each. If none is declared, what the
-/// five-operation edge function over the vertex area gives in the subject's format at worst,
-///     (d_i + |l_i| d) / (|area| - d) + u |l_i|,   d_i = 3 u S_i + u |E_i|,   d = 3 u S + u |area|
-/// with S the sum of the absolute products: it grows with the triangle's conditioning, and claims
-/// nothing (NaN) where the area itself may vanish.
+/// How far the weights of p may be off: the declared error for each. If none is declared, the most
+/// that the usual forms give in the subject's format: five-operation edge functions over the area,
+/// computed by itself or as their sum,
+///     q_i = (d_i + |l_i| d) / (|area| - d) + u |l_i|,   d_i = 4 u S_i,
+///     d = max(4 u S, d_0 + d_1 + d_2 + 2 u (|E_0| + |E_1| + |E_2|))
+/// with S the sum of the absolute products, because computed values e = E_i + d_i and a = area + d
+/// give |e / a - E_i / area| = |d_i area - E_i d| / |area a|; and one minus the other two,
+///     q_j + q_k + u (1 + max(|l_j|, |l_k|) + |l_i|).
+/// It grows with the triangle's conditioning, and claims nothing (NaN) where the area itself may
+/// vanish.
 std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuery& q);
 
 /// A violation at a fragment.

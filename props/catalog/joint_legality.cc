@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
+#include "props/catalog/free_choices.h"
 #include "props/catalog/model_search.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
@@ -67,6 +69,12 @@ std::string NeedsText(const Case& c, const ModelSearch& search,
   return text;
 }
 
+Verdict NotJudged(const Case& c, const char* why) {
+  Verdict verdict{Outcome::kNotExercised, 0, 0, why, std::nullopt};
+  verdict.not_judged = DecisionsOf(c);
+  return verdict;
+}
+
 Verdict NoModel(const Singles& singles, const ModelSearch& search,
                 const std::vector<std::size_t>& conflict, std::uint64_t exercised) {
   std::string names;
@@ -80,10 +88,16 @@ Verdict NoModel(const Singles& singles, const ModelSearch& search,
     witness = WitnessOfCounts(singles.alone[t], canonical, difference.first_wrong);
   }
   witness.triangle = static_cast<int>(t);
+  const std::string here = witness.observed;
+  const std::string canonical_here = witness.expected;
   witness.observed =
       "triangles " + names + ", each drawn alone" + NeedsText(singles.drawn, search, conflict);
   witness.expected = "one legal grid point for each vertex and one tie rule that explain " +
                      std::string(conflict.size() == 1 ? "it" : "them together");
+  if (!here.empty()) {
+    witness.observed += "; triangle " + std::to_string(t) + " has " + here + " here";
+    witness.expected += "; the canonical model has " + canonical_here + " here";
+  }
   return Verdict::Violated(exercised,
                            conflict.size() == 1
                                ? "no legal model explains triangle " + names + " by itself"
@@ -104,8 +118,12 @@ Verdict OneLegalModelExplainsTheMesh(Subject& subject, const Case& c) {
     return Verdict::NotApplicable(
         "the profile's contract does not say what single triangles cover");
   }
-  const Need need{.space = Space::kWindow, .any_model_suffices = true};
+  const Need need{.space = Space::kEither, .any_model_suffices = true};
   if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  if (c.scene.clip_space) return NotJudged(c, "models are searched in window space alone");
+  if (!IsUnclippedInEveryModel(c)) {
+    return NotJudged(c, "a legal choice leaves the profile's no-clip rectangle");
+  }
   const Singles singles = DrawSingles(subject, c);
   const std::uint64_t exercised = DecisionsOf(singles.drawn);
   ModelSearch search(singles.drawn);
@@ -117,7 +135,10 @@ Verdict OneLegalModelExplainsTheMesh(Subject& subject, const Case& c) {
   const std::vector<std::size_t> conflict = search.Conflict();
   if (!conflict.empty()) return NoModel(singles, search, conflict, exercised);
   const CoverageCounts whole = Drawn(subject, singles.drawn.scene, c.profile, WholeTarget(c));
-  return SameCounts(whole, sum, exercised, "the sum of its triangles, each drawn alone,");
+  Verdict verdict =
+      SameCounts(whole, sum, exercised, "the sum of its triangles, each drawn alone,");
+  verdict.not_judged = DecisionsOf(c) - exercised;  // of the triangles behind the most
+  return verdict;
 }
 
 }  // namespace rasterproof::props

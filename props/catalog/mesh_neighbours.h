@@ -2,35 +2,48 @@
 #ifndef RASTERPROOF_PROPS_CATALOG_MESH_NEIGHBOURS_H_
 #define RASTERPROOF_PROPS_CATALOG_MESH_NEIGHBOURS_H_
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "core/case.h"
+#include "core/scene.h"
 #include "core/vertex.h"
 
 namespace rasterproof::props {
 
-/// Two triangles that walk the same edge in opposite directions, by position after snapping.
+/// Two triangles that walk the same edge in opposite directions. Window space: by position after
+/// snapping. Clip space: by (x, y, w) as given.
 struct Neighbours {
   std::size_t first = 0;
   std::size_t second = 0;
-  int edge = 0;  ///< of the first triangle: the one opposite this vertex
-  Point2 a;      ///< its ends
-  Point2 b;
+  int edge = 0;         ///< of the first triangle: the one opposite this vertex
+  int second_edge = 0;  ///< of the second
 };
 
-/// At most `limit` pairs, spread evenly. Window space: both of the same non-zero facing, so that
-/// they lie on either side of the edge. Clip space: positions are (x, y, w); a and b are not set.
+/// At most `limit` pairs, spread evenly, both of the same non-zero facing: so they lie on either
+/// side of the edge, as the window shows them or around the eye.
 std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit);
 
-/// A directed edge of the boundary, on the subpixel grid.
+/// A directed edge of the boundary.
 struct BoundaryEdge {
-  Point2 a;
-  Point2 b;
+  Vertex a;
+  Vertex b;
 };
 
-/// The directed edges of a window-space mesh that no opposite edge cancels, by position.
-std::vector<BoundaryEdge> BoundaryOf(const Case& c);
+/// The directed edges of a mesh that no opposite edge cancels, by x, y and w as they are.
+std::vector<BoundaryEdge> BoundaryOf(const Scene& scene);
+
+/// Whether every directed edge is walked as often as its reverse, by x, y and w as given.
+bool IsClosed(const Scene& scene);
+
+/// Start and end of edge `edge`, the one opposite vertex `edge`, in the triangle's direction.
+inline const Vertex& EdgeStart(const std::array<Vertex, 3>& v, int edge) {
+  return v[static_cast<std::size_t>((edge + 1) % 3)];
+}
+inline const Vertex& EdgeEnd(const std::array<Vertex, 3>& v, int edge) {
+  return v[static_cast<std::size_t>((edge + 2) % 3)];
+}
 
 }  // namespace rasterproof::props
 

@@ -16,6 +16,15 @@ namespace {
 // What is finite of it must be within the limit: beyond that nothing is promised.
 bool IsWithin(double x, double limit) { return !std::isfinite(x) || std::fabs(x) <= limit; }
 
+// Of what is not judged for an infinity, no vertex says more if another one is NaN: such a triangle
+// covers nothing under every profile.
+bool IsJudged(const std::array<Vertex, 3>& v, const Profile& profile) {
+  if (std::ranges::all_of(v, IsFinite)) return false;
+  if (profile.infinite_vertex == InfiniteVertex::kNothing) return true;
+  return std::ranges::any_of(
+      v, [](const Vertex& p) { return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.w); });
+}
+
 std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
   std::vector<std::size_t> triangles;
   for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
@@ -23,9 +32,22 @@ std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
     const bool within = std::ranges::all_of(v, [&](const Vertex& p) {
       return IsWithin(p.x, c.profile.coordinate_limit) && IsWithin(p.y, c.profile.coordinate_limit);
     });
-    if (within && !std::ranges::all_of(v, IsFinite)) triangles.push_back(t);
+    if (within && IsJudged(v, c.profile)) triangles.push_back(t);
   }
   return triangles;
+}
+
+// The one that covers the witness's sample by itself, or none: then it is their company.
+int Culprit(Subject& subject, const Case& c, const std::vector<std::size_t>& bad,
+            const Witness& witness) {
+  for (const std::size_t t : bad) {
+    const CoverageCounts counts =
+        Drawn(subject, OnlyTriangles(c, {t}).scene, c.profile, WholeTarget(c));
+    if (counts.Count(counts.Index(witness.x, witness.y, witness.sample)) != 0) {
+      return static_cast<int>(t);
+    }
+  }
+  return -1;
 }
 
 }  // namespace
@@ -38,12 +60,16 @@ Verdict NonFiniteTrianglesCoverNothing(Subject& subject, const Case& c) {
   const std::vector<std::size_t> bad = NonFiniteTriangles(c);
   const Case alone = OnlyTriangles(c, bad);
   if (auto refusal = CannotDraw(subject, alone, Space::kEither)) return *refusal;
-  if (bad.empty()) return {Outcome::kNotExercised, 0, 0, "every triangle is finite", std::nullopt};
+  if (bad.empty()) {
+    return {Outcome::kNotExercised, 0, 0,
+            "every triangle is finite, or the profile leaves its infinite vertex open",
+            std::nullopt};
+  }
   const CoverageCounts observed = Drawn(subject, alone.scene, c.profile, WholeTarget(c));
   const CoverageCounts nothing(c.scene.width, c.scene.height, c.profile.lattice.samples());
   Verdict verdict =
       SameCounts(observed, nothing, bad.size(), "none, the triangles are not finite,");
-  if (verdict.witness) verdict.witness->triangle = static_cast<int>(bad.front());
+  if (verdict.witness) verdict.witness->triangle = Culprit(subject, c, bad, *verdict.witness);
   return verdict;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "exact/snap_clip.h"
 
 namespace rasterproof::props {
 namespace {
@@ -99,6 +100,12 @@ class Collector {
 };
 
 }  // namespace
+
+Scene PlacedScene(const Case& c) {
+  if (!c.scene.clip_space) return SnapScene(c.scene, c.profile);
+  const bool snaps = !ForTarget(c.profile, c.scene.width, c.scene.height).snap.IsNone();
+  return snaps ? exact::SnapClipScene(c.scene, c.profile) : c.scene;
+}
 
 SamplePlace PlaceOf(const Case& c, int x, int row, int sample) {
   const int line = c.profile.y_axis == YAxis::kDown ? row : c.scene.height - 1 - row;

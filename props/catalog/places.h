@@ -43,6 +43,11 @@ inline Point2 EdgeEnd(const std::array<Point2, 3>& v, int i) {
   return v[static_cast<std::size_t>((i + 2) % 3)];
 }
 
+/// The case's scene as its profile places it. Clip space that snaps comes back as window space.
+///
+/// Error:      InputError where a clip-space vertex has no place on the grid: w <= 0, or too far.
+Scene PlacedScene(const Case& c);
+
 /// The sample of pixel column x and row `row` from the top, under the profile's y axis.
 SamplePlace PlaceOf(const Case& c, int x, int row, int sample);
 

@@ -26,20 +26,22 @@ bool IsGood(const Case& c, const Triangle& t) {
 }
 
 // Puts a bad triangle before and after every good one: with one vertex NaN, one infinite, two of
-// them infinite with opposite signs, or all three the same.
-Scene Poisoned(const Scene& good, ZeroArea zero_area) {
+// them infinite with opposite signs, or all three the same. NaN in the place of infinities where
+// the profile leaves open what these cover.
+Scene Poisoned(const Scene& good, const Profile& profile) {
   Scene scene = good;
+  const double far = profile.infinite_vertex == InfiniteVertex::kNothing ? kInfinity : kNan;
   const auto first = static_cast<std::int32_t>(scene.vertices.size());
   scene.vertices.push_back({kNan, 1, 0, 1});
-  scene.vertices.push_back({1, kInfinity, 0, 1});
-  scene.vertices.push_back({-kInfinity, kInfinity, 0, 1});
+  scene.vertices.push_back({1, far, 0, 1});
+  scene.vertices.push_back({-far, far, 0, 1});
   scene.triangles.clear();
   for (std::size_t t = 0; t < good.triangles.size(); ++t) {
     const Triangle& triangle = good.triangles[t];
     const auto bad = first + static_cast<std::int32_t>(t % 3);
     scene.triangles.push_back({triangle[0], bad, triangle[2]});
     scene.triangles.push_back(triangle);
-    if (zero_area == ZeroArea::kNothing) {
+    if (profile.zero_area == ZeroArea::kNothing) {
       scene.triangles.push_back({triangle[1], triangle[1], triangle[1]});
     }
     scene.triangles.push_back({bad, first + 2, triangle[0]});
@@ -62,7 +64,7 @@ Verdict BadTrianglesPoisonNoOthers(Subject& subject, const Case& c) {
   std::erase_if(good.scene.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
   const CoverageCounts expected = Drawn(subject, good.scene, c.profile, WholeTarget(c));
   const CoverageCounts observed =
-      Drawn(subject, Poisoned(good.scene, c.profile.zero_area), c.profile, WholeTarget(c));
+      Drawn(subject, Poisoned(good.scene, c.profile), c.profile, WholeTarget(c));
   return SameCounts(observed, expected, DecisionsOf(good), "that without the bad triangles");
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/target_size.h"
 #include "exact/coverage.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/witness.h"
@@ -26,6 +27,7 @@ std::uint64_t PixelsBetween(double low, double high, int size) {
 
 CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profile,
                      const DrawOptions& options) {
+  RequireTargetSize("scene", scene.width, scene.height, profile.lattice.samples());
   CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
   subject.Draw(scene, options, counts);
   return counts;

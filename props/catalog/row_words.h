@@ -18,6 +18,20 @@ inline constexpr std::string_view kDepthTolerance =
     "depths";
 inline constexpr std::string_view kSampleExactOnly =
     "contract sample-exact; coordinates within the limit";
+inline constexpr std::string_view kEmbeddedMeshes =
+    "contract sample-exact or watertight; a fill rule that owns shared edges (shared ties: at "
+    "least once, away from edges once); the snapped mesh has one facing, in clip space as seen "
+    "from the eye, and does not overlap itself; where vertices may move away from the outline and "
+    "from triangles that a legal choice turns";
+inline constexpr std::string_view kSharedEdges =
+    "contract sample-exact or watertight; a fill rule that owns shared edges (shared ties: at "
+    "least once); two triangles of one facing with an edge in opposite directions; samples to "
+    "which no other edge of theirs is nearer";
+inline constexpr std::string_view kClippedNeighbours =
+    "contract sample-exact or watertight; a fill rule that owns shared edges (shared ties: at "
+    "least once); an edge shared in opposite directions by triangles of one facing "
+    "of which one leaves the target or passes behind the eye; samples to which no "
+    "other edge of theirs is nearer";
 inline constexpr std::string_view kInTheTriangle =
     "the subject shows weights and claims a finite bound there; window space within the limits, "
     "area not zero; sample in the closed triangle";

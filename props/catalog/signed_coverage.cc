@@ -19,24 +19,32 @@ std::optional<Verdict> CannotJudgeSignedCoverage(const Subject& subject, const C
 }
 
 Verdict SignedCoverageIs(Subject& subject, const Case& c, const std::vector<std::int64_t>& expected,
-                         const std::string& what, const Outline& spared) {
+                         const std::string& what, const Spared& spared) {
   const CoverageCounts counts = Drawn(subject, c.scene, c.profile, WholeTarget(c));
   std::uint64_t exercised = 0;
+  std::uint64_t not_judged = 0;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const bool is_right = counts.Signed(k) == expected[k];
     if (is_right && counts.Count(k) == 0 && expected[k] == 0) continue;
-    if (is_right && spared.IsEmpty()) {
+    if (is_right && spared.outline.IsEmpty() && spared.open.IsEmpty()) {
       ++exercised;
       continue;
     }
     Witness witness = WitnessOfCounts(counts, counts, k);
-    if (spared.IsNear(PlaceOf(c, witness.x, witness.y, witness.sample).at)) continue;
+    const Point2 at = PlaceOf(c, witness.x, witness.y, witness.sample).at;
+    if (spared.outline.IsNear(at)) continue;
+    if (spared.open.CanCover(at)) {
+      ++not_judged;
+      continue;
+    }
     ++exercised;
     if (is_right) continue;
     witness.expected = "front - back = " + std::to_string(expected[k]) + ", " + what;
     return Verdict::Violated(exercised, "signed coverage is not " + what, witness);
   }
-  return Verdict::Held(exercised);
+  Verdict verdict = Verdict::Held(exercised);
+  verdict.not_judged = not_judged;
+  return verdict;
 }
 
 }  // namespace rasterproof::props

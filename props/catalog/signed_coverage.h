@@ -10,6 +10,7 @@
 #include "core/case.h"
 #include "core/subject.h"
 #include "core/verdict.h"
+#include "props/catalog/free_choices.h"
 #include "props/catalog/outline.h"
 #include "props/catalog/precondition.h"
 
@@ -19,12 +20,19 @@ namespace rasterproof::props {
 std::optional<Verdict> CannotJudgeSignedCoverage(const Subject& subject, const Case& c,
                                                  const Need& need);
 
+/// The samples that are not judged: beside an outline, and where a triangle can lie whose facing or
+/// extent is the subject's choice.
+struct Spared {
+  Outline outline;
+  OpenTriangles open;
+};
+
 /// Holds if front minus back is `expected` at every sample that is not `spared`, culling and
-/// scissor off.
+/// scissor off. What the open triangles spare is counted as not judged.
 ///
 /// Shape:      expected: as CoverageCounts.
 Verdict SignedCoverageIs(Subject& subject, const Case& c, const std::vector<std::int64_t>& expected,
-                         const std::string& what, const Outline& spared = {});
+                         const std::string& what, const Spared& spared = {});
 
 }  // namespace rasterproof::props
 

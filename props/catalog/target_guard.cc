@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "core/target_size.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/witness.h"
 
@@ -34,6 +35,7 @@ Verdict DrawGuarded(Subject& subject, const Scene& scene, const Profile& profile
                     DrawOptions options, const PixelRect& rect) {
   const bool is_whole = rect == PixelRect{0, 0, scene.width, scene.height};
   if (!is_whole) options.scissor = rect;
+  RequireTargetSize("scene", scene.width, scene.height, profile.lattice.samples());
   CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
   std::ranges::fill(counts.front, kGuard);
   std::ranges::fill(counts.back, kGuard);

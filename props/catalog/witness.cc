@@ -9,10 +9,13 @@
 
 #include "core/error.h"
 #include "core/profile.h"
-#include "exact/attributes.h"
+#include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "props/catalog/mesh_neighbours.h"
 #include "props/catalog/redraw.h"
+#include "props/catalog/thin_triangles.h"
+#include "props/catalog/visible_edge.h"
 
 namespace rasterproof::props {
 namespace {
@@ -25,17 +28,30 @@ std::string CountText(const CoverageCounts& counts, std::size_t index) {
          std::to_string(counts.back[index]);
 }
 
-int NearestEdge(const std::array<Point2, 3>& v, Point2 p) {
-  int nearest = -1;
-  std::optional<exact::Rational> least;
-  for (int i = 0; i < 3; ++i) {
-    const auto square = exact::SquaredLineDistance(EdgeStart(v, i), EdgeEnd(v, i), p);
-    if (square && (!least || *square < *least)) {
-      least = square;
-      nearest = i;
-    }
+// What a triangle drawn alone may count.
+struct LegalCounts {
+  CoverageCounts least;
+  CoverageCounts most;
+
+  bool Allow(const CoverageCounts& counts, std::size_t k) const {
+    return counts.front[k] >= least.front[k] && counts.front[k] <= most.front[k] &&
+           counts.back[k] >= least.back[k] && counts.back[k] <= most.back[k];
   }
-  return nearest;
+};
+
+LegalCounts LegalCountsOf(const Case& c, const DrawOptions& options) {
+  const auto under = [&](const FillRule& rule) {
+    Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+    profile.targets.clear();
+    profile.fill_rule = rule;
+    return exact::Coverage(c.scene, profile, options);
+  };
+  const bool any_owner = c.profile.freedom.any_tie_rule;
+  const bool draws_again = c.profile.overdraw || any_owner;
+  LegalCounts legal{
+      any_owner ? under({.exclusive = true}) : exact::Coverage(c.scene, c.profile, options), {}};
+  legal.most = draws_again ? under({.inclusive = true}) : legal.least;
+  return legal;
 }
 
 std::string EdgeValuesText(const std::array<Point2, 3>& v, Point2 p) {
@@ -88,25 +104,49 @@ std::optional<CoverageCounts> DrawnIfPossible(Subject& subject, const Case& c,
   }
 }
 
+std::string EdgeValuesText(const Case& alone, Point2 p) {
+  const auto places =
+      alone.scene.clip_space ? std::vector<CornersPlace>() : SomeTriangles(alone, 1);
+  return places.empty() ? "" : EdgeValuesText(places[0].at, p);
+}
+
+// The edge nearest to p of all that the first triangles have.
+void BlameNearest(const Scene& placed, std::size_t count, Point2 p, Witness& witness) {
+  std::optional<exact::Rational> least;
+  for (std::size_t t = 0; t < count; ++t) {
+    const std::array<Vertex, 3> v = Corners(placed, placed.triangles[t]);
+    if (!std::ranges::all_of(v, IsFinite)) continue;
+    for (int i = 0; i < 3; ++i) {
+      const VisibleEdge edge(EdgeStart(v, i), EdgeEnd(v, i));
+      if (least && edge.Distance(p) > 1 + std::sqrt(least->ToDouble())) continue;
+      const std::optional<exact::Rational> square = edge.SquaredDistance(p);
+      if (!square || (least && *square >= *least)) continue;
+      least = square;
+      witness.triangle = static_cast<int>(t);
+      witness.edge = i;
+    }
+  }
+}
+
 void BlameOneOf(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
   const std::size_t count = std::min(c.scene.triangles.size(), kMaxTrianglesBlamed);
+  const Point2 p = PlaceOf(c, witness.x, witness.y, witness.sample).at;
+  if (LegalReach(c) != 0) {
+    BlameNearest(PlacedScene(c), count, p, witness);
+    return;
+  }
   for (std::size_t t = 0; t < count; ++t) {
     const Case alone = OnlyTriangles(c, {t});
     const std::optional<CoverageCounts> observed = DrawnIfPossible(subject, alone, options);
     if (!observed) continue;
-    const CoverageCounts expected = exact::Coverage(alone.scene, alone.profile, options);
-    const std::size_t index = expected.Index(witness.x, witness.y, witness.sample);
-    if (observed->front[index] == expected.front[index] &&
-        observed->back[index] == expected.back[index]) {
-      continue;
-    }
+    const std::size_t index = observed->Index(witness.x, witness.y, witness.sample);
+    if (LegalCountsOf(alone, options).Allow(*observed, index)) continue;
     witness.triangle = static_cast<int>(t);
-    if (c.scene.clip_space) return;
-    const auto places = SomeTriangles(alone, 1);
-    if (places.empty()) return;
-    const Point2 p = PlaceOf(c, witness.x, witness.y, witness.sample).at;
-    witness.edge = NearestEdge(places[0].at, p);
-    witness.expected += EdgeValuesText(places[0].at, p);
+    const Scene placed = PlacedScene(alone);
+    const std::array<Vertex, 3> v = Corners(placed, placed.triangles[0]);
+    if (!std::ranges::all_of(v, IsFinite)) return;
+    witness.edge = NearestEdge(v, p);
+    witness.expected += EdgeValuesText(alone, p);
     return;
   }
 }

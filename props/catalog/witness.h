@@ -27,8 +27,11 @@ Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& ex
                         std::size_t index);
 
 /// Adds the triangle that the subject, drawing it alone under `options`, gets wrong at the
-/// witness's sample, its edge nearest to the sample, and the exact edge values there. Leaves the
-/// witness as it is if each triangle by itself is right.
+/// witness's sample, its edge nearest to the sample, and (window space) the exact edge values
+/// there. Leaves the witness as it is if each triangle by itself is right.
+///
+/// Where the profile leaves it open where a vertex lies, no triangle alone can be wrong: named is
+/// the one whose edge is nearest to the sample.
 void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness);
 
 }  // namespace rasterproof::props

@@ -10,6 +10,12 @@
 namespace rasterproof::props {
 namespace {
 
+// Whether legal models put a vertex elsewhere.
+bool LeavesGridPoints(const Profile& profile) {
+  return profile.freedom.snap_tolerance != 0 || profile.contract == Contract::kWatertight ||
+         profile.contract == Contract::kClosed;
+}
+
 constexpr std::array kDomains{
     Domain{.name = "uniform-subpixel",
            .summary = "ordinary triangles, half of their coordinates on samples",
@@ -179,6 +185,16 @@ constexpr std::array kDomains{
            .summary = "two triangles whose common edge ends between subpixels and passes a sample",
            .mesh = true,
            .draw = SharedSnapTies},
+    Domain{.name = "folds",
+           .summary = "strips and fans of triangles a step of the grid high: a legal choice turns",
+           .mesh = true,
+           .is_promised = LeavesGridPoints,
+           .draw = Folds},
+    Domain{.name = "closed-folds",
+           .summary = "the same with the back of each triangle: closed, whatever is chosen",
+           .mesh = true,
+           .is_promised = LeavesGridPoints,
+           .draw = ClosedFolds},
     Domain{.name = "wrapped-coordinates",
            .summary = "coordinates beyond a range that wraps, and beside its ends",
            .is_promised = [](const Profile& p) { return p.fixed && p.fixed->wraps; },
@@ -196,6 +212,16 @@ constexpr std::array kDomains{
            .summary = "ties of the snap on the largest targets of each model, and on larger ones",
            .is_promised = [](const Profile& p) { return !p.targets.empty(); },
            .draw = TargetEnds},
+    Domain{.name = "perspective-meshes",
+           .summary = "grids in clip space, in front of the eye, each vertex with a w of its own",
+           .clip = true,
+           .mesh = true,
+           .draw = PerspectiveMeshes},
+    Domain{.name = "meshes-around-eye",
+           .summary = "closed around the eye, or open, and no triangle hides another",
+           .clip = true,
+           .mesh = true,
+           .draw = MeshesAroundEye},
 };
 
 }  // namespace

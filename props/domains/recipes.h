@@ -47,6 +47,10 @@ Case FullTargets(BitSource& bits, const SubjectInfo& info);
 /// Triangles one vertex of which decides a sample by how it is snapped.
 void AddDecidingTies(Sketch& sketch);
 
+// recipes_folds.cc: what a legal choice of grid points turns over.
+Case Folds(BitSource& bits, const SubjectInfo& info);
+Case ClosedFolds(BitSource& bits, const SubjectInfo& info);
+
 // recipes_lists.cc
 Case NearRepeats(BitSource& bits, const SubjectInfo& info);
 Case SparseIndices(BitSource& bits, const SubjectInfo& info);
@@ -68,6 +72,7 @@ Case SharedEdge(BitSource& bits, const SubjectInfo& info);
 Case Fans(BitSource& bits, const SubjectInfo& info);
 Case Strips(BitSource& bits, const SubjectInfo& info);
 Case Grids(BitSource& bits, const SubjectInfo& info);
+Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info);
 Case SharedSnapTies(BitSource& bits, const SubjectInfo& info);
 
 // recipes_subdivisions.cc
@@ -78,6 +83,7 @@ Case CoveringFans(BitSource& bits, const SubjectInfo& info);
 
 // recipes_closed.cc
 Case ClosedMesh(BitSource& bits, const SubjectInfo& info);
+Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info);
 Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info);
 Case Perspective(BitSource& bits, const SubjectInfo& info);
 Case MixedW(BitSource& bits, const SubjectInfo& info);

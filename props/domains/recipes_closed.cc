@@ -1,6 +1,7 @@
 // Closed surfaces, and clip space: in front of the eye, around it, behind it.
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -138,6 +139,32 @@ Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info) {
         {focal * p[0] + w * sketch.width() / 2, focal * p[1] + w * sketch.height() / 2, 0, w});
   }
   AddTriangles(sketch, surface);
+  return sketch.Done(Finish::kMesh);
+}
+
+Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  sketch.UseClipSpace();
+  const Surface surface = Bipyramid(static_cast<std::int32_t>(bits.Int(3, 8)));
+  const double focal = std::ldexp(1.0, static_cast<int>(bits.Int(1, 5)));
+  // Turned about the upright axis, and each vertex as far away as it likes: seen from the origin,
+  // every triangle faces the same way and none hides another.
+  const double turn = sketch.Uniform(0, 2 * std::acos(-1.0));
+  for (std::int32_t v = 0; v < surface.vertices; ++v) {
+    const std::array<double, 3> p = AroundOrigin(v, surface);
+    const double distance = std::fabs(sketch.LogUniform(-2, 3));
+    const double x = distance * (std::cos(turn) * p[0] - std::sin(turn) * p[2]);
+    const double depth = distance * (std::sin(turn) * p[0] + std::cos(turn) * p[2]);
+    const double w = sketch.lattice().RoundToFloat(depth);
+    sketch.AddRaw({focal * x + w * sketch.width() / 2,
+                   focal * distance * p[1] + w * sketch.height() / 2, 0, w});
+  }
+  // Some are left out: the mesh then has an outline, which may pass behind the eye.
+  const bool is_open = bits.Chance(96);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Triangle& v = surface.triangles[t];
+    if (t == 0 || !is_open || !bits.Chance(64)) sketch.AddTriangle(v[0], v[1], v[2]);
+  }
   return sketch.Done(Finish::kMesh);
 }
 

@@ -173,6 +173,24 @@ Case Grids(BitSource& bits, const SubjectInfo& info) {
   return DoneGrid(sketch, DrawGridShape(sketch, columns, static_cast<int>(bits.Int(1, 6))));
 }
 
+Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  sketch.UseClipSpace();
+  const int columns = static_cast<int>(bits.Int(1, 4));
+  const GridShape shape = DrawGridShape(sketch, columns, static_cast<int>(bits.Int(1, 4)));
+  PlanarMesh mesh = MakeGrid(sketch, shape, bits.Chance(128) ? 0 : 0.2 * shape.spacing);
+  if (!mesh.IsFacingOneWay()) mesh = MakeGrid(sketch, shape, 0);
+  for (const Point2 p : mesh.vertices) {
+    // Powers of two keep the place exact; others move it by an ulp or two.
+    const double w = bits.Chance(96)
+                         ? std::ldexp(1.0, static_cast<int>(bits.Int(-4, 4)))
+                         : sketch.lattice().RoundToFloat(std::fabs(sketch.LogUniform(-4, 3)));
+    sketch.AddRaw({p.x * w, p.y * w, 0, w});
+  }
+  for (const Triangle& t : mesh.triangles) sketch.AddTriangle(t[0], t[1], t[2]);
+  return sketch.Done(Finish::kMesh);
+}
+
 Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   const Snap& snap = sketch.profile().snap;

@@ -49,9 +49,9 @@ class BatchingSubject final : public Subject {
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
   Drawing Show(const DrawJob& job) override;
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override;
   const EdgeEvaluator* Edges() const override;
   const WeightEvaluator* Weights() const override;
-  void SetDeadline(std::chrono::steady_clock::time_point deadline) override;
 
   /// From here on draws go by the ledger. kPutOff, kDrawNow: the n-th draw gets the n-th outcome,
   /// so a property that is run again draws what it drew before. Otherwise equal draws are one.

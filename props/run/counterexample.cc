@@ -56,14 +56,9 @@ class Shrinking {
   int hangs() const { return hangs_; }
   std::uint64_t evaluations() const { return evaluations_; }
 
-  Verdict Judge(const Case& c) {
-    const auto began = budget_.Now();
-    if (hung_) budget_.GiveSubject(options_.time_limit);
-    const Trial trial = TryCase(subject_, property_, c);
-    const bool no_answer = trial.broke_down || trial.verdict.outcome == Outcome::kInconclusive;
-    if (!hung_ || !no_answer || budget_.Since(began) < options_.time_limit) return trial.verdict;
-    ++hangs_;
-    return first_;
+  /// The case that failed in company.
+  Verdict JudgeAlone(const Case& c) {
+    return hung_ ? JudgeInOneLimit(c) : TryCase(subject_, property_, c).verdict;
   }
 
   Case Smallest(const Case& failing) {
@@ -76,6 +71,19 @@ class Shrinking {
   }
 
  private:
+  // What hung hangs again if it gives no answer now.
+  Verdict JudgeInOneLimit(const Case& c) {
+    const auto began = budget_.Now();
+    if (options_.time_limit > 0) budget_.GiveSubject(options_.time_limit);
+    const Trial trial = TryCase(subject_, property_, c);
+    const bool no_answer = trial.broke_down || trial.verdict.outcome == Outcome::kInconclusive;
+    const bool took_a_limit =
+        options_.time_limit > 0 && budget_.Since(began) >= options_.time_limit;
+    if (!no_answer || !took_a_limit) return trial.verdict;
+    ++hangs_;
+    return hung_ ? first_ : trial.verdict;
+  }
+
   std::string WhyToCut() const {
     if (budget_.IsStopped()) return "interrupted";
     if (hangs_ >= kMostHangs) return "it hung " + std::to_string(hangs_) + " times";
@@ -90,7 +98,7 @@ class Shrinking {
       options_.shrinking(evaluations_);
     }
     ++evaluations_;
-    const Verdict verdict = Judge(candidate);
+    const Verdict verdict = JudgeInOneLimit(candidate);
     // What breaks down as the run is stopped may have been stopped with it.
     if (verdict.outcome != Outcome::kViolated || budget_.IsStopped()) return false;
     last_ = verdict;
@@ -170,7 +178,7 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
   Shrinking shrinking(subject, property, options, budget, failure);
   if (options.shrinking) options.shrinking(0);
   if (failure.company.size() > 1 && MayGoOn(budget)) {
-    const Verdict alone = shrinking.Judge(failing);
+    const Verdict alone = shrinking.JudgeAlone(failing);
     const bool could_be_judged = alone.outcome != Outcome::kInconclusive;
     if (alone.outcome != Outcome::kViolated && could_be_judged && !budget.IsStopped()) {
       return InCompany(subject, property, failure, alone, options, budget);
@@ -183,7 +191,7 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
     found = Confirmed(subject, property, smallest, shrinking.Last(), failure);
   }
   found.evaluations = shrinking.evaluations();
-  if (shrinking.hangs() > 0) {
+  if (shrinking.Hung() && shrinking.hangs() > 0) {
     found.message += "; smaller cases without an answer in one time limit were taken to hang";
   }
   if (!shrinking.Cut().empty()) found.message += "; not shrunk any further: " + shrinking.Cut();

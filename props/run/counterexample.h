@@ -48,8 +48,8 @@ struct Failure {
 
 /// Judges the case alone, shrinks it and runs the smallest one once more.
 ///
-/// What hung is shrunk with one time limit an evaluation: none is given the time to prove that it
-/// hangs, and at most kMostHangs are tried. What is violated in company alone is violated if the
+/// An evaluation gets one time limit in all, which is no time to prove that a case hangs, and
+/// shrinking ends behind kMostHangs that took it; what hung hangs again if it has no answer by then. What is violated in company alone is violated if the
 /// company does it again. Ends in time when the budget does, or if it is stopped; then the message
 /// says so.
 Counterexample Investigate(Subject& subject, const Property& property, const Failure& failure,

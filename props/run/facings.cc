@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,19 +14,24 @@
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
+#include "exact/snap_clip.h"
 
 namespace rasterproof::props {
 namespace {
 
-// +1 front, -1 back, 0 no area or not finite. Clip space: of the vertices as given, which is that
-// of the projection before any snap.
-int FacingOf(const Scene& snapped, const Triangle& t, YAxis y_axis) {
+// +1 front, -1 back, 0 no area or not finite. Clip space: of the quotients on the grid; of the
+// vertices as given if there is no grid, or a vertex has no place on it.
+int FacingOf(const Scene& snapped, const Triangle& t, const Profile& profile) {
   const std::array<Vertex, 3> v = Corners(snapped, t);
   if (!std::ranges::all_of(v, IsFinite)) return 0;
+  const auto homogeneous = [&] {
+    const std::optional<int> on_grid = exact::SnappedClipFacing(v, profile.snap);
+    return on_grid ? *on_grid : exact::HomogeneousFacing(v);
+  };
   const int facing = snapped.clip_space
-                         ? exact::HomogeneousFacing(v)
+                         ? homogeneous()
                          : exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])});
-  return y_axis == YAxis::kUp ? -facing : facing;
+  return profile.y_axis == YAxis::kUp ? -facing : facing;
 }
 
 class FacingSubject final : public Subject {
@@ -38,6 +45,9 @@ class FacingSubject final : public Subject {
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
   Subject& Whole() override { return subject_->Whole(); }
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
+    subject_->SetDeadline(deadline);
+  }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     const DrawJob job{scene, options, counts.samples};
@@ -76,11 +86,11 @@ class FacingSubject final : public Subject {
   void AddParts(std::size_t k, const DrawJob& job, std::vector<Part>& parts,
                 std::vector<DrawJob>& part_jobs) const {
     const Scene& scene = job.scene;
-    const Scene snapped =
-        IsHomogeneous(scene, info_.profile) ? scene : SnapScene(scene, info_.profile);
+    const Profile profile = ForTarget(info_.profile, scene.width, scene.height);
+    const Scene snapped = IsHomogeneous(scene, profile) ? scene : SnapScene(scene, profile);
     std::array<std::vector<Triangle>, 2> sides;
     for (const Triangle& t : scene.triangles) {
-      sides[FacingOf(snapped, t, info_.profile.y_axis) < 0 ? 1 : 0].push_back(t);
+      sides[FacingOf(snapped, t, profile) < 0 ? 1 : 0].push_back(t);
     }
     for (const bool is_back : {false, true}) {
       const std::vector<Triangle>& side = sides[is_back ? 1 : 0];

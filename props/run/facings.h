@@ -10,11 +10,13 @@ namespace rasterproof::props {
 
 /// Returns a subject of CoverageKind::kFacingCounts that draws by the given one.
 ///
-/// kCounts: triangles that face one way by the exact model of the subject's profile are drawn in
-/// one call, in their order, those that face the other way in another. kMask, kWinners, kFragments:
-/// every triangle is drawn by itself, so that overlaps show. A triangle of no area counts as front:
-/// it should cover nothing. What only a whole mesh in one call would show is seen by the properties
-/// that draw by Subject::Whole().
+/// kCounts: triangles that face one way by the canonical model of the subject's profile (in clip
+/// space by their quotients on its grid) are drawn in one call, in their order, those that face the
+/// other way in another. kMask, kWinners, kFragments: every triangle is drawn by itself, so that
+/// overlaps show. A triangle of no area counts as front: it should cover nothing. Where the profile
+/// leaves other models legal the facing is a guess: see TellsFacings and OpenTriangles
+/// (props/catalog/free_choices.h). What only a whole mesh in one call would show is seen by the
+/// properties that draw by Subject::Whole().
 std::unique_ptr<Subject> WithFacings(std::unique_ptr<Subject> subject);
 
 }  // namespace rasterproof::props

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -71,6 +72,9 @@ class SeenSubject final : public Subject {
   }
   Drawing Show(const DrawJob& job) override {
     return subject_.Show({InClipSpace(job.scene), job.options, job.samples});
+  }
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
+    subject_.SetDeadline(deadline);
   }
   Subject& Whole() override {
     if (&subject_.Whole() == &subject_) return *this;

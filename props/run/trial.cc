@@ -43,6 +43,9 @@ Verdict CheckAsPromised(Subject& subject, const Property& property, const Case& 
     const auto among_kept = static_cast<std::size_t>(verdict.witness->triangle);
     verdict.witness->triangle = static_cast<int>(kept[among_kept]);
   }
+  if (verdict.outcome == Outcome::kViolated && !flat.empty()) {
+    verdict.message += "; it numbers the triangles without those of zero area";
+  }
   return verdict;
 }
 

@@ -17,7 +17,7 @@ using std::optional;
 Vec2 At(double x, double y) { return {Rational(x), Rational(y)}; }
 Point2 ToPoint(const Vec2& v) { return {v.x.ToDouble(), v.y.ToDouble()}; }
 
-Tally RightOfAnUpwardEdgeIsPositive(std::uint64_t seed, int count) {
+StatementTally RightOfAnUpwardEdgeIsPositive(std::uint64_t seed, int count) {
   // "Right" told without a rotation: of two points at one height beside an upward edge, the one of
   // greater x is the right one.
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
@@ -40,7 +40,7 @@ bool AllPositiveInside(const Triangle2& t, const Vec2& p) {
          Edge(t[2], t[0], p).Sign() > 0;
 }
 
-Tally ClockwiseInteriorIsPositive(std::uint64_t seed, int count) {
+StatementTally ClockwiseInteriorIsPositive(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.ProperTriangle();
     if (Orient2d(t[0], t[1], t[2]).Sign() > 0) return nullopt;  // clockwise with y up
@@ -67,7 +67,7 @@ constexpr bool kBothCallsCompile = std::is_invocable_v<AsWritten*, Vec2f, V1, Ve
 
 bool NoTypeOfV1FitsBothCalls() { return !kBothCallsCompile<Vec2f> && !kBothCallsCompile<Vec3f>; }
 
-Tally OneTypeFitsAllCalls(std::uint64_t, int count) {
+StatementTally OneTypeFitsAllCalls(std::uint64_t, int count) {
   using Corrected = bool(const Vec2f&, const Vec2f&, const Vec2f&);
   const auto times = static_cast<std::uint64_t>(count);
   return {times, times, std::is_invocable_v<Corrected*, Vec2f, Vec2f, Vec2f> ? times : 0};
@@ -92,7 +92,7 @@ optional<Quad> DrawQuad(Draws& draws) {
   return Quad{{a, b, c}, {a, c, d}};
 }
 
-Tally InclusiveTestsCountOnceOffTheEdges(std::uint64_t seed, int count) {
+StatementTally InclusiveTestsCountOnceOffTheEdges(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const optional<Quad> quad = DrawQuad(draws);
     if (!quad) return nullopt;
@@ -108,7 +108,7 @@ bool InclusiveTestsCountTheDiagonalTwice() {
          PassesInclusively({At(0, 0), At(2, 2), At(2, 0)}, p);
 }
 
-Tally QuotientsAreWeightsForPositiveArea(std::uint64_t seed, int count) {
+StatementTally QuotientsAreWeightsForPositiveArea(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.ProperTriangle();
     if (Edge(t[0], t[1], t[2]).Sign() < 0) return nullopt;
@@ -127,7 +127,7 @@ bool DegenerateTrianglePassesAndDividesByZero() {
          IsInside(reversed, At(1, 1)) && !PassesInclusively(reversed, At(1, 1));
 }
 
-Tally EdgesOverTheAreaAreWeights(std::uint64_t seed, int count) {
+StatementTally EdgesOverTheAreaAreWeights(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
@@ -143,7 +143,7 @@ bool AllWithinOne(const Weights3& l) {
   return true;
 }
 
-Tally InsideIsNoWeightNegative(std::uint64_t seed, int count) {
+StatementTally InsideIsNoWeightNegative(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Coin() ? draws.PointInside(t) : draws.Point();
@@ -166,7 +166,7 @@ bool IsLeft(const Vec2& a, const Vec2& b, const Vec2& third) {
   return third.x > x;
 }
 
-Tally AscendingEdgesAreLeft(std::uint64_t seed, int count) {
+StatementTally AscendingEdgesAreLeft(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.ProperTriangle();
     // One condition on the numbers, two readings on the page.
@@ -205,7 +205,7 @@ optional<Triangle2> DrawWithHorizontalEdge(Draws& draws) {
   return t;
 }
 
-Tally TopEdgesOwnTheirSamples(std::uint64_t seed, int count) {
+StatementTally TopEdgesOwnTheirSamples(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const optional<Triangle2> t = DrawWithHorizontalEdge(draws);
     if (!t) return nullopt;
@@ -232,7 +232,7 @@ bool CoversByFlags(const Triangle2& t, const Vec2& p) {
   return true;
 }
 
-Tally ShiftEqualsTopLeft(std::uint64_t seed, int count) {
+StatementTally ShiftEqualsTopLeft(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const std::array<Point2, 3> points{ToPoint(t[0]), ToPoint(t[1]), ToPoint(t[2])};
@@ -250,7 +250,7 @@ Tally ShiftEqualsTopLeft(std::uint64_t seed, int count) {
 // Directions around a hub, counter-clockwise with y up, no two of them opposite neighbours.
 constexpr std::array<Point2, 6> kSpokes{{{1, 0}, {1, 2}, {-1, 1}, {-2, -1}, {0, -1}, {2, -1}}};
 
-Tally HubIsOwnedOnce(std::uint64_t seed, int count) {
+StatementTally HubIsOwnedOnce(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec2 hub = draws.Point();
     std::array<Vec2, kSpokes.size()> rim;
@@ -274,7 +274,7 @@ Tally HubIsOwnedOnce(std::uint64_t seed, int count) {
   });
 }
 
-Tally TopIsIndependentOfWinding(std::uint64_t seed, int count) {
+StatementTally TopIsIndependentOfWinding(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const optional<Triangle2> t = DrawWithHorizontalEdge(draws);
     if (!t) return nullopt;
@@ -291,7 +291,7 @@ bool TopEdgeStaysTopWhenReversed() {
   return IsTop(At(0, 0), At(4, 0), At(2, 4)) && IsTop(At(4, 0), At(0, 0), At(2, 4));
 }
 
-Tally ReversalNegates(std::uint64_t seed, int count) {
+StatementTally ReversalNegates(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec2 u = draws.Point();
     const Vec2 v = draws.Point();

@@ -23,7 +23,7 @@ Vec2 RightOf(const Vec2& direction, bool y_up) {
   return y_up ? Negated(counter_clockwise_y_up) : counter_clockwise_y_up;
 }
 
-Tally IsADeterminant(std::uint64_t seed, int count) {
+StatementTally IsADeterminant(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec2 a = draws.Point();
     const Vec2 b = draws.Point();
@@ -34,7 +34,7 @@ Tally IsADeterminant(std::uint64_t seed, int count) {
   });
 }
 
-Tally IsPositiveOnTheRight(std::uint64_t seed, int count) {
+StatementTally IsPositiveOnTheRight(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Vec2 a = draws.Point();
     const Vec2 d = draws.Point();
@@ -53,7 +53,7 @@ bool IsPositiveOnTheLeftWithYDown() {
   return left == At(0, -1) && Edge(a, b, a + left) == Rational(1);
 }
 
-Tally PositiveMeansRightHanded(std::uint64_t seed, int count) {
+StatementTally PositiveMeansRightHanded(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Vec2 u = draws.Point();
     if (Dot(u, u).Sign() == 0) return nullopt;
@@ -70,7 +70,7 @@ bool RightHandedTurnsClockwiseWithYDown() {
   return clockwise_on_the_page == At(0, 1) && Cross(u, clockwise_on_the_page) == Rational(1);
 }
 
-Tally HalfIsTheArea(std::uint64_t seed, int count) {
+StatementTally HalfIsTheArea(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.AnyTriangle();
     if (Orient2d(t[0], t[1], t[2]).Sign() < 0) return nullopt;
@@ -90,7 +90,7 @@ Weights3 WeightsByReversedEdges(const Triangle2& t, const Vec2& p) {
   return {Edge(t[2], t[1], p) / whole, Edge(t[0], t[2], p) / whole, Edge(t[1], t[0], p) / whole};
 }
 
-Tally WeightsByReversedEdgesAreRight(std::uint64_t seed, int count) {
+StatementTally WeightsByReversedEdgesAreRight(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
@@ -109,7 +109,7 @@ bool AreAreas(const Triangle2& t, const Vec2& p) {
          is_area(Edge(t[1], t[0], p), SquaredDoubleArea(t[0], t[1], p));
 }
 
-Tally NumeratorsAreAreas(std::uint64_t seed, int count) {
+StatementTally NumeratorsAreAreas(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.ProperTriangle();
     if (Orient2d(t[0], t[1], t[2]).Sign() < 0) return nullopt;
@@ -121,14 +121,14 @@ bool NumeratorsAreNegativeForTheOtherWinding() {
   return !AreAreas({At(0, 0), At(0, 4), At(4, 0)}, At(1, 1));
 }
 
-Tally SumIsOneEverywhere(std::uint64_t seed, int count) {
+StatementTally SumIsOneEverywhere(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Weights3 l = WeightsByReversedEdges(draws.ProperTriangle(), draws.Point());
     return optional(l[0] + l[1] + l[2] == Rational(1));
   });
 }
 
-Tally EightIncrementsHold(std::uint64_t seed, int count) {
+StatementTally EightIncrementsHold(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec2 a = draws.Point();
     const Vec2 b = draws.Point();
@@ -165,7 +165,7 @@ Counted operator*(const Counted& a, const Counted& b) {
   return {a.value * b.value, a.operations};
 }
 
-Tally OneAdditionReplacesFiveOperations(std::uint64_t seed, int count) {
+StatementTally OneAdditionReplacesFiveOperations(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     int operations = 0;
     const auto number = [&] { return Counted{draws.Number(), &operations}; };
@@ -185,7 +185,7 @@ Tally OneAdditionReplacesFiveOperations(std::uint64_t seed, int count) {
   });
 }
 
-Tally IsTheZOfACrossProduct(std::uint64_t seed, int count) {
+StatementTally IsTheZOfACrossProduct(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec2 u = draws.Point();
     const Vec2 v = draws.Point();
@@ -196,7 +196,7 @@ Tally IsTheZOfACrossProduct(std::uint64_t seed, int count) {
   });
 }
 
-Tally IsZeroExactlyOnTheLine(std::uint64_t seed, int count) {
+StatementTally IsZeroExactlyOnTheLine(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Vec2 a = draws.Point();
     const Vec2 d = draws.Point();
@@ -212,7 +212,7 @@ bool AllPositive(const Triangle2& t, const Vec2& p) {
          Edge(t[2], t[0], p).Sign() > 0;
 }
 
-Tally InteriorIsWhereAllArePositive(std::uint64_t seed, int count) {
+StatementTally InteriorIsWhereAllArePositive(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.ProperTriangle();
     if (Edge(t[0], t[1], t[2]).Sign() < 0) return nullopt;

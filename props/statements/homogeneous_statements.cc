@@ -32,7 +32,7 @@ Rational WithoutDivision(const Vec3& v0, const Vec3& v1, const Vec2& p) {
   return Dot(Cross(v0, v1), OnTheImage(p));
 }
 
-Tally PrintedFormNeedsAnAnchorThatIsProjected(std::uint64_t seed, int count) {
+StatementTally PrintedFormNeedsAnAnchorThatIsProjected(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     Vec3 v0 = draws.EyePoint(false);
     if (draws.Coin()) v0.z = Rational(1);
@@ -54,7 +54,7 @@ bool PrintedFormHasTheWrongSign() {
   return AsPrinted(v0, v1, p) == Rational(0.25) && Corrected(v0, v1, p) == Rational(-0.25);
 }
 
-Tally TripleProductIsTheScaledEdge(std::uint64_t seed, int count) {
+StatementTally TripleProductIsTheScaledEdge(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec3 v0 = draws.EyePoint(false);
     const Vec3 v1 = draws.EyePoint(false);
@@ -70,7 +70,7 @@ Tally TripleProductIsTheScaledEdge(std::uint64_t seed, int count) {
   });
 }
 
-Tally TripleProductInTwoDimensions(std::uint64_t seed, int count) {
+StatementTally TripleProductInTwoDimensions(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec3 v0 = draws.EyePoint(false);
     const Vec3 v1 = draws.EyePoint(false);
@@ -81,7 +81,7 @@ Tally TripleProductInTwoDimensions(std::uint64_t seed, int count) {
   });
 }
 
-Tally CrossProductIsTheNormal(std::uint64_t seed, int count) {
+StatementTally CrossProductIsTheNormal(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Vec3 v0 = draws.EyePoint(false);
     const Vec3 v1 = draws.EyePoint(false);
@@ -98,7 +98,7 @@ bool CrossProductPointsTheOtherWayForMixedSigns() {
   return Flat(Cross(v0, v1)) == At(0, 1) && Rotated(ProjectedDirection(v0, v1)) == At(0, -1);
 }
 
-Tally ScalingKeepsTheSign(std::uint64_t seed, int count) {
+StatementTally ScalingKeepsTheSign(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Vec3 v0 = draws.EyePoint(false);
     const Vec3 v1 = draws.EyePoint(false);
@@ -115,7 +115,7 @@ bool ScalingFlipsTheSignForMixedSigns() {
   return WithoutDivision(v0, v1, p).Sign() == 1 && Corrected(v0, v1, p).Sign() == -1;
 }
 
-Tally RotationIsCounterClockwiseWithYUp(std::uint64_t seed, int count) {
+StatementTally RotationIsCounterClockwiseWithYUp(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec2 u = draws.Point();
     const Vec2 r = Rotated(u);
@@ -126,7 +126,7 @@ Tally RotationIsCounterClockwiseWithYUp(std::uint64_t seed, int count) {
 // With y down (0, 1) points down the page: turning right into down is clockwise.
 bool RotationIsClockwiseWithYDown() { return Rotated(At(1, 0)) == At(0, 1); }
 
-Tally RotationGivesTheInwardNormal(std::uint64_t seed, int count) {
+StatementTally RotationGivesTheInwardNormal(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.ProperTriangle();
     if (Orient2d(t[0], t[1], t[2]).Sign() < 0) return nullopt;  // counter-clockwise with y up
@@ -138,7 +138,7 @@ bool RotationGivesTheOutwardNormalForTheOtherWinding() {
   return Dot(Rotated(At(0, 4) - At(0, 0)), At(4, 0) - At(0, 0)).Sign() < 0;
 }
 
-Tally ThirdComponentDoesNotMatter(std::uint64_t seed, int count) {
+StatementTally ThirdComponentDoesNotMatter(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec3 v0 = draws.EyePoint(false);
     const Vec3 v1 = draws.EyePoint(false);
@@ -156,7 +156,7 @@ bool MeetsTheImagePlane(const Vec3& v) {
   return part.Sign() > 0 && part <= Rational(1);
 }
 
-Tally ProjectedEdgeLiesInTheTriangleWithTheEye(std::uint64_t seed, int count) {
+StatementTally ProjectedEdgeLiesInTheTriangleWithTheEye(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Vec3 v0 = draws.EyePoint(true);
     const Vec3 v1 = draws.EyePoint(true);
@@ -185,7 +185,7 @@ optional<bool> RayHits(const std::array<Vec3, 3>& v, const Vec2& p) {
   return true;
 }
 
-Tally SameSignsAsTheDeterminantMeanAHit(std::uint64_t seed, int count) {
+StatementTally SameSignsAsTheDeterminantMeanAHit(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const std::array<Vec3, 3> v{draws.EyePoint(false), draws.EyePoint(false),
                                 draws.EyePoint(false)};
@@ -201,7 +201,7 @@ Tally SameSignsAsTheDeterminantMeanAHit(std::uint64_t seed, int count) {
   });
 }
 
-Tally OffsetAlongTheNormalTellsTheSide(std::uint64_t seed, int count) {
+StatementTally OffsetAlongTheNormalTellsTheSide(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 edge = t[1] - t[0];
@@ -214,7 +214,7 @@ Tally OffsetAlongTheNormalTellsTheSide(std::uint64_t seed, int count) {
   });
 }
 
-Tally DivisionMovesVerticesIntoTheImage(std::uint64_t seed, int count) {
+StatementTally DivisionMovesVerticesIntoTheImage(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Vec3 v = draws.EyePoint(false);
     const Vec3 image = OnTheImage(Projected(v));

@@ -16,7 +16,7 @@ Rational Weighted(const Weights3& l, const Weights3& z) {
   return l[0] * z[0] + l[1] * z[1] + l[2] * z[2];
 }
 
-Tally DeltasEqualWeights(std::uint64_t seed, int count) {
+StatementTally DeltasEqualWeights(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Weights3 l = WeightsOf(draws.ProperTriangle(), draws.Point());
     const Weights3 z{draws.Number(), draws.Number(), draws.Number()};
@@ -52,7 +52,7 @@ optional<Seen> DrawSeen(Draws& draws) {
   return seen;
 }
 
-Tally DepthIsAffineForEqualZOnly(std::uint64_t seed, int count) {
+StatementTally DepthIsAffineForEqualZOnly(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const optional<Seen> seen = DrawSeen(draws);
     if (!seen) return nullopt;
@@ -77,7 +77,7 @@ bool DepthIsNotAffine() {
          DepthByPlane(v, middle) == Rational(8) / Rational(5);
 }
 
-Tally WeightsReproduceAnyPoint(std::uint64_t seed, int count) {
+StatementTally WeightsReproduceAnyPoint(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
@@ -85,7 +85,7 @@ Tally WeightsReproduceAnyPoint(std::uint64_t seed, int count) {
   });
 }
 
-Tally ScreenAffineAttributesAreInterpolated(std::uint64_t seed, int count) {
+StatementTally ScreenAffineAttributesAreInterpolated(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 slope = draws.Point();

@@ -56,8 +56,9 @@ Vec3 Draws::EyePoint(bool in_front) {
   return {Number(), Number(), !in_front && Coin() ? -z : z};
 }
 
-Tally Over(std::uint64_t seed, int count, const std::function<std::optional<bool>(Draws&)>& trial) {
-  Tally tally;
+StatementTally Over(std::uint64_t seed, int count,
+                    const std::function<std::optional<bool>(Draws&)>& trial) {
+  StatementTally tally;
   for (int i = 0; i < count; ++i) {
     Draws draws(seed, static_cast<std::uint64_t>(i));
     const std::optional<bool> held = trial(draws);

@@ -86,7 +86,8 @@ class Draws {
 };
 
 /// Draws `count` configurations. The trial returns nothing where the precondition is not met.
-Tally Over(std::uint64_t seed, int count, const std::function<std::optional<bool>(Draws&)>& trial);
+StatementTally Over(std::uint64_t seed, int count,
+                    const std::function<std::optional<bool>(Draws&)>& trial);
 
 }  // namespace rasterproof::props
 

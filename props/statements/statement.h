@@ -21,7 +21,7 @@ enum class Truth : std::uint8_t {
 std::string_view TruthName(Truth truth);
 
 /// How often a statement was put to the test, and how often it held.
-struct Tally {
+struct StatementTally {
   std::uint64_t drawn = 0;
   std::uint64_t met = 0;  ///< configurations that met the precondition
   std::uint64_t held = 0;
@@ -37,7 +37,7 @@ struct Statement {
   std::string_view counterexample;
   /// Checks the statement under its precondition (or its correction) on `count` random
   /// configurations, by exact rationals.
-  Tally (*check)(std::uint64_t seed, int count);
+  StatementTally (*check)(std::uint64_t seed, int count);
   /// Returns whether the statement as written really fails at the counterexample. nullptr if none.
   bool (*fails_as_written)();
 };

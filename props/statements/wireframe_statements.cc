@@ -21,7 +21,7 @@ Weights3 ByEdge(const Triangle2& t, const Vec2& p) {
           Orient2d(p, t[2], t[0]) / whole};
 }
 
-Tally EdgeWeightsBelongToCAB(std::uint64_t seed, int count) {
+StatementTally EdgeWeightsBelongToCAB(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
@@ -32,7 +32,7 @@ Tally EdgeWeightsBelongToCAB(std::uint64_t seed, int count) {
   });
 }
 
-Tally VerticesAreUnitWeights(std::uint64_t seed, int count) {
+StatementTally VerticesAreUnitWeights(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const auto is = [&](const Vec2& p, double l0, double l1, double l2) {
@@ -50,7 +50,7 @@ Weights3 ByLengths(const Triangle2& t, const Vec2& p) {
   return {l0, l1, Rational(1) - l0 - l1};
 }
 
-Tally LengthsAreRightInside(std::uint64_t seed, int count) {
+StatementTally LengthsAreRightInside(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.PointInside(t);
@@ -69,7 +69,7 @@ bool LengthsMakeAnOutsidePointLookInside() {
          ByLengths(RightTriangle(), OutsidePoint()) == wrong;
 }
 
-Tally SignedAreasSumToOne(std::uint64_t seed, int count) {
+StatementTally SignedAreasSumToOne(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.AnyTriangle();
     if (Orient2d(t[0], t[1], t[2]).Sign() == 0) return nullopt;
@@ -83,7 +83,7 @@ bool UnsignedAreasSumToMoreOutside() {
   return l[0].Abs() + l[1].Abs() + l[2].Abs() == Rational(1.5);
 }
 
-Tally WeightIsADistanceInHeights(std::uint64_t seed, int count) {
+StatementTally WeightIsADistanceInHeights(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
@@ -112,7 +112,7 @@ Rational SquaredReach(const Triangle2& t, const Rational& width) {
   return lambda * lambda * SquaredDistance(t[0], t[1], t[2]);
 }
 
-Tally DerivativeWidthIsBetweenOneAndRootTwo(std::uint64_t seed, int count) {
+StatementTally DerivativeWidthIsBetweenOneAndRootTwo(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Rational w = draws.Positive();
@@ -133,7 +133,7 @@ int Step(const Rational& edge, const Rational& x) { return x < edge ? 0 : 1; }
 bool IsEdgeByFormula(const Rational& lambda, const Rational& width) { return lambda <= width; }
 bool IsEdgeByCode(const Rational& lambda, const Rational& width) { return Step(width, lambda) < 1; }
 
-Tally FormulaAndCodeAgreeOffEquality(std::uint64_t seed, int count) {
+StatementTally FormulaAndCodeAgreeOffEquality(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Rational lambda = draws.Part();
     const Rational width = draws.Part();
@@ -153,7 +153,7 @@ Triangle2 Reconstructed(const Vec2& p, const Rational& u, const Rational& v, con
   return {a, a + dpdu, a + dpdv};
 }
 
-Tally VerticesAreReconstructed(std::uint64_t seed, int count) {
+StatementTally VerticesAreReconstructed(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Rational u = draws.Part();
@@ -180,7 +180,7 @@ Rational SquaredHeight(const Vec2& a, const Vec2& b) {
   return Dot(off, off);
 }
 
-Tally ProjectionGivesTheAltitudeFromA(std::uint64_t seed, int count) {
+StatementTally ProjectionGivesTheAltitudeFromA(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 a = t[1] - t[0];
@@ -206,7 +206,7 @@ Weights3 SquaredHeights(const Triangle2& t) {
   return {SquaredHeight(a, b), SquaredHeight(b, c), SquaredHeight(c, a)};
 }
 
-Tally DistancesPairWeightAndHeightOfOneVertex(std::uint64_t seed, int count) {
+StatementTally DistancesPairWeightAndHeightOfOneVertex(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
@@ -254,7 +254,7 @@ Nearest NearestEdge(const Triangle2& t, const Vec2& p) {
   return nearest;
 }
 
-Tally NearestLineIsNearestEdgeInside(std::uint64_t seed, int count) {
+StatementTally NearestLineIsNearestEdgeInside(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Nearest nearest = NearestEdge(t, draws.PointInside(t));
@@ -268,7 +268,7 @@ bool LineIsNearerThanEdgeOutside() {
   return nearest.line.Sign() == 0 && nearest.segment == Rational(36);
 }
 
-Tally ProjectionEqualsCrossOverBase(std::uint64_t seed, int count) {
+StatementTally ProjectionEqualsCrossOverBase(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Vec2 a = draws.Point();
     const Vec2 b = draws.Point();
@@ -282,7 +282,7 @@ bool EqualVerticesDivideByZero() {
   return Dot(side, side).Sign() == 0;
 }
 
-Tally EdgeWeightsReproduceThePoint(std::uint64_t seed, int count) {
+StatementTally EdgeWeightsReproduceThePoint(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
@@ -291,7 +291,7 @@ Tally EdgeWeightsReproduceThePoint(std::uint64_t seed, int count) {
   });
 }
 
-Tally InterpolatedUnitsAreScreenWeightsForEqualW(std::uint64_t seed, int count) {
+StatementTally InterpolatedUnitsAreScreenWeightsForEqualW(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Weights3 l = WeightsOf(draws.ProperTriangle(), draws.Point());
     const Rational w = draws.Positive();
@@ -307,7 +307,7 @@ bool InterpolatedUnitsAreSurfaceWeights() {
   return first / (first + second) == Rational(4) / Rational(5);
 }
 
-Tally InsideWeightsAreNotNegative(std::uint64_t seed, int count) {
+StatementTally InsideWeightsAreNotNegative(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Weights3 l = ByEdge(t, draws.PointInside(t));
@@ -315,7 +315,7 @@ Tally InsideWeightsAreNotNegative(std::uint64_t seed, int count) {
   });
 }
 
-Tally WeightVanishesOnItsEdge(std::uint64_t seed, int count) {
+StatementTally WeightVanishesOnItsEdge(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Rational s = draws.Part();

@@ -66,7 +66,7 @@ std::vector<Planted> Ties() {
        "what H - y does to a rule that is not symmetric",
        FixedStages{.profile =
                        [] {
-                         Profile profile = *PresetProfile("gl");
+                         Profile profile = FixedPointProfile();
                          profile.y_axis = YAxis::kUp;
                          return profile;
                        }(),

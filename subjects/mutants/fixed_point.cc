@@ -274,6 +274,13 @@ void FixedPoint::Draw(const Scene& scene, const DrawOptions& options, CoverageCo
 
 }  // namespace
 
+Profile FixedPointProfile() {
+  Profile profile = *PresetProfile("d3d11");
+  profile.name = "fixed point";
+  profile.infinite_vertex = InfiniteVertex::kNothing;
+  return profile;
+}
+
 std::unique_ptr<Subject> MakeFixedPoint(const std::string& name, const std::string& summary,
                                         FixedStages stages) {
   return std::make_unique<FixedPoint>(name, summary, std::move(stages));

@@ -57,11 +57,15 @@ struct Sample {
 using TileCorners = std::array<std::int64_t, 4>;
 enum class TileTest : std::uint8_t { kOutside, kInside, kMixed };
 
+/// Eight subpixel bits, nearest-even, top-left, up to 2^15 pixels: the model of the API presets,
+/// and a triangle that is not finite covers nothing.
+Profile FixedPointProfile();
+
 /// The stages of the rasterizer, in their order. An empty function leaves its stage sound; a mutant
 /// fills in one or two.
 struct FixedStages {
   /// What the subject promises, and what the sound stages do.
-  Profile profile = *PresetProfile("d3d11");
+  Profile profile = FixedPointProfile();
   int tile = 8;  ///< where the options leave it to the subject
 
   std::function<void(DrawOptions&, const Scene&)> options = {};

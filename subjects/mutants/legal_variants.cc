@@ -145,7 +145,7 @@ std::vector<Planted> OtherBases() {
 std::vector<Planted> LegalVariants() {
   std::vector<Planted> table = TieRules();
   for (const auto more : {Snaps, Samples, Freedoms, OtherBases, TransformVariants, ScanlineVariants,
-                          PromiseVariants}) {
+                          PromiseVariants, FreeVariants}) {
     for (Planted& planted : more()) table.push_back(std::move(planted));
   }
   return table;

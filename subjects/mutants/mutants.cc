@@ -31,7 +31,7 @@ std::vector<Row> MakeRows() {
        {mutants::FillRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
         mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
         mutants::RealMutants, mutants::TransformMutants, mutants::ScanlineMutants,
-        mutants::ShownValueMutants, mutants::PromiseMutants}) {
+        mutants::ShownValueMutants, mutants::PromiseMutants, mutants::FreeMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);
@@ -63,6 +63,9 @@ struct Maker {
   }
   std::unique_ptr<Subject> operator()(const mutants::ScanlineStages& stages) const {
     return mutants::MakeScanline(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::FreeStages& stages) const {
+    return mutants::MakeFreeChoice(info.name, info.change, stages);
   }
 };
 

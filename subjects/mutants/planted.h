@@ -9,6 +9,7 @@
 #include "core/profile.h"
 #include "subjects/mutants/clip_space.h"
 #include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/free_choice.h"
 #include "subjects/mutants/own_transform.h"
 #include "subjects/mutants/real_geometry.h"
 #include "subjects/mutants/scanline.h"
@@ -21,7 +22,8 @@ struct Planted {
   std::string_view name;
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
-  std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages>
+  std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
+               FreeStages>
       stages;
 };
 
@@ -40,6 +42,7 @@ std::vector<Planted> TransformMutants();   // clip space to window
 std::vector<Planted> ScanlineMutants();    // where edges cross rows
 std::vector<Planted> ShownValueMutants();  // edge values, walks, weights
 std::vector<Planted> PromiseMutants();     // fixed-point input, target sizes, extents, overdraw
+std::vector<Planted> FreeMutants();        // one illegal act among legal choices
 /// Written after the generators and the properties were frozen.
 std::vector<Planted> LateMutants();
 
@@ -47,6 +50,7 @@ std::vector<Planted> LegalVariants();
 // Parts of them.
 std::vector<Planted> TransformVariants();
 std::vector<Planted> ScanlineVariants();
+std::vector<Planted> FreeVariants();     // those that take the worst of what is legal
 std::vector<Planted> PromiseVariants();  // those of profiles with the rarer keys
 
 }  // namespace rasterproof::subjects::mutants

@@ -109,7 +109,7 @@ std::vector<Planted> Snaps() {
 }  // namespace
 
 Profile FourSampleProfile() {
-  Profile profile = *PresetProfile("d3d11");
+  Profile profile = FixedPointProfile();
   profile.name = "four samples";
   profile.lattice.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
   return profile;

@@ -10,6 +10,7 @@
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "subjects/mutants/fixed_point.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -27,7 +28,7 @@ class Scanline final : public Subject {
       : stages_(std::move(stages)) {
     info_.name = name;
     info_.summary = summary;
-    info_.profile = *PresetProfile("d3d11");
+    info_.profile = FixedPointProfile();
     info_.profile.name = "rounded crossings";
     info_.profile.crossing = {8, stages_.promised};
     info_.takes_tiles = false;

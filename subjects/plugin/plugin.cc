@@ -17,7 +17,9 @@
 
 #include "core/edge_claims.h"
 #include "core/error.h"
+#include "core/target_size.h"
 #include "kit/rasterproof_plugin.h"
+#include "subjects/plugin/environment.h"
 #include "subjects/plugin/guarded_target.h"
 
 namespace rasterproof::subjects {
@@ -103,6 +105,7 @@ class PluginTarget {
  public:
   PluginTarget(const DrawJob& job, CoverageKind kind)
       : rows_(static_cast<std::size_t>(job.scene.height)) {
+    RequireTargetSize("plugin", job.scene.width, job.scene.height, job.samples);
     drawing_.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
     const std::size_t columns = drawing_.counts.size() / rows_;
     const bool winners = kind == CoverageKind::kWinners || kind == CoverageKind::kFragments;
@@ -175,12 +178,18 @@ class PluginTarget {
 // The library's edge values, by its two calls.
 class PluginEdges final : public ClaimedEdges {
  public:
-  PluginEdges(const rasterproof_plugin& plugin, const SubjectInfo& info, void* state)
-      : ClaimedEdges(info.edges, info.input), plugin_(plugin), state_(state) {}
+  PluginEdges(const rasterproof_plugin& plugin, const SubjectInfo& info, void* state,
+              LibraryEnvironment& environment)
+      : ClaimedEdges(info.edges, info.input),
+        plugin_(plugin),
+        state_(state),
+        environment_(environment) {}
 
   double Value(Point2 a, Point2 b, Point2 p) const override {
     double value = 0;
-    RequireDone(plugin_.edge_value(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &value));
+    RequireDone([&] {
+      return plugin_.edge_value(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &value);
+    });
     return value;
   }
   std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
@@ -188,8 +197,10 @@ class PluginEdges final : public ClaimedEdges {
     constexpr double kGuard = 0x1.badp+77;
     std::vector<double> values(static_cast<std::size_t>(steps) + 2, kGuard);
     const rasterproof_walk walk{step.along_y ? 1 : 0, step.sign, step.length, steps};
-    RequireDone(plugin_.edge_walk(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &walk,
-                                  values.data()));
+    RequireDone([&] {
+      return plugin_.edge_walk(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &walk,
+                               values.data());
+    });
     if (values.back() != kGuard) throw SubjectFault("it wrote behind the values of a walk");
     values.pop_back();
     return values;
@@ -197,7 +208,13 @@ class PluginEdges final : public ClaimedEdges {
 
  private:
   static std::array<double, 2> Pair(Point2 p) { return {p.x, p.y}; }
-  static void RequireDone(std::int32_t refused) {
+  template <class Call>
+  void RequireDone(const Call& call) const {
+    std::int32_t refused = 0;
+    {
+      const LibraryEnvironment::Within library(environment_);
+      refused = call();
+    }
     if (refused == 0) return;
     throw InputError("subject", "it refused to show an edge value: " + std::to_string(refused),
                      "give it another scene");
@@ -205,16 +222,23 @@ class PluginEdges final : public ClaimedEdges {
 
   const rasterproof_plugin& plugin_;
   void* state_;
+  LibraryEnvironment& environment_;
 };
 
 class PluginSubject final : public Subject {
  public:
-  PluginSubject(const rasterproof_plugin& plugin, const std::string& path)
-      : plugin_(plugin), info_(InfoOf(plugin, path)), fixed_(FixedInputOf(plugin)) {
+  PluginSubject(const rasterproof_plugin& plugin, const std::string& path,
+                const LibraryEnvironment& environment)
+      : plugin_(plugin),
+        info_(InfoOf(plugin, path)),
+        fixed_(FixedInputOf(plugin)),
+        environment_(environment) {
+    const LibraryEnvironment::Within library(environment_);
     if (plugin_.open != nullptr) state_ = plugin_.open();
-    if (info_.edges.shows_values) edges_.emplace(plugin_, info_, state_);
+    if (info_.edges.shows_values) edges_.emplace(plugin_, info_, state_, environment_);
   }
   ~PluginSubject() override {
+    const LibraryEnvironment::Within library(environment_);
     if (plugin_.close != nullptr) plugin_.close(state_);
   }
   PluginSubject(const PluginSubject&) = delete;
@@ -235,7 +259,8 @@ class PluginSubject final : public Subject {
     }
     const PluginScene given(job.scene, job.options, fixed_);
     PluginTarget target(job, info_.coverage);
-    const std::int32_t refused = plugin_.draw(state_, &given.view(), &target.view());
+    const std::int32_t refused =
+        InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
     Drawing drawing = target.Drawn();
     if (refused != 0) {
       throw InputError("subject " + info_.name, "draw returned " + std::to_string(refused),
@@ -261,8 +286,9 @@ class PluginSubject final : public Subject {
       scene_views.push_back(&given.emplace_back(job.scene, job.options, fixed_).view());
       target_views.push_back(&targets.emplace_back(job, info_.coverage).view());
     }
-    const std::int32_t refused =
-        plugin_.draw_many(state_, scene_views.data(), target_views.data(), jobs.size());
+    const std::int32_t refused = InLibrary([&] {
+      return plugin_.draw_many(state_, scene_views.data(), target_views.data(), jobs.size());
+    });
     if (refused != 0) return Subject::DrawMany(jobs);
     std::vector<DrawOutcome> outcomes;
     for (PluginTarget& target : targets) {
@@ -278,13 +304,20 @@ class PluginSubject final : public Subject {
   }
 
  private:
+  template <class Call>
+  std::int32_t InLibrary(const Call& call) {
+    const LibraryEnvironment::Within library(environment_);
+    return call();
+  }
   void Reset() {
+    const LibraryEnvironment::Within library(environment_);
     if (plugin_.reset != nullptr) plugin_.reset(state_);
   }
 
   rasterproof_plugin plugin_;
   SubjectInfo info_;
   std::optional<FixedInput> fixed_;
+  LibraryEnvironment environment_;
   void* state_ = nullptr;
   std::optional<PluginEdges> edges_;
 };
@@ -351,7 +384,12 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
 LoadedPlugin LoadPlugin(const std::string& path) {
   // A name without a slash would be searched in the system's folders.
   const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
-  void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  LibraryEnvironment environment;
+  void* library = nullptr;
+  {
+    const LibraryEnvironment::Within loading(environment);  // it may set a mode as it is loaded
+    library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  }
   if (library == nullptr) {
     throw InputError(path, std::string("it can't be loaded: ") + dlerror(),
                      "give a shared library (.so) and what it needs");
@@ -362,8 +400,13 @@ LoadedPlugin LoadPlugin(const std::string& path) {
                      "see kit/rasterproof_plugin.h; C++ needs its extern \"C\"");
   }
   const auto describe = reinterpret_cast<const rasterproof_plugin* (*)()>(symbol);
-  const rasterproof_plugin plugin = Described(describe(), path);
-  return {std::make_unique<PluginSubject>(plugin, path),
+  const rasterproof_plugin* description = nullptr;
+  {
+    const LibraryEnvironment::Within describing(environment);
+    description = describe();
+  }
+  const rasterproof_plugin plugin = Described(description, path);
+  return {std::make_unique<PluginSubject>(plugin, path, environment),
           plugin.profile == nullptr ? "real" : plugin.profile};
 }
 

@@ -15,7 +15,8 @@ struct LoadedPlugin {
   std::string profile;               ///< a preset's name, or the text of a profile file
 };
 
-/// Loads a library. What it does wrong it does to this process: see plugin/host.h.
+/// Loads a library. What it does wrong it does to this process: the verb `host` is a process for it
+/// alone (tool/outside.h). Its rounding mode and the like are its own (environment.h).
 ///
 /// The subject draws into guarded memory: a write outside the target, or between its rows, is a
 /// SubjectFault that says where, or a crash where it goes farther than a page.

@@ -23,6 +23,8 @@ namespace rasterproof::subjects {
 namespace {
 
 constexpr std::size_t kChunk = 1 << 16;
+constexpr int kMomentLooks = 50;  // at whether it ended: about 200 ms
+constexpr int kExitLooks = 2000;  // about 10 s
 
 std::string Reason(int error) { return std::generic_category().message(error); }
 
@@ -39,7 +41,7 @@ struct Pipe {
 Pipe MakePipe(const std::string& program) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) CannotStart(program, errno);
-  return {ends[0], ends[1]};
+  return {AboveStandard(ends[0]), AboveStandard(ends[1])};
 }
 
 void LimitMemory(std::uint64_t bytes) {
@@ -55,6 +57,7 @@ void LimitMemory(std::uint64_t bytes) {
   dup2(out.write, STDOUT_FILENO);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
+  if (fcntl(STDERR_FILENO, F_GETFD) < 0) open("/dev/null", O_WRONLY);  // the one free number
   LimitMemory(most_bytes);
   execvp(argv[0], argv);
   const int error = errno;
@@ -74,29 +77,30 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_
   const Pipe out = MakePipe(program);
   const Pipe report = MakePipe(program);  // closed by a good exec, else tells why it failed
   pid_ = ForkGroup();
-  if (pid_ < 0) CannotStart(program, errno);
+  const int fork_error = errno;
   if (pid_ == 0) Become(argv.data(), in, out, report.write, most_bytes);
   close(in.read);
   close(out.write);
   close(report.write);
   to_child_ = in.write;
   from_child_ = out.read;
-  int error = 0;
-  const ssize_t told = read(report.read, &error, sizeof error);
+  int error = fork_error;
+  const ssize_t told = pid_ < 0 ? sizeof error : read(report.read, &error, sizeof error);
   close(report.read);
   if (told == static_cast<ssize_t>(sizeof error)) {
-    Ending();
+    End(0);
     CannotStart(program, error);
   }
   fcntl(to_child_, F_SETFL, O_NONBLOCK);
   fcntl(from_child_, F_SETFL, O_NONBLOCK);
 }
 
-ChildProcess::~ChildProcess() { Ending(); }
+// One that is in order sees that its input ends, and may end by itself.
+ChildProcess::~ChildProcess() { End(lost_ || Interrupted() ? 0 : kMomentLooks); }
 
-void ChildProcess::CloseInput() {
-  if (to_child_ >= 0) close(to_child_);
-  to_child_ = -1;
+void ChildProcess::Close(int& file) {
+  if (file >= 0) close(file);
+  file = -1;
 }
 
 void ChildProcess::Say(std::string text) {
@@ -110,44 +114,65 @@ void ChildProcess::Say(std::string text) {
 
 void ChildProcess::SayNoMore() {
   last_words_ = true;
-  if (said_ == to_say_.size()) CloseInput();
+  if (said_ == to_say_.size()) Close(to_child_);
 }
 
-// Writes and reads what can be written and read now; waits until something can, or the deadline.
-PipeEnd ChildProcess::Exchange(Clock::time_point deadline) {
+bool ChildProcess::WriteSome() {
+  const ssize_t n = write(to_child_, to_say_.data() + said_, to_say_.size() - said_);
+  if (n > 0) said_ += static_cast<std::size_t>(n);
+  if (n < 0 && errno != EAGAIN) Close(to_child_);  // it reads no more; what it says may matter
+  if (last_words_ && said_ == to_say_.size()) Close(to_child_);
+  return n > 0;
+}
+
+PipeEnd ChildProcess::ReadSome(bool& moved) {
+  const std::size_t length = heard_.size();
+  heard_.resize(length + kChunk);
+  const ssize_t n = read(from_child_, heard_.data() + length, kChunk);
+  heard_.resize(length + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  moved = moved || n > 0;
+  return n == 0 || (n < 0 && errno != EAGAIN) ? PipeEnd::kClosed : PipeEnd::kOpen;
+}
+
+// Writes and reads what can be written and read now; waits until something can, or for the next
+// look at the clocks.
+PipeEnd ChildProcess::Exchange(Patience& patience) {
   if (Interrupted()) return PipeEnd::kInterrupted;
-  const auto left =
-      std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  if (left <= 0) return PipeEnd::kTimedOut;
+  const Clock::time_point now = Clock::now();
+  const bool is_late = now >= patience.deadline;
+  const bool is_over = patience.time.IsOver();
+  Clock::duration wait = std::min(patience.time.UntilNextLook(), patience.deadline - now);
+  if (is_late || is_over) wait = {};
+  const auto rounded_up = std::chrono::ceil<std::chrono::milliseconds>(wait).count();
   const bool has_words = to_child_ >= 0 && said_ < to_say_.size();
   std::array<pollfd, 3> ends{{{from_child_, POLLIN, 0},
                               {has_words ? to_child_ : -1, POLLOUT, 0},
                               {InterruptedFile(), POLLIN, 0}}};
-  if (poll(ends.data(), ends.size(), static_cast<int>(std::min<long long>(left, 1000))) < 0) {
+  if (poll(ends.data(), ends.size(), static_cast<int>(rounded_up)) < 0) {
     return errno == EINTR ? PipeEnd::kOpen : PipeEnd::kClosed;
   }
   if (Interrupted()) return PipeEnd::kInterrupted;
-  if (ends[1].revents != 0) {
-    const ssize_t n = write(to_child_, to_say_.data() + said_, to_say_.size() - said_);
-    if (n > 0) said_ += static_cast<std::size_t>(n);
-    if (n < 0 && errno != EAGAIN) CloseInput();  // it reads no more; what it still says may matter
-    if (last_words_ && said_ == to_say_.size()) CloseInput();
-  }
+  bool moved = false;
+  if (ends[1].revents != 0) moved = WriteSome();
   if (ends[0].revents != 0) {
-    const std::size_t length = heard_.size();
-    heard_.resize(length + kChunk);
-    const ssize_t n = read(from_child_, heard_.data() + length, kChunk);
-    heard_.resize(length + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
-    if (n == 0 || (n < 0 && errno != EAGAIN)) return PipeEnd::kClosed;
+    const PipeEnd state = ReadSome(moved);
+    if (state != PipeEnd::kOpen) return state;
   }
+  // What came in the meantime counts, however late it is.
+  if (!moved && is_over) return PipeEnd::kTimedOut;
+  if (!moved && is_late) return PipeEnd::kDeadline;
+  patience.time.Look(moved);
   return PipeEnd::kOpen;
 }
 
-PipeEnd ChildProcess::ReadLine(Clock::time_point deadline, std::size_t most_bytes,
-                               std::string& line) {
+PipeEnd ChildProcess::ReadLine(Patience& patience, std::size_t most_bytes, std::string& line) {
   std::size_t searched = heard_from_;
   for (;;) {
     const std::size_t end = heard_.find('\n', searched);
+    if (std::min(end, heard_.size()) - heard_from_ > most_bytes) {
+      lost_ = true;
+      return PipeEnd::kTooLong;
+    }
     if (end != std::string::npos) {
       line.assign(heard_, heard_from_, end - heard_from_);
       heard_from_ = end + 1;
@@ -156,37 +181,49 @@ PipeEnd ChildProcess::ReadLine(Clock::time_point deadline, std::size_t most_byte
     heard_.erase(0, heard_from_);
     heard_from_ = 0;
     searched = heard_.size();
-    if (searched > most_bytes) return PipeEnd::kClosed;
-    const PipeEnd state = Exchange(deadline);
-    if (state != PipeEnd::kOpen) return state;
+    const PipeEnd state = Exchange(patience);
+    if (state != PipeEnd::kOpen) {
+      lost_ = state != PipeEnd::kClosed;
+      return state;
+    }
   }
 }
 
-std::string ChildProcess::Unread() {
-  pollfd end{from_child_, POLLIN, 0};
-  if (heard_from_ == heard_.size() && poll(&end, 1, 0) == 1) {
-    Exchange(Clock::now() + std::chrono::milliseconds(1));
+bool ChildProcess::HasUnread(std::string& first_line) {
+  if (heard_from_ == heard_.size()) {
+    bool moved = false;
+    pollfd end{from_child_, POLLIN, 0};
+    if (poll(&end, 1, 0) == 1) ReadSome(moved);
   }
-  const std::string unread = heard_.substr(heard_from_);
-  return unread.substr(0, unread.find('\n'));
+  if (heard_from_ == heard_.size()) return false;
+  lost_ = true;
+  const std::size_t end = std::min(heard_.find('\n', heard_from_), heard_.size());
+  first_line = heard_.substr(heard_from_, end - heard_from_);
+  return true;
 }
 
-std::string ChildProcess::Ending() {
-  CloseInput();
-  if (from_child_ >= 0) close(from_child_);
-  from_child_ = -1;
+bool ChildProcess::HasEnded() const {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT | WNOHANG) == 0 &&
+         info.si_pid == pid_;
+}
+
+std::string ChildProcess::Ending() { return End(kMomentLooks); }
+
+std::string ChildProcess::End(int looks) {
+  Close(to_child_);
+  Close(from_child_);
   if (pid_ < 0) return "had ended";
-  int status = 0;
-  bool ended = false;
-  // A child that closed its output is on its way out: give it a moment to say with what.
-  for (int n = 0; n < 50 && !ended; ++n) {
-    siginfo_t info{};
-    ended = waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT | WNOHANG) == 0 &&
-            info.si_pid == pid_;
-    if (!ended) std::this_thread::sleep_for(std::chrono::milliseconds(n < 10 ? 1 : 5));
+  bool ended = HasEnded();
+  // One that is on its way out is waited for, for how long: much memory takes its time to be freed.
+  const int most = looks == 0 ? 0 : kExitLooks;
+  for (int n = 0; !ended && (n < looks || (n < most && IsExiting(pid_))); ++n) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(n < 10 ? 1 : 5));
+    ended = HasEnded();
   }
+  int status = 0;
   EndGroup(std::exchange(pid_, -1), status);
-  if (!ended) return "still ran";
+  if (!ended) return kStillRan;
   if (WIFSIGNALED(status)) {
     return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
            strsignal(WTERMSIG(status)) + ")";

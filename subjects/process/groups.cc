@@ -45,14 +45,6 @@ void KillAll(Groups& all) noexcept {
   }
 }
 
-// The least number is 3: standard input, output and error may be closed.
-int Above2(int file) {
-  if (file < 0 || file > STDERR_FILENO) return file;
-  const int above = fcntl(file, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  close(file);
-  return above;
-}
-
 void CloseAllBut(int kept) {
   constexpr unsigned kLast = ~0U;
   const auto file = static_cast<unsigned>(kept);
@@ -95,9 +87,9 @@ int StartKeeper() {
   auto* const all = new (at) Groups{};
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return errno;
-  const int read_end = Above2(ends[0]);
-  const int write_end = Above2(ends[1]);
-  const int wake = Above2(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  const int read_end = AboveStandard(ends[0]);
+  const int write_end = AboveStandard(ends[1]);
+  const int wake = AboveStandard(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (read_end < 0 || write_end < 0 || wake < 0) return errno;
   keeper = fork();
   if (keeper == 0) {
@@ -200,6 +192,13 @@ void Interrupt() noexcept {
   const std::uint64_t one = 1;
   [[maybe_unused]] const ssize_t written = write(interrupted_file.load(), &one, sizeof one);
   errno = error;
+}
+
+int AboveStandard(int file) {
+  if (file < 0 || file > STDERR_FILENO) return file;
+  const int above = fcntl(file, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  close(file);
+  return above;
 }
 
 bool Interrupted() noexcept { return interrupted; }

@@ -25,6 +25,10 @@ bool Interrupted() noexcept;
 /// A file that can be read once Interrupt() was called, for poll(). -1 before the first ForkGroup.
 int InterruptedFile() noexcept;
 
+/// The file under a number above 2, closed on exec: where a standard file was closed its number is
+/// given to the next file, and a child would take that one for its own.
+int AboveStandard(int file);
+
 }  // namespace rasterproof::subjects
 
 #endif  // RASTERPROOF_SUBJECTS_PROCESS_GROUPS_H_

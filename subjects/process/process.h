@@ -2,7 +2,10 @@
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_PROCESS_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_PROCESS_H_
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,24 +17,34 @@
 namespace rasterproof::subjects {
 
 struct ProcessLimits {
-  double seconds = 10;                                  ///< for one answer, or one batch
-  std::uint64_t bytes = std::uint64_t{4} << 30;         ///< of address space; 0: no limit
-  std::uint64_t answer_bytes = std::uint64_t{8} << 30;  ///< of one answer
+  double seconds = 10;                           ///< of its own time, for one answer
+  std::uint64_t bytes = std::uint64_t{4} << 30;  ///< of address space; 0: no limit
 };
 
 /// A subject that is a child process speaking protocol.h.
 ///
 /// The child is started at the first draw, in a process group of its own, and again after it died
 /// or was killed: what follows a fault is judged on a fresh one. Its standard error is passed on.
+///
+/// Time:       own_time.h. A draw that takes longer than the limit is asked for once more, alone, on
+///             a fresh process, with ten times the limit, three times in the subject's life and if
+///             the deadline leaves room for it. No answer then either: it hangs, a SubjectFault, and
+///             so does whatever takes longer than the limit from then on. An answer within the
+///             limit counts: it was slow once. All else is SubjectTooSlow. The answers of a batch
+///             are due within the limit together; a batch that takes longer is asked for in parts.
 class ProcessSubject final : public Subject {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// `command` is a program and its arguments; a name without a slash is looked up in PATH.
   ProcessSubject(std::vector<std::string> command, SubjectInfo info, ProcessLimits limits = {});
   ~ProcessSubject() override;
 
   const SubjectInfo& Info() const override;
-  /// Error:      SubjectFault if it died (the signal or status is told), gave no answer in time, or
-  ///             answered something else; InputError if it refused the scene or can't be started.
+  /// Error:      SubjectFault if it died (the signal or status is told), hangs, or answered
+  ///             something else; SubjectTooSlow if it took too long, the deadline came or the
+  ///             command was interrupted; SubjectRefusal if it refused the scene; InputError if it
+  ///             can't be started.
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
   Drawing Show(const DrawJob& job) override;
   /// Sends all requests before it waits for the first answer.
@@ -42,28 +55,43 @@ class ProcessSubject final : public Subject {
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
   /// Error:      of its calls: as Draw.
   const EdgeEvaluator* Edges() const override;
+  void SetDeadline(Clock::time_point deadline) override;
 
  private:
   class Child;
+  class OutOfTime;
   class ShownEdges;
+  static bool IsOutOfTime(const DrawOutcome& outcome);
+  std::unique_ptr<Child> TakeChild();
   std::vector<double> AskValues(Point2 a, Point2 b, Point2 p, std::optional<Step> step, int steps);
-  std::vector<DrawOutcome> Ask(std::span<const DrawJob> jobs, double seconds);
+  std::string CallText(std::uint64_t first_id, std::span<const DrawJob> jobs) const;
+  std::vector<DrawOutcome> Ask(std::span<const DrawJob> jobs, double seconds,
+                               double* counted = nullptr);
+  std::vector<DrawOutcome> AskSome(std::span<const DrawJob> jobs);
+  DrawOutcome AskAlone(const DrawJob& job);
+  DrawOutcome AskAgain(const DrawJob& job, const DrawOutcome& slow);
+  void TryLonger(const OutOfTime& slow, const std::function<double(double)>& ask);
   bool BreaksDown(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
   void Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
+  void TraceAlone(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
   void TraceRun(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
 
   std::vector<std::string> command_;
   SubjectInfo info_;
   ProcessLimits limits_;
   std::uint64_t next_id_ = 1;
+  Clock::time_point deadline_ = Clock::time_point::max();
+  int tries_left_;
+  bool hangs_ = false;  ///< has been seen to
+  std::size_t most_in_a_batch_ = static_cast<std::size_t>(-1);
   std::unique_ptr<Child> child_;
   std::unique_ptr<ShownEdges> edges_;
 };
 
-/// What a program prints, all of it, within the limits.
+/// What a program prints, all of it: at most 1 MiB, within the limits but at least 10 s.
 ///
 /// Error:      InputError that names `place` if it can't be started, does not end in time, or ends
-///             with another status than 0.
+///             with another status than 0; SubjectTooSlow if the command was interrupted.
 std::string OutputOf(const std::vector<std::string>& command, const std::string& place,
                      const ProcessLimits& limits = {});
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/target_size.h"
 
 namespace rasterproof::subjects {
 namespace {
@@ -19,6 +20,14 @@ namespace {
 constexpr std::size_t kMostListed = std::size_t{1} << 26;
 constexpr int kMostSteps = 1 << 20;
 constexpr std::size_t kMostInABatch = std::size_t{1} << 16;
+
+// Of the lines of a right answer. A double has 24 characters at most ("-2.2250738585072014e-308"),
+// a count 10; the rest is for blanks and for programs that pad.
+constexpr std::size_t kMostOfANumber = 64;
+constexpr std::size_t kMostOfAHead = std::size_t{1} << 16;  // a reason may be a long text
+constexpr std::size_t kNumbersOfAFragment = 5;              // the winner, its weights, its depth
+
+constexpr std::size_t MostOfARow(std::size_t numbers) { return (numbers + 1) * kMostOfANumber; }
 
 void AppendNumber(std::string& text, double x) {
   if (std::isnan(x)) {
@@ -122,11 +131,7 @@ Announced ParseDrawLine(const std::vector<std::string>& words, DrawRequest& requ
   }
   for (std::size_t k = 8; k < words.size(); ++k) ParseOption(words[k], where, request.job.options);
   const Scene& s = request.job.scene;
-  if (s.width < 1 || s.height < 1 || s.width > kMaxTargetSide || s.height > kMaxTargetSide ||
-      request.job.samples < 1 || request.job.samples > kMaxSamplesPerPixel ||
-      std::int64_t{s.width} * s.height * request.job.samples > kMaxTargetSamples) {
-    Malformed(where, "sides of 1 to 65536 and at most 2^28 samples");
-  }
+  RequireTargetSize("standard input: " + where, s.width, s.height, request.job.samples);
   return announced;
 }
 
@@ -189,7 +194,8 @@ std::string RequireHead(const std::string& line, std::string_view word, std::uin
   }
   if (std::optional<std::string> rest = AfterHead(line, word, id)) return *std::move(rest);
   throw SubjectFault("it answered \"" + line.substr(0, 60) + "\", not \"" + std::string(word) +
-                     " " + std::to_string(id) + "\"");
+                     " " + std::to_string(id) +
+                     "\" (was a line left over from an earlier answer?)");
 }
 
 // The numbers of one line of an answer, and where it goes wrong.
@@ -227,21 +233,21 @@ class RowReader {
   const char* at_;
 };
 
-// Reads HEIGHT rows; take(row, index, column, columns) reads one sample from the row.
+// Reads HEIGHT rows; take(row, index, column, columns) reads one sample, of at most so many numbers,
+// from the row.
 template <class Take>
-void ReadRows(const CoverageCounts& shape, const std::function<std::string()>& next_line,
+void ReadRows(const CoverageCounts& shape, std::size_t numbers, const NextLine& next_line,
               const Take& take) {
   const auto columns = shape.size() / static_cast<std::size_t>(shape.height);
   for (std::size_t at = 0; at < shape.size(); at += columns) {
-    RowReader row(next_line());
+    RowReader row(next_line(MostOfARow(columns * numbers)));
     for (std::size_t k = 0; k < columns; ++k) take(row, at + k, k, columns);
     row.RequireEnd(columns);
   }
 }
 
-void ReadCounts(Drawing& drawing, std::vector<std::uint32_t>& side,
-                const std::function<std::string()>& next_line) {
-  ReadRows(drawing.counts, next_line,
+void ReadCounts(Drawing& drawing, std::vector<std::uint32_t>& side, const NextLine& next_line) {
+  ReadRows(drawing.counts, 1, next_line,
            [&](RowReader& row, std::size_t index, std::size_t column, std::size_t columns) {
              side[index] = row.Next<std::uint32_t>(column, columns);
            });
@@ -254,13 +260,13 @@ void RequireWinner(std::int32_t winner, std::size_t triangles) {
 }
 
 void ReadWinners(Drawing& drawing, std::size_t triangles, bool fragments,
-                 const std::function<std::string()>& next_line) {
+                 const NextLine& next_line) {
   drawing.winners.resize(drawing.counts.size());
   if (fragments) {
     drawing.weights.resize(drawing.counts.size());
     drawing.depths.resize(drawing.counts.size());
   }
-  ReadRows(drawing.counts, next_line,
+  ReadRows(drawing.counts, fragments ? kNumbersOfAFragment : 1, next_line,
            [&](RowReader& row, std::size_t index, std::size_t column, std::size_t columns) {
              const auto winner = row.Next<std::int32_t>(column, columns);
              RequireWinner(winner, triangles);
@@ -374,8 +380,8 @@ std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind ki
 }
 
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
-                   const std::function<std::string()>& next_line) {
-  RequireHead(next_line(), AnswerWord(info.coverage), id, info.name);
+                   const NextLine& next_line) {
+  RequireHead(next_line(kMostOfAHead), AnswerWord(info.coverage), id, info.name);
   Drawing drawing;
   drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
   if (ShowsWinners(info)) {
@@ -444,8 +450,9 @@ std::string ValuesText(std::uint64_t id, std::span<const double> values) {
 }
 
 std::vector<double> ReadValues(const EdgeRequest& request, const std::string& subject,
-                               const std::function<std::string()>& next_line) {
-  RowReader row(RequireHead(next_line(), "values", request.id, subject));
+                               const NextLine& next_line) {
+  const std::size_t most = kMostOfAHead + MostOfARow(request.Values());
+  RowReader row(RequireHead(next_line(most), "values", request.id, subject));
   std::vector<double> values(request.Values());
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = row.Next<double>(k, values.size());
   row.RequireEnd(values.size());

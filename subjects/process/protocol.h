@@ -58,12 +58,16 @@ std::vector<DrawRequest> ReadCall(std::istream& in);
 /// The answer to a request.
 std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind);
 
+/// Gives the next line of an answer. No right answer's has more than so many bytes: who reads need
+/// not wait for the end of one that has.
+using NextLine = std::function<std::string(std::size_t most_bytes)>;
+
 /// Reads the answer to a request, line by line.
 ///
 /// Error:      SubjectFault if it is no answer to request `id` of this kind and shape, or tells of
 ///             a fault; InputError if it is a refusal; what next_line throws.
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
-                   const std::function<std::string()>& next_line);
+                   const NextLine& next_line);
 
 /// Asks for edge values.
 struct EdgeRequest {
@@ -87,7 +91,7 @@ std::string ValuesText(std::uint64_t id, std::span<const double> values);
 ///
 /// Error:      as ReadAnswer.
 std::vector<double> ReadValues(const EdgeRequest& request, const std::string& subject,
-                               const std::function<std::string()>& next_line);
+                               const NextLine& next_line);
 
 }  // namespace rasterproof::subjects
 

@@ -109,6 +109,35 @@ TEST(SnapTest, AToleranceLeavesTheGridPointsNearby) {
   EXPECT_EQ(GridPointsWithin(0.3, Snap{}, 1), (Points{0.3}));
 }
 
+// A distance that only its rounding brings down to the tolerance is beyond it.
+TEST(SnapTest, AToleranceEndsWhereItSays) {
+  using Points = std::vector<double>;
+  const Snap quarter{2, SnapRule::kNearestEven};
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(GridPointsWithin(tiny, quarter, 1), (Points{0, 0.25}));
+  EXPECT_EQ(GridPointsWithin(-tiny, quarter, 1), (Points{-0.25, 0}));
+  EXPECT_EQ(GridPointsWithin(0.25 - 0x1p-55, quarter, 1), (Points{0, 0.25}));
+  EXPECT_EQ(GridPointsWithin(0.25 + 0x1p-54, quarter, 1), (Points{0.25, 0.5}));
+  EXPECT_EQ(GridPointsWithin(0.25, quarter, 1), (Points{0, 0.25, 0.5}));
+  EXPECT_EQ(GridPointsWithin(0.375 - 0x1p-54, quarter, 0.5), (Points{0.25}));
+  EXPECT_EQ(GridPointsWithin(0.375 + 0x1p-54, quarter, 0.5), (Points{0.5}));
+  EXPECT_EQ(GridPointsWithin(0.375, quarter, 0.5), (Points{0.25, 0.5}));
+}
+
+TEST(SnapTest, AToleranceOfFarCoordinatesIsExactUpToItsDomain) {
+  using Points = std::vector<double>;
+  const Snap fine{kMaxSubpixelBits, SnapRule::kFloor};
+  const double step = 0x1p-16;
+  EXPECT_EQ(GridPointsWithin(0x1p36 - step / 2, fine, 1), (Points{0x1p36 - step, 0x1p36}));
+  EXPECT_EQ(GridPointsWithin(step / 2 - 0x1p36, fine, 1), (Points{-0x1p36, step - 0x1p36}));
+  EXPECT_EQ(GridPointsWithin(0x1p36 - step, fine, 1),
+            (Points{0x1p36 - 2 * step, 0x1p36 - step, 0x1p36}));
+  for (const double far : {0x1p36, 0x1p52 + 1, std::numeric_limits<double>::max()}) {
+    EXPECT_EQ(GridPointsWithin(far, fine, 1), (Points{far}));
+    EXPECT_EQ(GridPointsWithin(-far, fine, 1), (Points{-far}));
+  }
+}
+
 TEST(SnapTest, FormNamesReadBack) {
   for (const SnapForm form :
        {SnapForm::kCoordinate, SnapForm::kFloat32Difference, SnapForm::kExactDifference}) {

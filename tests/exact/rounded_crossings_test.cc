@@ -203,5 +203,20 @@ TEST(RoundedCrossings, AreNoMatterOfHomogeneousClipSpace) {
   EXPECT_THROW(Coverage(scene, profile), InputError);
 }
 
+// A decider that would only repeat what the fast path says gives no second opinion.
+TEST(RoundedCrossings, AreDecidedByTheFastPathAlone) {
+  Scene scene;
+  scene.width = 4;
+  scene.height = 1;
+  scene.vertices = {{2.375, 0, 0, 1}, {2.375, 1, 0, 1}, {-8, 1, 0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  Profile profile;
+  profile.crossing = {8, SnapRule::kFloor};
+  for (const Decider decider : {Decider::kIntegers, Decider::kCgal}) {
+    EXPECT_THROW(Coverage(scene, profile, {}, decider), InputError);
+    EXPECT_EQ(Coverage(scene, {}, {}, decider).Count(1), 1U);
+  }
+}
+
 }  // namespace
 }  // namespace rasterproof::exact

@@ -50,7 +50,7 @@ TEST(CaseFileTest, EveryPartOfAProfileReadsBack) {
   file.value.scene = OneTriangle();
   file.value.scene.precision = Precision::kFloat64;
   Profile& profile = file.value.profile;
-  profile.name = "d3d11";  // its name, but not its content
+  profile.name = "mine";
   profile.snap = {4, SnapRule::kFloor, SnapForm::kFloat32Difference, 0x1p-8};
   profile.freedom = {0.6, true};
   profile.lattice.locations = {{0, 0}, {0x1.fep-1, 0x1p-8}, {0.375, 0.875}};

@@ -25,6 +25,7 @@ TEST(ProfileJson, RareKeysReadBack) {
   profile.max_extent = MaxExtent{1023.5, 511};
   profile.no_clip = WindowBox{-1024, -0.1, 1023, 0x1p30};
   profile.zero_area = ZeroArea::kUnspecified;
+  profile.infinite_vertex = InfiniteVertex::kUnspecified;
   profile.overdraw = true;
   profile.fill_rule = {.exclusive = true};
   ExpectReadsBack(profile);
@@ -66,10 +67,36 @@ TEST(ProfileJson, KeysThatAreLeftOutSayWhatTheyAlwaysDid) {
                                        "p.json");
   EXPECT_FALSE(profile.fixed || profile.max_extent || profile.no_clip);
   EXPECT_EQ(profile.zero_area, ZeroArea::kNothing);
+  EXPECT_EQ(profile.infinite_vertex, InfiniteVertex::kNothing);
   EXPECT_FALSE(profile.overdraw);
   const Profile fixed =
       ParseProfile(R"({"name": "p", "fixed": {"integer_bits": 9, "fraction_bits": 0}})", "p.json");
   EXPECT_EQ(fixed.fixed, (FixedInput{9, 0, true, false}));
+}
+
+TEST(ProfileJson, APresetsNameIsForWhatThePresetSays) {
+  for (const std::string_view name : kPresetProfiles) {
+    const Profile preset = *PresetProfile(name);
+    Profile other = preset;
+    other.snap.bits = 4;
+    EXPECT_EQ(ProfileName(preset), name);
+    EXPECT_NE(ProfileName(other), name);
+    // What is written is read back, and never under the preset's name.
+    Profile renamed = other;
+    renamed.name = ProfileName(other);
+    EXPECT_EQ(ParseProfile(ProfileToJson(other), "written"), renamed);
+  }
+  const std::string vulkan = R"({"name": "vulkan", "subpixel_bits": 8, "coordinate_limit": 32768})";
+  EXPECT_EQ(ParseProfile(vulkan, "p.json"), *PresetProfile("vulkan"));
+  try {
+    ParseProfile(R"({"name": "vulkan", "subpixel_bits": 4})", "p.json");
+    ADD_FAILURE() << "a profile of 4 bits is taken for the preset of 8";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "p.json: name: \"vulkan\" is the name of a preset, and this is not what the preset "
+        "says; give it another name, or write \"vulkan\" alone for the preset");
+  }
 }
 
 std::string Message(const std::string& member) {
@@ -110,6 +137,7 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("transform": {"viewport": "half"})", "write none, multiply-add, fused"},
            Bad{R"("transform": {"matrix": 1})", "unknown key \"matrix\""},
            Bad{R"("zero_area": "line")", "zero_area: \"line\" is unknown; known here are"},
+           Bad{R"("infinite_vertex": "clamped")", "infinite_vertex: \"clamped\" is unknown; known"},
            Bad{R"("overdraw": true)", "overdraw: "},
            Bad{R"("fill_rule": "none")", "inclusive or exclusive"},
            Bad{R"("targets": {})", "targets: "},

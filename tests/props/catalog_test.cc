@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/profile.h"
+#include "exact/coverage.h"
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
@@ -372,11 +373,26 @@ TEST(Fairness, BeyondTheCoordinateLimitOnlyTheDrawItselfIsJudged) {
 TEST(Fairness, AnInclusiveFillRuleMayCoverSharedEdgesTwice) {
   Case c = TwoTriangles();
   c.profile.fill_rule.inclusive = true;
+  Bug inclusive{
+      .draw = [](Subject&, const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        Profile profile;
+        profile.fill_rule.inclusive = true;
+        counts += exact::Coverage(scene, profile, options);
+      }};
   for (const std::string_view name :
-       {"SharedEdgeSamplesAreCoveredOnce", "EmbeddedMeshSamplesAreCoveredOnce",
-        "SignedCoverageEqualsTheWindingNumber", "ClosedMeshCancels"}) {
+       {"SharedEdgeSamplesAreCoveredOnce", "EmbeddedMeshSamplesAreCoveredOnce"}) {
+    EXPECT_EQ(Judge(name, inclusive, c).outcome, Outcome::kHolds) << name;
+    EXPECT_EQ(Judge(name, {}, c).outcome, Outcome::kHolds) << name << ": once is at least once";
+    c.profile.fill_rule.inclusive = false;
+    EXPECT_EQ(Judge(name, inclusive, c).outcome, Outcome::kViolated) << name;
+    c.profile.fill_rule.inclusive = true;
+  }
+  for (const std::string_view name :
+       {"SignedCoverageEqualsTheWindingNumber", "ClosedMeshCancels"}) {
     EXPECT_EQ(Judge(name, {}, c).outcome, Outcome::kNotApplicable) << name;
   }
+  c.profile.fill_rule = {.exclusive = true};
+  EXPECT_EQ(Judge("SharedEdgeSamplesAreCoveredOnce", {}, c).outcome, Outcome::kNotApplicable);
 }
 
 TEST(Fairness, ABoundThatIsNotClaimedIsNotJudged) {

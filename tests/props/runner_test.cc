@@ -138,6 +138,54 @@ TEST(ASubjectThatThrows, IsBlamedForItsEdgeValuesToo) {
   EXPECT_TRUE(Says(walk.message, "no std::exception")) << walk.message;
 }
 
+// The first triangle wins every sample, with what is no number for weights and depth.
+class NoNumbers final : public Subject {
+ public:
+  NoNumbers(double weight, double depth) : weight_(weight), depth_(depth) {
+    info_.coverage = CoverageKind::kFragments;
+  }
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    DrawRight(scene, options, counts);
+  }
+  Drawing Show(const DrawJob& job) override {
+    Drawing drawing;
+    drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+    drawing.winners.assign(drawing.counts.size(), 0);
+    drawing.weights.assign(drawing.counts.size(), {weight_, weight_, weight_});
+    drawing.depths.assign(drawing.counts.size(), depth_);
+    return drawing;
+  }
+
+ private:
+  SubjectInfo info_ = RealInfo();
+  double weight_;
+  double depth_;
+};
+
+TEST(AFragmentThatIsNoNumber, IsAFindingWithItsWitness) {
+  const Property& hull = *FindProperty("FragmentDepthStaysInTheHull");
+  for (const double no_number :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    NoNumbers depths(1, no_number);
+    NoNumbers weights(no_number, 0.5);
+    for (const auto& [subject, name] :
+         {std::pair<Subject*, std::string_view>{&depths, "FragmentDepthStaysInTheHull"},
+          {&depths, "FragmentDepthFollowsItsWeights"},
+          {&weights, "FragmentDepthFollowsItsWeights"},
+          {&weights, "FragmentWeightsSumToOne"},
+          {&weights, "FragmentWeightsStayWithinTheirError"}}) {
+      const PropertyResult result = RunCampaign(*subject, *FindProperty(name), {.cases = 40});
+      ASSERT_EQ(result.outcome, Outcome::kViolated) << name;
+      EXPECT_FALSE(result.verdict->witness->observed.empty()) << name;
+    }
+    const PropertyResult result = RunCampaign(depths, hull, {.cases = 40});
+    EXPECT_TRUE(
+        Says(result.verdict->witness->observed, no_number > 0 || no_number < 0 ? "inf" : "nan"));
+  }
+}
+
 // ---- refusals -----------------------------------------------------------------------------------
 
 PlantedSubject::DrawFunction RefusingUnless(std::function<bool(const Scene&)> takes) {

@@ -19,14 +19,14 @@ constexpr int kConfigurations = Cases(400);
 
 TEST(Statements, HoldUnderTheirPreconditions) {
   for (const Statement& statement : Statements()) {
-    const Tally tally = statement.check(kSeed, kConfigurations);
+    const StatementTally tally = statement.check(kSeed, kConfigurations);
     EXPECT_EQ(tally.held, tally.met) << statement.id << ": " << statement.text;
   }
 }
 
 TEST(Statements, MeetTheirPreconditionsOftenEnough) {
   for (const Statement& statement : Statements()) {
-    const Tally tally = statement.check(kSeed, kConfigurations);
+    const StatementTally tally = statement.check(kSeed, kConfigurations);
     EXPECT_GE(tally.met * 10, tally.drawn)
         << statement.id << " met its precondition in only " << tally.met << " of " << tally.drawn;
   }

@@ -194,6 +194,25 @@ TEST(PlanTest, ClipSpaceHasNoDifferencesToSnap) {
   EXPECT_THROW(DrawPlan(plan, scene, profile), InputError);
 }
 
+TEST(PlanTest, TakesNoProfileThatItWouldNotHonour) {
+  const Scene window = WindowScene(8, 8, {{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
+  Scene clip = window;
+  clip.clip_space = true;
+  Profile crossing;
+  crossing.crossing = {8, SnapRule::kFloor};
+  EXPECT_THROW(MakePlan(window, crossing, {}, kCoverageOnly), InputError);
+  EXPECT_THROW(MakePlan(clip, crossing, {}, kCoverageOnly), InputError);
+  Profile extent;
+  extent.max_extent = MaxExtent{2, 2};
+  EXPECT_THROW(MakePlan(clip, extent, {}, kCoverageOnly), InputError);
+  extent.transform.emplace();
+  EXPECT_NO_THROW(MakePlan(clip, extent, {}, kCoverageOnly));
+  Profile by_target;
+  by_target.targets = {{.max_width = 16, .max_height = 16, .snap = {4}}};
+  EXPECT_THROW(MakePlan(window, by_target, {}, kCoverageOnly), InputError);
+  EXPECT_NO_THROW(MakePlan(window, ForTarget(by_target, 8, 8), {}, kCoverageOnly));
+}
+
 TEST(PlanTest, DrawsWhatTheOracleSaysAtTheSharpValues) {
   RandomValues random(32);
   struct Boundary {

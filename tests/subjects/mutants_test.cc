@@ -51,7 +51,7 @@ TEST(Mutants, AreFoundByTheCatalogueInASample) {
   std::size_t number = 0;
   for (const MutantInfo& mutant : Mutants()) {
     if (mutant.legal || number++ % kEvery != 0) continue;
-    const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
+    const std::unique_ptr<Subject> subject = tool::MakeSubject(mutant.name);
     const tool::Hunt hunt = tool::HuntBug(*subject, {.cases = 600, .shrink_budget = 50});
     EXPECT_TRUE(hunt.violation.has_value()) << mutant.name << " survives " << hunt.cases;
   }
@@ -61,12 +61,34 @@ TEST(LegalVariants, KeepTheirProfilesInASample) {
   constexpr std::uint64_t kCases = Cases<std::uint64_t>(24);
   for (const MutantInfo& variant : Mutants()) {
     if (!variant.legal) continue;
-    const std::unique_ptr<Subject> subject = subjects::MakeMutant(variant.name);
+    const std::unique_ptr<Subject> subject = tool::MakeSubject(variant.name);
     const tool::Hunt hunt = tool::HuntBug(*subject, {.seed = 11, .cases = kCases});
     EXPECT_FALSE(hunt.violation.has_value())
         << variant.name << ": " << hunt.violation->property << ", " << hunt.violation->message;
     EXPECT_GT(hunt.exercised, 0U) << variant.name;
   }
+}
+
+// At least ten use their freedom, six of them with a twin that breaks the law once.
+TEST(LegalVariants, UseWhatFreedomThereIs) {
+  int free = 0, ruled = 0, clip = 0, unstated = 0;
+  std::set<CoverageKind> kinds;
+  for (const MutantInfo& variant : Mutants()) {
+    const SubjectInfo info = subjects::MakeMutant(variant.name)->Info();
+    const bool is_unstated =
+        info.profile.contract == Contract::kWatertight && info.profile.snap.IsNone();
+    if (!variant.legal || (info.profile.freedom.IsNone() && !is_unstated)) continue;
+    ++free;
+    kinds.insert(info.coverage);
+    ruled += info.profile.freedom.any_tie_rule ? 1 : 0;
+    clip += info.takes_clip ? 1 : 0;
+    unstated += is_unstated ? 1 : 0;
+  }
+  EXPECT_GE(free, 10);
+  EXPECT_GE(ruled, 2);
+  EXPECT_GE(clip, 2);
+  EXPECT_GE(unstated, 2);
+  EXPECT_EQ(kinds.size(), 5U);
 }
 
 TEST(Hunt, CountsTheCasesOfEveryPropertyAndEndsWithTheFirstViolation) {

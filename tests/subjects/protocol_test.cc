@@ -83,7 +83,7 @@ Drawing Read(const std::string& answer, CoverageKind kind, int width) {
   SubjectInfo info;
   info.coverage = kind;
   std::istringstream lines(answer);
-  return ReadAnswer(12, job, info, [&] {
+  return ReadAnswer(12, job, info, [&](std::size_t) {
     std::string line;
     std::getline(lines, line);
     return line;

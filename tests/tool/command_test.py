@@ -228,6 +228,30 @@ class BadInputTest(TemporaryFolder):
         self.refused("nonesuch", names="nonesuch")
         self.refused(names="subcommand")
 
+    def test_a_profile_with_a_presets_name_and_another_content(self):
+        path = self.write(json.dumps(self.GOOD))
+        profile = self.write('{"name": "vulkan", "subpixel_bits": 4}', "vulkan.json")
+        for verb in ("check", "coverage", "plan", "infer", "certify"):
+            scene = [] if verb in ("infer", "certify") else [path]
+            options = ["--profile", profile]
+            if verb == "certify":
+                options = ["--subject", self.write(f'command true\nprofile {{"name": "vulkan", '
+                                                   '"subpixel_bits": 4}\n', "x.subject"),
+                           "--out", self.folder.name]  # fmt: skip
+            self.refused(verb, *scene, *options, names=["vulkan", "another name"])
+        case = self.write(json.dumps({"rasterproof_case": 1, "scene": self.GOOD, "subject": "exact",
+                                      "profile": {"name": "gl", "subpixel_bits": 5}}))
+        self.refused("replay", case, names=["gl", "another name"])
+
+    def test_deciders_and_plans_that_know_no_rounded_crossings(self):
+        path = self.write(json.dumps(self.GOOD))
+        profile = self.write('{"name": "scanline", "crossing": {"bits": 8}}', "crossing.json")
+        self.assertEqual(run("coverage", path, "--profile", profile).returncode, 0)
+        for subject in ("exact-integers", "exact-cgal"):
+            self.refused("coverage", path, "--subject", subject, "--profile", profile,
+                         names=[subject, "crossing"])
+        self.refused("plan", path, "--profile", profile, names=["scanline", "crossing"])
+
     def test_subjects_say_which_scenes_they_do_not_take(self):
         behind = [(0.0, 0.0, 0.0, 1.0), (2.0, 0.0, 0.0, 1.0), (0.0, 2.0, 0.0, -1.0)]
         clip = self.write(scene_text(2, 2, behind, [[0, 1, 2]]))

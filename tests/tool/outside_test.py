@@ -13,6 +13,9 @@ PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv
 PYTHON_EXAMPLE = os.path.join(SOURCES, "kit/examples/program.py")
 MODEL = "CoverageEqualsTheModel"
 SHARED_EDGE = "SharedEdgeSamplesAreCoveredOnce"
+EMBEDDED_MESH = "EmbeddedMeshSamplesAreCoveredOnce"
+SHARED_TIES = ('{"name": "ties", "contract": "watertight", "fill_rule": "inclusive", '
+               '"overdraw": "allowed"}')  # fmt: skip
 DEGENERATE = "DegenerateTrianglesCoverNothing"
 SCENE = "scenes/ties.json"
 
@@ -109,6 +112,46 @@ class SoundSubjects(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
 
 
+class MeshClaims(unittest.TestCase):
+    """Subjects that promise meshes alone: the claims are put to them, or the run says so."""
+
+    def checked(self, verb, program, profile, takes="clip", data=None):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mine.subject")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(f"command {program}\ntakes {takes}\nprofile {profile}\n")
+            chosen = ["--subject" if verb == "check" else "--description", path,
+                      "--property", SHARED_EDGE, "--cases", "12"]  # fmt: skip
+            if verb == "check":
+                chosen += ["--property", EMBEDDED_MESH]
+            return run(verb, *chosen, data=data)
+
+    def test_are_put_to_a_clip_space_subject_that_shares_ties(self):
+        done = self.checked("check", "tests/tool/clip_program.py", SHARED_TIES)
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        self.assertEqual(held(done.stdout.decode()), 2, done.stdout)
+
+    def test_find_a_crack_in_a_clip_space_subject(self):
+        done = self.checked("check", "tests/tool/clip_program.py crack", SHARED_TIES)
+        self.assertEqual(done.returncode, 1, done.stdout.decode() + done.stderr.decode())
+        self.assertIn(b"a gap in the mesh", done.stdout)
+
+    def test_are_put_to_an_inclusive_subject_on_a_pipe_laid_by_hand(self):
+        requests = self.checked("gen", "unused", SHARED_TIES)
+        self.assertEqual(requests.returncode, 0, requests.stderr)
+        answers = run("crack", program=os.path.join(SOURCES, "tests/tool/clip_program.py"),
+                      data=requests.stdout)  # fmt: skip
+        verdict = self.checked("ver", "unused", SHARED_TIES, data=answers.stdout)
+        self.assertEqual(verdict.returncode, 1, verdict.stdout.decode() + verdict.stderr.decode())
+
+    def test_that_nothing_can_be_asked_about_is_said_and_inconclusive(self):
+        profile = '{"name": "ties", "contract": "watertight", "fill_rule": "exclusive"}'
+        for verb in ("gen", "ver"):
+            done = self.checked(verb, "unused", profile, takes="window", data=b"")
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn(b"an exclusive fill rule covers shared edges never", done.stderr)
+
+
 class FaultySubjects(unittest.TestCase):
     def check(self, name, words, *more):
         done = run("check", "--plugin", faulty(name), "--property", MODEL, "--property",
@@ -129,7 +172,8 @@ class FaultySubjects(unittest.TestCase):
         done = run("check", "--plugin", faulty("HANG"), "--property", DEGENERATE, "--cases", "30",
                    "--time-limit", "0.05")  # fmt: skip
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn("no answer within 0.05 s", done.stdout.decode())
+        self.assertIn("it hangs", done.stdout.decode())
+        self.assertIn("of processor time", done.stdout.decode())
 
     def test_writes_outside_the_target_are_findings(self):
         self.check("RIGHT_OF_ROW", "it wrote outside its target: column")
@@ -146,9 +190,92 @@ class FaultySubjects(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(b"this is no answer", done.stderr)
 
-    def test_a_refusal_is_inconclusive_not_green(self):
-        done = run("check", "--plugin", faulty("REFUSES"), "--property", MODEL, "--cases", "9")
+    def test_a_finding_without_a_place_prints_its_scene(self):
+        done = run("check", "--plugin", faulty("CRASH"), "--property", DEGENERATE, "--cases", "9")
+        text = done.stdout.decode()
+        self.assertNotIn("observed ,", text)
+        self.assertIn(f"{DEGENERATE}: the subject failed: it was killed by signal 11", text)
+        scene = re.search(r"^scene: (\{.*\})$", text, re.M)
+        self.assertIn('"vertices": [["0x', scene.group(1))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "scene.json")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(scene.group(1))
+            again = run("check", path, "--plugin", faulty("CRASH"), "--property", DEGENERATE)
+        self.assertEqual(again.returncode, 1, again.stderr)
+
+    def test_the_status_of_several_subjects_is_the_worst(self):
+        sound, refuses = f"plugin:{EXAMPLES}/example_plugin.so", f"plugin:{faulty('REFUSES')}"
+        crashes = f"plugin:{faulty('CRASH')}"
+        for subjects, status in (((sound, refuses), 4), ((refuses, sound), 4), ((sound, sound), 0),
+                                 ((crashes, refuses), 1), ((refuses, crashes), 1)):  # fmt: skip
+            named = [word for name in subjects for word in ("--subject", name)]
+            done = run("check", *named, "--property", MODEL, "--cases", "9")
+            self.assertEqual(done.returncode, status, done.stdout.decode() + str(subjects))
+
+    def test_an_answer_that_does_not_come_again_is_inconclusive_with_both(self):
+        done = run("check", "--exec", answering("row + (1 if calls == 2 else 0)"), "--property",
+                   DEGENERATE, "--cases", "9")  # fmt: skip
         self.assertEqual(done.returncode, 4, done.stdout)
+        self.assertRegex(done.stdout.decode(), "not deterministic.*; first violated: .*; then holds")
+
+
+def answering(row, head="'counts ' + number"):
+    """A program that answers every request by the value of `row` for each of its rows, 0."""
+    return (f"{sys.executable} -c \"\n"
+            "import sys\n"
+            "calls, row = 0, 0\n"
+            "for line in sys.stdin:\n"
+            "    word, number, w, h, s, space, vs, ts = line.split()[:8]\n"
+            "    for _ in range(int(vs) + int(ts)): sys.stdin.readline()\n"
+            "    calls += 1\n"
+            f"    print({head}, flush=False)\n"
+            f"    if not ({head}).startswith('refused'):\n"
+            f"        for _ in range(int(h)): print(*[{row}] * int(w))\n"
+            "    sys.stdout.flush()\n\"")  # fmt: skip
+
+
+class Refusals(unittest.TestCase):
+    def check(self, *arguments, cases="120"):
+        done = run("check", *arguments, "--property", DEGENERATE, "--cases", cases)
+        return done.returncode, done.stdout.decode()
+
+    def test_are_told_and_what_holds_holds_where_it_did_not_refuse(self):
+        often = "('refused ' + number + ' odd' if int(w) % 3 == 0 else 'counts ' + number)"
+        status, text = self.check("--exec", answering("row", often))
+        self.assertEqual(status, 0, text)
+        self.assertRegex(text, r"holds where it did not refuse: exercised in \d+ of 120 cases, \d+ refused")
+
+    def test_of_more_than_half_are_inconclusive_not_green(self):
+        all_but_two = "('refused ' + number + ' tired' if calls > 2 else 'counts ' + number)"
+        status, text = self.check("--exec", answering("row", all_but_two))
+        self.assertEqual(status, 4, text)
+        self.assertRegex(text, r"the subject refuses too much: exercised in 2 of 120 cases, \d+ refused")
+        status, text = self.check("--plugin", faulty("REFUSES"), cases="9")
+        self.assertEqual(status, 4, text)
+
+    def test_of_a_given_scene_are_inconclusive(self):
+        done = run("check", SCENE, "--plugin", faulty("REFUSES"), "--property", MODEL)
+        self.assertEqual(done.returncode, 4, done.stdout)
+        self.assertIn(b"refused ", done.stdout)
+        for verb in ("replay", "explain"):
+            done = run(verb, SCENE, "--plugin", faulty("REFUSES"), "--property", MODEL)
+            self.assertEqual(done.returncode, 4, done.stdout + done.stderr)
+
+
+class NoNumbers(unittest.TestCase):
+    def test_a_depth_that_is_none_is_a_finding_with_its_witness(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "nan.subject")
+            program = os.path.join(folder, "nan.sh")
+            with open(program, "w", encoding="utf-8") as file:
+                file.write("exec " + answering("'0 1 0 0 nan'", "'fragments ' + number"))
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(f"command /bin/sh {program}\ncoverage fragments\ntakes window\n")
+            done = run("check", "--subject", path, "--property", "FragmentDepthStaysInTheHull",
+                       "--cases", "9")  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stdout.decode() + done.stderr.decode())
+        self.assertIn(b"observed nan, expected a depth of [", done.stdout)
 
 
 class Outputs(unittest.TestCase):

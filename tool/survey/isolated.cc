@@ -9,6 +9,8 @@
 #include <exception>
 #include <thread>
 
+#include "subjects/process/groups.h"
+
 namespace rasterproof::tool {
 namespace {
 
@@ -34,25 +36,34 @@ std::string End(int status) {
   return "";
 }
 
+// Not yet waited for: its number stays its own until its group is ended.
+bool HasEnded(pid_t child) {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT | WNOHANG) == 0 &&
+         info.si_pid == child;
+}
+
 }  // namespace
 
 std::string RunIsolated(const std::function<void()>& work,
                         const std::atomic<std::uint64_t>& progress, double stall_seconds) {
-  const pid_t child = fork();
+  const pid_t child = subjects::ForkGroup();
   if (child < 0) return "no process could be made";
   if (child == 0) RunAsChild(work);
   std::uint64_t seen = progress;
   Clock::time_point since = Clock::now();
   while (true) {
     int status = 0;
-    if (waitpid(child, &status, WNOHANG) == child) return End(status);
+    if (HasEnded(child)) {
+      subjects::EndGroup(child, status);
+      return End(status);
+    }
     std::this_thread::sleep_for(kLook);
     if (progress != seen) {
       seen = progress;
       since = Clock::now();
     } else if (Clock::now() - since > std::chrono::duration<double>(stall_seconds)) {
-      kill(child, SIGKILL);
-      waitpid(child, &status, 0);
+      subjects::EndGroup(child, status);
       return "no answer for " + std::to_string(static_cast<int>(stall_seconds)) + " s";
     }
   }

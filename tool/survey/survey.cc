@@ -7,14 +7,17 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "core/coverage.h"
 #include "core/error.h"
 #include "core/subject.h"
 #include "exact/coverage.h"
+#include "exact/environment.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "props/run/facings.h"
 #include "props/shrink/shrink.h"
 #include "subjects/plugin/plugin.h"
 #include "tool/outside.h"
@@ -36,9 +39,17 @@ double Since(Clock::time_point begun) {
 subjects::LoadedPlugin Load(const std::string& path) {
   if (!path.ends_with(kDescriptionEnding)) return subjects::LoadPlugin(path);
   OutsideLimits() = {.seconds = kStallSeconds, .bytes = 0};  // as for a library
-  std::unique_ptr<Subject> subject = MakeOutside(path);
+  std::unique_ptr<Subject> subject = props::WithFacings(MakeOutside(path));
   std::string profile = io::ProfileToJson(subject->Info().profile);
   return {std::move(subject), std::move(profile)};
+}
+
+// The oracle computes in the process that the library is loaded into, and in its threads.
+void RequireHonest() {
+  if (const exact::Environment environment = exact::InspectEnvironment(); !environment.Honest()) {
+    throw std::runtime_error("the library left this process unfit to judge: " +
+                             environment.Complaint());
+  }
 }
 
 // The subject's counts of a scene, and the time it took.
@@ -47,6 +58,7 @@ CoverageCounts Drawn(Subject& subject, const Scene& scene, double& seconds) {
   const Clock::time_point begun = Clock::now();
   subject.Draw(scene, {}, counts);
   seconds += Since(begun);
+  RequireHonest();
   return counts;
 }
 

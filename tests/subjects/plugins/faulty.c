@@ -15,6 +15,7 @@ static int32_t draw(void* state, const rasterproof_scene* scene, const rasterpro
 #elif defined(FAULT_EXIT)
   if (scene->triangle_count >= 2) exit(3);
 #elif defined(FAULT_HANG)
+  if (scene->triangle_count >= 2) fprintf(stderr, "it hangs\n");
   while (scene->triangle_count >= 2) {
   }
 #elif defined(FAULT_RIGHT_OF_ROW)

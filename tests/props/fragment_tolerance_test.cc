@@ -1,0 +1,135 @@
+// Rasterizers that compute weights and depths in float32 by one of the usual forms and declare no
+// error of their own: each rounds in its own way, and none is at fault.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/subject.h"
+#include "exact/coverage.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+
+namespace rasterproof::props {
+namespace {
+
+using Weights3 = std::array<float, 3>;
+
+float Edge(const std::array<Vertex, 3>& v, std::size_t i, std::size_t j, float x, float y) {
+  const auto ax = static_cast<float>(v[i].x), ay = static_cast<float>(v[i].y);
+  const auto bx = static_cast<float>(v[j].x), by = static_cast<float>(v[j].y);
+  return (x - ax) * (by - ay) - (y - ay) * (bx - ax);
+}
+
+Weights3 OverVertexArea(const std::array<Vertex, 3>& v, float x, float y) {
+  const float area = Edge(v, 0, 1, static_cast<float>(v[2].x), static_cast<float>(v[2].y));
+  return {Edge(v, 1, 2, x, y) / area, Edge(v, 2, 0, x, y) / area, Edge(v, 0, 1, x, y) / area};
+}
+
+Weights3 OverTheirSum(const std::array<Vertex, 3>& v, float x, float y) {
+  const Weights3 e{Edge(v, 1, 2, x, y), Edge(v, 2, 0, x, y), Edge(v, 0, 1, x, y)};
+  const float sum = e[0] + e[1] + e[2];
+  return {e[0] / sum, e[1] / sum, e[2] / sum};
+}
+
+Weights3 OneMinusTheOthers(const std::array<Vertex, 3>& v, float x, float y) {
+  const Weights3 l = OverVertexArea(v, x, y);
+  return {l[0], l[1], 1 - l[0] - l[1]};
+}
+
+Weights3 OneMinusTheOthersFirst(const std::array<Vertex, 3>& v, float x, float y) {
+  const Weights3 l = OverVertexArea(v, x, y);
+  return {1 - l[2] - l[1], l[1], l[2]};
+}
+
+float ByWeights(const Weights3& l, const std::array<Vertex, 3>& v) {
+  return l[0] * static_cast<float>(v[0].z) + l[1] * static_cast<float>(v[1].z) +
+         l[2] * static_cast<float>(v[2].z);
+}
+
+float ByDeltas(const Weights3& l, const std::array<Vertex, 3>& v) {
+  const auto z = static_cast<float>(v[0].z);
+  return z + l[1] * (static_cast<float>(v[1].z) - z) + l[2] * (static_cast<float>(v[2].z) - z);
+}
+
+struct Form {
+  std::string name;
+  Weights3 (*weights)(const std::array<Vertex, 3>&, float, float);
+  float (*depth)(const Weights3&, const std::array<Vertex, 3>&);
+};
+
+class HonestSubject final : public Subject {
+ public:
+  explicit HonestSubject(const Form& form) : form_(form) {
+    info_.name = form.name;
+    info_.coverage = CoverageKind::kFragments;
+    info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
+  }
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    counts += Show({scene, options, counts.samples}).counts;
+  }
+  Drawing Show(const DrawJob& job) override {
+    const Scene& scene = job.scene;
+    Drawing drawing;
+    drawing.counts = CoverageCounts(scene.width, scene.height);
+    drawing.winners.assign(drawing.counts.size(), kNoTriangle);
+    drawing.weights.resize(drawing.counts.size());
+    drawing.depths.resize(drawing.counts.size());
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) DrawTriangle(scene, t, drawing);
+    return drawing;
+  }
+
+ private:
+  void DrawTriangle(const Scene& scene, std::size_t t, Drawing& drawing) const {
+    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
+    Scene alone = scene;
+    alone.triangles = {scene.triangles[t]};
+    const CoverageCounts covered = exact::Coverage(alone, info_.profile);
+    for (std::size_t k = 0; k < covered.size(); ++k) {
+      if (covered.Count(k) == 0) continue;
+      const auto width = static_cast<std::size_t>(scene.width);
+      const float x = static_cast<float>(k % width) + 0.5F;
+      const float y = static_cast<float>(k / width) + 0.5F;
+      const Weights3 l = form_.weights(v, x, y);
+      drawing.counts.front[k] = 1;
+      drawing.winners[k] = static_cast<std::int32_t>(t);
+      drawing.weights[k] = {l[0], l[1], l[2]};
+      drawing.depths[k] = form_.depth(l, v);
+    }
+  }
+
+  Form form_;
+  SubjectInfo info_;
+};
+
+class FragmentTolerance : public testing::TestWithParam<Form> {};
+
+TEST_P(FragmentTolerance, AUsualFormNeedsNoDeclaration) {
+  HonestSubject subject(GetParam());
+  for (const char* name : {"FragmentWeightsSumToOne", "FragmentWeightsStayWithinTheirError",
+                           "FragmentDepthStaysInTheHull", "FragmentDepthFollowsItsWeights"}) {
+    CampaignOptions options;
+    options.cases = 600;
+    const PropertyResult result = RunCampaign(subject, *FindProperty(name), options);
+    EXPECT_EQ(result.outcome, Outcome::kHolds) << name << ": " << result.message;
+    EXPECT_LE(result.worst_ratio, 1) << name;
+    EXPECT_GT(result.cases_exercised, 100U) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, FragmentTolerance,
+                         testing::Values(Form{"vertex area", OverVertexArea, ByWeights},
+                                         Form{"vertex area, deltas", OverVertexArea, ByDeltas},
+                                         Form{"sum", OverTheirSum, ByWeights},
+                                         Form{"sum, deltas", OverTheirSum, ByDeltas},
+                                         Form{"one minus", OneMinusTheOthers, ByWeights},
+                                         Form{"one minus, deltas", OneMinusTheOthers, ByDeltas},
+                                         Form{"one minus first", OneMinusTheOthersFirst,
+                                              ByDeltas}));
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -1,0 +1,399 @@
+// Freedom that turns triangles: what is fixed is so in every legal model, what is not is not
+// judged, and bugs beside it are found all the same.
+#include "props/catalog/free_choices.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/snap.h"
+#include "exact/coverage.h"
+#include "props/catalog/joint_legality.h"
+#include "props/domains/domain.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+#include "props/run/facings.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+SubjectInfo FreeInfo(int bits, double tolerance) {
+  SubjectInfo info = testing::SnappedInfo(bits);
+  info.profile.freedom.snap_tolerance = tolerance;
+  return info;
+}
+
+// Grid points up from 0.42 of a step: legal within 0.6 of one.
+double UpFrom42(double x, double step) {
+  const double below = std::floor(x / step) * step;
+  return x - below >= 0.42 * step ? below + step : below;
+}
+
+// Where the subject puts a vertex of the triangle with these indices (their sum).
+using Place = std::function<Point2(Point2 at, std::int32_t indices)>;
+
+// Draws what `place` makes of each triangle; as counts without facings, if told so.
+class Placing final : public Subject {
+ public:
+  Placing(SubjectInfo info, Place place) : info_(std::move(info)), place_(std::move(place)) {}
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    Profile placed = info_.profile;
+    placed.snap = {};
+    placed.freedom = {};
+    for (const Triangle& t : scene.triangles) {
+      Scene one = scene;
+      one.precision = Precision::kFloat64;
+      one.triangles = {t};
+      for (Vertex& v : one.vertices) {
+        const Point2 p = place_(WindowPoint(v), t[0] + t[1] + t[2]);
+        v = {p.x, p.y, 0, 1};
+      }
+      CoverageCounts drawn = exact::Coverage(one, placed, options);
+      for (std::size_t k = 0; k < drawn.size(); ++k) {
+        const bool tells = info_.coverage == CoverageKind::kFacingCounts;
+        counts.front[k] += tells ? drawn.front[k] : drawn.Count(k);
+        if (tells) counts.back[k] += drawn.back[k];
+      }
+    }
+  }
+
+ private:
+  SubjectInfo info_;
+  Place place_;
+};
+
+Place UpFrom42Of(double step) {
+  return [step](Point2 at, std::int32_t) {
+    return Point2{UpFrom42(at.x, step), UpFrom42(at.y, step)};
+  };
+}
+
+// Two sides of a sliver that this rounding turns over.
+Scene ClosedSliver() {
+  Scene scene;
+  scene.width = 16;
+  scene.height = 2;
+  scene.vertices = {{0, 0.5}, {16, 0.5}, {0x1p+3, 0x1.00ep-1}};
+  scene.triangles = {{0, 1, 2}, {0, 2, 1}};
+  return scene;
+}
+
+// Three rows of triangles, the middle one a step high: this rounding folds it.
+Scene FoldedRow() {
+  Scene scene;
+  scene.width = 16;
+  scene.height = 16;
+  scene.vertices = {{0, 0},  {16, 0}, {0, 0x1.0feep+3}, {16, 0x1.100ep+3}, {0x1.1p+3, 0x1.0ff2p+3},
+                    {0, 16}, {16, 16}};
+  scene.triangles = {{0, 1, 3}, {0, 3, 2}, {2, 3, 4}, {2, 4, 5}, {4, 3, 6}, {4, 6, 5}};
+  return scene;
+}
+
+Verdict Judged(std::string_view property, Subject& subject, const Scene& scene) {
+  return RunCase(subject, *FindProperty(property), {scene, subject.Info().profile, {}, ""});
+}
+
+TEST(FreeChoices, CountsOfTheModelHoldInClipSpaceWhereSnappingTurnsTheTriangle) {
+  SubjectInfo info;
+  info.profile = *PresetProfile("gl");
+  info.coverage = CoverageKind::kCounts;
+  info.takes_clip = true;
+  Scene scene;
+  scene.width = 16;
+  scene.height = 2;
+  scene.clip_space = true;
+  scene.vertices = {{0, 0.5, 0, 1}, {16, 0x1.0147aep-1, 0, 1}, {8, 0x1.00c49cp-1, 0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  const std::unique_ptr<Subject> subject = WithFacings(std::make_unique<testing::PlantedSubject>(
+      info, [info](const Scene& drawn, const DrawOptions& options, CoverageCounts& counts) {
+        const CoverageCounts model = exact::Coverage(drawn, info.profile, options);
+        for (std::size_t k = 0; k < model.size(); ++k) counts.front[k] += model.Count(k);
+      }));
+  const Verdict verdict = Judged("ClipSpaceCoverageEqualsTheModel", *subject, scene);
+  EXPECT_EQ(verdict.outcome, Outcome::kHolds) << verdict.message;
+}
+
+TEST(FreeChoices, AClosedMeshThatALegalChoiceTurnsIsNotJudgedWithoutFacings) {
+  SubjectInfo info = FreeInfo(8, 0.6);
+  info.coverage = CoverageKind::kCounts;
+  const auto subject = WithFacings(std::make_unique<Placing>(info, UpFrom42Of(0x1p-8)));
+  const Scene scene = ClosedSliver();
+  EXPECT_EQ(Judged("OneLegalModelExplainsTheMesh", *subject, scene).outcome, Outcome::kHolds);
+  const Verdict verdict = Judged("ClosedMeshCancels", *subject, scene);
+  EXPECT_EQ(verdict.outcome, Outcome::kNotExercised) << verdict.message;
+  EXPECT_GT(verdict.not_judged, 0U);
+}
+
+TEST(FreeChoices, AClosedMeshThatALegalChoiceTurnsIsJudgedByTheFacingsThatTheSubjectTells) {
+  Placing sound(FreeInfo(8, 0.6), UpFrom42Of(0x1p-8));
+  const Verdict holds = Judged("ClosedMeshCancels", sound, ClosedSliver());
+  EXPECT_EQ(holds.outcome, Outcome::kHolds) << holds.message;
+  EXPECT_EQ(holds.not_judged, 0U);
+  Placing one_sided(FreeInfo(8, 0.6), [](Point2 at, std::int32_t indices) {
+    const double nearest = std::round(at.y * 256) / 256;
+    return Point2{at.x, indices == 3 ? UpFrom42(at.y, 0x1p-8) : nearest};
+  });
+  Scene unindexed = ClosedSliver();
+  for (std::size_t k = 0; k < 3; ++k) unindexed.vertices.push_back(unindexed.vertices[k]);
+  unindexed.triangles[1] = {3, 5, 4};
+  EXPECT_EQ(Judged("ClosedMeshCancels", one_sided, unindexed).outcome, Outcome::kViolated);
+}
+
+constexpr std::array<std::string_view, 3> kMeshClaims{"EmbeddedMeshSamplesAreCoveredOnce",
+                                                      "SharedEdgeSamplesAreCoveredOnce",
+                                                      "NeighboursAreClippedAlike"};
+
+TEST(FreeChoices, ALegalFoldIsNotCoveredTooOften) {
+  Placing subject(FreeInfo(8, 0.6), UpFrom42Of(0x1p-8));
+  for (const std::string_view claim : kMeshClaims) {
+    EXPECT_NE(Judged(claim, subject, FoldedRow()).outcome, Outcome::kViolated) << claim;
+  }
+  const Verdict verdict = Judged(kMeshClaims[0], subject, FoldedRow());
+  EXPECT_EQ(verdict.outcome, Outcome::kHolds);
+  EXPECT_GT(verdict.not_judged, 0U);
+  EXPECT_GT(verdict.exercised, 100U);
+  EXPECT_EQ(Judged("OneLegalModelExplainsTheMesh", subject, FoldedRow()).outcome, Outcome::kHolds);
+}
+
+TEST(FreeChoices, AFoldOnAGridOfItsOwnIsNotCoveredTooOften) {
+  SubjectInfo info = testing::RealInfo();
+  info.profile.contract = Contract::kWatertight;
+  for (const double step : {0x1p-8, 0x1p-2, 1.0}) {
+    Placing subject(info, UpFrom42Of(step));
+    for (const std::string_view claim : kMeshClaims) {
+      const Verdict verdict = Judged(claim, subject, FoldedRow());
+      EXPECT_NE(verdict.outcome, Outcome::kViolated) << claim << ", steps of " << step;
+    }
+    const Verdict verdict = Judged(kMeshClaims[0], subject, FoldedRow());
+    EXPECT_GT(verdict.not_judged, 0U);
+    EXPECT_GT(verdict.exercised, 50U);
+  }
+}
+
+// The vertex between the rows goes another legal way for one of the triangles that turn.
+TEST(FreeChoices, ACrackAmongTurningTrianglesIsFoundJointly) {
+  Placing cracked(FreeInfo(8, 0.6), [](Point2 at, std::int32_t indices) {
+    if (indices == 2 + 3 + 4) return Point2{UpFrom42(at.x, 0x1p-8), std::floor(at.y * 256) / 256};
+    return Point2{UpFrom42(at.x, 0x1p-8), UpFrom42(at.y, 0x1p-8)};
+  });
+  const Verdict verdict = Judged("OneLegalModelExplainsTheMesh", cracked, FoldedRow());
+  EXPECT_EQ(verdict.outcome, Outcome::kViolated);
+}
+
+// A mesh that turns in one place is judged in all others, whatever the contract.
+TEST(FreeChoices, ACrackBesideTurningTrianglesIsFoundByTheMeshClaims) {
+  SubjectInfo watertight = testing::RealInfo();
+  watertight.profile.contract = Contract::kWatertight;
+  for (const SubjectInfo& info : {FreeInfo(8, 0.6), watertight}) {
+    Scene scene = FoldedRow();
+    // A square where nothing turns.
+    scene.width = 32;
+    for (const Point2 p : {Point2{19, 2}, {30, 2}, {30, 13}, {19, 13}}) {
+      scene.vertices.push_back({p.x, p.y});
+    }
+    scene.triangles.push_back({7, 8, 9});
+    scene.triangles.push_back({7, 9, 10});
+    Placing sound(info, UpFrom42Of(0x1p-8));
+    const Verdict holds = Judged(kMeshClaims[0], sound, scene);
+    EXPECT_EQ(holds.outcome, Outcome::kHolds) << holds.message;
+    Placing cracked(info, [](Point2 at, std::int32_t indices) {
+      Point2 p{UpFrom42(at.x, 0x1p-8), UpFrom42(at.y, 0x1p-8)};
+      if (indices == 7 + 8 + 9 && at.x == 30 && at.y == 13) p.y -= 2;
+      return p;
+    });
+    EXPECT_EQ(Judged(kMeshClaims[0], cracked, scene).outcome, Outcome::kViolated);
+  }
+}
+
+// Every choice of legal grid points for the three corners of a triangle.
+std::vector<std::array<Point2, 3>> EveryChoice(const std::array<Vertex, 3>& v, const Snap& snap,
+                                               double tolerance) {
+  std::array<std::vector<Point2>, 3> points;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const double x : GridPointsWithin(v[k].x, snap, tolerance)) {
+      for (const double y : GridPointsWithin(v[k].y, snap, tolerance)) points[k].push_back({x, y});
+    }
+  }
+  std::vector<std::array<Point2, 3>> choices;
+  for (const Point2 a : points[0]) {
+    for (const Point2 b : points[1]) {
+      for (const Point2 p : points[2]) choices.push_back({a, b, p});
+    }
+  }
+  return choices;
+}
+
+// Exactly: a triangle is open iff two legal choices differ in the sign of its area, and a sample
+// that some choice covers with an open triangle is one that it can cover.
+TEST(FreeChoices, ATriangleIsOpenIffTwoChoicesFaceDifferently) {
+  const SubjectInfo info = FreeInfo(4, 0.6);
+  int open_ones = 0, fixed_ones = 0, covered = 0;
+  for (std::uint64_t index = 0; index < 60; ++index) {
+    PhiloxSource bits(5, index);
+    const Case c = FindDomain("folds")->draw(bits, info);
+    for (const Triangle& t : c.scene.triangles) {
+      Case one = c;
+      one.scene.triangles = {t};
+      const OpenTriangles open(one);
+      std::set<int> facings;
+      const auto choices = EveryChoice(Corners(c.scene, t), c.profile.snap, 0.6);
+      for (const auto& v : choices) facings.insert(exact::Facing(v));
+      ASSERT_EQ(facings.size() > 1, !open.IsEmpty()) << "case " << index;
+      (open.IsEmpty() ? fixed_ones : open_ones) += 1;
+      if (open.IsEmpty()) continue;
+      for (int row = 0; row < c.scene.height; ++row) {
+        for (int x = 0; x < c.scene.width; ++x) {
+          const Point2 p{x + 0.5, row + 0.5};
+          if (open.CanCover(p)) continue;
+          for (const auto& v : choices) {
+            ASSERT_FALSE(exact::Facing(v) != 0 && exact::Covers(v, p, c.profile.fill_rule));
+          }
+          ++covered;
+        }
+      }
+    }
+  }
+  EXPECT_GT(open_ones, 60);
+  EXPECT_GT(fixed_ones, 60);
+  EXPECT_GT(covered, 1000);
+}
+
+TEST(FreeChoices, OneModelLeavesNothingOpen) {
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    PhiloxSource bits(5, index);
+    const Case c = FindDomain("folds")->draw(bits, testing::SnappedInfo(4));
+    EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+  }
+}
+
+TEST(FreeChoices, ATriangleThatOnlySomeModelsDropIsOpen) {
+  Case c;
+  c.profile = FreeInfo(8, 0.6).profile;
+  c.profile.max_extent = MaxExtent{8, 8};
+  c.scene.vertices = {{0, 0}, {8 + 0x1p-9, 0}, {0, 6}};
+  c.scene.triangles = {{0, 1, 2}};
+  EXPECT_EQ(OpenTriangles(c).size(), 1U);
+  c.scene.vertices[1].x = 7.5;
+  EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+  c.scene.vertices[1].x = 8.5;
+  EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+}
+
+TEST(FreeChoices, ClipSpaceIsOpenBesideItsQuotients) {
+  Case c;
+  c.profile = FreeInfo(8, 0.6).profile;
+  c.scene.clip_space = true;
+  c.scene.vertices = {{0, 1, 0, 2}, {32, 1, 0, 2}, {24, 0x1.81500p+0, 0, 3}};
+  c.scene.triangles = {{0, 1, 2}};
+  EXPECT_EQ(OpenTriangles(c).size(), 1U);
+  c.profile.freedom = {};
+  EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+  c.scene.vertices[2].y = 30;
+  c.profile.freedom.snap_tolerance = 0.6;
+  EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+}
+
+// What a domain is for: half of its cases have something that turns, and something that does not.
+TEST(FreeChoices, FoldsHaveTrianglesThatTurnAndOthers) {
+  for (const char* const name : {"folds", "closed-folds"}) {
+    for (const SubjectInfo& info : {FreeInfo(8, 0.6), FreeInfo(4, 1.0), FreeInfo(0, 1.0)}) {
+      int turning = 0;
+      for (std::uint64_t index = 0; index < 100; ++index) {
+        PhiloxSource bits(2, index);
+        const Case c = FindDomain(name)->draw(bits, info);
+        const std::size_t open = OpenTriangles(c).size();
+        turning += open > 0 && open < c.scene.triangles.size() ? 1 : 0;
+      }
+      EXPECT_GT(turning, 50) << name << ", " << info.profile.snap.bits << " bits";
+    }
+  }
+}
+
+TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotJudgedWhereTheGridPointsAreFree) {
+  SubjectInfo info = FreeInfo(8, 0.6);
+  info.coverage = CoverageKind::kFragments;
+  info.fragments.weights_of = WeightsOf::kSnapped;
+  Placing subject(info, UpFrom42Of(0x1p-8));
+  EXPECT_EQ(Judged("FragmentWeightsSumToOne", subject, FoldedRow()).outcome,
+            Outcome::kNotApplicable);
+}
+
+TEST(FreeChoices, WhatIsNotSearchedJointlyIsCounted) {
+  SubjectInfo info = FreeInfo(8, 0.6);
+  info.takes_clip = true;
+  Placing subject(info, UpFrom42Of(0x1p-8));
+  Scene clip = FoldedRow();
+  clip.clip_space = true;
+  const Verdict in_clip_space = Judged("OneLegalModelExplainsTheMesh", subject, clip);
+  EXPECT_EQ(in_clip_space.outcome, Outcome::kNotExercised);
+  EXPECT_GT(in_clip_space.not_judged, 0U);
+  Scene many = FoldedRow();
+  while (many.triangles.size() <= 32) many.triangles.push_back(many.triangles[0]);
+  const Verdict of_many = Judged("OneLegalModelExplainsTheMesh", subject, many);
+  EXPECT_EQ(of_many.outcome, Outcome::kHolds) << of_many.message;
+  EXPECT_GT(of_many.not_judged, 0U);
+}
+
+// Draws what is infinite as if it were far away.
+Placing ClampsInfinity(const SubjectInfo& info) {
+  return {info, [](Point2 at, std::int32_t) {
+            return Point2{std::clamp(at.x, -8.0, 8.0), std::clamp(at.y, -8.0, 8.0)};
+          }};
+}
+
+Scene WithCorner(double x) {
+  Scene scene;
+  scene.width = scene.height = 8;
+  scene.vertices = {{0, 0}, {x, 0}, {0, 8}};
+  scene.triangles = {{0, 1, 2}, {0, 1, 2}};  // each with a bad triangle of another kind
+  return scene;
+}
+
+TEST(InfiniteVertices, AreJudgedWhereTheProfileSaysWhatTheyCover) {
+  const Scene scene = WithCorner(HUGE_VAL);
+  for (const std::string_view claim :
+       {"NonFiniteTrianglesCoverNothing", "BadTrianglesPoisonNoOthers"}) {
+    for (const std::string_view preset : kPresetProfiles) {
+      SubjectInfo info;
+      info.profile = *PresetProfile(preset);
+      Placing open = ClampsInfinity(info);
+      const Scene judged = claim == "BadTrianglesPoisonNoOthers" ? WithCorner(8) : scene;
+      EXPECT_EQ(Judged(claim, open, judged).outcome == Outcome::kViolated, preset == "real")
+          << claim << " under " << preset;
+      info.profile.name = "declared";
+      info.profile.infinite_vertex = InfiniteVertex::kNothing;
+      Placing declared = ClampsInfinity(info);
+      EXPECT_EQ(Judged(claim, declared, judged).outcome, Outcome::kViolated) << claim;
+    }
+  }
+}
+
+TEST(InfiniteVertices, LeaveNaNJudged) {
+  SubjectInfo info;
+  info.profile = *PresetProfile("vulkan");
+  Placing takes_nan(info, [](Point2 at, std::int32_t) {
+    return Point2{std::isnan(at.x) ? 8 : at.x, std::isnan(at.y) ? 8 : at.y};
+  });
+  const Scene scene = WithCorner(std::nan(""));
+  EXPECT_EQ(Judged("NonFiniteTrianglesCoverNothing", takes_nan, scene).outcome, Outcome::kViolated);
+  EXPECT_EQ(Judged("BadTrianglesPoisonNoOthers", takes_nan, WithCorner(8)).outcome,
+            Outcome::kViolated);
+}
+
+}  // namespace
+}  // namespace rasterproof::props

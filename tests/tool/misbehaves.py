@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""A subject on a pipe that covers nothing, and does one thing wrong.
+
+usage: misbehaves.py WHAT [FILE]
+"""
+import os
+import signal
+import subprocess
+import sys
+import time
+
+WHAT = sys.argv[1]
+FOREVER = 10**6
+
+
+def say(text):
+    sys.stdout.write(text)
+    sys.stdout.flush()
+
+
+def spin():
+    while True:
+        pass
+
+
+def hang(how):
+    print("it hangs", file=sys.stderr, flush=True)
+    how()
+
+
+def compute(seconds):
+    """Seconds of a processor, however loaded it is."""
+    begun = time.process_time()
+    while time.process_time() - begun < seconds:
+        pass
+
+
+def stay_behind():
+    """Two children in its group, one of which spins; both hold all that they inherited."""
+    for code in ("import time; time.sleep(10**6)", "while True: pass"):
+        subprocess.Popen([sys.executable, "-c", code])
+
+
+def once():
+    """Whether this is the first process to come here."""
+    try:
+        os.close(os.open(sys.argv[2], os.O_CREAT | os.O_EXCL))
+        return True
+    except FileExistsError:
+        return False
+
+
+def answer(number, width, height):
+    row = " ".join(["0"] * width) + "\n"
+    rows = row * height
+    if WHAT == "refuses":
+        return say(f"refused {number} not today\n")
+    if WHAT == "nan":
+        rows = rows.replace("0", "nan", 1)
+    if WHAT == "closes-output":
+        os.close(1)
+        hang(spin)
+    if WHAT == "dies-half-way":
+        say(f"counts {number}\n" + row)
+        os.kill(os.getpid(), signal.SIGKILL)
+    if WHAT == "floods-a-line":
+        while True:
+            say("0" * 65536)
+    if WHAT == "floods-lines":
+        while True:
+            say(f"counts {number}\n" + rows)
+    if WHAT == "says-more":
+        rows += "0\n"
+    if WHAT == "answers-ahead":
+        rows += f"counts {number + 1}\n" + rows
+    if WHAT == "needs":
+        compute(float(sys.argv[2]))
+    if WHAT == "slow-once" and once():
+        hang(lambda: time.sleep(FOREVER))
+    return say(f"counts {number}\n" + rows)
+
+
+def main():
+    if WHAT == "ignores-its-end":
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    if WHAT == "leaves-children":
+        stay_behind()
+    if WHAT == "closes-input":
+        os.close(0)
+        hang(lambda: time.sleep(FOREVER))
+    if WHAT == "says-its-signals":
+        blocked = signal.pthread_sigmask(signal.SIG_BLOCK, ())
+        print(f"blocked: {blocked}", file=sys.stderr, flush=True)
+    if WHAT == "crashes":
+        os.kill(os.getpid(), signal.SIGSEGV)
+    while True:
+        words = sys.stdin.readline().split()
+        if not words:
+            return
+        if WHAT in ("spins", "ignores-its-end"):
+            hang(spin)
+        if WHAT == "sleeps":
+            hang(lambda: time.sleep(FOREVER))
+        if WHAT == "spins-with-children":
+            stay_behind()
+            hang(spin)
+        for _ in range(int(words[6]) + int(words[7])):
+            sys.stdin.readline()
+        answer(int(words[1]), int(words[2]), int(words[3]))
+
+
+if __name__ == "__main__":
+    main()

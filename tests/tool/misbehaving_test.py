@@ -1,0 +1,258 @@
+"""Subjects that misbehave as processes: what is said of each, with which status, and what is left.
+
+usage: misbehaving_test.py PROGRAM SOURCES FAULTY
+"""
+import os
+import select
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+import uuid
+
+PROGRAM, SOURCES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:4])
+SUBJECT = os.path.join(SOURCES, "tests/tool/misbehaves.py")
+# What a subject that covers nothing keeps.
+DEGENERATE = "DegenerateTrianglesCoverNothing"
+# Of a subject's own time; a hang is given ten times that.
+LIMIT = ("--time-limit", "0.3")
+ENOUGH = 120  # seconds; a test that waits for so long has failed
+TOKEN = "RASTERPROOF_TEST_TOKEN"
+
+
+class Run:
+    """A command, and every process that it leaves: they inherit a word in their environment."""
+
+    def __init__(self, arguments, **more):
+        self.token = f"{TOKEN}={uuid.uuid4()}"
+        name, value = self.token.split("=")
+        more = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more}
+        self.process = subprocess.Popen(arguments, cwd=SOURCES, env={**os.environ, name: value},
+                                        **more)  # fmt: skip
+
+    def end(self):
+        """Waits until nobody holds the outputs. Returns the status and all that was said."""
+        out, error = self.process.communicate(timeout=ENOUGH)
+        text = (out or b"").decode() + (error or b"").decode()
+        return self.process.returncode, text
+
+    def wait_for(self, words):
+        """Reads standard error up to the line."""
+        for line in self.process.stderr:
+            if words in line.decode():
+                return
+        raise AssertionError(f"it never said {words!r}")
+
+    def left(self):
+        """The processes that are still there once each was given the time to end."""
+        left = []
+        for name in os.listdir("/proc"):
+            if not name.isdigit() or int(name) == self.process.pid:
+                continue
+            try:
+                process = os.pidfd_open(int(name))
+            except OSError:
+                continue
+            try:
+                with open(f"/proc/{name}/environ", "rb") as file:
+                    is_ours = self.token.encode() in file.read().split(b"\0")
+                if is_ours and not select.select([process], [], [], ENOUGH)[0]:
+                    left.append(name)
+            except OSError:  # it ended in the meantime, or is another user's
+                pass
+            finally:
+                os.close(process)
+        return left
+
+    def kill_left(self):
+        for name in self.left():
+            os.kill(int(name), signal.SIGKILL)
+
+
+class Misbehaving(unittest.TestCase):
+    def start(self, what, *more, **options):
+        run = Run([PROGRAM, "check", "--exec", f"{sys.executable} {SUBJECT} {what}", *LIMIT,
+                   "--property", DEGENERATE, "--cases", "8", *more], **options)  # fmt: skip
+        self.addCleanup(run.process.kill)
+        self.addCleanup(run.kill_left)
+        return run
+
+    def expect(self, what, status, *words):
+        run = self.start(what)
+        got, text = run.end()
+        self.assertEqual(got, status, text)
+        for word in words:
+            self.assertIn(word, text)
+        self.assertEqual(run.left(), [], text)
+
+    def test_a_sound_one_holds(self):
+        self.expect("sound", 0, "1 hold")
+
+    def test_a_crash_is_told_with_its_signal(self):
+        self.expect("crashes", 1, "killed by signal 11")
+        self.expect("dies-half-way", 1, "killed by signal 9", "before its answer was whole")
+
+    def test_a_hang_is_told_with_what_it_did(self):
+        self.expect("spins", 1, "it hangs", "of processor time")
+        self.expect("sleeps", 1, "it hangs", "slept for")
+        self.expect("closes-input", 1, "it hangs", "slept for")
+
+    def test_a_line_without_an_end_is_told_as_such(self):
+        self.expect("floods-a-line", 1, "more than any right answer's")
+        run = Run([PROGRAM, "check", "--exec", "cat /dev/zero", "--property", DEGENERATE,
+                   "--cases", "8", "--memory-limit", "0"],
+                  preexec_fn=lambda: limit_memory(1 << 30))  # fmt: skip
+        status, text = run.end()
+        self.assertEqual(status, 1, text)
+        self.assertIn("more than any right answer's", text)
+
+    def test_answers_that_nobody_asked_for_are_told_as_such(self):
+        self.expect("says-more", 1, "it said more than its answer")
+        self.expect("answers-ahead", 1, "it said more than its answer")
+
+    def test_answers_without_an_end_are_told_as_such(self):
+        # Whether the second one is there when the first one was read is a matter of time.
+        run = self.start("floods-lines")
+        status, text = run.end()
+        self.assertIn(status, (1, 4), text)
+        self.assertRegex(text, "it said more than|left over from an earlier answer")
+        self.assertEqual(run.left(), [])
+
+    def test_a_refusal_is_neither_good_nor_bad(self):
+        self.expect("refuses", 4)
+
+    def test_what_is_no_count_is_told(self):
+        self.expect("nan", 1, '"nan')
+
+    def test_a_closed_output_is_told(self):
+        self.expect("closes-output", 1, "it closed its output before its answer was whole")
+
+    def test_what_was_slow_once_is_judged_by_its_answer(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.expect(f"slow-once {folder}/marker", 0, "1 hold")
+
+    def test_children_of_a_subject_do_not_stay(self):
+        self.expect("leaves-children", 0, "1 hold")
+        self.expect("spins-with-children", 1, "it hangs")
+
+    def test_a_slow_subject_is_too_slow_and_not_wrong(self):
+        # It needs 0.5 s and has 0.3: alone, with ten times the limit, it answers.
+        run = self.start("needs 0.5")
+        status, text = run.end()
+        self.assertEqual(status, 4, text)
+        self.assertIn("--time-limit", text)
+        self.assertNotIn("violated  ", text)
+
+
+def limit_memory(most_bytes):
+    import resource  # pylint: disable=import-outside-toplevel
+
+    resource.setrlimit(resource.RLIMIT_AS, (most_bytes, most_bytes))
+
+
+class Ending(unittest.TestCase):
+    """The command ends while its subject hangs."""
+
+    def start(self, what="spins-with-children", limit="1000", **options):
+        run = Run([PROGRAM, "check", "--exec", f"{sys.executable} {SUBJECT} {what}",
+                   "--property", DEGENERATE, "--cases", "8", "--time-limit", limit],
+                  **options)  # fmt: skip
+        self.addCleanup(run.process.kill)
+        self.addCleanup(run.kill_left)
+        return run
+
+    def test_no_signal_leaves_a_hung_subject(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL):
+            for what in ("spins-with-children", "ignores-its-end"):
+                with self.subTest(number=number, what=what):
+                    run = self.start(what)
+                    run.wait_for("it hangs")
+                    run.process.send_signal(number)
+                    status, text = run.end()  # nobody holds its outputs
+                    killed = number == signal.SIGKILL
+                    self.assertEqual(status, -9 if killed else 128 + number, text)
+                    if not killed:
+                        self.assertIn("interrupted", text)
+                    self.assertEqual(run.left(), [])
+
+    def test_a_signal_to_ignore_is_ignored(self):
+        def ignore():
+            signal.signal(signal.SIGHUP, signal.SIG_IGN)
+
+        run = self.start(preexec_fn=ignore)
+        run.wait_for("it hangs")
+        run.process.send_signal(signal.SIGHUP)
+        run.process.send_signal(signal.SIGTERM)
+        self.assertEqual(run.end()[0], 128 + signal.SIGTERM)
+
+    def test_other_verbs_end_at_once_and_leave_nothing(self):
+        run = Run([PROGRAM, "coverage", "scenes/ties.json", "--exec",
+                   f"{sys.executable} {SUBJECT} spins-with-children",
+                   "--time-limit", "1000"])  # fmt: skip
+        run.wait_for("it hangs")
+        run.process.send_signal(signal.SIGTERM)
+        self.assertEqual(run.end()[0], -signal.SIGTERM)
+        self.assertEqual(run.left(), [])
+
+    def test_a_hung_plugin_goes_with_the_command(self):
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            run = Run([PROGRAM, "check", "--plugin", f"{FAULTY}/faulty_HANG.so", "--property",
+                       DEGENERATE, "--cases", "30", "--time-limit", "1000"])  # fmt: skip
+            run.wait_for("it hangs")
+            run.process.send_signal(number)
+            run.end()
+            self.assertEqual(run.left(), [])
+
+    def test_a_pipe_behind_the_command_ends(self):
+        words = (f"{PROGRAM} check --exec '{sys.executable} {SUBJECT} leaves-children' "
+                 f"--property {DEGENERATE} --cases 8")  # fmt: skip
+        for end in ("| cat", "2>&1 | cat", "2>&1 | head -1", "2>/dev/full | cat"):
+            with self.subTest(end=end):
+                run = Run(["/bin/sh", "-c", f"{words} {end}"])
+                status, text = run.end()
+                self.assertEqual(status, 0, text)
+                self.assertEqual(run.left(), [])
+
+
+class Start(unittest.TestCase):
+    """What the command was started with is no matter of the subject's."""
+
+    def check(self, what, status, words, **options):
+        run = Run([PROGRAM, "check", "--exec", f"{sys.executable} {SUBJECT} {what}", *LIMIT,
+                   "--property", DEGENERATE, "--cases", "8"], **options)  # fmt: skip
+        got, text = run.end()
+        self.assertEqual(got, status, text)
+        self.assertIn(words, text)
+
+    def test_a_crash_is_one_where_the_ends_of_children_are_ignored(self):
+        def ignore():
+            signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+
+        self.check("crashes", 1, "killed by signal 11", preexec_fn=ignore)
+        self.check("sound", 0, "1 hold", preexec_fn=ignore)
+
+    def test_signals_that_are_blocked_are_not_blocked_for_subjects(self):
+        def block():
+            signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGSEGV, signal.SIGTERM})
+
+        self.check("says-its-signals", 0, "blocked: set()", preexec_fn=block)
+
+    def test_closed_standard_files_do_not_matter(self):
+        self.check("sound", 0, "1 hold", preexec_fn=lambda: os.close(0))
+        self.check("sound", 0, "1 hold", preexec_fn=lambda: os.close(2))
+        self.check("sound", 0, "1 hold", preexec_fn=lambda: (os.close(0), os.close(2)))
+
+    def test_a_closed_standard_output_is_told(self):
+        self.check("sound", 2, "standard output", preexec_fn=lambda: os.close(1))
+
+    def test_what_nobody_can_be_told_ends_nothing(self):
+        with open("/dev/full", "wb") as full:
+            run = Run([PROGRAM, "check", "--property", DEGENERATE, "--cases", "1", "--seed",
+                       "random"], stderr=full)  # fmt: skip
+            status, text = run.end()
+        self.assertEqual(status, 0, text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=0)

@@ -13,7 +13,7 @@ namespace rasterproof::exact {
 
 /// Three deciders, independent of each other.
 enum class Decider : std::uint8_t {
-  kFast,      ///< filter, stable, 128-bit and wide integers: the daily work
+  kFast,      ///< filter, stable, wide integers: the daily work
   kIntegers,  ///< Boost.Multiprecision checked fixed-width integers; no floating point in it
   kCgal       ///< CGAL's kernels
 };
@@ -23,7 +23,7 @@ std::string_view DeciderName(Decider decider);
 struct TierCounts {
   std::uint64_t filter = 0;  ///< branch-free floating-point filter
   std::uint64_t stable =
-      0;  ///< comparison of two products with their rounding errors, or 128-bit integers
+      0;  ///< comparison of two products, and of their rounding errors where they round alike
   std::uint64_t exact = 0;     ///< wide integers or rationals
   std::uint64_t symbolic = 0;  ///< E == 0: the tie rule's shift decided
 
@@ -67,7 +67,8 @@ int ShiftedEdgeSign(Point2 a, Point2 b, Point2 p, const FillRule& rule,
 Rational EdgeValue(Point2 a, Point2 b, Point2 p);
 
 /// Throws std::logic_error naming the reason if rounding mode, FTZ/DAZ, contraction or valgrind
-/// would make the oracle lie. Called by every entry point of the command; cheap.
+/// would make the oracle lie. Nothing here calls it: it is for programs that use the oracle without
+/// the command, before their first verdict. Cheap.
 void RequireHonestEnvironment();
 
 }  // namespace rasterproof::exact

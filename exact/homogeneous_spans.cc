@@ -16,8 +16,6 @@
 namespace rasterproof::exact {
 namespace {
 
-constexpr double kU = rounding_epsilon<double>();
-
 // Coordinates in which no product, normal or quotient below over- or underflows: products of two in
 // [2^-400, 2^400], their residuals multiples of 2^-506, so normals 0 or in [2^-506, 2^401], and the
 // quotient below 2^(401 + 18 + 506).
@@ -28,6 +26,14 @@ bool IsTame(double c) {
   const double magnitude = std::fabs(c);
   return magnitude == 0 || (magnitude >= kLeastTame && magnitude <= kLargestTame);
 }
+
+// Error of the column -(ny y + nw) / nx - offset at which a row crosses, in units of T / |nx| + 1.
+//
+// With T = |ny y| + |nw|: the normals are off by 2 u each, the product and the sum round once more,
+// so the numerator is off by at most 4.01 u T; nx by 2 u and the quotient by u, of at most T / |nx|
+// each; less the offset: one more of T / |nx| + 1, and the caller's at +- error as much again.
+// Together below 9.1 u T / |nx| + 2.1 u; 16 leaves room for the five roundings of the bound.
+constexpr double kHomogeneousCrossingErrorMultiplier = 16 * rounding_epsilon<double>();
 
 // a b - c d within 2 u of itself (Kahan's algorithm; Jeannerod, Louvet, Muller 2013), without over-
 // or underflow. So it is 0 only if exactly so.
@@ -72,15 +78,10 @@ class HalfPlane {
 
  private:
   // The zero of nx x + ny y + nw, less the offset.
-  //
-  // With T = |ny y| + |nw|: the normals are off by 2 u each, the product and the sum round once
-  // more, so the numerator is off by at most 4.01 u T; nx by 2 u and the quotient by u, of at most
-  // T / |nx|; less the offset: one more of T / |nx| + 1, and the caller's at +- error as much
-  // again. Together below 9.1 u T / |nx| + 2.1 u; 16 leaves room for the roundings of the bound.
   Guess Crossing(double y, double offset) const {
     if (!tame_) return {0, std::numeric_limits<double>::infinity()};
     const double reach = (std::fabs(ny_ * y) + std::fabs(nw_)) / std::fabs(nx_);
-    return {-(ny_ * y + nw_) / nx_ - offset, 16 * kU * (reach + 1)};
+    return {-(ny_ * y + nw_) / nx_ - offset, kHomogeneousCrossingErrorMultiplier * (reach + 1)};
   }
 
   const Vertex* vi_;

@@ -17,12 +17,15 @@ constexpr double kU = rounding_epsilon<double>();
 
 // Filter for E = l - r, l = fl(fl(x-X) fl(Y'-Y)), r likewise, d = fl(l - r).
 //
-// Without underflow each of l and r carries three roundings, the difference one more. Shewchuk
-// (1997, orient2d stage A) shows that then sign d = sign E if |d| >= (3 + 16 u) u fl(|l| + |r|),
-// the multiplier itself covering the roundings of the test. A sum of doubles never underflows
-// inexactly; a product that underflows is off by at most 2^-1075 more, and so is the product of the
-// multiplier: three such errors, grown by the roundings above them by less than 2, are below
-// 2^-1072. Overflow makes the bound infinite or NaN, and both comparisons fail: undecided.
+// Without underflow each of l and r carries three roundings: |E - (l - r)| <= ((1 + u)^3 - 1)
+// (|l| + |r|). With m = fl(|l| + |r|) >= (|l| + |r|) (1 - u) and |d| <= |l - r| (1 + u), d has E's
+// sign if |d| > (3 u + 9 u^2 + ...) m, and fl(multiplier m) is at least (3 u + 13 u^2 - ...) m: the
+// multiplier, of Shewchuk's orient2d (1997, stage A), covers the roundings of the test and leaves
+// 4 u^2 m. A sum of doubles never underflows inexactly; a product that underflows is off by at most
+// 2^-1075 more, and so is the product of the multiplier: three such errors are below 2^-1072. Where
+// the sum with that constant rounds, m >= 2^-970, only one product can have underflowed, and the
+// 4 u^2 m >= 2^-1074 hold its error. Overflow makes the bound infinite or NaN, and both comparisons
+// fail: undecided.
 constexpr double kEdgeErrorMultiplier = (3 + 16 * kU) * kU;
 constexpr double kEdgeUnderflowError = 0x1p-1072;
 
@@ -33,7 +36,9 @@ constexpr double kEdgeUnderflowError = 0x1p-1072;
 // (1 + u)^6 cover that: 8 leaves 2.9 u spare.
 constexpr double kDeterminantErrorMultiplier = 8 * kU;
 // An underflow inside a minor, at most 2 * 2^-1075, is multiplied by the first row's factor: grown
-// by the roundings, 2^-1073 |a|. Those of the outer products and of the bound's own add a constant.
+// by the roundings, 2^-1073 |a|. Those of the three outer products, 3 * 2^-1075, and of the two
+// products of the bound, 2 * 2^-1075, are below kEdgeUnderflowError. Where its sum with the other
+// terms rounds, the multiplier's spare 2.9 u holds them.
 constexpr double kMinorUnderflowError = 0x1p-1072;
 
 int Certain(double d, double error) { return (d > error) - (d < -error); }

@@ -16,12 +16,11 @@ struct Claim {
   std::string_view property;
 };
 
-/// Decodes the bytes once per input lattice among the claims' subjects and puts every claim to the
-/// test.
+/// Puts every claim to the test, each on the case that the bytes stand for with its subject: its
+/// input lattice and profile are part of what they mean.
 ///
 /// Domain:     any bytes; the decoder is total.
-/// Error:      a violated claim prints the command that turns the input into a case file, and
-/// aborts.
+/// Error:      a violated claim prints the command that makes a case file of the input, and aborts.
 void PutToTheTest(std::span<const Claim> claims, std::span<const std::uint8_t> bytes);
 
 /// Prints what failed and aborts, for checks that are not in the catalogue.

@@ -29,14 +29,14 @@ constexpr double kSecondOrderFactor = 1 + 0x1p-16;
 constexpr double kEdgeErrorMultiplier = 4;
 constexpr double kEdgeUnderflows = 2;
 
-// Of the sum of three edge values as the area: two additions, each off by u times at most the sum of
-// the values' magnitudes.
+// Of the sum of three edge values as the area: two additions, each off by u times at most the sum
+// of the values' magnitudes.
 constexpr double kAreaSumErrorMultiplier = 2;
 
 // Of a depth, in u of max |z| times W = sum |l_i|, which is at least 1 because the weights sum to
-// one. By weights: a product, and two additions of partial sums, 3 W. By deltas from one vertex, with
-// z of one sign: a difference and a product for each of two weights, 2 W; two additions of partial
-// sums of at most 1 + W each, 4 W.
+// one. By weights: a product, and two additions of partial sums, 3 W. By deltas from one vertex,
+// with z of one sign: a difference and a product for each of two weights, 2 W; two additions of
+// partial sums of at most 1 + W each, 4 W.
 constexpr double kDepthErrorMultiplier = 6;
 
 // Where sums of products stay below this, nothing that the forms compute overflows: what they round
@@ -82,8 +82,8 @@ double DepthTolerance(const SubjectInfo& info, const Fragment& f) {
   if (info.fragments.depth_error > 0) return info.fragments.depth_error;
   const double u = UnitRoundoff(info.input);
   const std::array<exact::Rational, 3> weights = ExactWeights(f.query);
-  // Weights that are off by t_i move the depth by at most sum t_i max |z|, by weights or, z being of
-  // one sign, by deltas.
+  // Weights that are off by t_i move the depth by at most sum t_i max |z|, by weights or, z being
+  // of one sign, by deltas.
   double weight_error = 0;
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -157,7 +157,7 @@ std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuer
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
-    // (1 - l_j) - l_k, in either order: a subtraction of at most 1 + |l|, and the result's rounding.
+    // (1 - l_j) - l_k, in either order: a difference of at most 1 + |l|, and the last rounding.
     const double rounded = u * (1 + std::max(weight[j], weight[k]) + weight[i]);
     tolerances[i] =
         std::max(quotient[i], kSecondOrderFactor * (quotient[j] + quotient[k] + rounded));

@@ -48,7 +48,7 @@ std::int64_t UpperExcess(CoverageCounts counts) {
 
 FacingReport FacingOf(const Observer& observer, const CoverageCounts& front,
                       const CoverageCounts& back) {
-  if (observer.info().coverage != CoverageKind::kFacingCounts) return FacingReport::kNotTold;
+  if (!observer.TellsFacings()) return FacingReport::kNotTold;
   if (Sum(front.back) == 0 && Sum(back.front) == 0) return FacingReport::kAsOnScreen;
   if (Sum(front.front) == 0 && Sum(back.back) == 0) return FacingReport::kReversed;
   return FacingReport::kNotTold;

@@ -12,6 +12,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "props/catalog/free_choices.h"
 
 namespace rasterproof::props {
 
@@ -43,6 +44,8 @@ class Observer {
 
   void SetFacing(FacingReport facing) { facing_ = facing; }
   FacingReport facing() const { return facing_; }
+  /// Whether the subject tells facings itself, and none need be worked out.
+  bool TellsFacings() const { return props::TellsFacings(subject_); }
   const SubjectInfo& info() const { return subject_.Info(); }
   /// The declared profile, as it is on the small targets of all experiments.
   const Profile& declared() const { return declared_; }

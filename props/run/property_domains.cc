@@ -13,6 +13,9 @@ namespace {
 // What a transform rounds otherwise by an ulp shows where the snap has a tie, and hardly elsewhere.
 constexpr std::string_view kTies = "deciding-ties";
 constexpr std::size_t kTiesOfTransforms = 8;
+// What a legal choice turns is most of what freedom can go wrong by.
+constexpr std::string_view kFolds = "folds";
+constexpr std::size_t kFoldsOfFreeProfiles = 8;
 
 const Domain* SuitableDomain(std::string_view name, const SubjectInfo& info) {
   const Domain* domain = FindDomain(name);
@@ -27,7 +30,10 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
     const Domain* domain = SuitableDomain(name, info);
     if (domain == nullptr) continue;
     const bool shows_roundings = OwnsTransform(info) && name == kTies;
-    domains.insert(domains.end(), shows_roundings ? kTiesOfTransforms : 1, domain);
+    const std::size_t times = shows_roundings  ? kTiesOfTransforms
+                              : name == kFolds ? kFoldsOfFreeProfiles
+                                               : 1;
+    domains.insert(domains.end(), times, domain);
   }
   return domains;
 }

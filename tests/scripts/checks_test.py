@@ -1,5 +1,5 @@
-"""Tests that scripts/check_layers and scripts/check_text see what they are there to see, and that
-the bugs of scripts/plants still fit the files that they are planted in."""
+"""Tests that the checks of scripts/ see what they are there to see, that tests are counted as they
+went, and that the bugs of scripts/plants still fit the files that they are planted in."""
 
 import pathlib
 import re
@@ -120,6 +120,101 @@ class TextTest(unittest.TestCase):
         self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
         self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
         self.expect("core/scene_utils.cc", "int width;\n", "says nothing")
+
+
+class DefinitionsTest(unittest.TestCase):
+    def expect(self, files, said=None):
+        status, output = run_check("check_definitions", files)
+        self.assertEqual(status, 0 if said is None else 1, output)
+        self.assertIn(said or "0 violations", output)
+
+    def in_two_files(self, first, second):
+        wrapped = "namespace rasterproof::props {{\n{}\n}}  // namespace rasterproof::props\n"
+        return {"props/a.h": wrapped.format(first), "props/b.cc": wrapped.format(second)}
+
+    def test_a_type_that_two_files_define_is_seen(self):
+        both = "rasterproof::props::Tally is defined in props/a.h:2 as well"
+        self.expect(self.in_two_files("class Tally {};", "struct Tally final : Other { int n; };"),
+                    both)  # fmt: skip
+        self.expect(self.in_two_files("enum class Tally : int { kOne };", "struct Tally {};"), both)
+        self.expect(self.in_two_files("struct A { struct B {}; };", "struct A::B {};"), "A::B")
+
+    def test_types_that_are_not_one_are_let_be(self):
+        self.expect(self.in_two_files("class Tally {};", "namespace {\nclass Tally {};\n}"))
+        self.expect(self.in_two_files("class Tally {};", "void F() { struct Tally {}; }"))
+        self.expect(self.in_two_files("class Tally {};", "class Tally;  // class Tally {};"))
+        self.expect(self.in_two_files("struct A { struct B {}; };", "struct C { struct B {}; };"))
+        self.expect(self.in_two_files("template <class T> struct A {};",
+                                      "template <> struct A<int> {};"))  # fmt: skip
+
+    def test_a_default_in_a_switch_over_an_enumeration_is_seen(self):
+        switch = "int F(E e) {{ switch (e) {{ case E::kOne: {} {} }} return 0; }}"
+        default = "default: return 2;"
+        said = "a default in a switch over an enumeration"
+        self.expect({"props/a.cc": switch.format("return 1;", default)}, said)
+        self.expect({"props/a.cc": switch.format("return 1;", "case E::kTwo: return 2;")})
+        inner = "switch (n) { case 0: return 1; " + default + " }"
+        self.expect({"props/a.cc": switch.format(inner, "")})
+        self.expect({"props/a.cc": switch.format(inner, default)}, said)
+        self.expect({"props/a.cc": "int F(int n) { " + inner + " }"})
+
+
+class PathsTest(unittest.TestCase):
+    def expect(self, path, text, said=None):
+        files = {"docs/decisions/0007-a.md": "A page.\n", "props/run/tally.h": "", path: text}
+        status, output = run_check("check_paths", files)
+        self.assertEqual(status, 0 if said is None else 1, output)
+        self.assertIn(f"{said} is neither" if said else "0 violations", output)
+
+    def test_a_path_that_no_file_has_is_seen(self):
+        self.expect("core/a.h", "// see core/scene.cc.\n", "core/scene.cc")
+        self.expect("core/a.h", "int n;  /* see plugin/host.h */\n", "plugin/host.h")
+        self.expect("core/a.h", "// As tally.cc does.\n", "tally.cc")
+        self.expect("docs/a.md", "| `core/absent/` | [page](decisions/0008-b.md) |\n",
+                    "core/absent")  # fmt: skip
+        self.expect("docs/a.md", "docs/decisions/0008 says why\n", "docs/decisions/0008")
+        self.expect("scripts/a", "#!/bin/sh\nrun  " + "# as in core/gone.h\n", "core/gone.h")
+        self.expect("tests/a.py", 'def f():\n    """Of core/gone.h."""\n', "core/gone.h")
+
+    def test_a_path_that_is_there_is_let_be(self):
+        self.expect("core/a.h", "// core/scene.h, scene.h, run/tally.h, and docs/decisions/0007.\n")
+        self.expect("docs/a.md", "[page](decisions/0007-a.md), core/NAME.h, build/core/x.h\n")
+        self.expect("docs/a.md", "https://example.org/core/absent.h and scene_main.cc\n")
+        self.expect("core/a.cc", 'Read("core/absent.h");\n')
+
+
+class CountTest(unittest.TestCase):
+    def count(self, status, **reports):
+        with tempfile.TemporaryDirectory() as root:
+            stage = pathlib.Path(root) / "release"
+            stage.mkdir()
+            for name, cases in reports.items():
+                ending = "junit" if name == "ctest" else "xml"
+                text = f"<testsuites><testsuite>{cases}</testsuite></testsuites>"
+                (stage / f"{name}.{ending}").write_text(text, encoding="utf-8")
+            command = [sys.executable, "-B", SCRIPTS / "count_tests", root, str(status)]
+            return subprocess.check_output(command, text=True)
+
+    def test_what_was_skipped_did_not_pass(self):
+        own = ('<testcase name="a" status="run" result="completed"/>'
+               '<testcase name="b" status="run" result="skipped"><skipped message="no"/></testcase>'
+               '<testcase name="c" status="notrun" result="suppressed"/>')  # fmt: skip
+        ctest = ('<testcase name="props_test" status="run"/>'
+                 '<testcase name="tool_test" status="notrun"><skipped message="no"/></testcase>'
+                 '<testcase name="old_test" status="disabled"/>')  # fmt: skip
+        self.assertEqual(self.count(0, ctest=ctest, props_test=own),
+                         "1 passed, 0 failed, 2 skipped\n")  # fmt: skip
+
+    def test_failures_are_counted_wherever_they_come_from(self):
+        failed = '<testcase name="a" status="run"><failure message="no"/></testcase>'
+        held = '<testcase name="a" status="run" result="completed"/>'
+        program = '<testcase name="props_test" status="fail"><failure message="1"/></testcase>'
+        self.assertEqual(self.count(1, ctest=program, props_test=failed + held),
+                         "1 passed, 1 failed\n")  # fmt: skip
+        self.assertEqual(self.count(1, ctest=program, props_test=held), "1 passed, 1 failed\n")
+        self.assertEqual(self.count(1, ctest=program), "0 passed, 1 failed\n")
+        self.assertEqual(self.count(3, ctest='<testcase name="b" status="run"/>'),
+                         "1 passed, 1 failed\n")  # fmt: skip
 
 
 class PlantsTest(unittest.TestCase):

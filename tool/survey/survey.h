@@ -1,4 +1,4 @@
-// Tells how a rasterizer that nobody here wrote behaves: the model that fits it, and what each
+// Tells how a rasterizer of somebody else behaves: the model that fits it, and what each
 // family of scenes shows of it.
 #ifndef RASTERPROOF_TOOL_SURVEY_SURVEY_H_
 #define RASTERPROOF_TOOL_SURVEY_SURVEY_H_

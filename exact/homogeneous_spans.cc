@@ -32,7 +32,7 @@ bool IsTame(double c) {
 // With T = |ny y| + |nw|: the normals are off by 2 u each, the product and the sum round once more,
 // so the numerator is off by at most 4.01 u T; nx by 2 u and the quotient by u, of at most T / |nx|
 // each; less the offset: one more of T / |nx| + 1, and the caller's at +- error as much again.
-// Together below 9.1 u T / |nx| + 2.1 u; 16 leaves room for the bound's own roundings, at most five.
+// Together below 9.1 u T / |nx| + 2.1 u; 16 leaves room for the five roundings of the bound.
 constexpr double kHomogeneousCrossingErrorMultiplier = 16 * rounding_epsilon<double>();
 
 // a b - c d within 2 u of itself (Kahan's algorithm; Jeannerod, Louvet, Muller 2013), without over-

@@ -25,6 +25,9 @@ struct Certificate {
   std::map<std::string, std::string> environment;  ///< compiler, flags, rounding, subnormals, ...
   std::uint64_t seed = 0;
   bool interrupted = false;  ///< someone ended the run early: not all that was asked was done
+  /// What kept every claim of the subject's contract from being put to the test; empty if nothing
+  /// did. Claims that hold beside the contract are no evidence for it.
+  std::string contract_untested;
   /// Statements about the subject's arithmetic; `by` names the script by its hash, and where it was
   /// run or that it was not.
   std::vector<Evidence> proved;
@@ -57,8 +60,8 @@ struct Overall {
 /// The one place that decides it; JSON, JUnit, page, summary and exit status all read it.
 ///
 /// Returns:    kViolated if a property is, or a judged scene has a wrong sample; else kInconclusive
-///             if the run was interrupted, a property could not be judged, or nothing was
-///             exercised; else kHolds.
+///             if the run was interrupted, a property could not be judged, or nothing of the
+///             contract was exercised, by no property and on no judged scene; else kHolds.
 Overall OverallOf(const Certificate& certificate);
 
 /// "holds", "violated" or "inconclusive".

@@ -25,12 +25,17 @@ std::string Violations(const Certificate& certificate) {
   return text;
 }
 
-bool IsExercised(const Certificate& certificate) {
-  const bool held =
-      std::ranges::count(certificate.tested, Outcome::kHolds, &PropertyResult::outcome) != 0;
-  return held || std::ranges::any_of(certificate.measured, [&](const SceneResult& result) {
-           return IsJudged(certificate, result) && result.difference.samples != 0;
-         });
+// Empty if something of the contract was put to the test.
+std::string WhyNotExercised(const Certificate& certificate) {
+  const bool judged = std::ranges::any_of(certificate.measured, [&](const SceneResult& result) {
+    return IsJudged(certificate, result) && result.difference.samples != 0;
+  });
+  if (judged) return "";
+  if (std::ranges::count(certificate.tested, Outcome::kHolds, &PropertyResult::outcome) == 0) {
+    return "nothing was exercised";
+  }
+  if (certificate.contract_untested.empty()) return "";
+  return "its contract was not put to the test: " + certificate.contract_untested;
 }
 
 }  // namespace
@@ -62,8 +67,8 @@ Overall OverallOf(const Certificate& certificate) {
     return {Outcome::kInconclusive,
             result.property + (result.message.empty() ? "" : ": " + result.message)};
   }
-  if (!IsExercised(certificate)) return {Outcome::kInconclusive, "nothing was exercised"};
-  return {Outcome::kHolds, ""};
+  const std::string why = WhyNotExercised(certificate);
+  return {why.empty() ? Outcome::kHolds : Outcome::kInconclusive, why};
 }
 
 std::string OverallVerdict(const Certificate& certificate) {

@@ -11,6 +11,7 @@
 #include "exact/environment.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/contract_evidence.h"
 #include "tool/evidence.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
@@ -42,6 +43,9 @@ void TestProperties(Subject& subject, const CertifyOptions& options,
     if (!certificate.interrupted || Stands(result)) certificate.tested.push_back(std::move(result));
     if (certificate.interrupted) return;
   }
+  const props::ContractEvidence evidence =
+      props::EvidenceOfContract(subject.Info(), certificate.tested);
+  if (!evidence.is_exercised) certificate.contract_untested = evidence.why;
 }
 
 std::map<std::string, std::string> DescribeEnvironment() {

@@ -60,7 +60,8 @@ std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
 }
 
 // Empty unless drawing the scene would take for ever.
-std::string WhyTooLarge(const SubjectInfo& info, const Scene& scene) {
+std::string WhyTooLarge(Subject& subject, const Scene& scene) {
+  const SubjectInfo& info = subject.Whole().Info();  // as the rasterizer itself is
   const bool by_triangle = info.coverage == CoverageKind::kMask || ShowsWinners(info);
   if (!by_triangle) return "";
   const std::uint64_t samples =
@@ -86,7 +87,7 @@ Attempt TryToDraw(Subject& subject, const Scene& scene) {
     attempt.reason = WhyNotTaken(subject.Info(), scene);
     return attempt;
   }
-  attempt.reason = WhyTooLarge(subject.Info(), scene);
+  attempt.reason = WhyTooLarge(subject, scene);
   if (!attempt.reason.empty()) return attempt;
   const auto start = Clock::now();
   try {

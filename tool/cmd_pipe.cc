@@ -57,6 +57,11 @@ props::DrawLedger RequestsOf(const SubjectInfo& info, const props::Property& pro
   const LedgerSubject recorder(info, ledger, props::OnMiss::kCoverNothing);
   const Verdict verdict = props::RunCase(*recorder.subject, property, c);
   if (ledger.jobs.empty() && why_not.empty()) why_not = verdict.message;
+  if (!ledger.jobs.empty()) {
+    // The picture of a failure shows the whole case, which the claim need not have asked for.
+    CoverageCounts counts(c.scene.width, c.scene.height, c.profile.lattice.samples());
+    recorder.subject->Draw(c.scene, c.options, counts);
+  }
   return ledger;
 }
 

@@ -42,8 +42,10 @@ Verdict ClosedSurfaceAroundTheEyeIsSeenEquallyOften(Subject& subject, const Case
   // The surface winds equally often around the eye in every direction: one ray tells it for all.
   const CoverageCounts one =
       exact::Coverage(c.scene, c.profile, {.scissor = PixelRect{0, 0, 1, 1}});
+  Spared spared;
+  if (!HasOneModel(c.profile) && !TellsFacings(subject)) spared.open = OpenTriangles(c);
   return SignedCoverageIs(subject, c, std::vector<std::int64_t>(one.size(), one.Signed(0)),
-                          "the winding number around the eye");
+                          "the winding number around the eye", spared);
 }
 
 }  // namespace rasterproof::props

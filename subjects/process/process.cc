@@ -37,6 +37,15 @@ constexpr int kMostTries = 3;
 constexpr double kLeastSecondsOfOutput = 10;
 constexpr std::size_t kMostOfOutput = std::size_t{1} << 20;
 
+std::exception_ptr Thrown(const std::function<void()>& work) {
+  try {
+    work();
+    return nullptr;
+  } catch (...) {
+    return std::current_exception();
+  }
+}
+
 std::string FaultText(const DrawOutcome& outcome) {
   try {
     outcome.Get();
@@ -102,7 +111,7 @@ class ProcessSubject::Child {
         if (process_.ReadsNoMore()) throw SubjectFault("it closed its input and gave no answer");
         throw OutOfTime(patience.time);
       case PipeEnd::kDeadline:
-        throw SubjectTooSlow("the time budget (--seconds) ended before it answered");
+        throw SubjectTooSlow("the time that it was given was up before it answered (--seconds)");
       case PipeEnd::kInterrupted:
         throw SubjectTooSlow(kInterruptedText);
       case PipeEnd::kTooLong:
@@ -162,7 +171,7 @@ void ProcessSubject::Draw(const Scene& scene, const DrawOptions& options, Covera
 }
 
 Drawing ProcessSubject::Show(const DrawJob& job) {
-  DrawOutcome outcome = AskAlone(job);
+  DrawOutcome outcome = std::move(AskSome({&job, 1}).front());
   outcome.Get();  // or it throws
   return std::move(outcome.drawing);
 }
@@ -181,8 +190,23 @@ std::vector<DrawOutcome> ProcessSubject::DrawMany(std::span<const DrawJob> jobs)
 
 // The outcomes of the first of the jobs, up to a breakdown; the rest is to be asked again.
 std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) {
+  std::vector<DrawOutcome> outcomes;
+  const DrawJob& first = jobs.front();
+  const auto fits = [](const DrawJob& job) {
+    return IsTargetSize(job.scene.width, job.scene.height, job.samples);
+  };
+  jobs = jobs.first(static_cast<std::size_t>(
+      std::ranges::distance(jobs.begin(), std::ranges::find_if_not(jobs, fits))));
+  if (jobs.empty()) {
+    DrawOutcome& outcome = outcomes.emplace_back();
+    outcome.error = Thrown([&] {
+      RequireTargetSize("subject " + info_.name, first.scene.width, first.scene.height,
+                        first.samples);
+    });
+    return outcomes;
+  }
   if (jobs.size() == 1) return {AskAlone(jobs.front())};
-  std::vector<DrawOutcome> outcomes = Ask(jobs, limits_.seconds);
+  outcomes = Ask(jobs, limits_.seconds);
   if (!IsOutOfTime(outcomes.back())) {
     if (outcomes.back().BrokeDown()) Trace(jobs, outcomes);
     return outcomes;
@@ -227,7 +251,8 @@ std::vector<double> ProcessSubject::AskValues(Point2 a, Point2 b, Point2 p,
 
 // The child is in the hands of who asks it: whatever goes wrong, the next one starts a fresh one.
 std::unique_ptr<ProcessSubject::Child> ProcessSubject::TakeChild() {
-  if (Clock::now() >= deadline_) throw SubjectTooSlow("the time budget (--seconds) had ended");
+  if (Clock::now() >= deadline_)
+    throw SubjectTooSlow("the time that it was given was up (--seconds)");
   if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
   std::unique_ptr<Child> child = std::move(child_);
   child->RequireSilence("its answers to earlier draws");
@@ -244,8 +269,6 @@ std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, doub
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     DrawOutcome& outcome = outcomes.emplace_back();
     try {
-      const DrawJob& job = jobs[k];
-      RequireTargetSize("subject " + info_.name, job.scene.width, job.scene.height, job.samples);
       if (child == nullptr) {
         child = TakeChild();
         child->Ask(CallText(first_id, jobs));

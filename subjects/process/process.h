@@ -26,12 +26,12 @@ struct ProcessLimits {
 /// The child is started at the first draw, in a process group of its own, and again after it died
 /// or was killed: what follows a fault is judged on a fresh one. Its standard error is passed on.
 ///
-/// Time:       own_time.h. A draw that takes longer than the limit is asked for once more, alone, on
-///             a fresh process, with ten times the limit, three times in the subject's life and if
-///             the deadline leaves room for it. No answer then either: it hangs, a SubjectFault, and
-///             so does whatever takes longer than the limit from then on. An answer within the
-///             limit counts: it was slow once. All else is SubjectTooSlow. The answers of a batch
-///             are due within the limit together; a batch that takes longer is asked for in parts.
+/// Limits count its own time (own_time.h). A draw that takes longer is asked for once more, alone,
+/// on a fresh process, with ten times the limit: three times in the subject's life, if the deadline
+/// leaves room for it. No answer then either: it hangs, a SubjectFault, and so does whatever takes
+/// longer than the limit from then on. An answer within the limit counts: it was slow once. All
+/// else is SubjectTooSlow. The first answer of a batch is due within the limit, and a batch that
+/// takes longer is asked for in parts.
 class ProcessSubject final : public Subject {
  public:
   using Clock = std::chrono::steady_clock;

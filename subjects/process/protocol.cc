@@ -233,8 +233,8 @@ class RowReader {
   const char* at_;
 };
 
-// Reads HEIGHT rows; take(row, index, column, columns) reads one sample, of at most so many numbers,
-// from the row.
+// Reads HEIGHT rows; take(row, index, column, columns) reads one sample, of at most so many
+// numbers, from the row.
 template <class Take>
 void ReadRows(const CoverageCounts& shape, std::size_t numbers, const NextLine& next_line,
               const Take& take) {

@@ -185,6 +185,13 @@ TEST(Coverage, IsInstantFarOffAndOnTheLargestTargets) {
   EXPECT_EQ(Coverage(scene, {}).Count(0), 2U);
 }
 
+TEST(Coverage, CountsSamplesAndNotPixelsAgainstTheLargestTarget) {
+  Scene scene = MakeScene(16384, 16384, {{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
+  Profile four = *PresetProfile("real");
+  four.lattice.locations.assign(4, {0.5, 0.5});
+  EXPECT_THROW(Coverage(scene, four), InputError);
+}
+
 TEST(Coverage, SnapsBeforeItDecides) {
   const Profile d3d11 = *PresetProfile("d3d11");
   // 1/2 + 1/1024 snaps to the centre: top-left keeps the left side.

@@ -146,6 +146,18 @@ TEST(VerdictTest, AnInterruptedRunIsNoPass) {
   EXPECT_EQ(OverallVerdict(certificate), "violated");
 }
 
+TEST(VerdictTest, WhatHoldsBesideTheContractIsNoEvidenceForIt) {
+  Certificate certificate;
+  certificate.tested = {SampleProperty("a", Outcome::kHolds)};
+  certificate.contract_untested = "overdraw is allowed";
+  EXPECT_EQ(OverallVerdict(certificate), "inconclusive");
+  EXPECT_EQ(OverallOf(certificate).reason,
+            "its contract was not put to the test: overdraw is allowed");
+  certificate.measured = SampleCertificate().measured;
+  certificate.measured[0].difference.wrong = 0;
+  EXPECT_EQ(OverallVerdict(certificate), "holds") << "a judged scene is evidence";
+}
+
 TEST(VerdictTest, SaysWhatItDoesNotSpeakFor) {
   PropertyResult result = SampleProperty("a", Outcome::kHolds);
   EXPECT_EQ(Reservations(result), "");

@@ -5,7 +5,6 @@ usage: misbehaves.py WHAT [FILE]
 """
 import os
 import signal
-import subprocess
 import sys
 import time
 
@@ -37,8 +36,10 @@ def compute(seconds):
 
 def stay_behind():
     """Two children in its group, one of which spins; both hold all that they inherited."""
+    import subprocess  # pylint: disable=import-outside-toplevel  (it takes its time)
+
     for code in ("import time; time.sleep(10**6)", "while True: pass"):
-        subprocess.Popen([sys.executable, "-c", code])
+        subprocess.Popen([sys.executable, "-I", "-S", "-c", code])
 
 
 def once():

@@ -13,6 +13,7 @@ import uuid
 
 PROGRAM, SOURCES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:4])
 SUBJECT = os.path.join(SOURCES, "tests/tool/misbehaves.py")
+PYTHON = f"{sys.executable} -I -S"  # starts in a tenth of the limit
 # What a subject that covers nothing keeps.
 DEGENERATE = "DegenerateTrianglesCoverNothing"
 # Of a subject's own time; a hang is given ten times that.
@@ -72,7 +73,7 @@ class Run:
 
 class Misbehaving(unittest.TestCase):
     def start(self, what, *more, **options):
-        run = Run([PROGRAM, "check", "--exec", f"{sys.executable} {SUBJECT} {what}", *LIMIT,
+        run = Run([PROGRAM, "check", "--exec", f"{PYTHON} {SUBJECT} {what}", *LIMIT,
                    "--property", DEGENERATE, "--cases", "8", *more], **options)  # fmt: skip
         self.addCleanup(run.process.kill)
         self.addCleanup(run.kill_left)
@@ -155,7 +156,7 @@ class Ending(unittest.TestCase):
     """The command ends while its subject hangs."""
 
     def start(self, what="spins-with-children", limit="1000", **options):
-        run = Run([PROGRAM, "check", "--exec", f"{sys.executable} {SUBJECT} {what}",
+        run = Run([PROGRAM, "check", "--exec", f"{PYTHON} {SUBJECT} {what}",
                    "--property", DEGENERATE, "--cases", "8", "--time-limit", limit],
                   **options)  # fmt: skip
         self.addCleanup(run.process.kill)
@@ -188,7 +189,7 @@ class Ending(unittest.TestCase):
 
     def test_other_verbs_end_at_once_and_leave_nothing(self):
         run = Run([PROGRAM, "coverage", "scenes/ties.json", "--exec",
-                   f"{sys.executable} {SUBJECT} spins-with-children",
+                   f"{PYTHON} {SUBJECT} spins-with-children",
                    "--time-limit", "1000"])  # fmt: skip
         run.wait_for("it hangs")
         run.process.send_signal(signal.SIGTERM)
@@ -205,7 +206,7 @@ class Ending(unittest.TestCase):
             self.assertEqual(run.left(), [])
 
     def test_a_pipe_behind_the_command_ends(self):
-        words = (f"{PROGRAM} check --exec '{sys.executable} {SUBJECT} leaves-children' "
+        words = (f"{PROGRAM} check --exec '{PYTHON} {SUBJECT} leaves-children' "
                  f"--property {DEGENERATE} --cases 8")  # fmt: skip
         for end in ("| cat", "2>&1 | cat", "2>&1 | head -1", "2>/dev/full | cat"):
             with self.subTest(end=end):
@@ -219,7 +220,7 @@ class Start(unittest.TestCase):
     """What the command was started with is no matter of the subject's."""
 
     def check(self, what, status, words, **options):
-        run = Run([PROGRAM, "check", "--exec", f"{sys.executable} {SUBJECT} {what}", *LIMIT,
+        run = Run([PROGRAM, "check", "--exec", f"{PYTHON} {SUBJECT} {what}", *LIMIT,
                    "--property", DEGENERATE, "--cases", "8"], **options)  # fmt: skip
         got, text = run.end()
         self.assertEqual(got, status, text)

@@ -1,5 +1,6 @@
 /* Plugins with one fault each, by -DFAULT_...: what the host of plugins must live through. But for
  * the fault they cover nothing, which is right for scenes of triangles without area. */
+#include <fenv.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -29,6 +30,9 @@ static int32_t draw(void* state, const rasterproof_scene* scene, const rasterpro
 #elif defined(FAULT_PRINTS)
   printf("counts 1\nthis is no answer\n");
   fflush(stdout);
+#elif defined(FAULT_ROUNDS)
+  target->front[0] += fegetround() == FE_UPWARD;
+  fesetround(FE_UPWARD);
 #elif defined(FAULT_REFUSES)
   return scene->width > 0;
 #endif

@@ -1,0 +1,151 @@
+// What a program on a pipe may cost, and who is to blame where it costs more.
+#include "subjects/process/process.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/scene.h"
+
+namespace rasterproof::subjects {
+namespace {
+
+// Draws nothing onto targets of one sample, `pause` before every answer. A line in $STARTS for
+// every process.
+std::vector<std::string> Pausing(const std::string& pause) {
+  return {"/bin/sh", "-c",
+          "test -z \"$STARTS\" || echo started >> \"$STARTS\"\n"
+          "while read word id width rest; do\n"
+          "  case $word in\n"
+          "    batch)\n"
+          "      all= n=$id\n"
+          "      while [ $n -gt 0 ]; do\n"
+          "        read word id width rest; " +
+              pause +
+              "\n"
+              "        all=\"${all}counts $id\\n0\\n\" n=$((n - 1))\n"
+              "      done\n"
+              "      printf \"$all\" ;;\n"
+              "    *) " +
+              pause +
+              "; printf \"counts $id\\n0\\n\" ;;\n"
+              "  esac\n"
+              "done\n"};
+}
+
+SubjectInfo Info() {
+  SubjectInfo info;
+  info.name = "pausing";
+  info.coverage = CoverageKind::kCounts;
+  return info;
+}
+
+// "" if it drew, else "fault: ..." or "slow: ...".
+std::string SaidOf(Subject& subject, const DrawJob& job = {}) {
+  try {
+    subject.Show(job);
+    return "";
+  } catch (const SubjectFault& fault) {
+    return std::string("fault: ") + fault.what();
+  } catch (const SubjectTooSlow& slow) {
+    return std::string("slow: ") + slow.what();
+  }
+}
+
+bool Has(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST(ProcessSubject, CallsAHangOneAfterTenTimesTheLimitAndSparesTheNextOneThat) {
+  ProcessSubject subject(Pausing("sleep 1000"), Info(), {.seconds = 0.05});
+  const std::string first = SaidOf(subject);
+  EXPECT_TRUE(first.starts_with("fault: it hangs: alone, on a fresh process")) << first;
+  EXPECT_TRUE(Has(first, "slept for")) << first;
+  const std::string second = SaidOf(subject);
+  EXPECT_TRUE(second.starts_with("fault: it hangs")) << second;
+  EXPECT_TRUE(Has(second, "as before")) << second;
+}
+
+TEST(ProcessSubject, CallsASlowOneSlowAndTriesItABoundedNumberOfTimes) {
+  const std::string starts = testing::TempDir() + "/starts";
+  std::ofstream(starts).close();
+  setenv("STARTS", starts.c_str(), 1);
+  ProcessSubject subject(Pausing("sleep 0.3"), Info(), {.seconds = 0.1});
+  for (int n = 0; n < 3; ++n) {
+    const std::string said = SaidOf(subject);
+    EXPECT_TRUE(said.starts_with("slow: alone, on a fresh process, it answered after")) << said;
+    EXPECT_TRUE(Has(said, "--time-limit")) << said;
+  }
+  const std::string last = SaidOf(subject);
+  unsetenv("STARTS");
+  EXPECT_TRUE(Has(last, "gave no answer; raise --time-limit (now 0.1 s)")) << last;
+  std::ifstream in(starts);
+  int started = 0;
+  for (std::string line; std::getline(in, line);) ++started;
+  EXPECT_EQ(started, 4) << "one, and a fresh one for each try";
+}
+
+TEST(ProcessSubject, WaitsNoLongerThanItsDeadline) {
+  ProcessSubject subject(Pausing("sleep 1000"), Info(), {.seconds = 1000});
+  subject.SetDeadline(ProcessSubject::Clock::now() + std::chrono::milliseconds(50));
+  const std::string said = SaidOf(subject);
+  EXPECT_TRUE(said.starts_with("slow: the time")) << said;
+  EXPECT_TRUE(SaidOf(subject).starts_with("slow: the time")) << "it is over for what follows, too";
+  ProcessSubject quick(Pausing(":"), Info());
+  quick.SetDeadline(ProcessSubject::Clock::now());
+  EXPECT_TRUE(SaidOf(quick).starts_with("slow: the time"));
+  quick.SetDeadline(ProcessSubject::Clock::time_point::max());
+  EXPECT_EQ(SaidOf(quick), "");
+}
+
+TEST(ProcessSubject, DoesNotFindOutWhatHangsIfTheDeadlineLeavesNoRoom) {
+  ProcessSubject subject(Pausing("sleep 1000"), Info(), {.seconds = 0.05});
+  subject.SetDeadline(ProcessSubject::Clock::now() + std::chrono::milliseconds(300));
+  EXPECT_TRUE(SaidOf(subject).starts_with("slow: "));
+}
+
+TEST(ProcessSubject, DrawsASlowBatchInParts) {
+  SubjectInfo info = Info();
+  info.takes_batches = true;
+  ProcessSubject subject(Pausing("sleep 0.1"), info, {.seconds = 0.5});
+  const std::vector<DrawJob> jobs(8);
+  const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
+  ASSERT_EQ(outcomes.size(), jobs.size());
+  for (const DrawOutcome& outcome : outcomes) EXPECT_EQ(outcome.error, nullptr);
+}
+
+TEST(ProcessSubject, NamesTheOneOfABatchThatHangs) {
+  SubjectInfo info = Info();
+  info.takes_batches = true;
+  ProcessSubject subject(Pausing("[ \"${rest%% *}\" = 1 ] || sleep 1000"), info, {.seconds = 0.15});
+  std::vector<DrawJob> jobs(3);
+  EXPECT_EQ(subject.DrawMany(jobs).size(), 3U);
+  jobs[1].scene.height = 2;
+  const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
+  ASSERT_EQ(outcomes.size(), 2U) << "what follows a breakdown is left open";
+  EXPECT_EQ(outcomes[0].error, nullptr);
+  EXPECT_THROW(outcomes[1].Get(), SubjectFault);
+}
+
+TEST(ProcessSubject, IsNotGivenTargetsThatNobodyTakes) {
+  ProcessSubject subject(Pausing(":"), Info());
+  DrawJob large;
+  large.scene.width = 16384;
+  large.scene.height = 16384;
+  large.samples = 4;
+  EXPECT_THROW(subject.Show(large), InputError);
+  const std::array<DrawJob, 3> jobs{DrawJob{}, large, DrawJob{}};
+  const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
+  ASSERT_EQ(outcomes.size(), 3U);
+  EXPECT_THROW(outcomes[1].Get(), InputError);
+  EXPECT_EQ(outcomes[2].error, nullptr);
+}
+
+}  // namespace
+}  // namespace rasterproof::subjects

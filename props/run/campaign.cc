@@ -148,11 +148,11 @@ class Campaign {
 
   PropertyResult TooSlow(const Case& c, const Verdict& verdict) {
     if (is_outside_) pace_.is_slow = true;
-    std::string message = c.origin + ": " + verdict.message;
-    if (pace_.hangs) {
-      message += "; another claim saw the subject hang, so a case has one time limit in all";
-    }
-    return tally_.Inconclusive(message);
+    const std::string why =
+        pace_.hangs ? "no answer within one time limit, which is all that a case gets since "
+                      "another claim saw the subject hang"
+                    : verdict.message;
+    return tally_.Inconclusive(c.origin + ": " + why);
   }
 
   PropertyResult Failed(const Failure& failure, std::uint64_t index) {

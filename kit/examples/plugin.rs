@@ -144,7 +144,8 @@ static PLUGIN: Plugin = Plugin {
     size: std::mem::size_of::<Plugin>() as u32,
     name: b"example in Rust\0".as_ptr() as *const c_char,
     summary: b"exact in 128-bit integers, every pixel of the target\0".as_ptr() as *const c_char,
-    profile: b"real\0".as_ptr() as *const c_char,
+    profile: b"{\"name\": \"within 2^20\", \"coordinate_limit\": \"0x1p+20\"}\0".as_ptr()
+        as *const c_char,
     input: 0,    // float32
     coverage: 0, // counts of either facing
     takes: 0,

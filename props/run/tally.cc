@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/profile.h"
 #include "props/run/near_edge.h"
 #include "props/run/own_transform.h"
 #include "props/run/property_domains.h"
@@ -47,8 +48,11 @@ void Tally::AddCase(std::size_t domain, const Case& c, const Verdict& verdict) {
   Add(near_edge_[domain], counts);
   Add(result_.near_edge, counts);
   result_.not_judged += verdict.not_judged;
-  if (verdict.outcome == Outcome::kRefused && result_.cases_refused++ == 0) {
-    why_refused_ = verdict.message;
+  if (verdict.outcome == Outcome::kRefused) {
+    ++result_.cases_refused;
+    if (WithinLimits(c.scene, c.profile) && refused_within_limits_++ == 0) {
+      why_refused_ = verdict.message;
+    }
   }
   if (verdict.outcome != Outcome::kNotApplicable) return;
   ++not_applicable_;
@@ -62,8 +66,8 @@ PropertyResult Tally::Concluded() const {
     AddSentence(result.message, why_not_);
     return result;
   }
-  const auto refused = static_cast<double>(result.cases_refused);
-  const auto asked = static_cast<double>(result.cases_refused + result.cases_exercised);
+  const auto refused = static_cast<double>(refused_within_limits_);
+  const auto asked = static_cast<double>(refused_within_limits_ + result.cases_exercised);
   if (refused > kMostRefusedShare * asked) {
     result.outcome = Outcome::kInconclusive;
     AddSentence(result.message, "the subject refuses too much: " + SoFar() +

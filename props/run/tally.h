@@ -17,7 +17,8 @@
 namespace rasterproof::props {
 
 /// Of the cases that would have put the claim to the test, at most so many may be refused: beyond
-/// that, what holds was hardly asked.
+/// that, what holds was hardly asked. Scenes beyond the profile's limits don't count: who states
+/// a limit may refuse what lies beyond it.
 inline constexpr double kMostRefusedShare = 0.5;
 
 /// Counts cases, how often they put the claim to the test, and how near to edges they came.
@@ -53,6 +54,7 @@ class Tally {
   std::vector<NearEdgeCounts> near_edge_;
   std::uint64_t not_applicable_ = 0;
   std::string why_not_;
+  std::uint64_t refused_within_limits_ = 0;
   std::string why_refused_;
 };
 

@@ -86,7 +86,8 @@ TEST(ProfileJson, APresetsNameIsForWhatThePresetSays) {
     renamed.name = ProfileName(other);
     EXPECT_EQ(ParseProfile(ProfileToJson(other), "written"), renamed);
   }
-  const std::string vulkan = R"({"name": "vulkan", "subpixel_bits": 8, "coordinate_limit": 32768})";
+  const std::string vulkan = R"({"name": "vulkan", "subpixel_bits": 8, "coordinate_limit": 32768,
+                                 "infinite_vertex": "unspecified"})";
   EXPECT_EQ(ParseProfile(vulkan, "p.json"), *PresetProfile("vulkan"));
   try {
     ParseProfile(R"({"name": "vulkan", "subpixel_bits": 4})", "p.json");

@@ -191,6 +191,15 @@ TEST(Refusals, OfMoreThanHalfAreNoVerdict) {
   EXPECT_EQ(all.outcome, Outcome::kInconclusive);
 }
 
+TEST(Refusals, BeyondTheLimitsAreNoneTooMany) {
+  const auto takes = [](const Scene& scene) { return WithinLimits(scene, RealInfo().profile); };
+  PlantedSubject subject(RealInfo(), RefusingUnless(takes));
+  const PropertyResult result =
+      RunCampaign(subject, *FindProperty("NonFiniteTrianglesCoverNothing"), {.cases = 60});
+  EXPECT_GT(result.cases_refused, 30U);
+  EXPECT_EQ(result.outcome, Outcome::kNotExercised) << result.message;
+}
+
 TEST(Refusals, AreNoFailureOfASmallerCase) {
   const auto draw = [](const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
     if (scene.width < 3) throw Refusal();

@@ -100,7 +100,10 @@ class Campaign {
       drawn.emplace_back(index, DrawFrom(tally_.domains(), subject_.Info(), options_.seed, index));
     }
     if (pace_.is_slow) {
-      std::ranges::stable_sort(drawn, {}, [](const auto& entry) { return SizeOf(entry.second); });
+      const auto size_and_number = [](const auto& entry) {
+        return std::pair(SizeOf(entry.second), entry.first);
+      };
+      std::ranges::sort(drawn, {}, size_and_number);
     }
     Block block;
     for (auto& [index, c] : drawn) {

@@ -157,9 +157,9 @@ void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, 
   try {
     BlameOneOf(subject, c, options, witness);
   } catch (const SubjectFault&) {
-    // What is wrong was seen before: a breakdown over less of the case does not unsay it.
+    return;  // what is wrong was seen before: a breakdown over less of the case does not unsay it
   } catch (const SubjectTooSlow&) {
-    // Nor does a lack of time.
+    return;  // nor does a lack of time
   }
 }
 

@@ -75,6 +75,9 @@ void MeasureScenes(Subject& subject, MeasuredScenes& scenes, report::Certificate
 report::Certificate CertifySubject(const std::string& name, const CertifyOptions& options,
                                    MeasuredScenes& scenes);
 
+/// Why the counts of the scene's samples are not promised by the profile; empty if they are.
+std::string WhyNotPromised(const Scene& scene, const Profile& profile);
+
 /// Pictures of real scenes and of what went wrong where.
 std::vector<report::Picture> TakePictures(MeasuredScenes& scenes,
                                           const std::vector<report::Certificate>& certificates,

@@ -56,10 +56,9 @@ void PictureFailure(const report::Certificate& certificate, const MeasuredScene&
   const SceneResult* result = WrongOn(certificate, measured.name());
   if (result == nullptr) return;
   const std::string& name = certificate.subject.name;
-  const std::unique_ptr<Subject> subject = MakeSubject(name);
   Case c;
   c.scene = measured.scene();
-  c.profile = subject->Info().profile;
+  c.profile = certificate.subject.profile;
   const CoverageDifference& difference = result->difference;
   Verdict verdict;
   verdict.message =
@@ -67,12 +66,15 @@ void PictureFailure(const report::Certificate& certificate, const MeasuredScene&
                   difference.wrong, difference.samples, difference.gaps, difference.overlaps);
   const std::string replay = measured.CommandThatShows(name);
   try {
+    const std::unique_ptr<Subject> subject = MakeSubject(name);
     const report::Explanation explanation = Explain(*subject, c, verdict, replay);
     pictures.push_back({explanation.headline, replay, report::ExplanationToSvg(explanation), ""});
   } catch (const InputError&) {
     // It drew the scene before and refuses it now: the certificate stands, the page has one picture
     // less.
+    return;
   } catch (const SubjectTooSlow&) {
+    return;  // or it was interrupted
   }
 }
 

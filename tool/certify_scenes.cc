@@ -31,27 +31,6 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kSceneSet = "scenes/certify.json";
 constexpr std::string_view kNotJudged = ": observed, not judged";
 
-// Empty if the counts of the scene's samples are promised.
-std::string WhyNotPromised(const Scene& scene, const Profile& profile) {
-  if (!WithinLimits(scene, profile)) {
-    return "coordinates beyond what the profile promises" + std::string(kNotJudged);
-  }
-  if (!IsUnclipped(scene, profile)) {
-    return "triangles leave the profile's no-clip rectangle" + std::string(kNotJudged);
-  }
-  if (profile.zero_area == ZeroArea::kNothing) return "";
-  if (scene.clip_space && !profile.snap.IsNone()) {
-    return "areas after the division and snapping are not decided" + std::string(kNotJudged);
-  }
-  Case c;
-  c.scene = scene;
-  c.profile = profile;
-  return props::FlatTriangles(c).empty()
-             ? ""
-             : "triangles of zero area, which the profile leaves unspecified" +
-                   std::string(kNotJudged);
-}
-
 std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space && !info.takes_clip) return "the scene is in clip space";
   if (!scene.clip_space && !info.takes_window) return "the scene is in window space";
@@ -149,6 +128,26 @@ PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
 }
 
 }  // namespace
+
+std::string WhyNotPromised(const Scene& scene, const Profile& profile) {
+  if (!WithinLimits(scene, profile)) {
+    return "coordinates beyond what the profile promises" + std::string(kNotJudged);
+  }
+  if (!IsUnclipped(scene, profile)) {
+    return "triangles leave the profile's no-clip rectangle" + std::string(kNotJudged);
+  }
+  if (profile.zero_area == ZeroArea::kNothing) return "";
+  if (scene.clip_space && !profile.snap.IsNone()) {
+    return "areas after the division and snapping are not decided" + std::string(kNotJudged);
+  }
+  Case c;
+  c.scene = scene;
+  c.profile = profile;
+  return props::FlatTriangles(c).empty()
+             ? ""
+             : "triangles of zero area, which the profile leaves unspecified" +
+                   std::string(kNotJudged);
+}
 
 MeasuredScene::MeasuredScene(const io::SceneEntry& entry, Scene scene)
     : name_(entry.name),

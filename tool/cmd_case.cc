@@ -1,4 +1,5 @@
 // rasterproof replay, explain, shrink and decode: one case, saved or generated.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,7 @@
 #include "props/run/counterexample.h"
 #include "report/picture.h"
 #include "report/text.h"
+#include "tool/certify.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -30,6 +32,15 @@ namespace {
 
 constexpr double kNoLimit = 1e9;  // seconds
 
+// Why a difference from the canonical model says nothing against the subject; empty if it does.
+std::string WhyObservedOnly(const SubjectInfo& info, const Case& c) {
+  if (!HasOneModel(c.profile) && !info.claims_exact)
+    return "the profile leaves more than one result";
+  const bool is_finite = std::ranges::all_of(c.scene.vertices, IsFinite);
+  const bool says_of_infinite = c.profile.infinite_vertex == InfiniteVertex::kNothing;
+  return is_finite || !says_of_infinite ? WhyNotPromised(c.scene, c.profile) : "";
+}
+
 // Without a property the claim is the plainest one: the counts are the model's.
 Verdict CompareWithModel(Subject& subject, const Case& c) {
   if (!Takes(subject.Info(), c.scene)) return Verdict::NotApplicable("it takes no such scene");
@@ -37,6 +48,12 @@ Verdict CompareWithModel(Subject& subject, const Case& c) {
   const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(difference.samples);
+  if (const std::string why = WhyObservedOnly(subject.Info(), c); !why.empty()) {
+    return {Outcome::kNotExercised, 0, 0,
+            fmt::format("{} of {} samples differ from the canonical model: {}", difference.wrong,
+                        difference.samples, why),
+            std::nullopt};
+  }
   const std::size_t pixel = difference.first_wrong / static_cast<std::size_t>(expected.samples);
   const auto width = static_cast<std::size_t>(expected.width);
   Witness witness;
@@ -146,8 +163,9 @@ int RunExplain(const ExplainOptions& options) {
   if (chosen) again += fmt::format(" --pixel {},{}", options.x, options.y);
   // There is nothing to see of what was not drawn.
   if (verdict.outcome == Outcome::kRefused || verdict.outcome == Outcome::kInconclusive) {
-    io::WriteStandardOutput(FailureLine(PropertyName(loaded), loaded.value, verdict) + "\n" +
-                            SceneLine(loaded.value) + "\n");
+    io::WriteStandardOutput(
+        report::CleanText(FailureLine(PropertyName(loaded), loaded.value, verdict)) + "\n" +
+        SceneLine(loaded.value) + "\n");
     return StatusOf(verdict.outcome);
   }
   report::Explanation explanation = Explain(*loaded.subject, loaded.value, shown, again);

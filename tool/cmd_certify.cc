@@ -33,14 +33,14 @@ namespace rasterproof::tool {
 namespace {
 
 // Certifies the subjects on every core; the order of the result is that of the names. Subjects that
-// an interrupt kept from being begun are left out.
+// an interrupt kept from being begun are left out; so is the one that met `failure`, and those
+// behind it.
 std::vector<report::Certificate> CertifyAll(const std::vector<std::string>& names,
                                             const CertifyOptions& options, MeasuredScenes& scenes,
-                                            Progress& progress) {
+                                            Progress& progress, std::exception_ptr& failure) {
   std::vector<std::optional<report::Certificate>> begun(names.size());
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> done = 0;
-  std::exception_ptr failure;
   std::mutex failure_mutex;
   progress.Stage("certifying subjects", names.size());
   const auto work = [&] {
@@ -49,7 +49,7 @@ std::vector<report::Certificate> CertifyAll(const std::vector<std::string>& name
         begun[k] = CertifySubject(names[k], options, scenes);
       } catch (...) {
         const std::lock_guard lock(failure_mutex);
-        failure = std::current_exception();
+        if (!Interrupted()) failure = std::current_exception();  // else it was not begun
         next = names.size();
       }
       progress.Done(++done);
@@ -61,7 +61,6 @@ std::vector<report::Certificate> CertifyAll(const std::vector<std::string>& name
     threads.emplace_back(work);
   }
   for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
   std::vector<report::Certificate> certificates;
   for (std::optional<report::Certificate>& certificate : begun) {
     if (certificate) certificates.push_back(*std::move(certificate));
@@ -187,16 +186,19 @@ int RunCertify(const CertifyOptions& options) {
   const std::vector<std::string> names = SubjectsOf(options);
   io::MakeFolder(options.output);
   report::Page page;
+  std::exception_ptr failure;
   {
     Progress progress;
     MeasuredScenes scenes = LoadSceneSet(options.scene_set, progress);
     page.title = "rasterproof " RASTERPROOF_VERSION;
-    page.certificates = CertifyAll(names, options, scenes, progress);
+    page.certificates = CertifyAll(names, options, scenes, progress, failure);
+    // What is known is written before anything else can go wrong.
+    for (report::Certificate& certificate : page.certificates) {
+      NameReplays(options.output, certificate);
+      WriteCertificate(options.output, certificate);
+    }
+    if (failure) std::rethrow_exception(failure);
     if (!Interrupted()) page.pictures = TakePictures(scenes, page.certificates, progress);
-  }
-  for (report::Certificate& certificate : page.certificates) {
-    NameReplays(options.output, certificate);
-    WriteCertificate(options.output, certificate);
   }
   const std::string path = options.output + "/report.html";
   io::WriteFile(path, report::PageToHtml(page));

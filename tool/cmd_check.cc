@@ -19,6 +19,7 @@
 #include "props/run/campaign.h"
 #include "props/run/contract_evidence.h"
 #include "props/run/tally.h"
+#include "report/text.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -115,7 +116,7 @@ std::string ResultLine(const PropertyResult& result) {
   if (result.cases_refused != 0) line += fmt::format(", {} refused", result.cases_refused);
   line += NotJudgedText(result.not_judged);
   if (result.worst_ratio != 0) line += fmt::format(", error/bound {:.3f}", result.worst_ratio);
-  if (!result.message.empty()) line += "; " + result.message;
+  if (!result.message.empty()) line += "; " + report::CleanText(result.message);
   return line + "\n";
 }
 
@@ -189,6 +190,7 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
 void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progress,
                 std::string& text, Tally& tally) {
   const std::string& name = subject.Info().name;
+  std::vector<PropertyResult> results;
   for (const std::string& path : options.scenes) {
     NotAsked not_asked;
     Case given = io::ReadCase(path).value;
@@ -199,6 +201,11 @@ void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progres
       progress.Stage(fmt::format("{} {} on {}", name, property->name, path));
       const Verdict verdict = props::RunCase(subject, *property, given);
       tally.Count(verdict.outcome, 1);
+      PropertyResult& result = results.emplace_back();
+      result.property = property->name;
+      result.outcome = verdict.outcome;
+      result.exercised = verdict.exercised;
+      result.message = verdict.message;
       if (verdict.outcome == Outcome::kNotApplicable) {
         not_asked.Add(verdict.message, property->name);
         continue;
@@ -206,7 +213,7 @@ void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progres
       text += fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}\n",
                           OutcomeName(verdict.outcome), name, property->name, path,
                           verdict.exercised, NotJudgedText(verdict.not_judged),
-                          verdict.message.empty() ? "" : "; ", verdict.message);
+                          verdict.message.empty() ? "" : "; ", report::CleanText(verdict.message));
       if (verdict.outcome != Outcome::kViolated) continue;
       CaseChoice choice;
       choice.path = path;
@@ -218,6 +225,7 @@ void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progres
     }
     text += not_asked.Lines(name, path + ": ");
   }
+  if (options.properties.empty() && !Interrupted()) text += ContractText(subject, results, tally);
 }
 
 // What finds out more about a subject of the user's own that does not draw as it promises.
@@ -244,13 +252,16 @@ int RunCheck(const CheckOptions& options) {
     if (Interrupted()) break;
     std::string text;
     Tally own;
-    {
+    try {
       Progress progress;
       if (options.scenes.empty()) {
         CheckGenerated(*subject, options, progress, text, own);
       } else {
         CheckGiven(*subject, options, progress, text, own);
       }
+    } catch (...) {
+      io::WriteStandardOutput(text);  // what was found before is so all the same
+      throw;
     }
     text += own.Line(subject->Info().name) + Hint(*subject, own, options.profile);
     status = WorseStatus(status, own.ExitStatus());

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 
 #include "subjects/process/groups.h"
 
@@ -13,11 +14,12 @@ namespace {
 constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<int> arrived{0};
+std::array<std::atomic<bool>, kSignals.size()> caught{};  // those that the parent did not ignore
 
 void OnSignal(int number) {
   arrived = number;
-  for (const int other : kSignals) {
-    if (other != number) signal(other, SIG_DFL);
+  for (std::size_t k = 0; k < kSignals.size(); ++k) {
+    if (kSignals[k] != number && caught[k]) signal(kSignals[k], SIG_DFL);
   }
   subjects::Interrupt();
 }
@@ -25,12 +27,14 @@ void OnSignal(int number) {
 }  // namespace
 
 void CatchInterrupts() {
-  for (const int number : kSignals) {
+  for (std::size_t k = 0; k < kSignals.size(); ++k) {
+    const int number = kSignals[k];
     struct sigaction before{};
     if (sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
     struct sigaction action{};
     action.sa_handler = OnSignal;
     action.sa_flags = static_cast<int>(SA_RESETHAND);
+    caught[k] = true;
     sigaction(number, &action, nullptr);
   }
 }

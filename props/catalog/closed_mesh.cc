@@ -17,7 +17,8 @@ namespace {
 // What is closed before it is snapped stays closed, whatever grid points are chosen.
 bool IsClosedInEveryModel(const Case& c) {
   if (c.scene.clip_space) return IsClosed(c.scene);
-  if (HasOneModel(c.profile)) return exact::ShapeOf(c.scene, c.profile).closed;
+  const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
+  if (one_model) return exact::ShapeOf(c.scene, c.profile).closed;
   Profile as_it_is;
   as_it_is.lattice = c.profile.lattice;
   return exact::ShapeOf(UnsnappedScene(c), as_it_is).closed;

@@ -129,8 +129,10 @@ std::optional<Verdict> CannotAskFragments(Subject& subject, const Case& c) {
   if (subject.Whole().Info().coverage != CoverageKind::kFragments) {
     return Verdict::NotApplicable("the subject shows no fragments");
   }
-  if (subject.Whole().Info().fragments.weights_of == WeightsOf::kSnapped &&
-      c.profile.freedom.snap_tolerance != 0) {
+  const bool chooses_points = c.profile.freedom.snap_tolerance != 0 ||
+                              c.profile.contract == Contract::kWatertight ||
+                              c.profile.contract == Contract::kClosed;
+  if (subject.Whole().Info().fragments.weights_of == WeightsOf::kSnapped && chooses_points) {
     return Verdict::NotApplicable(
         "the profile leaves the grid points free that the weights belong to");
   }

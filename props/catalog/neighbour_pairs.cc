@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/scene.h"
 #include "props/catalog/places.h"
 #include "props/catalog/planar_mesh.h"
@@ -72,7 +73,19 @@ Verdict PairsCoverOnce(Subject& subject, const Case& c,
     const PairEdges edges(placed, pair);
     const MeshView beside_the_edge{
         [&](const SamplePlace& place) { return edges.SharedIsNearest(place.at); }, true};
-    const Verdict verdict = JudgePlanarMesh(subject, alone, beside_the_edge);
+    Verdict verdict;
+    try {
+      verdict = JudgePlanarMesh(subject, alone, beside_the_edge);
+    } catch (const InputError&) {
+      if (!all.witness) throw;
+      continue;  // whatever becomes of another pair does not unsay what was seen
+    } catch (const SubjectFault&) {
+      if (!all.witness) throw;
+      continue;
+    } catch (const SubjectTooSlow&) {
+      if (!all.witness) throw;
+      continue;
+    }
     all.exercised += verdict.exercised;
     all.not_judged += verdict.not_judged;
     if (verdict.outcome != Outcome::kViolated || all.witness) continue;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/error.h"
 #include "core/scene.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
@@ -40,12 +41,20 @@ std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
 // The one that covers the witness's sample by itself, or none: then it is their company.
 int Culprit(Subject& subject, const Case& c, const std::vector<std::size_t>& bad,
             const Witness& witness) {
-  for (const std::size_t t : bad) {
-    const CoverageCounts counts =
-        Drawn(subject, OnlyTriangles(c, {t}).scene, c.profile, WholeTarget(c));
-    if (counts.Count(counts.Index(witness.x, witness.y, witness.sample)) != 0) {
-      return static_cast<int>(t);
+  try {
+    for (const std::size_t t : bad) {
+      const CoverageCounts counts =
+          Drawn(subject, OnlyTriangles(c, {t}).scene, c.profile, WholeTarget(c));
+      if (counts.Count(counts.Index(witness.x, witness.y, witness.sample)) != 0) {
+        return static_cast<int>(t);
+      }
     }
+  } catch (const InputError&) {
+    return -1;  // what was seen of all of them stays so, whatever becomes of one
+  } catch (const SubjectFault&) {
+    return -1;
+  } catch (const SubjectTooSlow&) {
+    return -1;
   }
   return -1;
 }

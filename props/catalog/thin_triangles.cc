@@ -133,8 +133,12 @@ ThinTriangles::ThinTriangles(const Case& c, double reach) : reach_(reach) {
     if (seen.empty()) continue;
     std::optional<std::vector<Point2>> places = Projected(seen, reach);
     everywhere_ = everywhere_ || !places;
+    if (!places) continue;
+    // What passes behind the eye is drawn as the pieces that clipping leaves of it, each with
+    // corners of its own: a sliver among them may turn, however broad the whole is.
+    const bool is_cut = std::ranges::any_of(v, [](const Vertex& p) { return !(p.w > 0); });
     // An eighth for the corners, on both sides.
-    if (places && Width(*places) < 2.25 * reach) outlines_.push_back(std::move(*places));
+    if (is_cut || Width(*places) < 2.25 * reach) outlines_.push_back(std::move(*places));
   }
 }
 

@@ -14,9 +14,10 @@ namespace rasterproof::props {
 /// the grid is not promised at all, on each axis.
 double LegalReach(const Case& c);
 
-/// The triangles of a clip-space case, around the eye as they may lie, whose visible part is less
-/// than twice the reach across. Such a triangle may turn over or vanish when its vertices move by
-/// the reach; a broader one can't. Cruder than OpenTriangles, which needs every w > 0.
+/// The triangles of a clip-space case, around the eye as they may lie, that may turn over or vanish
+/// when what is drawn of them moves by the reach: those with a vertex at w <= 0, which are drawn in
+/// pieces of the subject's own cutting, and of the others those less than twice the reach across; a
+/// broader one can't. Cruder than OpenTriangles, which needs every w > 0.
 class ThinTriangles {
  public:
   /// None.

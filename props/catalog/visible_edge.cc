@@ -58,6 +58,7 @@ double VisibleEdge::Distance(Point2 p) const {
   if (!seen_) return std::numeric_limits<double>::infinity();
   const Point2 to{p.x - start_.x, p.y - start_.y};
   const double square = along_.x * along_.x + along_.y * along_.y;
+  if (!std::isfinite(square)) return 0;  // doubles can't tell
   const double share = (to.x * along_.x + to.y * along_.y) / square;
   double part = share > 0 ? share : 0.0;
   if (!is_ray_) part = std::min(part, 1.0);

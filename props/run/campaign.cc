@@ -127,14 +127,13 @@ class Campaign {
       const bool no_answer = trial.verdict.outcome == Outcome::kInconclusive;
       // What breaks down as the run is stopped may have been stopped with it.
       if ((no_answer || trial.broke_down) && budget_.IsStopped()) return tally_.Interrupted();
-      const bool took_a_limit = options_.time_limit > 0 && took >= options_.time_limit;
       // The case does not count: it is the run's time that was up, not the subject's.
-      if (no_answer && budget_.IsUp() && !took_a_limit) return tally_.Concluded();
+      if (trial.met_a_deadline && budget_.IsUp()) return tally_.Concluded();
       const std::uint64_t index = block.indices[first + k];
       tally_.AddCase(index % tally_.domains().size(), cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
       if (trial.verdict.outcome == Outcome::kViolated) {
-        return Failed({cases, k, trial, took}, index);
+        return Failed({cases, k, trial}, index);
       }
       if (options_.progress && tally_.cases() % kCasesPerProgress == 0) {
         options_.progress(tally_.cases());
@@ -159,8 +158,7 @@ class Campaign {
   }
 
   PropertyResult Failed(const Failure& failure, std::uint64_t index) {
-    const bool took_a_limit = options_.time_limit > 0 && failure.took >= options_.time_limit;
-    if (failure.trial.broke_down && took_a_limit) pace_.hangs = true;
+    if (failure.trial.hung) pace_.hangs = true;
     return tally_.Failed(Investigate(subject_, property_, failure, options_, budget_), index);
   }
 

@@ -45,8 +45,7 @@ class Shrinking {
         property_(property),
         options_(options),
         budget_(budget),
-        hung_(failure.trial.broke_down && options.time_limit > 0 &&
-              failure.took >= options.time_limit),
+        hung_(failure.trial.hung),
         first_(failure.trial.verdict),
         last_(first_) {}
 
@@ -86,7 +85,11 @@ class Shrinking {
 
   std::string WhyToCut() const {
     if (budget_.IsStopped()) return "interrupted";
-    if (hangs_ >= kMostHangs) return "it hung " + std::to_string(hangs_) + " times";
+    if (hangs_ >= kMostHangs) {
+      const std::string times = std::to_string(hangs_);
+      return hung_ ? "it hung " + times + " times"
+                   : times + " smaller cases were too slow to judge";
+    }
     const bool is_late = budget_.IsUp() || budget_.Since(began_) >= options_.shrink_seconds;
     return is_late ? "the time was up" : "";
   }
@@ -122,17 +125,21 @@ bool MayGoOn(const Budget& budget) { return !budget.IsUp() && !budget.IsStopped(
 
 // The case holds alone. Its company is to blame if it does it again; otherwise nobody knows.
 Counterexample InCompany(Subject& subject, const Property& property, const Failure& failure,
-                         const Verdict& alone, const CampaignOptions& options,
-                         const Budget& budget) {
+                         const Verdict& alone, const CampaignOptions& options, Budget& budget) {
   const Case& c = failure.company[failure.at];
   const Verdict& seen = failure.trial.verdict;
   const auto is_violated = [](const Trial& trial) {
     return trial.verdict.outcome == Outcome::kViolated;
   };
+  const auto is_inconclusive = [](const Trial& trial) {
+    return trial.verdict.outcome == Outcome::kInconclusive;
+  };
   if (MayGoOn(budget)) {
+    budget.GiveSubjectAll();
     const std::vector<Trial> again =
         RunCasesInBatches(subject, *BatchingOf(subject), property, failure.company, options.stop);
-    if (std::ranges::none_of(again, is_violated) && MayGoOn(budget)) {
+    if (std::ranges::none_of(again, is_violated) && std::ranges::none_of(again, is_inconclusive) &&
+        MayGoOn(budget)) {
       return NotDeterministic(c, seen, alone);
     }
   }
@@ -201,9 +208,7 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
 Counterexample ShrinkFailing(Subject& subject, const Property& property, const Case& failing,
                              const CampaignOptions& options) {
   Budget budget(subject, options);
-  const auto began = budget.Now();
-  Failure failure{{&failing, 1}, 0, TryCase(subject, property, failing), 0};
-  failure.took = budget.Since(began);
+  const Failure failure{{&failing, 1}, 0, TryCase(subject, property, failing)};
   const Verdict& verdict = failure.trial.verdict;
   if (verdict.outcome != Outcome::kViolated) {
     return {failing, verdict, verdict.outcome, verdict.message, 0};

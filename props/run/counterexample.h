@@ -43,7 +43,6 @@ struct Failure {
   std::span<const Case> company;  ///< itself included
   std::size_t at = 0;             ///< which of them
   Trial trial;
-  double took = 0;  ///< seconds, all of them together
 };
 
 /// Judges the case alone, shrinks it and runs the smallest one once more.

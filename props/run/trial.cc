@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/profile.h"
+#include "core/slow_subject.h"
 #include "props/catalog/degenerate.h"
 #include "props/catalog/redraw.h"
 #include "props/run/batching.h"
@@ -59,9 +60,14 @@ Trial Judge(Subject& subject, const Property& property, const Case& c) {
   } catch (const InputError& error) {
     // The oracle says that it decides no such scene, or a transform that it reaches none.
     return {Verdict::NotApplicable(error.what())};
+  } catch (const SubjectHang& hang) {
+    return {Verdict::Violated(1, std::string("the subject failed: ") + hang.what(), Witness{}),
+            true, true};
   } catch (const SubjectFault& fault) {
     return {Verdict::Violated(1, std::string("the subject failed: ") + fault.what(), Witness{}),
             true};
+  } catch (const SubjectDeadline& deadline) {
+    return {Verdict::Inconclusive(deadline.what()), false, false, true};
   } catch (const SubjectTooSlow& slow) {
     return {Verdict::Inconclusive(slow.what())};
   } catch (const std::exception& error) {

@@ -16,6 +16,8 @@ struct Trial {
   Verdict verdict;
   /// It crashed, hung, threw or answered what is no answer: that is what the verdict says.
   bool broke_down = false;
+  bool hung = false;            ///< it broke down by giving no answer at all (SubjectHang)
+  bool met_a_deadline = false;  ///< it had no time left that it was given (SubjectDeadline)
 };
 
 /// A fault of ours, met while a claim was judged: the message says of which claim and case. What

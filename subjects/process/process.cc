@@ -10,6 +10,7 @@
 
 #include "core/edge_claims.h"
 #include "core/error.h"
+#include "core/slow_subject.h"
 #include "core/target_size.h"
 #include "subjects/process/child.h"
 #include "subjects/process/protocol.h"
@@ -44,6 +45,17 @@ std::exception_ptr Thrown(const std::function<void()>& work) {
   } catch (...) {
     return std::current_exception();
   }
+}
+
+bool IsHang(const DrawOutcome& outcome) {
+  try {
+    outcome.Get();
+  } catch (const SubjectHang&) {
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
+  return false;
 }
 
 std::string FaultText(const DrawOutcome& outcome) {
@@ -111,7 +123,7 @@ class ProcessSubject::Child {
         if (process_.ReadsNoMore()) throw SubjectFault("it closed its input and gave no answer");
         throw OutOfTime(patience.time);
       case PipeEnd::kDeadline:
-        throw SubjectTooSlow("the time that it was given was up before it answered (--seconds)");
+        throw SubjectDeadline("the time that it was given was up before it answered (--seconds)");
       case PipeEnd::kInterrupted:
         throw SubjectTooSlow(kInterruptedText);
       case PipeEnd::kTooLong:
@@ -252,7 +264,7 @@ std::vector<double> ProcessSubject::AskValues(Point2 a, Point2 b, Point2 p,
 // The child is in the hands of who asks it: whatever goes wrong, the next one starts a fresh one.
 std::unique_ptr<ProcessSubject::Child> ProcessSubject::TakeChild() {
   if (Clock::now() >= deadline_)
-    throw SubjectTooSlow("the time that it was given was up (--seconds)");
+    throw SubjectDeadline("the time that it was given was up (--seconds)");
   if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
   std::unique_ptr<Child> child = std::move(child_);
   child->RequireSilence("its answers to earlier draws");
@@ -330,7 +342,7 @@ DrawOutcome ProcessSubject::AskAgain(const DrawJob& job, const DrawOutcome& slow
 void ProcessSubject::TryLonger(const OutOfTime& slow, const std::function<double(double)>& ask) {
   const std::string limit = SecondsText(limits_.seconds);
   const std::string said = std::string(slow.what()) + " and gave no answer";
-  if (hangs_) throw SubjectFault("it hangs: " + said + ", as before with 10 times as much");
+  if (hangs_) throw SubjectHang("it hangs: " + said + ", as before with 10 times as much");
   const std::string advice = said + "; raise --time-limit (now " + limit + ") if it needs more";
   if (slow.WasStarved()) throw SubjectTooSlow(advice);
   const auto longer = std::chrono::duration<double>(kHangFactor * limits_.seconds);
@@ -343,8 +355,8 @@ void ProcessSubject::TryLonger(const OutOfTime& slow, const std::function<double
   } catch (const OutOfTime& again) {
     if (again.WasStarved()) throw SubjectTooSlow(advice);
     hangs_ = true;
-    throw SubjectFault("it hangs: alone, on a fresh process, " + std::string(again.what()) +
-                       " and gave no answer, 10 times its limit of " + limit);
+    throw SubjectHang("it hangs: alone, on a fresh process, " + std::string(again.what()) +
+                      " and gave no answer, 10 times its limit of " + limit);
   }
   if (counted <= limits_.seconds) return;
   throw SubjectTooSlow("alone, on a fresh process, it answered after " + SecondsText(counted) +
@@ -380,9 +392,10 @@ void ProcessSubject::Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcom
     TraceAlone(jobs, outcomes);
   } catch (const SubjectTooSlow& slow) {
     outcomes = known;
-    outcomes.back().error = std::make_exception_ptr(
-        SubjectFault(FaultText(known.back()) + "; which of " + std::to_string(jobs.size()) +
-                     " draws does it was not found out: " + slow.what()));
+    const std::string what = FaultText(known.back()) + "; which of " + std::to_string(jobs.size()) +
+                             " draws does it was not found out: " + slow.what();
+    outcomes.back().error = IsHang(known.back()) ? std::make_exception_ptr(SubjectHang(what))
+                                                 : std::make_exception_ptr(SubjectFault(what));
   }
 }
 

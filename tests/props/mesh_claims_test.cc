@@ -176,24 +176,30 @@ Case AroundTheEye(Contract contract) {
 }
 
 TEST(ClipSpaceMeshes, AroundTheEyeAreCoveredOnceEverywhere) {
-  for (const Contract contract : {Contract::kSampleExact, Contract::kWatertight}) {
-    const Case c = AroundTheEye(contract);
-    SubjectInfo info = ClipInfo(contract);
-    PlantedSubject sound = Elsewhere(info);
-    const Verdict held = Judged(sound, "EmbeddedMeshSamplesAreCoveredOnce", c);
-    EXPECT_EQ(held.outcome, Outcome::kHolds) << held.message;
-    EXPECT_EQ(held.exercised, 256U);
-    PlantedSubject hole(
-        info, [info](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-          counts += DrawnElsewhere(scene, info.profile, options);
-          counts.front[counts.Index(5, 6)] = counts.back[counts.Index(5, 6)] = 0;
-        });
-    const Verdict verdict = Judged(hole, "EmbeddedMeshSamplesAreCoveredOnce", c);
-    ASSERT_EQ(verdict.outcome, Outcome::kViolated);
-    EXPECT_EQ(verdict.witness->x, 5);
-    EXPECT_EQ(verdict.witness->y, 6);
-    EXPECT_EQ(verdict.witness->observed, "covered 0 times");
-  }
+  const Case c = AroundTheEye(Contract::kSampleExact);
+  SubjectInfo info = ClipInfo(Contract::kSampleExact);
+  PlantedSubject sound = Elsewhere(info);
+  const Verdict held = Judged(sound, "EmbeddedMeshSamplesAreCoveredOnce", c);
+  EXPECT_EQ(held.outcome, Outcome::kHolds) << held.message;
+  EXPECT_EQ(held.exercised, 256U);
+  PlantedSubject hole(
+      info, [info](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        counts += DrawnElsewhere(scene, info.profile, options);
+        counts.front[counts.Index(5, 6)] = counts.back[counts.Index(5, 6)] = 0;
+      });
+  const Verdict verdict = Judged(hole, "EmbeddedMeshSamplesAreCoveredOnce", c);
+  ASSERT_EQ(verdict.outcome, Outcome::kViolated);
+  EXPECT_EQ(verdict.witness->x, 5);
+  EXPECT_EQ(verdict.witness->y, 6);
+  EXPECT_EQ(verdict.witness->observed, "covered 0 times");
+}
+
+TEST(ClipSpaceMeshes, AroundTheEyeOnAGridOfTheirOwnAreNotJudgedWhereAPieceMayTurn) {
+  const Case c = AroundTheEye(Contract::kWatertight);
+  PlantedSubject sound = Elsewhere(ClipInfo(Contract::kWatertight));
+  const Verdict verdict = Judged(sound, "EmbeddedMeshSamplesAreCoveredOnce", c);
+  EXPECT_EQ(verdict.outcome, Outcome::kNotExercised) << verdict.message;
+  EXPECT_EQ(verdict.not_judged, 256U);
 }
 
 // A square from centre to centre, cut along its diagonal.
@@ -321,7 +327,7 @@ TEST(ThinTriangles, AreThoseThatALegalChoiceCanTurn) {
   c.scene.vertices = {
       {16, 16, 0, 1}, {40, 20, 0, -1}, {40, -60, 0, -1}, {40, -14, 0, -1}, {40, -15, 0, -1}};
   c.scene.triangles = {{0, 1, 2}};
-  EXPECT_FALSE(ThinTriangles(c, LegalReach(c)).AreNear({24, 16}));
+  EXPECT_TRUE(ThinTriangles(c, LegalReach(c)).AreNear({24, 16})) << "one of its pieces is thin";
   c.scene.triangles = {{0, 3, 4}};
   EXPECT_TRUE(ThinTriangles(c, LegalReach(c)).AreNear({24, 16}));
 }

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/slow_subject.h"
 #include "exact/coverage.h"
 #include "props/run/batching.h"
 #include "props/run/campaign.h"
@@ -293,7 +294,7 @@ struct Time {
     Pass(seconds);
     if (now <= deadline) return;
     now = std::max(began, deadline);
-    throw SubjectTooSlow("it was given no more time; --time-limit gives it more");
+    throw SubjectDeadline("it was given no more time");
   }
 };
 
@@ -340,7 +341,7 @@ TEST(ASlowSubject, IsGivenTheRunsDeadlineWithinACaseAndLosesItAfterwards) {
   Time time;
   const auto a_second = [](const Scene&, Time& t) { t.Work(1); };
   const PropertyResult result = RunTimed(time, a_second, {.cases = 1000, .seconds = 40.5});
-  EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;  // the time was up, no more
+  EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
   EXPECT_EQ(result.cases, 40U);
   EXPECT_EQ(time.now, Clock::time_point{} + std::chrono::milliseconds(40500));
   EXPECT_EQ(time.deadline, Clock::time_point::max());
@@ -348,7 +349,10 @@ TEST(ASlowSubject, IsGivenTheRunsDeadlineWithinACaseAndLosesItAfterwards) {
 
 TEST(ASlowSubject, ThatTookAWholeTimeLimitIsTooSlowThoughTheRunsTimeWasUpToo) {
   Time time;
-  const auto hangs_late = [n = 0](const Scene&, Time& t) mutable { t.Work(++n < 5 ? 0.01 : 100); };
+  const auto hangs_late = [n = 0](const Scene&, Time& t) mutable {
+    t.Work(++n < 5 ? 0.01 : 10);
+    if (n >= 5) throw SubjectTooSlow("no answer within 10 s, and no time left to try it longer");
+  };
   const PropertyResult result =
       RunTimed(time, hangs_late, {.cases = 1000, .seconds = 15, .time_limit = 10});
   EXPECT_EQ(result.outcome, Outcome::kInconclusive) << result.message;
@@ -385,7 +389,7 @@ class Hanging {
     if (scene.width < 3) return;
     ++hangs;
     time.Work(11 * kLimit);
-    throw SubjectFault("it gave no answer within 100 s");
+    throw SubjectHang("it gave no answer within 100 s");
   }
   int hangs = 0;
 };
@@ -411,6 +415,16 @@ TEST(AHang, IsShrunkWithFewTimeLimitsAndEndsItsClaim) {
   EXPECT_TRUE(Says(next.message, "saw the subject hang")) << next.message;
   EXPECT_EQ(hanging.hangs, 1);
   EXPECT_LE(next.seconds, 1.5 * Hanging::kLimit);
+}
+
+TEST(AHang, IsNoCrashThatTookItsTime) {
+  Time time;
+  const auto crashes_once = [n = 0](const Scene&, Time& t) mutable {
+    t.Work(11);
+    if (++n == 3) throw SubjectFault("it was killed by signal 6");
+  };
+  const PropertyResult result = RunTimed(time, crashes_once, {.cases = 9, .time_limit = 10});
+  EXPECT_TRUE(Says(result.message, "not deterministic")) << result.message;
 }
 
 TEST(AHang, IsShrunkWithinTheRunsTime) {

@@ -53,7 +53,8 @@ show_tail() { tail -n "$TAIL" "$1" | sed 's/^/   | /'; }
 # step NAME COMMAND...: runs the command without input, its output in the log; keeps its status. If
 # it fails, the function that SHOW_FAILURE names shows of the log what matters.
 step() {
-  local name=$1 log status=0 begun=$SECONDS watcher
+  local name=$1 log status=0 begun=$SECONDS watcher show=${SHOW_FAILURE:-show_tail}
+  unset SHOW_FAILURE # the caller's word for this step, not for what the step runs
   log=$(log_of "$1")
   shift
   { mkdir -p "$LOGS" && : >"$log"; } 2>/dev/null ||
@@ -70,7 +71,7 @@ step() {
   else
     printf '   %s: FAILED with status %d after %d s; all that it said: %s\n' "$name" "$status" \
       $((SECONDS - begun)) "$log"
-    "${SHOW_FAILURE:-show_tail}" "$log"
+    "$show" "$log"
   fi
   return "$status"
 }

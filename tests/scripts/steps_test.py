@@ -42,8 +42,9 @@ class StepsTest(unittest.TestCase):
 
     def test_a_failure_is_shown_as_the_caller_says(self):
         done = self.run_steps("show() { echo seen: $(cat $1); }\n"
-                              "SHOW_FAILURE=show step a sh -c 'echo x; false' || echo status $?")
-        self.assertIn("seen: x\nstatus 1\n", done.stdout)
+                              "SHOW_FAILURE=show step a sh -c 'echo x ${SHOW_FAILURE-y}; false' ||"
+                              " echo status $?")  # fmt: skip
+        self.assertIn("seen: x y\nstatus 1\n", done.stdout)
 
     def test_without_a_terminal_a_long_step_says_how_far_it_is(self):
         # The looks at the log follow each other at once, and the step ends when it was looked at.

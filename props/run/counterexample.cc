@@ -1,7 +1,6 @@
 #include "props/run/counterexample.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "props/run/batching.h"

@@ -252,7 +252,8 @@ class Start(unittest.TestCase):
             run = Run([PROGRAM, "check", "--property", DEGENERATE, "--cases", "1", "--seed",
                        "random"], stderr=full)  # fmt: skip
             status, text = run.end()
-        self.assertEqual(status, 0, text)
+        # 4: the one case drawn at random may have no degenerate triangle; still a verdict.
+        self.assertIn(status, (0, 4), text)
 
 
 if __name__ == "__main__":

@@ -1,18 +1,54 @@
-// A property: a claim about a rasterizer, as a plain function, with what it needs to be put to the
-// test.
+// A property: a claim about a rasterizer, as data: when it applies, what it asks, how the answers
+// are judged.
 #ifndef RASTERPROOF_PROPS_PROPERTY_H_
 #define RASTERPROOF_PROPS_PROPERTY_H_
 
+#include <cstddef>
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/case.h"
+#include "core/question.h"
 #include "core/subject.h"
 #include "core/verdict.h"
+#include "props/judging/gate.h"
 
 namespace rasterproof::props {
 
-/// A claim. One per file of props/catalog/.
+/// One comparison. Its answers may go once it is judged.
+struct Check {
+  Questions questions;
+  /// Pure. Owns what `ask` worked out for it; it may refer to the case and the description, which
+  /// outlive it. Never called with answers that end early.
+  std::function<Verdict(const Answers&)> judge;
+  /// Draws of earlier checks that it reads, numbered from 0 over all draws of the case.
+  std::vector<std::size_t> bases = {};
+};
+
+/// What a claim asks about a case.
+struct Asked {
+  std::vector<Check> checks;
+  /// The verdict if there is no check.
+  Verdict otherwise = {};
+};
+
+/// Nothing is asked: the case does not put the claim to the test, and why.
+inline Asked NothingAsked(std::string why) {
+  return {{}, {Outcome::kNotExercised, 0, 0, std::move(why), std::nullopt}};
+}
+
+/// Everything is asked and judged at once.
+inline Asked OneCheck(Questions questions, std::function<Verdict(const Answers&)> judge) {
+  Asked asked;
+  asked.checks.push_back({std::move(questions), std::move(judge)});
+  return asked;
+}
+
+/// A claim. One per file of props/claims/.
 struct Property {
   std::string_view name;  ///< the claim: "SharedEdgeSamplesAreCoveredOnce"
   std::string_view
@@ -23,10 +59,18 @@ struct Property {
   /// Names of the domains whose cases put this claim to the test.
   std::span<const std::string_view> domains;
   /// Never throws for a legal subject; says kNotApplicable or kNotExercised rather than passing
-  /// vacuously.
-  Verdict (*check)(Subject&, const Case&);
+  /// vacuously. nullptr: see `ask`.
+  Verdict (*check)(Subject&, const Case&) = nullptr;
   /// True if the claim is about calls that follow each other: no others may come in between.
   bool is_about_sequence = false;
+  Gate gate = {};
+  /// The checks of a case that the gate lets through, in the order in which they are judged, up to
+  /// the first violated one. The case is as the claim sees it: in window space behind a transform
+  /// of the subject's own, under the model of its target's size.
+  Asked (*ask)(const Case&, const Description&) = nullptr;
+  /// A second round: who is to blame for the violation. The first of its checks that is violated
+  /// gives the witness; one that is refused is passed over. nullptr: the verdict says it.
+  Asked (*blame)(const Case&, const Verdict&, const Description&) = nullptr;
 };
 
 /// Every property, in the order of the documentation.

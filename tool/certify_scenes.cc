@@ -15,7 +15,7 @@
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "io/scene_set.h"
-#include "props/catalog/degenerate.h"
+#include "props/judging/flat_triangles.h"
 #include "props/property.h"
 #include "tool/certify.h"
 #include "tool/interrupt.h"

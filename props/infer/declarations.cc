@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/fill_rule.h"
-#include "props/catalog/witness.h"
 #include "props/infer/model_space.h"
+#include "props/judging/witness.h"
 
 namespace rasterproof::props {
 namespace {

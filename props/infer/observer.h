@@ -12,7 +12,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
-#include "props/catalog/free_choices.h"
+#include "props/judging/free_choices.h"
 
 namespace rasterproof::props {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "props/catalog/redraw.h"
 #include "props/infer/directed.h"
+#include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {

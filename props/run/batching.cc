@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "props/run/guarded.h"
+#include "props/run/look_ahead.h"
 
 namespace rasterproof::props {
 namespace {
@@ -203,6 +204,7 @@ bool EndsTheBatch(Outcome outcome) {
 std::vector<Trial> RunCasesInBatches(Subject& subject, BatchingSubject& batching,
                                      const Property& property, std::span<const Case> cases,
                                      const std::function<bool()>& stop) {
+  if (property.ask != nullptr) return TryTogether(subject, property, cases, stop);
   const Following following(batching);
   std::vector<DrawLedger> ledgers(cases.size());
   std::vector<std::optional<Trial>> trials(cases.size());

@@ -10,7 +10,7 @@
 #include "core/draw_options.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
-#include "props/catalog/contract_claims.h"
+#include "props/claims/contract_claims.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"

@@ -15,7 +15,7 @@ namespace rasterproof::props {
 /// other way in another. kMask, kWinners, kFragments: every triangle is drawn by itself, so that
 /// overlaps show. A triangle of no area counts as front: it should cover nothing. Where the profile
 /// leaves other models legal the facing is a guess: see TellsFacings and OpenTriangles
-/// (props/catalog/free_choices.h). What only a whole mesh in one call would show is seen by the
+/// (props/judging/free_choices.h). What only a whole mesh in one call would show is seen by the
 /// properties that draw by Subject::Whole().
 std::unique_ptr<Subject> WithFacings(std::unique_ptr<Subject> subject);
 

@@ -9,10 +9,11 @@
 #include "core/error.h"
 #include "core/profile.h"
 #include "core/slow_subject.h"
-#include "props/catalog/degenerate.h"
-#include "props/catalog/redraw.h"
+#include "props/judging/flat_triangles.h"
+#include "props/judging/redraw.h"
 #include "props/run/batching.h"
 #include "props/run/guarded.h"
+#include "props/run/judge.h"
 #include "props/run/own_transform.h"
 
 namespace rasterproof::props {
@@ -80,6 +81,7 @@ Trial Judge(Subject& subject, const Property& property, const Case& c) {
 }  // namespace
 
 Trial TryCase(Subject& subject, const Property& property, const Case& c) {
+  if (property.ask != nullptr) return TryAsked(subject, property, c);
   // Draws from outside are guarded at the rasterizer itself: what lies around it is ours.
   if (BatchingOf(subject) != nullptr) return Judge(subject, property, c);
   GuardedSubject guarded(subject);

@@ -1,6 +1,6 @@
 // Freedom that turns triangles: what is fixed is so in every legal model, what is not is not
 // judged, and bugs beside it are found all the same.
-#include "props/catalog/free_choices.h"
+#include "props/judging/free_choices.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@
 #include "core/scene.h"
 #include "core/snap.h"
 #include "exact/coverage.h"
-#include "props/catalog/joint_legality.h"
+#include "props/claims/all.h"
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "props/run/campaign.h"

@@ -1,7 +1,5 @@
 // One set of choices for the whole mesh: fair to every legal subject, merciless to one that is
 // legal sample by sample only.
-#include "props/catalog/joint_legality.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "core/fill_rule.h"
 #include "core/snap.h"
 #include "exact/coverage.h"
+#include "props/claims/all.h"
 #include "props/domains/domain.h"
 #include "tests/props/planted_subjects.h"
 

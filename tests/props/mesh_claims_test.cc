@@ -12,9 +12,9 @@
 
 #include "core/scene.h"
 #include "exact/coverage.h"
-#include "props/catalog/contract_claims.h"
-#include "props/catalog/thin_triangles.h"
-#include "props/catalog/visible_edge.h"
+#include "props/claims/contract_claims.h"
+#include "props/judging/thin_triangles.h"
+#include "props/judging/visible_edge.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/contract_evidence.h"

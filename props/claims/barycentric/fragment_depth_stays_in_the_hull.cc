@@ -1,0 +1,51 @@
+// The depth at a sample in the closed triangle lies between the least and the greatest depth of its vertices.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/fragment_queries.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskFragments(subject, c)) return *refusal;
+  std::uint64_t exercised = 0;
+  for (const Fragment& f : SomeFragments(subject, c)) {
+    if (!f.query.inside || !Claims(f.depth_tolerance)) continue;
+    ++exercised;
+    const auto [low, high] = std::minmax({f.z[0], f.z[1], f.z[2]});
+    // The nearest depth of the hull; NaN has none, and is within of nothing.
+    const double nearest = std::isfinite(f.depth) ? std::clamp(f.depth, low, high) : low;
+    if (CompareWithExact(f.depth, exact::Rational(nearest), f.depth_tolerance).within) continue;
+    return FragmentViolation(f, -1, exercised, "the depth of a fragment leaves the hull",
+                             HexText(f.depth),
+                             "a depth of [" + HexText(low) + ", " + HexText(high) + "] within " +
+                                 HexText(f.depth_tolerance));
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace
+
+constinit const Property kFragmentDepthStaysInTheHull{
+    .name = "FragmentDepthStaysInTheHull",
+    .group = "barycentric",
+    .clause = "Inside, a depth is a convex combination of the vertices' depths.",
+    .precondition =
+        "the subject shows fragments; window space within the limits; samples in the "
+        "closed triangle of the vertices that it names",
+    .tolerance = kDepthTolerance,
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

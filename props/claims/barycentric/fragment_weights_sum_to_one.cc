@@ -1,0 +1,57 @@
+// The weights at a covered sample sum to one.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/fragment_queries.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskFragments(subject, c)) return *refusal;
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (const Fragment& f : SomeFragments(subject, c)) {
+    const auto& [a, b, d] = f.weight_tolerances;
+    const double bound = a + b + d;
+    if (!Claims(bound)) continue;
+    ++exercised;
+    const std::string claim = "the weights of a fragment do not sum to one";
+    if (!std::ranges::all_of(f.weights, [](double x) { return std::isfinite(x); })) {
+      return FragmentViolation(f, -1, exercised, claim, WeightsText(f), "finite weights");
+    }
+    const exact::Rational rest =
+        exact::Rational(1) - exact::Rational(f.weights[0]) - exact::Rational(f.weights[1]);
+    const Distance distance = CompareWithExact(f.weights[2], rest, bound);
+    if (!distance.within) {
+      return FragmentViolation(f, -1, exercised, claim, WeightsText(f),
+                               "a sum of 1 within " + HexText(bound));
+    }
+    worst = std::max(worst, distance.ratio);
+  }
+  return Verdict::Held(exercised, worst);
+}
+
+}  // namespace
+
+constinit const Property kFragmentWeightsSumToOne{
+    .name = "FragmentWeightsSumToOne",
+    .group = "barycentric",
+    .clause =
+        "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
+    .precondition = kFragmentValues,
+    .tolerance = "the sum of the three tolerances of FragmentWeightsStayWithinTheirError",
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

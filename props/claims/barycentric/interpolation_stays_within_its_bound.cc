@@ -1,0 +1,38 @@
+// Interpolation by weights and by deltas stays within the bound claimed of the exact value.
+#include <optional>
+#include <vector>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/interpolation_queries.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
+  std::vector<InterpolationQuery> affine = SomeInterpolations(c);
+  // w plays no part in the affine forms: the queries that differ in it alone are left out.
+  std::erase_if(affine, [](const InterpolationQuery& q) {
+    return q.corners[0].w != 1 || q.corners[2].w != 1;
+  });
+  return InterpolationsStayWithinTheirBound(
+      *subject.Weights(), affine, {InterpolationForm::kWeights, InterpolationForm::kDeltas});
+}
+
+}  // namespace
+
+constinit const Property kInterpolationStaysWithinItsBound{
+    .name = "InterpolationStaysWithinItsBound",
+    .group = "barycentric",
+    .clause =
+        "z = a z_a + b z_b + c z_c for depth and other affine quantities (OpenGL 4.6 "
+        "section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
+    .precondition = kWeightValues,
+    .tolerance = kInterpolationBound,
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

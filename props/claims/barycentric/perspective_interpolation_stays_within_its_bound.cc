@@ -1,0 +1,34 @@
+// Perspective-correct interpolation stays within the bound claimed of the exact quotient; with one w for all vertices that is the affine value.
+#include <optional>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/interpolation_queries.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
+  return InterpolationsStayWithinTheirBound(*subject.Weights(), SomeInterpolations(c),
+                                            {InterpolationForm::kPerspective});
+}
+
+}  // namespace
+
+constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
+    .name = "PerspectiveInterpolationStaysWithinItsBound",
+    .group = "barycentric",
+    .clause =
+        "f = (sum a f_a / w_a) / (sum a / w_a) (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, "
+        "Basic Polygon Rasterization; Heckbert and Moreton 1991).",
+    .precondition =
+        "the subject shows weights and claims a finite bound there; window space "
+        "within the limits, area not zero; every w positive",
+    .tolerance = kInterpolationBound,
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,82 @@
+// Weight i is one at vertex i and zero at the other two and at samples exactly on the opposite edge, up to the bound claimed there.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/edge.h"
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/weight_queries.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The corners of a triangle and every sample near it that lies exactly on one of its edge lines.
+std::vector<WeightQuery> CornersAndTies(const Case& c) {
+  std::vector<WeightQuery> queries;
+  for (const CornersPlace& corners : SomeProperTriangles(c)) {
+    for (const Point2& vertex : corners.at) {
+      queries.push_back({corners.triangle, corners.at, {-1, -1, 0, vertex}, true});
+    }
+    for (const SamplePlace& place : SamplesNearEdges(c, corners.at, 4)) {
+      const auto on_edge = [&](int i) {
+        return exact::EdgeSign(EdgeStart(corners.at, i), EdgeEnd(corners.at, i), place.at) == 0;
+      };
+      if (on_edge(0) || on_edge(1) || on_edge(2)) {
+        queries.push_back({corners.triangle, corners.at, place, false});
+      }
+    }
+  }
+  return queries;
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
+  const WeightEvaluator& evaluator = *subject.Weights();
+  std::uint64_t exercised = 0;
+  for (const WeightQuery& q : CornersAndTies(c)) {
+    const Point2 p = q.place.at;
+    for (const BarycentricForm form : FormsFor(q)) {
+      const std::array<double, 3> weights = evaluator.Weights(form, q.v, p);
+      const std::array<double, 3> bounds = evaluator.WeightErrorBounds(form, q.v, p);
+      for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const bool at_vertex = p == q.v[k];
+        const bool opposite = exact::EdgeSign(EdgeStart(q.v, i), EdgeEnd(q.v, i), p) == 0;
+        if (!(at_vertex || opposite) || !Claims(bounds[k])) continue;
+        ++exercised;
+        const double expected = at_vertex ? 1 : 0;
+        if (AgreeWithin(weights[k], expected, -1, bounds[k], 0)) continue;
+        return WeightViolation(
+            q, i, exercised,
+            std::string("weight (") + std::string(FormName(form)) +
+                (at_vertex ? ") is not one at its vertex" : ") is not zero on the opposite edge"),
+            HexText(weights[k]), HexText(expected) + " within " + HexText(bounds[k]));
+      }
+    }
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace
+
+constinit const Property kWeightIsOneAtItsVertexAndZeroOpposite{
+    .name = "WeightIsOneAtItsVertexAndZeroOpposite",
+    .group = "barycentric",
+    .clause = "lambda_i is 1 at vertex i and 0 on the opposite edge.",
+    .precondition =
+        "the subject shows weights and claims a finite bound there; window space within the "
+        "limits, area not zero; at vertices and at samples exactly on an edge line",
+    .tolerance = kWeightBounds,
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

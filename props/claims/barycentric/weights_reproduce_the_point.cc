@@ -1,0 +1,80 @@
+// The weighted sum of the vertices is the sample, up to the weights' bounds times the coordinates.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/weight_queries.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+using exact::Rational;
+
+// sum l_i v_i - p = sum (l_i - lambda_i) v_i exactly, because sum lambda_i v_i = p: so the distance
+// along an axis is at most sum bound_i |v_i|.
+struct Reproduced {
+  Rational distance;
+  Rational bound;
+};
+
+Reproduced Reproduce(const std::array<double, 3>& weights, const std::array<double, 3>& bounds,
+                     const std::array<double, 3>& coordinates, double p) {
+  Rational sum = -Rational(p);
+  Rational bound;
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum += Rational(weights[i]) * Rational(coordinates[i]);
+    bound += Rational(bounds[i]) * Rational(std::fabs(coordinates[i]));
+  }
+  return {sum.Abs(), bound};
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
+  std::uint64_t exercised = 0;
+  for (const auto& [q, form, weights, bounds] : WeightsAtQueries(*subject.Weights(), c)) {
+    const Point2 p = q.place.at;
+    if (!std::ranges::all_of(bounds, Claims)) continue;
+    ++exercised;
+    const std::string claim =
+        "weights (" + std::string(FormName(form)) + ") do not reproduce the sample";
+    const std::string observed =
+        HexText(weights[0]) + ", " + HexText(weights[1]) + ", " + HexText(weights[2]);
+    if (!std::ranges::all_of(weights, [](double x) { return std::isfinite(x); })) {
+      return WeightViolation(q, -1, exercised, claim, observed, "finite weights");
+    }
+    const Reproduced x = Reproduce(weights, bounds, {q.v[0].x, q.v[1].x, q.v[2].x}, p.x);
+    const Reproduced y = Reproduce(weights, bounds, {q.v[0].y, q.v[1].y, q.v[2].y}, p.y);
+    if (x.distance <= x.bound && y.distance <= y.bound) continue;
+    return WeightViolation(q, -1, exercised, claim, observed,
+                           "off by at most (" + HexText(x.bound.ToDoubleUp()) + ", " +
+                               HexText(y.bound.ToDoubleUp()) + "), not (" +
+                               HexText(x.distance.ToDouble()) + ", " +
+                               HexText(y.distance.ToDouble()) + ")");
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace
+
+constinit const Property kWeightsReproduceThePoint{
+    .name = "WeightsReproduceThePoint",
+    .group = "barycentric",
+    .clause =
+        "p = a p_a + b p_b + c p_c (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon "
+        "Rasterization).",
+    .precondition = kWeightValues,
+    .tolerance = "sum of bound_i |v_i|",
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

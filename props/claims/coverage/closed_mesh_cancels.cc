@@ -1,0 +1,70 @@
+// A closed surface shows as much front as back at every sample.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/profile.h"
+#include "exact/winding.h"
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/free_choices.h"
+#include "props/judging/mesh_neighbours.h"
+#include "props/judging/signed_coverage.h"
+
+namespace rasterproof::props {
+namespace {
+
+// What is closed before it is snapped stays closed, whatever grid points are chosen.
+bool IsClosedInEveryModel(const Case& c) {
+  if (c.scene.clip_space) return IsClosed(c.scene);
+  const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
+  if (one_model) return exact::ShapeOf(c.scene, c.profile).closed;
+  Profile as_it_is;
+  as_it_is.lattice = c.profile.lattice;
+  return exact::ShapeOf(UnsnappedScene(c), as_it_is).closed;
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  const Need need{.space = Space::kEither,
+                  .closed_suffices = true,
+                  .any_model_suffices = true,
+                  .judges_clipped = true};
+  if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
+  if (std::ranges::any_of(c.scene.vertices, [](const Vertex& v) { return !(v.w > 0); })) {
+    return {Outcome::kNotExercised, 0, 0, "the surface may wind around the eye", std::nullopt};
+  }
+  const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
+  if (!IsClosedInEveryModel(c))
+    return {Outcome::kNotExercised, 0, 0, "the mesh has a boundary", std::nullopt};
+  Spared spared;
+  if (!one_model) {
+    spared.open = OpenTriangles(c);
+    // A surface that is turned in part still cancels, by the facings that the subject itself gives
+    // its triangles; what covers something without area need not.
+    const bool turns_cancel = TellsFacings(subject) && c.profile.zero_area == ZeroArea::kNothing;
+    if (turns_cancel) spared.open.ForgetTurned();
+  }
+  const std::size_t size =
+      CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.lattice.samples());
+  return SignedCoverageIs(subject, c, std::vector<std::int64_t>(size), "zero, the mesh is closed",
+                          spared);
+}
+
+}  // namespace
+
+constinit const Property kClosedMeshCancels{
+    .name = "ClosedMeshCancels",
+    .group = "coverage",
+    .clause = "A closed surface has no boundary: what it shows of its front it shows of its back.",
+    .precondition =
+        "contract sample-exact or closed; coordinates within the limit; every edge is walked as "
+        "often each way; in clip space in front of the eye; facings told, or no legal "
+        "choice turns a triangle there",
+    .tolerance = kExact,
+    .domains = kClosed,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,31 @@
+// Front and back counts equal those of the profile's canonical model at every sample.
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/precondition.h"
+#include "props/judging/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(Subject& subject, const Case& c) {
+  const Need need{.space = Space::kWindow, .judges_overdraw = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  return JudgeAgainstTheModel(subject, c);
+}
+
+}  // namespace
+
+constinit const Property kCoverageEqualsTheModel{
+    .name = "CoverageEqualsTheModel",
+    .group = "coverage",
+    .clause =
+        "A sample is covered if it is inside, or on a top or left edge (D3D11.3 functional "
+        "specification 3.4.2.1 (top-left rule); the profile names the rule).",
+    .precondition = "contract sample-exact; coordinates within the limit; window space",
+    .tolerance = kExact,
+    .domains = kModelCoverage,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,40 @@
+// Giving every triangle vertices of its own, equal to the shared ones bit by bit, changes no count.
+#include <cstddef>
+#include <cstdint>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/precondition.h"
+#include "props/judging/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+  Case unindexed = c;
+  unindexed.scene.vertices.clear();
+  for (Triangle& t : unindexed.scene.triangles) {
+    for (std::int32_t& index : t) {
+      const Vertex& vertex = c.scene.vertices[static_cast<std::size_t>(index)];
+      index = static_cast<std::int32_t>(unindexed.scene.vertices.size());
+      unindexed.scene.vertices.push_back(vertex);
+    }
+  }
+  return SameAsUnvaried(subject, c, unindexed, "that of the indexed triangles");
+}
+
+}  // namespace
+
+constinit const Property kDuplicatedVerticesKeepCoverage{
+    .name = "DuplicatedVerticesKeepCoverage",
+    .group = "coverage",
+    .clause = "Vertices are positions: equal bits cover alike, shared by an index or not.",
+    .precondition = kSampleExactOnly,
+    .tolerance = kExact,
+    .domains = kMeshes,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,36 @@
+// A mesh that does not fold or overlap covers every sample inside exactly once and none outside. It needs no coverage oracle: inside is where the boundary's winding number is not zero.
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/planar_mesh.h"
+#include "props/judging/precondition.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(Subject& subject, const Case& c) {
+  const Need need{.space = Space::kEither, .watertight_suffices = true, .judges_clipped = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  if (auto refusal = LeavesEdgesOpen(c.profile)) return *refusal;
+  Verdict verdict = JudgePlanarMesh(subject, c, {});
+  if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);
+  return verdict;
+}
+
+}  // namespace
+
+constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
+    .name = "EmbeddedMeshSamplesAreCoveredOnce",
+    .group = "coverage",
+    .clause =
+        "Polygons on either side of a common edge produce exactly one fragment for a sample "
+        "on it (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization); at "
+        "a shared vertex D3D11.3 functional specification 3.4.2.1 (top-left rule).",
+    .precondition = kEmbeddedMeshes,
+    .tolerance = kExact,
+    .domains = kMeshesAnySpace,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

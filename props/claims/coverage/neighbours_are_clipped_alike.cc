@@ -1,0 +1,50 @@
+// Two triangles that share an edge and of which at least one leaves the target, or passes behind the eye, still cover each sample near that edge exactly as often as they do unclipped.
+#include <algorithm>
+#include <cstddef>
+
+#include "core/scene.h"
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/neighbour_pairs.h"
+#include "props/judging/planar_mesh.h"
+#include "props/judging/precondition.h"
+
+namespace rasterproof::props {
+namespace {
+
+// In clip space |x / w| against the target's sides; the product may round: it is a choice of pairs.
+bool IsSeenOutside(const Vertex& v, const Scene& scene) {
+  if (v.w <= 0) return true;
+  return v.x < 0 || v.x > scene.width * v.w || v.y < 0 || v.y > scene.height * v.w;
+}
+
+bool LeavesTarget(const Scene& scene, std::size_t triangle) {
+  return std::ranges::any_of(Corners(scene, scene.triangles[triangle]),
+                             [&](const Vertex& v) { return IsSeenOutside(v, scene); });
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  const Need need{.space = Space::kEither, .watertight_suffices = true, .judges_clipped = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  if (auto refusal = LeavesEdgesOpen(c.profile)) return *refusal;
+  return PairsCoverOnce(subject, c, [&](const Neighbours& pair) {
+    return LeavesTarget(c.scene, pair.first) || LeavesTarget(c.scene, pair.second);
+  });
+}
+
+}  // namespace
+
+constinit const Property kNeighboursAreClippedAlike{
+    .name = "NeighboursAreClippedAlike",
+    .group = "coverage",
+    .clause =
+        "A shared edge is clipped alike for both of its triangles: no gap opens and nothing "
+        "doubles where they leave the target.",
+    .precondition = kClippedNeighbours,
+    .tolerance = kExact,
+    .domains = kClipped,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

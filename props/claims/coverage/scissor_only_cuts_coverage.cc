@@ -1,0 +1,72 @@
+// A scissor keeps the counts inside it and leaves none outside.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/scene.h"
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/precondition.h"
+#include "props/judging/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The inner half, the left half and the bottom row: cuts on every side.
+std::array<PixelRect, 3> Scissors(const Scene& scene) {
+  const int w = scene.width;
+  const int h = scene.height;
+  return {PixelRect{w / 4, h / 4, w - w / 4, h - h / 4}, PixelRect{0, 0, w / 2, h},
+          PixelRect{0, h - 1, w, h}};
+}
+
+CoverageCounts Cut(const CoverageCounts& whole, const PixelRect& rect) {
+  CoverageCounts part(whole.width, whole.height, whole.samples);
+  for (int row = rect.y0; row < rect.y1; ++row) {
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      for (int s = 0; s < whole.samples; ++s) {
+        const std::size_t k = whole.Index(x, row, s);
+        part.front[k] = whole.front[k];
+        part.back[k] = whole.back[k];
+      }
+    }
+  }
+  return part;
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (!subject.Info().takes_scissor) {
+    return Verdict::NotApplicable("the subject takes no scissor");
+  }
+  const Need need{.space = Space::kEither, .any_model_suffices = true};
+  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+  const CoverageCounts whole = Drawn(subject, c.scene, c.profile, WholeTarget(c));
+  std::uint64_t exercised = 0;
+  for (const PixelRect& rect : Scissors(c.scene)) {
+    DrawOptions options = WholeTarget(c);
+    options.scissor = rect;
+    const CoverageCounts observed = Drawn(subject, c.scene, c.profile, options);
+    const Verdict verdict =
+        SameCounts(observed, Cut(whole, rect), DecisionsOf(c), "the scissored part of the whole");
+    exercised += verdict.exercised;
+    if (verdict.outcome == Outcome::kViolated) return verdict;
+  }
+  return Verdict::Held(exercised);
+}
+
+}  // namespace
+
+constinit const Property kScissorOnlyCutsCoverage{
+    .name = "ScissorOnlyCutsCoverage",
+    .group = "coverage",
+    .clause =
+        "The scissor test discards samples outside its rectangle and changes nothing else "
+        "(Vulkan 1.3, Scissor Test).",
+    .precondition = kSampleExactOnly,
+    .tolerance = kExact,
+    .domains = kCoverageAnySpace,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,39 @@
+// Moving edge and sample by whole pixels keeps E, where the sums are exact and on the input lattice.
+#include <array>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/edge_queries.h"
+
+namespace rasterproof::props {
+namespace {
+
+// Near, across the sign change, and far enough to cost float32 some of its fraction bits.
+constexpr std::array<EdgeMap, 4> kTranslations{{
+    {.tx = 1, .ty = -1},
+    {.tx = -64, .ty = 3},
+    {.tx = 256, .ty = 1024},
+    {.tx = -4096, .ty = -4096},
+}};
+
+Verdict Judge(Subject& subject, const Case& c) {
+  return EdgeValuesFollow(subject, c, kTranslations, "edge value changes under translation");
+}
+
+}  // namespace
+
+constinit const Property kIntegerTranslationKeepsEdgeValues{
+    .name = "IntegerTranslationKeepsEdgeValues",
+    .group = "edge",
+    .clause = "E depends on differences of positions only.",
+    .precondition =
+        "the subject shows edge values and claims a finite bound there; window space "
+        "within the limits; the moved coordinates are exact, of the input format, on "
+        "the subpixel grid and within the limit",
+    .tolerance = kBothBounds,
+    .domains = kOnTheLattice,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,82 @@
+// A window-space triangle lifted to clip space, each vertex (x w, y w, w) by a positive power of two w of its own, covers what the window-space triangle covers.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/precondition.h"
+#include "props/judging/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::array<double, 5> kDepths{1, 0.25, 8, 2, 0x1p-4};
+
+double Rounded(double x, Precision precision) {
+  return precision == Precision::kFloat32 ? static_cast<double>(static_cast<float>(x)) : x;
+}
+
+// A window-space scene near the one that the case projects to. Its rounded positions are the exact
+// ones of the claim, so what the division lost does not matter. A vertex at w = 0 becomes infinite
+// or NaN, and the case is then not judged.
+Scene ProjectedScene(const Scene& clip) {
+  Scene window = clip;
+  window.clip_space = false;
+  for (Vertex& v : window.vertices) {
+    v = {Rounded(v.x / v.w, clip.precision), Rounded(v.y / v.w, clip.precision), 0, 1};
+  }
+  return window;
+}
+
+// Nothing if a product is not exact.
+std::optional<Scene> Lifted(const Scene& window) {
+  Scene clip = window;
+  clip.clip_space = true;
+  for (std::size_t i = 0; i < clip.vertices.size(); ++i) {
+    Vertex& v = clip.vertices[i];
+    const double w = kDepths[i % kDepths.size()];
+    const Vertex lifted{Rounded(v.x * w, clip.precision), Rounded(v.y * w, clip.precision), v.z, w};
+    if (lifted.x / w != v.x || lifted.y / w != v.y) return std::nullopt;
+    v = lifted;
+  }
+  return clip;
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kClip})) return *refusal;
+  const Scene window = ProjectedScene(c.scene);
+  const std::optional<Scene> lifted = Lifted(window);
+  if (!WithinLimits(window, c.profile) || !lifted || !WithinLimits(*lifted, c.profile)) {
+    return {Outcome::kNotExercised, 0, 0, "the projected scene is beyond the limits", std::nullopt};
+  }
+  Case projected = c;
+  projected.scene = window;
+  const CoverageCounts expected = exact::Coverage(window, c.profile, WholeTarget(c));
+  const CoverageCounts observed = Drawn(subject, *lifted, c.profile, WholeTarget(c));
+  return SameCounts(observed, expected, DecisionsOf(projected), "that of the projected triangles");
+}
+
+}  // namespace
+
+constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
+    .name = "LiftedTrianglesCoverLikeProjectedOnes",
+    .group = "edge",
+    .clause =
+        "N_ij . (p, 1) with N_ij = V_j x V_i is w_i w_j E of the projected edge (Olano and "
+        "Greer, Graphics Hardware 1997).",
+    .precondition =
+        "contract sample-exact; coordinates within the limit; the subject takes clip "
+        "space; the lifted coordinates are exact",
+    .tolerance = kExact,
+    .domains = kClipSpace,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

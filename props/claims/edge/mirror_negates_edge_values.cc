@@ -1,0 +1,39 @@
+// Mirroring in either axis, or exchanging the axes, negates E.
+#include <array>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/edge_queries.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::array<EdgeMap, 3> kMirrors{{
+    {.sx = -1, .factor = -1},
+    {.sy = -1, .factor = -1},
+    {.transpose = true, .factor = -1},
+}};
+
+Verdict Judge(Subject& subject, const Case& c) {
+  return EdgeValuesFollow(subject, c, kMirrors, "edge value is not negated by a mirror");
+}
+
+}  // namespace
+
+constinit const Property kMirrorNegatesEdgeValues{
+    .name = "MirrorNegatesEdgeValues",
+    .group = "edge",
+    .clause =
+        "A mirror reverses orientation: E changes sign when an axis is turned over or the "
+        "axes are exchanged.",
+    .precondition =
+        "the subject shows edge values and claims a finite bound there; window space "
+        "within the limits; the mirrored coordinates are of the input format, on the "
+        "subpixel grid and within the limit",
+    .tolerance = kBothBounds,
+    .domains = kOnTheLattice,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

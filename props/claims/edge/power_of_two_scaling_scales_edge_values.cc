@@ -1,0 +1,38 @@
+// Enlarging edge and sample by 2^k multiplies E by 4^k, where the results are on the input lattice.
+#include <array>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/edge_queries.h"
+
+namespace rasterproof::props {
+namespace {
+
+// Upwards only: the way down is the same claim read backwards, and could meet subnormals.
+constexpr std::array<EdgeMap, 3> kScalings{{
+    {.sx = 2, .sy = 2, .factor = 4},
+    {.sx = 32, .sy = 32, .factor = 0x1p10},
+    {.sx = 0x1p20, .sy = 0x1p20, .factor = 0x1p40},
+}};
+
+Verdict Judge(Subject& subject, const Case& c) {
+  return EdgeValuesFollow(subject, c, kScalings, "edge value does not scale by 4^k");
+}
+
+}  // namespace
+
+constinit const Property kPowerOfTwoScalingScalesEdgeValues{
+    .name = "PowerOfTwoScalingScalesEdgeValues",
+    .group = "edge",
+    .clause = "E is homogeneous of degree two in the positions.",
+    .precondition =
+        "the subject shows edge values and claims a finite bound there; window space "
+        "within the limits; the scaled coordinates are exact, of the input format, on "
+        "the subpixel grid and within the limit",
+    .tolerance = "the sum of both proven ErrorBounds, scaled",
+    .domains = kOnTheLattice,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,71 @@
+// Multiplying x, y and w of a clip-space vertex by a positive power of two changes no sign and so no sample: the edges V_j x V_i are only multiplied by it.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/ulp.h"
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/precondition.h"
+#include "props/judging/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::array<double, 7> kFactors{2, 1, 0x1p-3, 16, 0.5, 0x1p6, 4};
+
+bool IsExact(double product, double x, double factor, Precision precision) {
+  return std::isfinite(product) && product / factor == x &&
+         (precision == Precision::kFloat64 || IsFloat32(product));
+}
+
+// Each vertex by a factor of its own; nothing if a product is not exact.
+std::optional<Scene> Scaled(const Scene& scene) {
+  Scene scaled = scene;
+  for (std::size_t i = 0; i < scaled.vertices.size(); ++i) {
+    Vertex& v = scaled.vertices[i];
+    const double factor = kFactors[i % kFactors.size()];
+    const Vertex product{v.x * factor, v.y * factor, v.z, v.w * factor};
+    if (!IsExact(product.x, v.x, factor, scene.precision) ||
+        !IsExact(product.y, v.y, factor, scene.precision) ||
+        !IsExact(product.w, v.w, factor, scene.precision)) {
+      return std::nullopt;
+    }
+    v = product;
+  }
+  return scaled;
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kClip})) return *refusal;
+  const std::optional<Scene> scaled = Scaled(c.scene);
+  if (!scaled || !WithinLimits(*scaled, c.profile)) {
+    return {Outcome::kNotExercised, 0, 0, "a scaled vertex is not exact or beyond the limit",
+            std::nullopt};
+  }
+  Case variation = c;
+  variation.scene = *scaled;
+  return SameAsUnvaried(subject, c, variation, "that of the unscaled vertices");
+}
+
+}  // namespace
+
+constinit const Property kScalingClipVerticesKeepsCoverage{
+    .name = "ScalingClipVerticesKeepsCoverage",
+    .group = "edge",
+    .clause =
+        "A homogeneous edge needs no division: multiplying a clip-space vertex by a "
+        "positive number changes no sign (McCool, Wales and Moule, Graphics Hardware 2001).",
+    .precondition =
+        "contract sample-exact; coordinates within the limit; the subject takes clip "
+        "space; the scaled coordinates are exact",
+    .tolerance = kExact,
+    .domains = kClipSpace,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

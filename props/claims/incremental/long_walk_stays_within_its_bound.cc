@@ -1,0 +1,33 @@
+// A walk across the largest target drifts no further than the bound claimed for it.
+#include <optional>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/walks.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr int kSteps = 16384;  // the side of the largest target of the APIs in use
+
+Verdict Judge(Subject& subject, const Case& c) {
+  if (std::optional<Verdict> refusal = CannotAskWalks(subject, c)) return *refusal;
+  return WalksStayWithinTheirBound(*subject.Edges(), LongWalks(c, kSteps));
+}
+
+}  // namespace
+
+constinit const Property kLongWalkStaysWithinItsBound{
+    .name = "LongWalkStaysWithinItsBound",
+    .group = "incremental",
+    .clause =
+        "A walk over 16384 samples, the largest target of current APIs, drifts by a proven "
+        "bound at most.",
+    .precondition = kEdgeValues,
+    .tolerance = kWalkBounds,
+    .domains = kLongWalks,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

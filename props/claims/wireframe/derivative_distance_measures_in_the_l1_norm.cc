@@ -1,0 +1,47 @@
+// Dividing by |d lambda/dx| + |d lambda/dy| measures pixels in the L1 norm of the gradient: between 1/sqrt(2) of the distance (diagonal edges) and the distance (edges along an axis).
+#include <optional>
+
+#include "exact/edge.h"
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/wireframe_queries.h"
+
+namespace rasterproof::props {
+namespace {
+
+using exact::Rational;
+
+// lambda_i = E_i / area with gradient (dY, -dX) / area: over the L1 norm of the gradient that is
+// |E_i| / (|dX| + |dY|).
+std::optional<WireframeScale> InTheL1Norm(const WeightQuery& q, int edge) {
+  const Point2 a = EdgeStart(q.v, edge);
+  const Point2 b = EdgeEnd(q.v, edge);
+  const Rational reach =
+      (Rational(b.x) - Rational(a.x)).Abs() + (Rational(b.y) - Rational(a.y)).Abs();
+  if (reach.Sign() == 0) return std::nullopt;
+  const Rational area = exact::EdgeValue(q.v[0], q.v[1], q.v[2]).Abs();
+  const Rational distance = exact::EdgeValue(a, b, q.place.at) / reach;
+  return WireframeScale{distance * distance, (area / reach).ToDouble()};
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  return DistancesMean(subject, c, WireframeForm::kDerivative, InTheL1Norm,
+                       "derivative-weighted distance is not that of the L1 norm");
+}
+
+}  // namespace
+
+constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
+    .name = "DerivativeDistanceMeasuresInTheL1Norm",
+    .group = "wireframe",
+    .clause =
+        "lambda_i / fwidth(lambda_i) with fwidth = |d/dx| + |d/dy| (GLSL 4.60 section "
+        "8.14.1) is |E_i| / (|dX| + |dY|).",
+    .precondition = kInTheTriangle,
+    .tolerance = kWireframeBound,
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,40 @@
+// lambda_i times the height over edge i is the distance to that edge in pixels; pairing a weight with another vertex's height is not.
+#include <cstddef>
+#include <optional>
+
+#include "exact/attributes.h"
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/wireframe_queries.h"
+
+namespace rasterproof::props {
+namespace {
+
+std::optional<WireframeScale> InPixels(const WeightQuery& q, int edge) {
+  const Point2 a = EdgeStart(q.v, edge);
+  const Point2 b = EdgeEnd(q.v, edge);
+  const auto distance = exact::SquaredLineDistance(a, b, q.place.at);
+  const auto height = exact::SquaredLineDistance(a, b, q.v[static_cast<std::size_t>(edge)]);
+  if (!distance || !height) return std::nullopt;
+  return WireframeScale{*distance, RoundedRoot(*height)};
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  return DistancesMean(subject, c, WireframeForm::kHeight, InPixels,
+                       "height-compensated distance is not the distance in pixels");
+}
+
+}  // namespace
+
+constinit const Property kHeightDistanceIsTheDistanceInPixels{
+    .name = "HeightDistanceIsTheDistanceInPixels",
+    .group = "wireframe",
+    .clause = "lambda_i times the height over edge i is the distance to edge i.",
+    .precondition = kInTheTriangle,
+    .tolerance = kWireframeBound,
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,35 @@
+// The weight-space distance to an edge is lambda_i: a width W draws a line that is W times the triangle's height wide, not W pixels.
+#include <cstddef>
+#include <optional>
+
+#include "props/claims/all.h"
+#include "props/claims/domain_lists.h"
+#include "props/claims/row_words.h"
+#include "props/judging/wireframe_queries.h"
+
+namespace rasterproof::props {
+namespace {
+
+std::optional<WireframeScale> InWeightSpace(const WeightQuery& q, int edge) {
+  const exact::Rational lambda = ExactWeights(q)[static_cast<std::size_t>(edge)];
+  return WireframeScale{lambda * lambda, 1};
+}
+
+Verdict Judge(Subject& subject, const Case& c) {
+  return DistancesMean(subject, c, WireframeForm::kWeight, InWeightSpace,
+                       "weight-space distance is not the weight");
+}
+
+}  // namespace
+
+constinit const Property kWeightDistanceIsTheSmallestWeight{
+    .name = "WeightDistanceIsTheSmallestWeight",
+    .group = "wireframe",
+    .clause = "The weight-space test lambda_i <= W draws lines of W heights, not of W pixels.",
+    .precondition = kInTheTriangle,
+    .tolerance = kWireframeBound,
+    .domains = kWeights,
+    .check = Judge,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,219 @@
+#include "props/judging/fragment_queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "core/profile.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "props/judging/precondition.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+// Exact weights are rationals, some ten microseconds each.
+constexpr std::size_t kMostFragments = 24;
+// All tolerances below take the format's fl(x op y) = (x op y)(1 + d), |d| <= u, and a product or a
+// quotient that underflows as off by eta / 2 more. They are worked out in double, to first order in
+// u; this factor covers both: what is left out is at most some 2^5 u of a bound, 2^-19 in float32,
+// and what double rounds is at most 2^5 2^-53 of it.
+constexpr double kSecondOrderFactor = 1 + 0x1p-16;
+
+// Of the five-operation form: each product carries three roundings and the difference one more,
+// 3 u S + u |E|, and |E| <= S. Only its two products can underflow: eta / 2 each, doubled once more
+// by the last rounding at most.
+constexpr double kEdgeErrorMultiplier = 4;
+constexpr double kEdgeUnderflows = 2;
+
+// Of the sum of three edge values as the area: two additions, each off by u times at most the sum
+// of the values' magnitudes.
+constexpr double kAreaSumErrorMultiplier = 2;
+
+// Of a depth, in u of max |z| times W = sum |l_i|, which is at least 1 because the weights sum to
+// one. By weights: a product, and two additions of partial sums, 3 W. By deltas from one vertex,
+// with z of one sign: a difference and a product for each of two weights, 2 W; two additions of
+// partial sums of at most 1 + W each, 4 W.
+constexpr double kDepthErrorMultiplier = 6;
+
+// Where sums of products stay below this, nothing that the forms compute overflows: what they round
+// and add to it is less than a factor of four.
+constexpr double MostSumOfProducts(Precision precision) {
+  return precision == Precision::kFloat32 ? 0x1p126 : 0x1p1022;
+}
+
+double SmallestSubnormal(Precision precision) {
+  return precision == Precision::kFloat32 ? 0x1p-149 : 0x1p-1074;
+}
+
+double UnitRoundoff(Precision precision) {
+  return precision == Precision::kFloat32 ? 0x1p-24 : 0x1p-53;
+}
+
+double SumOfProducts(Point2 a, Point2 b, Point2 p) {
+  return std::fabs((p.x - a.x) * (b.y - a.y)) + std::fabs((p.y - a.y) * (b.x - a.x));
+}
+
+double EdgeValue(Point2 a, Point2 b, Point2 p) {
+  return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
+}
+
+double EdgeTolerance(Point2 a, Point2 b, Point2 p, Precision precision) {
+  const double u = UnitRoundoff(precision);
+  return kSecondOrderFactor * (kEdgeErrorMultiplier * u * SumOfProducts(a, b, p) +
+                               kEdgeUnderflows * SmallestSubnormal(precision));
+}
+
+bool Overflows(const WeightQuery& q, Precision precision) {
+  const double most = MostSumOfProducts(precision);
+  for (int i = 0; i < 3; ++i) {
+    if (!(SumOfProducts(EdgeStart(q.v, i), EdgeEnd(q.v, i), q.place.at) < most)) return true;
+  }
+  return !(SumOfProducts(q.v[0], q.v[1], q.v[2]) < most);
+}
+
+// Depths that no two vertices of a triangle are likely to share; exact in every format.
+double DepthOf(std::size_t vertex) { return 0.125 * static_cast<double>(1 + 3 * vertex % 8); }
+
+double DepthTolerance(const SubjectInfo& info, const Fragment& f) {
+  if (info.fragments.depth_error > 0) return info.fragments.depth_error;
+  const double u = UnitRoundoff(info.input);
+  const std::array<exact::Rational, 3> weights = ExactWeights(f.query);
+  // Weights that are off by t_i move the depth by at most sum t_i max |z|, by weights or, z being
+  // of one sign, by deltas.
+  double weight_error = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    weight_error += f.weight_tolerances[i];
+    size += std::fabs(weights[i].ToDouble()) + f.weight_tolerances[i];
+  }
+  const double largest = std::max({std::fabs(f.z[0]), std::fabs(f.z[1]), std::fabs(f.z[2])});
+  return kSecondOrderFactor * (weight_error + kDepthErrorMultiplier * u * size) * largest;
+}
+
+// What a triangle's edge values can be off at a sample, for the ways to turn them into weights.
+struct EdgeErrors {
+  std::array<double, 3> value{};      // |E_i|, at most
+  std::array<double, 3> tolerance{};  // of E_i
+  double area = 0;                    // |area|, at least, and as the subject may see it
+  double area_tolerance = 0;          // of the area, computed by itself or as the sum of the E_i
+};
+
+EdgeErrors EdgeErrorsAt(const WeightQuery& q, Precision precision) {
+  EdgeErrors errors;
+  double sum = 0;
+  double sum_tolerance = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Point2 a = EdgeStart(q.v, i);
+    const Point2 b = EdgeEnd(q.v, i);
+    errors.tolerance[k] = EdgeTolerance(a, b, q.place.at, precision);
+    errors.value[k] = std::fabs(EdgeValue(a, b, q.place.at)) + errors.tolerance[k];
+    sum += errors.value[k] + errors.tolerance[k];
+    sum_tolerance += errors.tolerance[k];
+  }
+  const double alone = EdgeTolerance(q.v[0], q.v[1], q.v[2], precision);
+  sum_tolerance += kAreaSumErrorMultiplier * UnitRoundoff(precision) * sum;
+  errors.area_tolerance = std::max(alone, sum_tolerance);
+  // Once for what the subject divides by, once for the value that is worked out here.
+  errors.area = std::fabs(EdgeValue(q.v[0], q.v[1], q.v[2])) - errors.area_tolerance - alone;
+  return errors;
+}
+
+}  // namespace
+
+std::optional<Verdict> CannotAskFragments(Subject& subject, const Case& c) {
+  if (subject.Whole().Info().coverage != CoverageKind::kFragments) {
+    return Verdict::NotApplicable("the subject shows no fragments");
+  }
+  const bool chooses_points = c.profile.freedom.snap_tolerance != 0 ||
+                              c.profile.contract == Contract::kWatertight ||
+                              c.profile.contract == Contract::kClosed;
+  if (subject.Whole().Info().fragments.weights_of == WeightsOf::kSnapped && chooses_points) {
+    return Verdict::NotApplicable(
+        "the profile leaves the grid points free that the weights belong to");
+  }
+  return CannotEvaluate(subject, c);
+}
+
+std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuery& q) {
+  const double declared = info.fragments.weight_error;
+  if (declared > 0) return {declared, declared, declared};
+  if (Overflows(q, info.input)) return {kNothing, kNothing, kNothing};
+  const double u = UnitRoundoff(info.input);
+  const EdgeErrors errors = EdgeErrorsAt(q, info.input);
+  if (!(errors.area > errors.area_tolerance)) return {kNothing, kNothing, kNothing};
+  std::array<double, 3> weight{};    // |l_i|, at most
+  std::array<double, 3> quotient{};  // tolerance of E_i over the area
+  for (std::size_t i = 0; i < 3; ++i) {
+    weight[i] = errors.value[i] / errors.area;
+    quotient[i] = kSecondOrderFactor *
+                      ((errors.tolerance[i] + weight[i] * errors.area_tolerance) / errors.area +
+                       u * weight[i]) +
+                  SmallestSubnormal(info.input);
+  }
+  std::array<double, 3> tolerances = quotient;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    // (1 - l_j) - l_k, in either order: a difference of at most 1 + |l|, and the last rounding.
+    const double rounded = u * (1 + std::max(weight[j], weight[k]) + weight[i]);
+    tolerances[i] =
+        std::max(quotient[i], kSecondOrderFactor * (quotient[j] + quotient[k] + rounded));
+  }
+  return tolerances;
+}
+
+std::vector<Fragment> SomeFragments(Subject& subject, const Case& c) {
+  Subject& whole = subject.Whole();
+  const SubjectInfo& info = whole.Info();
+  DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
+  for (std::size_t k = 0; k < job.scene.vertices.size(); ++k) job.scene.vertices[k].z = DepthOf(k);
+  const Drawing drawing = whole.Show(job);
+  const bool snapped = info.fragments.weights_of == WeightsOf::kSnapped;
+  const Scene owners = snapped ? SnapScene(job.scene, c.profile) : job.scene;
+  std::vector<std::size_t> covered;
+  for (std::size_t k = 0; k < drawing.winners.size(); ++k) {
+    if (drawing.winners[k] != kNoTriangle) covered.push_back(k);
+  }
+  std::vector<Fragment> fragments;
+  const auto samples = static_cast<std::size_t>(drawing.counts.samples);
+  const auto width = static_cast<std::size_t>(drawing.counts.width);
+  for (std::size_t n = 0; n < covered.size(); n += covered.size() / kMostFragments + 1) {
+    const std::size_t k = covered[n];
+    Fragment f;
+    f.query.triangle = drawing.winners[k];
+    const Triangle& t = owners.triangles[static_cast<std::size_t>(f.query.triangle)];
+    const std::array<Vertex, 3> corners = Corners(owners, t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      f.query.v[i] = WindowPoint(corners[i]);
+      f.z[i] = corners[i].z;
+    }
+    if (!std::ranges::all_of(corners, IsFinite) || exact::Facing(f.query.v) == 0) continue;
+    f.query.place = PlaceOf(c, static_cast<int>(k / samples % width),
+                            static_cast<int>(k / samples / width), static_cast<int>(k % samples));
+    f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
+    f.weights = drawing.weights[k];
+    f.depth = drawing.depths[k];
+    f.weight_tolerances = WeightTolerances(info, f.query);
+    f.depth_tolerance = DepthTolerance(info, f);
+    fragments.push_back(f);
+  }
+  return fragments;
+}
+
+Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
+                          const std::string& claim, const std::string& observed,
+                          const std::string& expected) {
+  return WeightViolation(fragment.query, entry, exercised, claim, observed, expected);
+}
+
+std::string WeightsText(const Fragment& fragment) {
+  const std::array<double, 3>& l = fragment.weights;
+  return HexText(l[0]) + ", " + HexText(l[1]) + ", " + HexText(l[2]);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,316 @@
+#include "props/judging/free_choices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "core/profile.h"
+#include "core/snap.h"
+#include "exact/coverage.h"
+#include "exact/homogeneous.h"
+#include "exact/snap_clip.h"
+#include "props/judging/outline.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The distance of a sample from a triangle is computed in double: off by less than this.
+constexpr double kDistanceMargin = 0x1p-10;
+constexpr double kDistanceMarginPerCoordinate = 0x1p-30;
+// A quotient of doubles is off by 2^-53 of itself: a grid point that much too far counts as near.
+constexpr double kQuotientMargin = 0x1p-50;
+
+bool MayMoveVertices(Contract contract) {
+  return contract == Contract::kWatertight || contract == Contract::kClosed;
+}
+
+double LargestCoordinate(const Case& c) {
+  double largest = 0;
+  for (const Vertex& v : c.scene.vertices) {
+    const double w = c.scene.clip_space && v.w > 0 ? v.w : 1;
+    for (const double x : {v.x / w, v.y / w}) {
+      if (std::isfinite(x)) largest = std::max(largest, std::fabs(x));
+    }
+  }
+  return largest;
+}
+
+// How far the legal models of a case may put its vertices.
+struct Reach {
+  double tolerance = 0;  ///< in steps of the grid
+  double slack = 0;      ///< in pixels, on each axis, beyond that
+  double beside = 0;     ///< in pixels: all vertices alike
+};
+
+Reach ReachOf(const Case& c, const Profile& profile) {
+  if (!MayMoveVertices(profile.contract)) return {profile.freedom.snap_tolerance, 0, 0};
+  const double rounding = kOutlineMarginPerCoordinate * LargestCoordinate(c);
+  if (profile.snap.IsNone()) return {0, kMovedOutlineMargin + rounding, 0};
+  return {1, rounding, kMovedOutlineMargin};
+}
+
+// A coordinate's least and greatest legal value, the canonical one between them, and the given one.
+struct Span {
+  double low = 0;
+  double high = 0;
+  double given = 0;
+};
+
+Span Widened(Span span, double slack) { return {span.low - slack, span.high + slack, span.given}; }
+
+Span WindowSpan(double unwrapped, const Profile& profile, const Reach& reach) {
+  const double x = profile.fixed ? profile.fixed->Wrapped(unwrapped) : unwrapped;
+  const double own = SnapCoordinate(x, profile.snap);
+  const std::vector<double> points = GridPointsWithin(x, profile.snap, reach.tolerance);
+  const double low = points.empty() ? own : std::min(own, points.front());
+  const double high = points.empty() ? own : std::max(own, points.back());
+  return Widened({low, high, x}, reach.slack);
+}
+
+// Nothing if x / w has no place on the grid.
+std::optional<Span> QuotientSpan(double x, double w, const Profile& profile, const Reach& reach) {
+  const double quotient = x / w;
+  if (!std::isfinite(quotient)) return std::nullopt;
+  const Snap& snap = profile.snap;
+  if (snap.IsNone()) return Widened({quotient, quotient, quotient}, reach.slack);
+  const std::optional<double> own = exact::TrySnapQuotient(x, w, snap);
+  if (!own) return std::nullopt;
+  const double step = std::ldexp(1.0, -snap.bits);
+  const double far = reach.tolerance * step + kQuotientMargin * std::fabs(quotient);
+  Span span{*own, *own, quotient};
+  for (int k = -2; k <= 2; ++k) {
+    const double point = *own + k * step;
+    if (std::fabs(point - quotient) > far) continue;
+    span.low = std::min(span.low, point);
+    span.high = std::max(span.high, point);
+  }
+  return Widened(span, reach.slack);
+}
+
+struct PlacedVertex {
+  LegalPlaces legal;
+  Point2 given;
+};
+
+PlacedVertex Joined(const Span& x, const Span& y) {
+  return {{{x.low, y.low}, {x.high, y.high}}, {x.given, y.given}};
+}
+
+std::optional<PlacedVertex> Placed(const Vertex& v, bool clip_space, const Profile& profile,
+                                   const Reach& reach) {
+  if (!clip_space) return Joined(WindowSpan(v.x, profile, reach), WindowSpan(v.y, profile, reach));
+  if (!(v.w > 0)) return std::nullopt;
+  const std::optional<Span> x = QuotientSpan(v.x, v.w, profile, reach);
+  const std::optional<Span> y = QuotientSpan(v.y, v.w, profile, reach);
+  if (!x || !y) return std::nullopt;
+  return Joined(*x, *y);
+}
+
+using Places = std::array<LegalPlaces, 3>;
+
+// The corners of the rectangle, each once.
+std::vector<Point2> CornersOf(const LegalPlaces& places) {
+  const auto [low, high] = places;
+  std::vector<Point2> corners{low};
+  if (high.x != low.x) corners.push_back({high.x, low.y});
+  if (high.y == low.y) return corners;
+  corners.push_back({low.x, high.y});
+  if (high.x != low.x) corners.push_back(high);
+  return corners;
+}
+
+// The sign of the area in every legal model, or nothing if two differ in it. Affine in each of six
+// coordinates, the area has its extremes where each is at an end.
+std::optional<int> FacingInEveryModel(const Places& places) {
+  const std::array<std::vector<Point2>, 3> corners{CornersOf(places[0]), CornersOf(places[1]),
+                                                   CornersOf(places[2])};
+  std::optional<int> facing;
+  for (const Point2 a : corners[0]) {
+    for (const Point2 b : corners[1]) {
+      for (const Point2 p : corners[2]) {
+        const int sign = exact::Facing({a, b, p});
+        if (facing && *facing != sign) return std::nullopt;
+        facing = sign;
+      }
+    }
+  }
+  return facing;
+}
+
+enum class Drops : std::uint8_t { kNever, kAlways, kInSomeModels };
+
+Drops DropsOf(const Places& places, const std::optional<MaxExtent>& most) {
+  if (!most) return Drops::kNever;
+  const auto low = [](const LegalPlaces& p) { return p.low; };
+  const auto high = [](const LegalPlaces& p) { return p.high; };
+  const auto least = [&](auto of, auto axis) {
+    return std::min({axis(of(places[0])), axis(of(places[1])), axis(of(places[2]))});
+  };
+  const auto greatest = [&](auto of, auto axis) {
+    return std::max({axis(of(places[0])), axis(of(places[1])), axis(of(places[2]))});
+  };
+  const auto x = [](Point2 p) { return p.x; };
+  const auto y = [](Point2 p) { return p.y; };
+  const Point2 first{least(low, x), least(low, y)};
+  const Point2 last{greatest(high, x), greatest(high, y)};
+  if (!Exceeds({first, last, last}, *most)) return Drops::kNever;
+  // The least extent is between the ends that are nearest to each other.
+  const Point2 begin{least(high, x), least(high, y)};
+  const Point2 end{std::max(begin.x, greatest(low, x)), std::max(begin.y, greatest(low, y))};
+  return Exceeds({begin, end, end}, *most) ? Drops::kAlways : Drops::kInSomeModels;
+}
+
+bool LeavesBy(const LegalPlaces& places, const Vertex& v, const std::optional<WindowBox>& box) {
+  return box && !(box->Contains(places.low.x, places.low.y) &&
+                  box->Contains(places.high.x, places.high.y) && box->Contains(v.x, v.y));
+}
+
+double Distance(Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+double SegmentDistance(Point2 a, Point2 b, Point2 p) {
+  const Point2 d{b.x - a.x, b.y - a.y};
+  const double along = ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / (d.x * d.x + d.y * d.y);
+  const double part = along > 0 ? std::min(along, 1.0) : 0.0;
+  return Distance(p, {a.x + part * d.x, a.y + part * d.y});
+}
+
+// 0 inside.
+double TriangleDistance(const std::array<Point2, 3>& v, Point2 p) {
+  const auto value = [&](std::size_t i) {
+    const Point2 a = v[i];
+    const Point2 b = v[(i + 1) % 3];
+    return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
+  };
+  const auto [least, most] = std::minmax({value(0), value(1), value(2)});
+  if (least >= 0 || most <= 0) return 0;  // a flat one's line as well: more than it covers
+  return std::min({SegmentDistance(v[0], v[1], p), SegmentDistance(v[1], v[2], p),
+                   SegmentDistance(v[2], v[0], p)});
+}
+
+Point2 Middle(const LegalPlaces& p) {
+  return {p.low.x + 0.5 * (p.high.x - p.low.x), p.low.y + 0.5 * (p.high.y - p.low.y)};
+}
+
+bool HaveOnePlace(const Vertex& a, const Vertex& b) {
+  return a.x == b.x && a.y == b.y && a.w == b.w;
+}
+
+// A triangle's legal places. Clipping may move its vertices by a pixel more.
+struct PlacedTriangle {
+  Places places{};
+  double most_moved = 0;
+  bool is_clipped = false;
+};
+
+std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool clip_space,
+                                            const Profile& profile, const Reach& reach) {
+  std::array<PlacedVertex, 3> placed;
+  PlacedTriangle triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<PlacedVertex> corner = Placed(v[k], clip_space, profile, reach);
+    if (!corner) return std::nullopt;
+    placed[k] = *corner;
+    const bool leaves = !clip_space && LeavesBy(corner->legal, v[k], profile.no_clip);
+    triangle.is_clipped = triangle.is_clipped || leaves;
+  }
+  const double clipped = triangle.is_clipped ? kMovedOutlineMargin : 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto& [low, high] = placed[k].legal;
+    low = {low.x - clipped, low.y - clipped};
+    high = {high.x + clipped, high.y + clipped};
+    triangle.places[k] = placed[k].legal;
+    for (const Point2 corner : CornersOf(placed[k].legal)) {
+      triangle.most_moved = std::max(triangle.most_moved, Distance(corner, placed[k].given));
+    }
+  }
+  return triangle;
+}
+
+}  // namespace
+
+OpenTriangles::OpenTriangles(const Case& c) {
+  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  const Reach reach = ReachOf(c, profile);
+  const double margin = kDistanceMargin + kDistanceMarginPerCoordinate * LargestCoordinate(c);
+  const auto add_fixed = [&](int facing) {
+    front_ = front_ || facing > 0;
+    back_ = back_ || facing < 0;
+  };
+  for (const Triangle& t : c.scene.triangles) {
+    const std::array<Vertex, 3> v = Corners(c.scene, t);
+    if (!std::ranges::all_of(v, IsFinite)) continue;
+    // Real geometry in clip space has one model: that of homogeneous coordinates.
+    if (c.scene.clip_space && profile.snap.IsNone() && reach.slack == 0) {
+      add_fixed(exact::HomogeneousFacing(v));
+      continue;
+    }
+    const auto placed = PlacedCorners(v, c.scene.clip_space, profile, reach);
+    if (!placed) {
+      open_.push_back({.has_place = false});
+      continue;
+    }
+    most_moved_ = std::max(most_moved_, placed->most_moved);
+    const Drops drops = DropsOf(placed->places, profile.max_extent);
+    if (drops == Drops::kAlways) continue;
+    if (HaveOnePlace(v[0], v[1]) || HaveOnePlace(v[1], v[2]) || HaveOnePlace(v[2], v[0])) continue;
+    const std::optional<int> facing = FacingInEveryModel(placed->places);
+    if (facing && drops == Drops::kNever) {
+      add_fixed(*facing);
+      continue;
+    }
+    Open open{.is_dropped = drops != Drops::kNever, .reach = reach.beside + margin};
+    double farthest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      open.at[k] = Middle(placed->places[k]);
+      farthest = std::max(farthest, Distance(open.at[k], placed->places[k].high));
+    }
+    open.reach += farthest;
+    open_.push_back(open);
+  }
+}
+
+bool OpenTriangles::CanCover(Point2 p) const {
+  return std::ranges::any_of(open_, [&](const Open& open) {
+    // Not a number: overflow, and so not judged.
+    return !open.has_place || !(TriangleDistance(open.at, p) > open.reach);
+  });
+}
+
+void OpenTriangles::ForgetTurned() {
+  std::erase_if(open_, [](const Open& open) { return !open.is_dropped; });
+}
+
+bool TellsFacings(Subject& subject) {
+  return subject.Whole().Info().coverage == CoverageKind::kFacingCounts;
+}
+
+Scene UnsnappedScene(const Case& c) {
+  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  const Reach reach = ReachOf(c, profile);
+  Scene scene = c.scene;
+  for (Triangle& t : scene.triangles) {
+    const std::array<Vertex, 3> v = Corners(c.scene, t);
+    if (!profile.max_extent || !std::ranges::all_of(v, IsFinite)) continue;
+    const auto placed = PlacedCorners(v, false, profile, reach);
+    if (DropsOf(placed->places, profile.max_extent) == Drops::kAlways) t = {t[0], t[0], t[0]};
+  }
+  if (!profile.fixed) return scene;
+  for (Vertex& v : scene.vertices) {
+    v = {profile.fixed->Wrapped(v.x), profile.fixed->Wrapped(v.y), v.z, v.w};
+  }
+  return scene;
+}
+
+bool IsUnclippedInEveryModel(const Case& c) {
+  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  if (!profile.no_clip) return true;
+  const Reach reach = ReachOf(c, profile);
+  return std::ranges::none_of(c.scene.triangles, [&](const Triangle& t) {
+    const std::array<Vertex, 3> v = Corners(c.scene, t);
+    return std::ranges::all_of(v, IsFinite) && PlacedCorners(v, false, profile, reach)->is_clipped;
+  });
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,79 @@
+// Which triangles a legal choice can turn, flatten or drop, and which samples that concerns.
+#ifndef RASTERPROOF_PROPS_JUDGING_FREE_CHOICES_H_
+#define RASTERPROOF_PROPS_JUDGING_FREE_CHOICES_H_
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/case.h"
+#include "core/scene.h"
+#include "core/subject.h"
+#include "core/vertex.h"
+
+namespace rasterproof::props {
+
+/// Where the legal models of a profile put a vertex: nowhere but in this rectangle of the window.
+struct LegalPlaces {
+  Point2 low;
+  Point2 high;
+};
+
+/// The triangles of a case that legal models draw with more than one facing, or that some drop and
+/// others don't.
+///
+/// Legal models: a vertex takes any grid point that the profile's tolerance allows, each position
+/// one. Watertight and closed subjects: any point within a step of the grid that the profile
+/// states, or within a pixel on each axis where it states none. A triangle that the subject may
+/// clip: a pixel further. What is said to be fixed is so in every legal model: the area is affine
+/// in each coordinate, so that its exact signs at the corners of the rectangles bound it.
+class OpenTriangles {
+ public:
+  /// None is open.
+  OpenTriangles() = default;
+  /// Domain:     a case as properties see it; window space, or clip space without a transform.
+  explicit OpenTriangles(const Case& c);
+
+  /// Returns whether two of the other triangles face opposite ways.
+  bool RestIsFolded() const { return front_ && back_; }
+  /// Returns whether an open triangle can cover the place in some legal model.
+  bool CanCover(Point2 p) const;
+  bool IsEmpty() const { return open_.empty(); }
+  std::size_t size() const { return open_.size(); }
+  /// From now on only those count that some legal models drop.
+  void ForgetTurned();
+  /// The farthest that a legal model puts a vertex from where it is given, in pixels.
+  double MostMoved() const { return most_moved_; }
+
+ private:
+  struct Open {
+    bool is_dropped = false;  ///< by some legal models
+    bool has_place = true;    ///< if not, it can lie anywhere
+    std::array<Point2, 3> at{};
+    double reach = 0;
+  };
+
+  bool front_ = false;
+  bool back_ = false;
+  double most_moved_ = 0;
+  std::vector<Open> open_;
+};
+
+/// Returns whether the facing of a triangle that the subject draws is what it says itself, and not
+/// worked out from the canonical model.
+bool TellsFacings(Subject& subject);
+
+/// The window-space scene with its coordinates wrapped but not snapped; triangles that every legal
+/// model drops for their extent have their corners in one place. What is one place here is one in
+/// every legal model, and what is not need not be.
+Scene UnsnappedScene(const Case& c);
+
+/// Returns whether no legal model puts a vertex that a triangle uses outside the profile's no-clip
+/// rectangle.
+///
+/// Domain:     a window-space case.
+bool IsUnclippedInEveryModel(const Case& c);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_FREE_CHOICES_H_

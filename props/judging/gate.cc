@@ -1,0 +1,239 @@
+#include "props/judging/gate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/profile.h"
+#include "core/scene.h"
+
+namespace rasterproof::props {
+namespace {
+
+// What a subject that lacks it is told, and how tables name it.
+struct Wanted {
+  bool (*has)(const Description&);
+  std::string_view why_not;
+  std::string_view words;
+};
+
+Wanted WantedBy(Shows shows) {
+  using D = Description;
+  switch (shows) {
+    case Shows::kCoverage:
+      break;
+    case Shows::kEdgeValues:
+      return {[](const D& d) { return d.edges != nullptr; }, "the subject shows no edge values",
+              "the subject shows edge values and states a finite bound there"};
+    case Shows::kSteps:
+      return {[](const D& d) {
+                return d.edges != nullptr &&
+                       (!d.info.edges.shows_values || d.info.edges.shows_walks);
+              },
+              "the subject shows no walks",
+              "the subject shows edge values and states a finite bound there"};
+    case Shows::kBarycentrics:
+      return {[](const D& d) { return d.weights != nullptr; }, "the subject shows no weights",
+              "the subject shows weights and states a finite bound there"};
+    case Shows::kFragments:
+      return {[](const D& d) { return d.info.coverage == CoverageKind::kFragments; },
+              "the subject shows no fragments", "the subject shows fragments"};
+    case Shows::kPrimitiveIds:
+      return {[](const D& d) { return ShowsWinners(d.info); },
+              "the subject does not show which triangle wins", "the subject shows winners"};
+    case Shows::kTiles:
+      return {[](const D& d) { return d.info.takes_tiles; },
+              "the subject's tiles, if any, can't be chosen", "the subject takes a size of tiles"};
+    case Shows::kThreads:
+      return {[](const D& d) { return d.info.takes_threads; }, "the subject draws in one thread",
+              "the subject takes a number of threads"};
+    case Shows::kScissor:
+      return {[](const D& d) { return d.info.takes_scissor; }, "the subject takes no scissor",
+              "the subject takes a scissor"};
+    case Shows::kCulling:
+      return {[](const D& d) { return d.info.takes_culling; }, "the subject does not cull",
+              "the subject culls"};
+    case Shows::kBatches:
+      return {[](const D& d) { return d.info.takes_batches; }, "the subject takes no batches",
+              "the subject takes batches"};
+  }
+  return {[](const D&) { return true; }, "", ""};
+}
+
+Verdict NotExercised(const char* why) { return {Outcome::kNotExercised, 0, 0, why, std::nullopt}; }
+
+bool LeavesAChoice(const Profile& profile, const Gate& gate) {
+  return !profile.freedom.IsNone() || (profile.overdraw && !gate.judges_overdraw);
+}
+
+std::optional<std::string> ContractDoesNotPromise(const Profile& profile, const Gate& gate) {
+  if (gate.promise == Promise::kNone) return std::nullopt;
+  if (gate.promise == Promise::kAny && profile.contract != Contract::kNone) return std::nullopt;
+  switch (profile.contract) {
+    case Contract::kSampleExact:
+      if (!LeavesAChoice(profile, gate) || gate.any_model || gate.promise == Promise::kWatertight) {
+        return std::nullopt;
+      }
+      return profile.freedom.IsNone() ? "the profile leaves it open how often an edge is drawn"
+                                      : "the profile leaves the grid points or the tie rule free";
+    case Contract::kWatertight:
+      if (gate.promise == Promise::kWatertight) return std::nullopt;
+      return "the profile's contract promises watertight meshes only";
+    case Contract::kClosed:
+      if (gate.promise == Promise::kClosed) return std::nullopt;
+      return "the profile's contract promises closed surfaces only";
+    case Contract::kConservativeOver:
+    case Contract::kConservativeUnder:
+      return "the profile's contract promises a bound on coverage only";
+    case Contract::kNone:
+      break;
+  }
+  return "the profile's contract promises nothing about coverage";
+}
+
+std::optional<std::string> ProfileDoesNotPromise(const Gate& gate, const Profile& profile) {
+  for (const ProfileRule& rule : gate.rules) {
+    if (!rule.holds(profile)) return std::string(rule.why_not);
+  }
+  return ContractDoesNotPromise(profile, gate);
+}
+
+std::optional<std::string> SubjectLacks(const Gate& gate, const Description& subject) {
+  const Wanted wanted = WantedBy(gate.shows);
+  if (!wanted.has(subject)) {
+    // Who shows no values at all is told so.
+    const bool no_values = gate.shows == Shows::kSteps && subject.edges == nullptr;
+    return std::string(no_values ? WantedBy(Shows::kEdgeValues).why_not : wanted.why_not);
+  }
+  if (gate.space == Space::kWindow && !subject.info.takes_window) {
+    return "the subject takes no window-space scenes";
+  }
+  if (gate.space == Space::kClip && !subject.info.takes_clip) {
+    return "the subject takes no clip-space scenes";
+  }
+  return std::nullopt;
+}
+
+// A snapped profile divides first and snaps then: what it says of w <= 0 depends on clipping.
+bool IsInFrontOfTheEye(const Scene& scene) {
+  return std::ranges::all_of(scene.vertices, [](const Vertex& v) { return v.w > 0; });
+}
+
+// The product may round; a position within an ulp of the limit is not worth judging.
+bool ProjectsWithinLimits(const Scene& scene, const Profile& profile) {
+  return std::ranges::all_of(scene.vertices, [&](const Vertex& v) {
+    const double reach = profile.coordinate_limit * v.w;
+    return std::fabs(v.x) <= reach && std::fabs(v.y) <= reach;
+  });
+}
+
+std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, const Case& c) {
+  if (gate.space == Space::kWindow && c.scene.clip_space) {
+    return NotExercised("the case is in clip space");
+  }
+  if (gate.space == Space::kClip && !c.scene.clip_space) {
+    return NotExercised("the case is in window space");
+  }
+  if ((c.options.cull != Cull::kNone && !info.takes_culling) ||
+      (c.options.scissor && !info.takes_scissor)) {
+    return NotExercised("the case is culled or cut, and the subject does neither");
+  }
+  if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || c.profile.no_clip)) {
+    return NotExercised("the case is in clip space, the profile speaks of window space");
+  }
+  if (!Takes(info, c.scene)) {
+    return Verdict::NotApplicable("the subject does not take scenes of this kind or precision");
+  }
+  if (c.scene.clip_space && !c.profile.snap.IsNone() && !IsInFrontOfTheEye(c.scene)) {
+    return NotExercised("snapped clip space: a vertex is not in front of the eye");
+  }
+  return std::nullopt;
+}
+
+std::optional<Verdict> OutsideLimits(const Case& c) {
+  if (!WithinLimits(c.scene, c.profile)) {
+    return NotExercised("a coordinate is not finite or beyond the profile's limit");
+  }
+  if (c.scene.clip_space && !c.profile.snap.IsNone() && !ProjectsWithinLimits(c.scene, c.profile)) {
+    return NotExercised("snapped clip space: a vertex projects beyond the profile's limit");
+  }
+  return std::nullopt;
+}
+
+void Add(std::string& words, std::string_view more) {
+  if (more.empty()) return;
+  if (!words.empty()) words += "; ";
+  words += more;
+}
+
+std::string_view PromiseWords(Promise promise) {
+  switch (promise) {
+    case Promise::kNone:
+      break;
+    case Promise::kAny:
+      return "any contract but none";
+    case Promise::kClosed:
+      return "contract sample-exact or closed";
+    case Promise::kWatertight:
+      return "contract sample-exact or watertight";
+    case Promise::kSampleExact:
+      return "contract sample-exact";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject) {
+  if (std::optional<std::string> why = SubjectLacks(gate, subject)) return why;
+  const Profile& profile = subject.info.profile;
+  // What models by target size say is asked for each case.
+  return profile.targets.empty() ? ProfileDoesNotPromise(gate, profile)
+                                 : ContractDoesNotPromise(profile, gate);
+}
+
+std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c) {
+  if (std::optional<std::string> why = SubjectLacks(gate, subject)) {
+    return Verdict::NotApplicable(*std::move(why));
+  }
+  if (std::optional<std::string> why = ProfileDoesNotPromise(gate, c.profile)) {
+    return Verdict::NotApplicable(*std::move(why));
+  }
+  if (std::optional<Verdict> refusal = CannotDraw(gate, subject.info, c)) return refusal;
+  if (gate.unwrapped && !IsUnwrapped(c.scene, c.profile)) {
+    return NotExercised("a coordinate wraps");
+  }
+  if (gate.beyond_limits) return std::nullopt;
+  if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
+  const bool may_be_clipped = gate.judges_clipped || gate.promise == Promise::kNone;
+  if (!may_be_clipped && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
+    return NotExercised("a triangle leaves the profile's no-clip rectangle");
+  }
+  return std::nullopt;
+}
+
+std::string WordsOf(const Gate& gate) {
+  std::string words;
+  Add(words, WantedBy(gate.shows).words);
+  const bool rules_say_it = std::ranges::any_of(
+      gate.rules, [](const ProfileRule& rule) { return rule.words.starts_with("contract"); });
+  if (!rules_say_it) Add(words, PromiseWords(gate.promise));
+  for (const ProfileRule& rule : gate.rules) Add(words, rule.words);
+  if (gate.space == Space::kWindow) Add(words, "window space");
+  if (gate.space == Space::kClip) Add(words, "clip space");
+  if (!gate.beyond_limits) Add(words, "coordinates within the limits");
+  if (gate.unwrapped) Add(words, "no coordinate wraps");
+  return words;
+}
+
+DrawOptions WholeTarget(const Case& c) {
+  DrawOptions options = c.options;
+  options.cull = Cull::kNone;
+  options.scissor.reset();
+  return options;
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,120 @@
+// Whether a claim may be judged of a subject, and on a case: as data.
+#ifndef RASTERPROOF_PROPS_JUDGING_GATE_H_
+#define RASTERPROOF_PROPS_JUDGING_GATE_H_
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+
+namespace rasterproof::props {
+
+/// A subject as claims see it, before it is asked anything.
+///
+/// The bounds are what it states, not what it measures: pure functions of the question.
+struct Description {
+  SubjectInfo info;
+  const EdgeEvaluator* edges = nullptr;      ///< of its edge values; nullptr: it shows none
+  const WeightEvaluator* weights = nullptr;  ///< of its barycentrics; nullptr: it shows none
+};
+
+enum class Space : std::uint8_t { kWindow, kClip, kEither };
+
+/// What a subject must show, or take as an option.
+enum class Shows : std::uint8_t {
+  kCoverage,  ///< every subject does
+  kEdgeValues,
+  kSteps,
+  kBarycentrics,
+  kFragments,
+  kPrimitiveIds,
+  kTiles,
+  kThreads,
+  kScissor,
+  kCulling,
+  kBatches
+};
+
+/// The weakest promise about coverage that the claim follows from.
+enum class Promise : std::uint8_t {
+  kNone,        ///< the claim is not about the coverage that a contract promises
+  kAny,         ///< every contract but `none`
+  kClosed,      ///< `closed` or `sample-exact`
+  kWatertight,  ///< `watertight` or `sample-exact`, whichever grid points and tie rule are chosen
+  kSampleExact
+};
+
+/// Something that the profile must say.
+struct ProfileRule {
+  bool (*holds)(const Profile&);
+  std::string_view words;    ///< completes "the profile ...": "owns shared edges"
+  std::string_view why_not;  ///< a sentence, for where it does not hold
+};
+
+/// What a claim needs before it may be judged.
+struct Gate {
+  Space space = Space::kWindow;
+  Shows shows = Shows::kCoverage;
+  Promise promise = Promise::kSampleExact;
+  /// True for what every model has, whichever one the subject chose among the legal ones.
+  bool any_model = false;
+  /// True if samples that the profile's overdraw leaves open are told from the others.
+  bool judges_overdraw = false;
+  /// True for what holds though clipping has moved the edges of triangles that leave the profile's
+  /// no-clip rectangle.
+  bool judges_clipped = false;
+  /// True for what is also claimed of triangles of zero area whose coverage the profile leaves
+  /// unspecified: a crash or a write outside the target is no freedom of theirs.
+  bool judges_degenerates = false;
+  /// True for what is claimed beyond the profile's limits as well.
+  bool beyond_limits = false;
+  /// True for what is not claimed where a coordinate wraps.
+  bool unwrapped = false;
+  std::span<const ProfileRule> rules = {};
+};
+
+/// Returns why the claim does not apply to the subject, whatever the case, or nothing if it may.
+///
+/// Domain:     the profile that the subject is judged by. Where it states models by target size,
+///             what it says of the contract is asked for each case.
+std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject);
+
+/// Returns the verdict to give instead of judging, or nothing if the claim may be judged.
+///
+/// Not applicable: as DoesNotApply, or the subject does not take scenes of this kind or precision.
+/// Not exercised:  the case is of the other space; it culls or has a scissor, which the subject
+///                 does not take; it is of clip space, under a snapped profile, and not wholly in
+///                 front of the eye; the profile has keys that speak of window space alone; a
+///                 coordinate is beyond the profile's limit, or wraps; a triangle leaves the
+///                 profile's no-clip rectangle.
+std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c);
+
+/// The gate in words, as docs/mathematics.md and `rasterproof list` print it.
+std::string WordsOf(const Gate& gate);
+
+/// The case's drawing options without culling and scissor.
+DrawOptions WholeTarget(const Case& c);
+
+// Rules that several claims have.
+inline constexpr ProfileRule kOwnsEdges{
+    [](const Profile& p) { return p.fill_rule.IsConsistent(); },
+    "a fill rule that gives each sample of a shared edge to one side",
+    "the fill rule does not give each sample of a shared edge to one side"};
+inline constexpr ProfileRule kClosesEdges{
+    [](const Profile& p) { return p.fill_rule.IsConsistent() || !p.fill_rule.exclusive; },
+    "a fill rule that owns shared edges", "an exclusive fill rule covers shared edges never"};
+inline constexpr ProfileRule kCountsTies{[](const Profile& p) { return !p.overdraw; },
+                                         "no shared ties",
+                                         "the profile leaves it open how often an edge is drawn"};
+inline constexpr ProfileRule kSaysWhatSinglesCover{
+    [](const Profile& p) { return p.contract == Contract::kSampleExact; }, "contract sample-exact",
+    "the profile's contract does not say what single triangles cover"};
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_GATE_H_

@@ -1,0 +1,82 @@
+#include "props/judging/interpolation_queries.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "exact/attributes.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::array<std::array<double, 3>, 3> kDepths{{{1, 1, 1}, {1, 4, 0.5}, {0.25, 1, 16}}};
+
+}  // namespace
+
+std::vector<InterpolationQuery> SomeInterpolations(const Case& c) {
+  std::vector<InterpolationQuery> queries;
+  for (const WeightQuery& q : SomeWeightQueries(c)) {
+    std::size_t turn = 0;  // the two sets of unequal w take turns
+    for (const std::array<double, 3>& attribute : SomeAttributes(c, q)) {
+      for (const std::size_t set : {std::size_t{0}, 1 + turn++ % 2}) {
+        const std::array<double, 3>& w = kDepths[set];
+        queries.push_back(
+            {q, {Corner{q.v[0], w[0]}, Corner{q.v[1], w[1]}, Corner{q.v[2], w[2]}}, attribute});
+      }
+    }
+  }
+  return queries;
+}
+
+std::string_view InterpolationName(InterpolationForm form) {
+  switch (form) {
+    case InterpolationForm::kWeights:
+      return "by weights";
+    case InterpolationForm::kDeltas:
+      return "by deltas";
+    case InterpolationForm::kPerspective:
+      return "perspective-correct";
+  }
+  return "";
+}
+
+std::optional<exact::Rational> ExactInterpolation(InterpolationForm form,
+                                                  const InterpolationQuery& q) {
+  if (form != InterpolationForm::kPerspective) {
+    return exact::Interpolate(q.at.v, q.attribute, q.at.place.at);
+  }
+  return exact::InterpolatePerspective(q.at.v, {q.corners[0].w, q.corners[1].w, q.corners[2].w},
+                                       q.attribute, q.at.place.at);
+}
+
+Verdict InterpolationsStayWithinTheirBound(const WeightEvaluator& evaluator,
+                                           const std::vector<InterpolationQuery>& queries,
+                                           const std::vector<InterpolationForm>& forms) {
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (const InterpolationQuery& q : queries) {
+    const Point2 p = q.at.place.at;
+    for (const InterpolationForm form : forms) {
+      const double bound = evaluator.InterpolationErrorBound(form, q.corners, q.attribute, p);
+      if (!Claims(bound)) continue;
+      const std::optional<exact::Rational> exact = ExactInterpolation(form, q);
+      if (!exact) continue;
+      ++exercised;
+      const double value = evaluator.Interpolate(form, q.corners, q.attribute, p);
+      const Distance distance = CompareWithExact(value, *exact, bound);
+      if (!distance.within) {
+        return WeightViolation(q.at, -1, exercised,
+                               "value interpolated " + std::string(InterpolationName(form)) +
+                                   " outside its proven bound",
+                               HexText(value), exact->ToString() + " within " + HexText(bound));
+      }
+      worst = std::max(worst, distance.ratio);
+    }
+  }
+  return Verdict::Held(exercised, worst);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,40 @@
+// What the interpolation claims ask a weight evaluator about.
+#ifndef RASTERPROOF_PROPS_JUDGING_INTERPOLATION_QUERIES_H_
+#define RASTERPROOF_PROPS_JUDGING_INTERPOLATION_QUERIES_H_
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/subject.h"
+#include "exact/rational.h"
+#include "props/judging/weight_queries.h"
+
+namespace rasterproof::props {
+
+/// Something to interpolate at a query.
+struct InterpolationQuery {
+  WeightQuery at;
+  std::array<Corner, 3> corners;
+  std::array<double, 3> attribute;
+};
+
+/// The attribute sets of SomeAttributes under w = 1, and each under one of two sets of positive w:
+/// powers of two, so that a subject that divides by them adds no rounding of its own to the input.
+std::vector<InterpolationQuery> SomeInterpolations(const Case& c);
+
+std::string_view InterpolationName(InterpolationForm form);
+
+/// The exact value under a form; nothing where the perspective denominator vanishes.
+std::optional<exact::Rational> ExactInterpolation(InterpolationForm form,
+                                                  const InterpolationQuery& q);
+
+/// Holds if every value that one of the forms gives is within the bound claimed for it.
+Verdict InterpolationsStayWithinTheirBound(const WeightEvaluator& evaluator,
+                                           const std::vector<InterpolationQuery>& queries,
+                                           const std::vector<InterpolationForm>& forms);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_INTERPOLATION_QUERIES_H_

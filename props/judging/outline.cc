@@ -1,0 +1,83 @@
+#include "props/judging/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "props/judging/free_choices.h"
+
+namespace rasterproof::props {
+namespace {
+
+double LargestCoordinate(const Scene& scene) {
+  double largest = 0;
+  for (const Vertex& v : scene.vertices) {
+    largest = std::max({largest, std::fabs(v.x), std::fabs(v.y)});
+  }
+  return largest;
+}
+
+// How far the line N . (p, 1) = 0, N = V_b x V_a, moves on the target if each product in N and each
+// of the sum's terms is off by a 2^-18 of itself: the sum of their sizes over the length of
+// (N_x, N_y).
+double HomogeneousMargin(const Scene& scene, const Vertex& a, const Vertex& b) {
+  const auto sizes = [](double p, double q, double r, double s) {
+    return std::fabs(p * q) + std::fabs(r * s);
+  };
+  const double terms = sizes(b.y, a.w, b.w, a.y) * scene.width +
+                       sizes(b.w, a.x, b.x, a.w) * scene.height + sizes(b.x, a.y, a.x, b.y);
+  const double length = std::hypot(b.y * a.w - b.w * a.y, b.w * a.x - b.x * a.w);
+  const double margin = kOutlineMarginPerCoordinate * terms / length;
+  return std::isnan(margin) ? std::numeric_limits<double>::infinity() : margin;
+}
+
+// Positions by which edges are one in every legal model.
+Scene AsGiven(const Case& c) { return c.scene.clip_space ? c.scene : UnsnappedScene(c); }
+
+}  // namespace
+
+Outline::Outline(const Case& c) : largest_(LargestCoordinate(c.scene)) {
+  const Scene scene = c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile);
+  for (const BoundaryEdge& edge : BoundaryOf(scene)) Add(scene, edge, kOutlineMargin);
+}
+
+Outline Outline::OfMoved(const Case& c, double most_moved) {
+  Outline outline;
+  outline.largest_ = LargestCoordinate(c.scene);
+  const Scene scene = AsGiven(c);
+  for (const BoundaryEdge& edge : BoundaryOf(scene)) {
+    outline.Add(scene, edge, std::max(kMovedOutlineMargin, most_moved));
+  }
+  return outline;
+}
+
+Outline Outline::OfAllEdges(const Case& c, double most_moved) {
+  Outline all;
+  all.largest_ = LargestCoordinate(c.scene);
+  const Scene scene = AsGiven(c);
+  for (const Triangle& t : scene.triangles) {
+    const std::array<Vertex, 3> v = Corners(scene, t);
+    if (!std::ranges::all_of(v, IsFinite)) continue;
+    for (int i = 0; i < 3; ++i) {
+      all.Add(scene, {EdgeStart(v, i), EdgeEnd(v, i)}, std::max(kMovedOutlineMargin, most_moved));
+    }
+  }
+  return all;
+}
+
+void Outline::Add(const Scene& scene, const BoundaryEdge& edge, double moved) {
+  const double rounded = scene.clip_space ? HomogeneousMargin(scene, edge.a, edge.b)
+                                          : kOutlineMarginPerCoordinate * largest_;
+  const VisibleEdge seen(edge.a, edge.b);
+  if (!seen.IsEmpty()) edges_.push_back({seen, moved + rounded});
+}
+
+bool Outline::IsNear(Point2 p) const {
+  return std::ranges::any_of(
+      edges_, [&](const Edge& edge) { return edge.seen.Distance(p) <= edge.margin; });
+}
+
+}  // namespace rasterproof::props

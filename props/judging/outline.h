@@ -1,0 +1,53 @@
+// The neighbourhood of a mesh's outline, where what it covers is not always promised.
+#ifndef RASTERPROOF_PROPS_JUDGING_OUTLINE_H_
+#define RASTERPROOF_PROPS_JUDGING_OUTLINE_H_
+
+#include <vector>
+
+#include "core/case.h"
+#include "core/vertex.h"
+#include "props/judging/mesh_neighbours.h"
+#include "props/judging/visible_edge.h"
+
+namespace rasterproof::props {
+
+// How far from the outline a sample must be where the outline is not judged. Edge values of float32
+// displace an edge by at most a few 2^-24 of the largest coordinate (docs/mathematics.md, forward
+// bounds): 2^-18 of it is generous. A watertight subject may also have moved its vertices by
+// snapping them to a grid of its own: a pixel on each axis is generous for that.
+inline constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
+inline constexpr double kOutlineMargin = 0x1p-10;
+inline constexpr double kMovedOutlineMargin = 1;
+
+/// The samples beside some edges of a mesh: those of its boundary, or all.
+class Outline {
+ public:
+  /// No outline: nothing is near.
+  Outline() = default;
+  /// The boundary of what the canonical model draws; in clip space as given.
+  explicit Outline(const Case& c);
+  /// The subject may have moved the boundary, by choosing other grid points than the canonical
+  /// ones, by snapping its vertices to a grid of its own or by clipping it: by so many pixels, or
+  /// by one if that is more. Edges cancel only if they are one in every legal model.
+  static Outline OfMoved(const Case& c, double most_moved);
+  /// The same of every edge of every triangle.
+  static Outline OfAllEdges(const Case& c, double most_moved);
+
+  bool IsNear(Point2 p) const;
+  bool IsEmpty() const { return edges_.empty(); }
+
+ private:
+  struct Edge {
+    VisibleEdge seen;
+    double margin = 0;
+  };
+
+  void Add(const Scene& scene, const BoundaryEdge& edge, double moved);
+
+  std::vector<Edge> edges_;
+  double largest_ = 0;  ///< window coordinate
+};
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_OUTLINE_H_

@@ -1,0 +1,51 @@
+// Judging a mesh that lies flat: every sample inside once, none outside.
+#ifndef RASTERPROOF_PROPS_JUDGING_PLANAR_MESH_H_
+#define RASTERPROOF_PROPS_JUDGING_PLANAR_MESH_H_
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/judging/places.h"
+
+namespace rasterproof::props {
+
+/// Which samples of a mesh are judged.
+struct MeshView {
+  /// Says which samples count as exercised and may fail; empty: every one.
+  std::function<bool(const SamplePlace&)> looks_at;
+  /// True if samples beside the mesh's outline are another claim's business.
+  bool spares_outline = false;
+};
+
+/// Draws the case's mesh and compares every count with the mesh's winding number. Window space, or
+/// clip space: a mesh in front of the eye, or one that lies around it.
+///
+/// Precondition (else not exercised): no triangle is folded against the others, in any legal model,
+/// and no winding number exceeds 1 in size. Then all areas have one sign, so the count *is* the
+/// size of the signed coverage, and that is the winding number.
+///
+/// Shared ties: where the profile lets every triangle have the samples on its edges (overdraw
+/// allowed, the inclusive fill rule), a sample inside must be covered at least once, and away from
+/// edges once.
+///
+/// A watertight subject promises where its meshes have no gap, not where their outline lies: for it
+/// samples near the outline (a T-junction is one) are not judged, whatever the view. So with a mesh
+/// that the subject clips (the profile's no_clip), and one whose grid points it may choose. Nor are
+/// samples that a triangle can cover which a legal choice turns over or flattens; all others are:
+/// what covers them has one facing in every legal model, so that the argument above holds. They are
+/// counted as not judged.
+Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view);
+
+/// Not applicable: the profile's fill rule does not give each sample of an edge to one side.
+std::optional<Verdict> OwnsNoEdges(const Profile& profile);
+
+/// Not applicable: the profile's fill rule leaves the samples on a shared edge uncovered.
+std::optional<Verdict> LeavesEdgesOpen(const Profile& profile);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_PLANAR_MESH_H_

@@ -1,0 +1,135 @@
+#include "props/judging/redraw.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/target_size.h"
+#include "exact/coverage.h"
+#include "props/judging/precondition.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+// Number of pixels of [0, size) that meet [low, high].
+std::uint64_t PixelsBetween(double low, double high, int size) {
+  const double first = std::max(std::floor(low), 0.0);
+  const double last = std::min(std::floor(high), size - 1.0);
+  return last < first ? 0 : static_cast<std::uint64_t>(last - first) + 1;
+}
+
+}  // namespace
+
+CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profile,
+                     const DrawOptions& options) {
+  RequireTargetSize("scene", scene.width, scene.height, profile.lattice.samples());
+  CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
+  subject.Draw(scene, options, counts);
+  return counts;
+}
+
+DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
+  return {{scene, options, profile.lattice.samples()}, Parts::kFacings};
+}
+
+DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
+  return {{scene, options, profile.lattice.samples()}, Parts::kWhole};
+}
+
+Check BaseDraw(DrawQuestion question) {
+  Check check;
+  check.questions.draws.push_back(std::move(question));
+  check.judge = [](const Answers&) { return Verdict::Held(0); };
+  return check;
+}
+
+Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {
+  Case part = c;
+  part.scene.triangles.clear();
+  for (const std::size_t t : triangles) part.scene.triangles.push_back(c.scene.triangles[t]);
+  return part;
+}
+
+std::uint64_t DecisionsOf(const Case& c) {
+  const auto samples = static_cast<std::uint64_t>(c.profile.lattice.samples());
+  std::uint64_t decisions = 0;
+  std::optional<Scene> wrapped;
+  if (!IsUnwrapped(c.scene, c.profile)) {
+    Profile fixed_alone;
+    fixed_alone.fixed = c.profile.fixed;
+    wrapped = SnapScene(c.scene, fixed_alone);
+  }
+  const Scene& scene = wrapped ? *wrapped : c.scene;
+  for (const Triangle& t : scene.triangles) {
+    const std::array<Vertex, 3> v = Corners(scene, t);
+    if (!std::ranges::all_of(v, IsFinite)) continue;
+    if (c.scene.clip_space) {
+      decisions += CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.lattice.samples());
+      continue;
+    }
+    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [low, high] = std::minmax({v[0].y, v[1].y, v[2].y});
+    // With y up the rows [low, high] are [-high, height - low] from the top: as many.
+    decisions += PixelsBetween(left, right, c.scene.width) *
+                 PixelsBetween(low, high, c.scene.height) * samples;
+  }
+  return decisions;
+}
+
+Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
+                   std::uint64_t exercised, const std::string& claim) {
+  const CoverageDifference difference = Compare(observed, expected);
+  if (difference.wrong == 0) return Verdict::Held(exercised);
+  Verdict verdict = Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
+                                      "coverage differs from " + claim + " at " +
+                                          std::to_string(difference.wrong) + " of " +
+                                          std::to_string(difference.samples) + " samples",
+                                      WitnessOfCounts(observed, expected, difference.first_wrong));
+  verdict.compared = std::make_shared<ComparedCounts>(observed, expected);
+  return verdict;
+}
+
+namespace {
+
+// What the profile's overdraw leaves open is taken as it was drawn: on an edge, anything from what
+// the fill rule gives to every triangle that has it.
+void AcceptOverdraw(const Case& c, const CoverageCounts& observed, CoverageCounts& expected) {
+  Profile inclusive = ForTarget(c.profile, c.scene.width, c.scene.height);
+  inclusive.targets.clear();
+  inclusive.fill_rule = {.inclusive = true};
+  const CoverageCounts most = exact::Coverage(c.scene, inclusive, c.options);
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    expected.front[k] = std::clamp(observed.front[k], expected.front[k], most.front[k]);
+    expected.back[k] = std::clamp(observed.back[k], expected.back[k], most.back[k]);
+  }
+}
+
+}  // namespace
+
+Verdict JudgeAgainstTheModel(Subject& subject, const Case& c) {
+  // The draw first: it may be put off, and then nothing was worked out in vain.
+  const CoverageCounts observed = Drawn(subject, c.scene, c.profile, c.options);
+  CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+  if (c.profile.overdraw && c.profile.fill_rule.IsConsistent()) {
+    AcceptOverdraw(c, observed, expected);
+  }
+  Verdict verdict = SameCounts(observed, expected, DecisionsOf(c), "the model's");
+  if (verdict.witness) BlameTriangle(subject, c, c.options, *verdict.witness);
+  return verdict;
+}
+
+Verdict SameAsUnvaried(Subject& subject, const Case& c, const Case& variation,
+                       const std::string& claim) {
+  const CoverageCounts expected = Drawn(subject, c.scene, c.profile, WholeTarget(c));
+  const CoverageCounts observed =
+      Drawn(subject, variation.scene, variation.profile, WholeTarget(variation));
+  return SameCounts(observed, expected, DecisionsOf(c), claim);
+}
+
+}  // namespace rasterproof::props

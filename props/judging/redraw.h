@@ -1,0 +1,56 @@
+// Drawing a case, or a variation of it, and comparing the counts.
+#ifndef RASTERPROOF_PROPS_JUDGING_REDRAW_H_
+#define RASTERPROOF_PROPS_JUDGING_REDRAW_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/coverage.h"
+#include "core/question.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+
+/// The subject's counts for a scene, from zero.
+CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profile,
+                     const DrawOptions& options);
+
+/// Asks for the counts of a scene, from zero, by facing.
+DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
+/// Asks for all that one call shows of a scene.
+DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
+
+/// A draw that later checks compare with: nothing is judged. Its drawing is number 0 of the case.
+Check BaseDraw(DrawQuestion question);
+
+/// The case with only the named triangles of its list.
+Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles);
+
+/// How many samples of the target lie in the bounding boxes of the case's finite triangles: the
+/// number of inside-or-outside decisions that a draw puts to the test. Clip space: every sample for
+/// each finite triangle.
+std::uint64_t DecisionsOf(const Case& c);
+
+/// Holds if the counts are equal; else violated, with the first sample that differs.
+///
+/// `claim` completes the sentence of the message: "coverage differs from ...".
+Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
+                   std::uint64_t exercised, const std::string& claim);
+
+/// Draws the case as its options say and compares the counts with those of the profile's canonical
+/// model, or with what is left of them where the profile allows overdraw. A violation names the
+/// triangle that the subject alone gets wrong, if there is one.
+Verdict JudgeAgainstTheModel(Subject& subject, const Case& c);
+
+/// Holds if the subject draws the variation as it draws the case itself, culling and scissor off.
+Verdict SameAsUnvaried(Subject& subject, const Case& c, const Case& variation,
+                       const std::string& claim);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_REDRAW_H_

@@ -1,0 +1,71 @@
+// What the barycentric and wireframe claims ask a weight evaluator about.
+#ifndef RASTERPROOF_PROPS_JUDGING_WEIGHT_QUERIES_H_
+#define RASTERPROOF_PROPS_JUDGING_WEIGHT_QUERIES_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "exact/rational.h"
+#include "props/judging/places.h"
+
+namespace rasterproof::props {
+
+/// One triangle of non-zero area and one sample.
+struct WeightQuery {
+  int triangle = 0;
+  std::array<Point2, 3> v;
+  SamplePlace place;
+  bool inside = false;  ///< in the closed triangle, decided exactly
+};
+
+/// Whether p lies in the triangle or on its outline, decided exactly.
+///
+/// Domain:     an area that is not zero.
+bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p);
+
+/// The verdict to give if the subject shows no weights or the case has none to ask about.
+std::optional<Verdict> CannotAskWeights(const Subject& subject, const Case& c);
+
+/// A few triangles of non-zero area, at samples inside, near the edges and outside.
+std::vector<WeightQuery> SomeWeightQueries(const Case& c);
+
+/// The corners themselves: at most a few triangles of non-zero area.
+std::vector<CornersPlace> SomeProperTriangles(const Case& c);
+
+/// The forms whose weights mean lambda at this query (the unsigned one only inside).
+std::vector<BarycentricForm> FormsFor(const WeightQuery& q);
+std::string_view FormName(BarycentricForm form);
+
+/// What the subject says at a query in one form.
+struct WeightAnswer {
+  WeightQuery query;
+  BarycentricForm form = BarycentricForm::kVertexArea;
+  std::array<double, 3> weights{};
+  std::array<double, 3> bounds{};
+};
+
+/// The subject's answers to SomeWeightQueries in every form that suits each.
+std::vector<WeightAnswer> WeightsAtQueries(const WeightEvaluator& evaluator, const Case& c);
+
+/// The exact lambda of the query.
+std::array<exact::Rational, 3> ExactWeights(const WeightQuery& q);
+
+/// Attribute values to interpolate: the scene's z where finite and of moderate size, and two fixed
+/// sets, one constant. All are float32 values.
+std::vector<std::array<double, 3>> SomeAttributes(const Case& c, const WeightQuery& q);
+
+/// A violation at a query; `entry` is the vertex (and so the edge opposite it) in question, or -1.
+Verdict WeightViolation(const WeightQuery& q, int entry, std::uint64_t exercised,
+                        const std::string& claim, const std::string& observed,
+                        const std::string& expected);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_WEIGHT_QUERIES_H_

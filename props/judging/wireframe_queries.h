@@ -1,0 +1,36 @@
+// Judging wireframe distances inside the closed triangle.
+#ifndef RASTERPROOF_PROPS_JUDGING_WIREFRAME_QUERIES_H_
+#define RASTERPROOF_PROPS_JUDGING_WIREFRAME_QUERIES_H_
+
+#include <optional>
+#include <string>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "exact/rational.h"
+#include "props/judging/weight_queries.h"
+
+namespace rasterproof::props {
+
+/// What a form promises at one edge: `scale` times lambda_i is the distance it measures.
+struct WireframeScale {
+  exact::Rational exact_square;  ///< square of the exact distance
+  double scale = 0;              ///< distance per unit of lambda_i, rounded
+};
+
+/// The square root to within a few roundings: for scales and tolerances, not for verdicts.
+double RoundedRoot(const exact::Rational& square);
+
+/// Nothing if the edge has no length.
+using WireframeMeaning = std::optional<WireframeScale> (*)(const WeightQuery& q, int edge);
+
+/// Holds if the subject's distances mean what `meaning` says, up to
+/// (2 bound_i + kWireframeRelError |lambda_i|) scale + the least subnormal, where bound_i is the
+/// bound claimed for weight i over the vertex area.
+Verdict DistancesMean(Subject& subject, const Case& c, WireframeForm form, WireframeMeaning meaning,
+                      const std::string& claim);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_WIREFRAME_QUERIES_H_

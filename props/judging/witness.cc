@@ -1,0 +1,166 @@
+#include "props/judging/witness.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "core/error.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "props/judging/mesh_neighbours.h"
+#include "props/judging/redraw.h"
+#include "props/judging/thin_triangles.h"
+#include "props/judging/visible_edge.h"
+
+namespace rasterproof::props {
+namespace {
+
+// A failing case of a campaign has few triangles; in a whole mesh the first ones must do.
+constexpr std::size_t kMaxTrianglesBlamed = 256;
+
+std::string CountText(const CoverageCounts& counts, std::size_t index) {
+  return "front " + std::to_string(counts.front[index]) + ", back " +
+         std::to_string(counts.back[index]);
+}
+
+// What a triangle drawn alone may count.
+struct LegalCounts {
+  CoverageCounts least;
+  CoverageCounts most;
+
+  bool Allow(const CoverageCounts& counts, std::size_t k) const {
+    return counts.front[k] >= least.front[k] && counts.front[k] <= most.front[k] &&
+           counts.back[k] >= least.back[k] && counts.back[k] <= most.back[k];
+  }
+};
+
+LegalCounts LegalCountsOf(const Case& c, const DrawOptions& options) {
+  const auto under = [&](const FillRule& rule) {
+    Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+    profile.targets.clear();
+    profile.fill_rule = rule;
+    return exact::Coverage(c.scene, profile, options);
+  };
+  const bool any_owner = c.profile.freedom.any_tie_rule;
+  const bool draws_again = c.profile.overdraw || any_owner;
+  LegalCounts legal{
+      any_owner ? under({.exclusive = true}) : exact::Coverage(c.scene, c.profile, options), {}};
+  legal.most = draws_again ? under({.inclusive = true}) : legal.least;
+  return legal;
+}
+
+std::string EdgeValuesText(const std::array<Point2, 3>& v, Point2 p) {
+  std::string text = "; exact E of edges 0, 1, 2: ";
+  for (int i = 0; i < 3; ++i) {
+    text += exact::EdgeValue(EdgeStart(v, i), EdgeEnd(v, i), p).ToString();
+    if (i < 2) text += ", ";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string HexText(double x) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%a", x);
+  return text.data();
+}
+
+std::string HexText(Point2 p) { return "(" + HexText(p.x) + ", " + HexText(p.y) + ")"; }
+
+Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string observed,
+                  std::string expected) {
+  return {triangle,           edge, place.x, place.row, place.sample, std::move(observed),
+          std::move(expected)};
+}
+
+Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
+                        std::size_t index) {
+  const auto samples = static_cast<std::size_t>(expected.samples);
+  const auto width = static_cast<std::size_t>(expected.width);
+  Witness witness;
+  witness.x = static_cast<int>(index / samples % width);
+  witness.y = static_cast<int>(index / samples / width);
+  witness.sample = static_cast<int>(index % samples);
+  witness.observed = CountText(observed, index);
+  witness.expected = CountText(expected, index);
+  return witness;
+}
+
+namespace {
+
+// The subject's counts for the case, or nothing if it refuses it: then that is not what failed.
+std::optional<CoverageCounts> DrawnIfPossible(Subject& subject, const Case& c,
+                                              const DrawOptions& options) {
+  try {
+    return Drawn(subject, c.scene, c.profile, options);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::string EdgeValuesText(const Case& alone, Point2 p) {
+  const auto places =
+      alone.scene.clip_space ? std::vector<CornersPlace>() : SomeTriangles(alone, 1);
+  return places.empty() ? "" : EdgeValuesText(places[0].at, p);
+}
+
+// The edge nearest to p of all that the first triangles have.
+void BlameNearest(const Scene& placed, std::size_t count, Point2 p, Witness& witness) {
+  std::optional<exact::Rational> least;
+  for (std::size_t t = 0; t < count; ++t) {
+    const std::array<Vertex, 3> v = Corners(placed, placed.triangles[t]);
+    if (!std::ranges::all_of(v, IsFinite)) continue;
+    for (int i = 0; i < 3; ++i) {
+      const VisibleEdge edge(EdgeStart(v, i), EdgeEnd(v, i));
+      if (least && edge.Distance(p) > 1 + std::sqrt(least->ToDouble())) continue;
+      const std::optional<exact::Rational> square = edge.SquaredDistance(p);
+      if (!square || (least && *square >= *least)) continue;
+      least = square;
+      witness.triangle = static_cast<int>(t);
+      witness.edge = i;
+    }
+  }
+}
+
+void BlameOneOf(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
+  const std::size_t count = std::min(c.scene.triangles.size(), kMaxTrianglesBlamed);
+  const Point2 p = PlaceOf(c, witness.x, witness.y, witness.sample).at;
+  if (LegalReach(c) != 0) {
+    BlameNearest(PlacedScene(c), count, p, witness);
+    return;
+  }
+  for (std::size_t t = 0; t < count; ++t) {
+    const Case alone = OnlyTriangles(c, {t});
+    const std::optional<CoverageCounts> observed = DrawnIfPossible(subject, alone, options);
+    if (!observed) continue;
+    const std::size_t index = observed->Index(witness.x, witness.y, witness.sample);
+    if (LegalCountsOf(alone, options).Allow(*observed, index)) continue;
+    witness.triangle = static_cast<int>(t);
+    const Scene placed = PlacedScene(alone);
+    const std::array<Vertex, 3> v = Corners(placed, placed.triangles[0]);
+    if (!std::ranges::all_of(v, IsFinite)) return;
+    witness.edge = NearestEdge(v, p);
+    witness.expected += EdgeValuesText(alone, p);
+    return;
+  }
+}
+
+}  // namespace
+
+void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
+  try {
+    BlameOneOf(subject, c, options, witness);
+  } catch (const SubjectFault&) {
+    return;  // what is wrong was seen before: a breakdown over less of the case does not unsay it
+  } catch (const SubjectTooSlow&) {
+    return;  // nor does a lack of time
+  }
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,39 @@
+// Writing down where a claim failed.
+#ifndef RASTERPROOF_PROPS_JUDGING_WITNESS_H_
+#define RASTERPROOF_PROPS_JUDGING_WITNESS_H_
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "core/case.h"
+#include "core/coverage.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/judging/places.h"
+
+namespace rasterproof::props {
+
+/// A double as a C99 hex float: "0x1.8p+1", "nan", "-inf".
+std::string HexText(double x);
+std::string HexText(Point2 p);
+
+/// Where an edge or weight claim failed.
+Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string observed,
+                  std::string expected);
+
+/// Where two counts differ at one sample, "front 1, back 0" against the expected.
+Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
+                        std::size_t index);
+
+/// Adds the triangle that the subject, drawing it alone under `options`, gets wrong at the
+/// witness's sample, its edge nearest to the sample, and (window space) the exact edge values
+/// there. Leaves the witness as it is if each triangle by itself is right.
+///
+/// Where the profile leaves it open where a vertex lies, no triangle alone can be wrong: named is
+/// the one whose edge is nearest to the sample.
+void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_WITNESS_H_

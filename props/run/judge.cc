@@ -1,0 +1,148 @@
+#include "props/run/judge.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+
+namespace rasterproof::props {
+namespace {
+
+std::string PlaceOfFault(const Property& property, const Case& c) {
+  return std::string(property.name) + " on " +
+         (c.origin.empty() ? "scene " + c.scene.name : c.origin) + ": ";
+}
+
+// What claims and the oracle work out. The oracle says by an InputError that it decides no such
+// scene; anything else that it throws is a fault of ours.
+template <class Work>
+auto WorkedOut(const Property& property, const Case& c, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const JudgingFault&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw JudgingFault(PlaceOfFault(property, c) + error.what());
+  }
+}
+
+Answers PutOne(Subject& subject, const Request& request) {
+  return std::move(Put(subject, {&request, 1}).front());
+}
+
+}  // namespace
+
+CaseInHand::CaseInHand(const Property& property, const Case& c, const Description& subject)
+    : property_(property), given_(c) {
+  try {
+    WorkedOut(property, c, [&] {
+      judged_ = Judged(c, subject, property.gate.judges_degenerates);
+      if (judged_.instead) return Conclude({*judged_.instead});
+      if (auto refusal = Refusal(property.gate, judged_.subject, judged_.value)) {
+        return Conclude({*std::move(refusal)});
+      }
+      asked_ = property.ask(judged_.value, judged_.subject);
+      if (asked_.checks.empty()) Conclude({asked_.otherwise});
+    });
+  } catch (const InputError& error) {
+    Conclude({Verdict::NotApplicable(error.what())});
+  }
+}
+
+void CaseInHand::Conclude(Trial trial) {
+  trial.verdict = OnTheCaseAsGiven(judged_, std::move(trial.verdict));
+  trial_ = std::move(trial);
+}
+
+Request CaseInHand::Next() const { return {&judged_, &asked_.checks[next_], &drawn_}; }
+
+void CaseInHand::StopBy(const Answers& answers) {
+  switch (answers.stop) {
+    case Stop::kNone:
+      return;
+    case Stop::kRefused:
+      return Conclude({Verdict::Refused(answers.why)});
+    case Stop::kCantBePut:
+      return Conclude({Verdict::NotApplicable(answers.why)});
+    case Stop::kBrokeDown:
+    case Stop::kHung: {
+      Trial trial{Verdict::Violated(1, "the subject failed: " + answers.why, Witness{}), true};
+      trial.hung = answers.stop == Stop::kHung;
+      trial_ = std::move(trial);
+      return;
+    }
+    case Stop::kTooSlow:
+    case Stop::kDeadline: {
+      Trial trial{Verdict::Inconclusive(answers.why)};
+      trial.met_a_deadline = answers.stop == Stop::kDeadline;
+      trial_ = std::move(trial);
+      return;
+    }
+  }
+}
+
+void CaseInHand::Take(Answers answers) {
+  if (answers.stop != Stop::kNone) return StopBy(answers);
+  const Check& check = asked_.checks[next_++];
+  drawn_.insert(drawn_.end(),
+                answers.draws.begin() + static_cast<std::ptrdiff_t>(check.bases.size()),
+                answers.draws.end());
+  try {
+    Verdict verdict = WorkedOut(property_, given_, [&] { return check.judge(answers); });
+    sum_.exercised += verdict.exercised;
+    sum_.not_judged += verdict.not_judged;
+    sum_.worst_ratio = std::max(sum_.worst_ratio, verdict.worst_ratio);
+    if (sum_.message.empty()) sum_.message = verdict.message;
+    if (verdict.outcome == Outcome::kViolated) {
+      verdict.exercised = sum_.exercised;
+      verdict.not_judged = sum_.not_judged;
+      violation_ = verdict;
+      return Conclude({std::move(verdict)});
+    }
+  } catch (const InputError& error) {
+    return Conclude({Verdict::NotApplicable(error.what())});
+  }
+  if (next_ < asked_.checks.size()) return;
+  if (sum_.exercised != 0) {
+    sum_.outcome = Outcome::kHolds;
+    sum_.message.clear();
+  }
+  Conclude({sum_});
+}
+
+void CaseInHand::Blame(Subject& subject) {
+  const bool is_said = trial_->verdict.outcome != Outcome::kViolated || trial_->broke_down;
+  if (is_said || property_.blame == nullptr || !violation_.witness) return;
+  const Asked round = WorkedOut(property_, given_, [&] {
+    return property_.blame(judged_.value, violation_, judged_.subject);
+  });
+  for (const Check& check : round.checks) {
+    const Request request{&judged_, &check, &drawn_};
+    const Answers answers = PutOne(subject, request);
+    // What was seen stays so, whatever becomes of less of the case.
+    if (answers.stop == Stop::kRefused || answers.stop == Stop::kCantBePut) continue;
+    if (answers.stop != Stop::kNone) return;
+    const Verdict blamed = WorkedOut(property_, given_, [&] { return check.judge(answers); });
+    if (blamed.outcome != Outcome::kViolated) continue;
+    violation_.witness = blamed.witness;
+    return Conclude({violation_});
+  }
+}
+
+Trial TryAsked(Subject& subject, const Property& property, const Case& c) {
+  const Description description = DescriptionOf(subject);
+  CaseInHand hand(property, c, description);
+  Subject& rasterizer = subject.Whole();
+  WorkedOut(property, c, [&] {
+    while (!hand.IsDone()) hand.Take(PutOne(rasterizer, hand.Next()));
+    hand.Blame(rasterizer);
+  });
+  return hand.Result();
+}
+
+}  // namespace rasterproof::props

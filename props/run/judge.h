@@ -1,0 +1,75 @@
+// Judging a case, check by check.
+#ifndef RASTERPROOF_PROPS_RUN_JUDGE_H_
+#define RASTERPROOF_PROPS_RUN_JUDGE_H_
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/case.h"
+#include "core/question.h"
+#include "core/subject.h"
+#include "core/verdict.h"
+#include "props/property.h"
+#include "props/run/judged_case.h"
+#include "props/run/put.h"
+#include "props/run/trial.h"
+
+namespace rasterproof::props {
+
+/// A case that is being judged. Its checks are judged in order, up to the first violated one or the
+/// first whose answers end early; what they exercised adds up.
+class CaseInHand {
+ public:
+  /// Asks. `what` is asked: the property's own checks, or who is to blame for the verdict.
+  ///
+  /// Domain:     a property that asks, and a description; both outlive this.
+  /// Error:      JudgingFault.
+  CaseInHand(const Property& property, const Case& c, const Description& subject);
+  CaseInHand(const CaseInHand&) = delete;
+  CaseInHand& operator=(const CaseInHand&) = delete;
+
+  bool IsDone() const { return trial_.has_value(); }
+  /// The next check. Domain: not done.
+  Request Next() const;
+  /// Judges the next check.
+  ///
+  /// Error:      JudgingFault.
+  void Take(Answers answers);
+  /// What came of it. Domain: done.
+  const Trial& Result() const { return *trial_; }
+
+  /// Finds out who is to blame for the violation that was found, and writes it into the verdict.
+  ///
+  /// Domain:     done.
+  void Blame(Subject& subject);
+
+  /// Every check, in order: what is asked if none is violated.
+  const std::vector<Check>& Checks() const { return asked_.checks; }
+  const JudgedCase& AsJudged() const { return judged_; }
+
+ private:
+  void Conclude(Trial trial);
+  void StopBy(const Answers& answers);
+
+  const Property& property_;
+  Case given_;
+  JudgedCase judged_;
+  Asked asked_;
+  std::size_t next_ = 0;
+  std::vector<std::shared_ptr<const Drawing>> drawn_;
+  Verdict sum_ = Verdict::Held(0);
+  Verdict violation_;  ///< as the claim says it
+  std::optional<Trial> trial_;
+};
+
+/// Runs a property that asks on the case, one check after the other.
+///
+/// Returns:    as TryCase.
+/// Error:      JudgingFault.
+Trial TryAsked(Subject& subject, const Property& property, const Case& c);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_RUN_JUDGE_H_

@@ -1,0 +1,96 @@
+#include "props/run/judged_case.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+#include <utility>
+
+#include "core/profile.h"
+#include "core/transform.h"
+#include "props/judging/flat_triangles.h"
+#include "props/judging/redraw.h"
+#include "props/run/own_transform.h"
+
+namespace rasterproof::props {
+
+Description DescriptionOf(Subject& subject) {
+  Description description{subject.Info(), subject.Edges(), subject.Weights()};
+  description.info.coverage = subject.Whole().Info().coverage;
+  return description;
+}
+
+PlacesOfTransform::Place PlacesOfTransform::PlaceOf(const Vertex& v) {
+  return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
+}
+
+PlacesOfTransform::PlacesOfTransform(const Scene& clip, const Scene& window)
+    : width_(clip.width), height_(clip.height), precision_(clip.precision) {
+  for (std::size_t k = 0; k < clip.vertices.size(); ++k) {
+    clip_of_.emplace(PlaceOf(window.vertices[k]), clip.vertices[k]);
+  }
+}
+
+bool PlacesOfTransform::IsOfTheTarget(const Scene& window) const {
+  return window.width == width_ && window.height == height_;
+}
+
+std::optional<Scene> PlacesOfTransform::InClipSpace(const Scene& window) const {
+  if (!IsOfTheTarget(window)) return std::nullopt;
+  Scene clip = window;
+  clip.clip_space = true;
+  clip.precision = precision_;
+  for (Vertex& v : clip.vertices) {
+    const auto found = clip_of_.find(PlaceOf(v));
+    if (found == clip_of_.end()) return std::nullopt;
+    const double z = v.z;
+    v = found->second;
+    v.z = z;
+  }
+  return clip;
+}
+
+std::string PlacesOfTransform::WhyNot(const Scene& window) const {
+  return IsOfTheTarget(window) ? "its transform takes no vertex to this place"
+                               : "a viewport takes vertices elsewhere on this target";
+}
+
+JudgedCase Judged(const Case& given, const Description& subject, bool judges_degenerates) {
+  JudgedCase judged{given, subject, subject.info.profile, {}, {}, {}};
+  Case& c = judged.value;
+  if (given.profile.transform && given.scene.clip_space) {
+    c = SeenCase(given);
+    judged.subject.info = AsSeenByRecipes(subject.info);
+    judged.subject.edges = nullptr;
+    judged.subject.weights = nullptr;
+    judged.places.emplace(given.scene, c.scene);
+  }
+  c.profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  if (c.profile.zero_area == ZeroArea::kNothing || judges_degenerates) return judged;
+  if (c.scene.clip_space && !c.profile.snap.IsNone()) {
+    judged.instead = {Outcome::kNotExercised, 0, 0,
+                      "the area after the division and snapping is not decided", std::nullopt};
+    return judged;
+  }
+  const std::vector<std::size_t> flat = FlatTriangles(c);
+  if (flat.empty()) return judged;
+  std::vector<std::size_t>& kept = judged.numbers.emplace();
+  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
+    if (!std::ranges::binary_search(flat, t)) kept.push_back(t);
+  }
+  c = OnlyTriangles(c, kept);
+  return judged;
+}
+
+Verdict OnTheCaseAsGiven(const JudgedCase& judged, Verdict verdict) {
+  if (!judged.numbers) return verdict;
+  if (verdict.witness && verdict.witness->triangle >= 0) {
+    const auto among_kept = static_cast<std::size_t>(verdict.witness->triangle);
+    verdict.witness->triangle = static_cast<int>((*judged.numbers)[among_kept]);
+  }
+  if (verdict.outcome == Outcome::kViolated) {
+    verdict.message += "; it numbers the triangles without those of zero area";
+  }
+  return verdict;
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,36 @@
+// The calls that tell the facings of a subject that does not tell them itself.
+#ifndef RASTERPROOF_PROPS_RUN_PARTS_H_
+#define RASTERPROOF_PROPS_RUN_PARTS_H_
+
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/drawing.h"
+#include "core/subject.h"
+
+namespace rasterproof::props {
+
+/// One call's share of a draw.
+struct Part {
+  DrawJob job;
+  bool is_back = false;  ///< what it covers counts as back; as it is told if the subject tells
+};
+
+/// The parts that add up to the draw's counts by facing.
+///
+/// kFacingCounts: the draw itself. kCounts: triangles that face one way by the canonical model of
+/// the profile (in clip space by their quotients on its grid) in one call, in their order, those
+/// that face the other way in another. kMask, kWinners, kFragments: every triangle by itself, so
+/// that overlaps show. A triangle of no area counts as front: it should cover nothing. Where the
+/// profile leaves other models legal the facing is a guess (OpenTriangles).
+std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const Profile& profile);
+
+/// Adds what a part drew to the counts of its draw.
+///
+/// Shape:      both of one shape.
+void AddPart(const Part& part, CoverageKind coverage, const CoverageCounts& drawn,
+             CoverageCounts& counts);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_RUN_PARTS_H_

@@ -1,0 +1,276 @@
+#include "props/run/put.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "core/slow_subject.h"
+#include "core/target_size.h"
+#include "props/run/parts.h"
+
+namespace rasterproof::props {
+namespace {
+
+// A call is kept to so many samples and vertices: what is at hand of it takes memory on either
+// side.
+constexpr std::size_t kMostInACall = std::size_t{1} << 20;
+
+void End(Answers& answers, Stop stop, std::string why) {
+  answers.stop = stop;
+  answers.why = std::move(why);
+}
+
+// What a subject's own call threw. A type of somebody else's may throw anything: that is its fault.
+// Memory that ran out is nobody's finding.
+void EndBy(const std::exception_ptr& error, Answers& answers) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const SubjectRefusal& refusal) {
+    End(answers, Stop::kRefused, refusal.what());
+  } catch (const InputError& input) {
+    End(answers, Stop::kCantBePut, input.what());
+  } catch (const SubjectHang& hang) {
+    End(answers, Stop::kHung, hang.what());
+  } catch (const SubjectFault& fault) {
+    End(answers, Stop::kBrokeDown, fault.what());
+  } catch (const SubjectDeadline& deadline) {
+    End(answers, Stop::kDeadline, deadline.what());
+  } catch (const SubjectTooSlow& slow) {
+    End(answers, Stop::kTooSlow, slow.what());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& other) {
+    End(answers, Stop::kBrokeDown, std::string("it threw: ") + other.what());
+  } catch (...) {
+    End(answers, Stop::kBrokeDown, "it threw something that is no std::exception");
+  }
+}
+
+template <class Call>
+void Guarded(Answers& answers, const Call& call) {
+  try {
+    call();
+  } catch (...) {
+    EndBy(std::current_exception(), answers);
+  }
+}
+
+// A draw as the subject is given it: where its own transform takes the vertices to their places.
+// Nothing, and a stop, if it can't be.
+std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Answers& answers) {
+  try {
+    RequireTargetSize("scene", job.scene.width, job.scene.height, job.samples);
+  } catch (const InputError& error) {
+    End(answers, Stop::kCantBePut, error.what());
+    return std::nullopt;
+  }
+  if (!judged.places) return job;
+  std::optional<Scene> clip = judged.places->InClipSpace(job.scene);
+  if (clip) return DrawJob{*std::move(clip), job.options, job.samples};
+  const InputError error("subject " + judged.subject.info.name, judged.places->WhyNot(job.scene),
+                         "choose another property");
+  End(answers, Stop::kCantBePut, error.what());
+  return std::nullopt;
+}
+
+bool NeedsItsTarget(const DrawQuestion& question) {
+  return question.fill != 0 || question.onto_the_last;
+}
+
+// Where the outcome of one job of a call goes.
+struct Share {
+  std::size_t request = 0;
+  std::size_t draw = 0;  ///< among the request's own
+  Part part;
+  bool is_whole = false;
+};
+
+class Putting {
+ public:
+  Putting(Subject& subject, std::span<const Request> requests)
+      : subject_(subject), requests_(requests), answers_(requests.size()) {}
+
+  std::vector<Answers> All() {
+    for (std::size_t r = 0; r < requests_.size(); ++r) {
+      for (const std::size_t base : requests_[r].check->bases) {
+        answers_[r].draws.push_back((*requests_[r].drawn)[base]);
+      }
+      if (!PutInOrder(r)) AddShares(r);
+    }
+    DrawShares();
+    for (std::size_t r = 0; r < answers_.size(); ++r) {
+      if (answers_[r].stop == Stop::kNone) Evaluate(requests_[r].check->questions, answers_[r]);
+    }
+    return std::move(answers_);
+  }
+
+ private:
+  CoverageKind Coverage(std::size_t r) const { return requests_[r].judged->subject.info.coverage; }
+
+  std::vector<Part> PartsOf(std::size_t r, const DrawQuestion& question, const DrawJob& job) const {
+    if (question.parts == Parts::kWhole) return {{job, false}};
+    return FacingParts(job, Coverage(r), requests_[r].judged->stated);
+  }
+
+  // Draws that depend on what their target held, or on the calls before them. Returns whether the
+  // request has such.
+  bool PutInOrder(std::size_t r) {
+    const Questions& questions = requests_[r].check->questions;
+    const bool in_order = questions.company == Company::kInOrderAlone ||
+                          std::ranges::any_of(questions.draws, NeedsItsTarget);
+    if (!in_order) return false;
+    Answers& answers = answers_[r];
+    std::shared_ptr<const Drawing> last;
+    for (const DrawQuestion& question : questions.draws) {
+      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, question.job, answers);
+      if (!job) return true;
+      auto drawing = std::make_shared<Drawing>();
+      Guarded(answers, [&] { DrawOnto(r, question, *job, last.get(), *drawing); });
+      if (answers.stop != Stop::kNone) return true;
+      last = drawing;
+      answers.draws.push_back(std::move(drawing));
+    }
+    return true;
+  }
+
+  void DrawOnto(std::size_t r, const DrawQuestion& question, const DrawJob& job,
+                const Drawing* last, Drawing& drawing) {
+    if (question.parts == Parts::kWhole && !NeedsItsTarget(question)) {
+      drawing = subject_.Show(job);
+      return;
+    }
+    drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+    std::ranges::fill(drawing.counts.front, question.fill);
+    std::ranges::fill(drawing.counts.back, question.fill);
+    if (question.onto_the_last && last != nullptr) drawing.counts = last->counts;
+    if (Coverage(r) == CoverageKind::kFacingCounts) {
+      subject_.Draw(job.scene, job.options, drawing.counts);
+      return;
+    }
+    const std::vector<Part> parts = PartsOf(r, question, job);
+    std::vector<DrawJob> jobs;
+    for (const Part& part : parts) jobs.push_back(part.job);
+    const std::vector<DrawOutcome> outcomes = subject_.DrawMany(jobs);
+    for (std::size_t k = 0; k < outcomes.size(); ++k) {
+      AddPart(parts[k], Coverage(r), outcomes[k].Get().counts, drawing.counts);
+    }
+  }
+
+  void AddShares(std::size_t r) {
+    const std::vector<DrawQuestion>& draws = requests_[r].check->questions.draws;
+    for (std::size_t d = 0; d < draws.size(); ++d) {
+      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, draws[d].job, answers_[r]);
+      if (!job) return;
+      drawings_.push_back(std::make_shared<Drawing>());
+      if (draws[d].parts == Parts::kFacings) {
+        drawings_.back()->counts =
+            CoverageCounts(job->scene.width, job->scene.height, job->samples);
+      }
+      for (Part& part : PartsOf(r, draws[d], *job)) {
+        shares_.push_back(
+            {r, drawings_.size() - 1, std::move(part), draws[d].parts == Parts::kWhole});
+      }
+      owners_.push_back(r);
+    }
+  }
+
+  void DrawShares() {
+    std::size_t first = 0;
+    while (first < shares_.size()) {
+      const std::size_t last = EndOfCall(first);
+      const std::size_t drawn = DrawCall(first, last);
+      if (first + drawn < last) {
+        // What lies behind a breakdown is not drawn: the case that caused it is judged first.
+        answers_.resize(shares_[first + (drawn == 0 ? 0 : drawn - 1)].request + 1);
+        break;
+      }
+      first = last;
+    }
+    for (std::size_t d = 0; d < drawings_.size(); ++d) {
+      if (owners_[d] >= answers_.size()) break;
+      Answers& answers = answers_[owners_[d]];
+      if (answers.stop == Stop::kNone) answers.draws.push_back(std::move(drawings_[d]));
+    }
+  }
+
+  // Shares that go in one call with the first, as many as fit.
+  std::size_t EndOfCall(std::size_t first) const {
+    const bool is_one_call =
+        requests_[shares_[first].request].check->questions.company == Company::kOneCallAlone;
+    if (is_one_call) return shares_.size();
+    std::size_t size = 0;
+    for (std::size_t n = first; n < shares_.size(); ++n) {
+      const DrawJob& job = shares_[n].part.job;
+      size += CoverageCounts::Size(job.scene.width, job.scene.height, job.samples) +
+              job.scene.vertices.size();
+      if (n > first && size > kMostInACall) return n;
+    }
+    return shares_.size();
+  }
+
+  // Returns how many were drawn.
+  std::size_t DrawCall(std::size_t first, std::size_t last) {
+    std::vector<DrawJob> jobs;
+    for (std::size_t n = first; n < last; ++n) jobs.push_back(shares_[n].part.job);
+    std::vector<DrawOutcome> outcomes;
+    Guarded(answers_[shares_[first].request], [&] { outcomes = subject_.DrawMany(jobs); });
+    for (std::size_t n = 0; n < outcomes.size(); ++n) Take(shares_[first + n], outcomes[n]);
+    return outcomes.size();
+  }
+
+  void Take(const Share& share, DrawOutcome& outcome) {
+    Answers& answers = answers_[share.request];
+    if (answers.stop != Stop::kNone) return;
+    if (outcome.error != nullptr) {
+      EndBy(outcome.error, answers);
+      return;
+    }
+    Drawing& drawing = *drawings_[share.draw];
+    if (share.is_whole) {
+      drawing = std::move(outcome.drawing);
+    } else {
+      AddPart(share.part, Coverage(share.request), outcome.drawing.counts, drawing.counts);
+    }
+  }
+
+  void Evaluate(const Questions& questions, Answers& answers) {
+    Guarded(answers, [&] {
+      const EdgeEvaluator* const edges = subject_.Edges();
+      for (const EdgeQuestion& q : questions.edges) {
+        answers.edges.push_back(edges->Value(q.a, q.b, q.p));
+      }
+      for (const StepsQuestion& q : questions.steps) {
+        answers.steps.push_back(edges->Walk(q.a, q.b, q.p, q.step, q.steps));
+      }
+      const WeightEvaluator* const weights = subject_.Weights();
+      for (const BarycentricQuestion& q : questions.barycentrics) {
+        answers.barycentrics.push_back(weights->Weights(q.form, q.v, q.p));
+      }
+      for (const InterpolationQuestion& q : questions.interpolations) {
+        answers.interpolations.push_back(weights->Interpolate(q.form, q.v, q.attribute, q.p));
+      }
+      for (const DistanceQuestion& q : questions.distances) {
+        answers.distances.push_back(weights->EdgeDistances(q.form, q.v, q.p));
+      }
+    });
+  }
+
+  Subject& subject_;
+  std::span<const Request> requests_;
+  std::vector<Answers> answers_;
+  std::vector<Share> shares_;
+  std::vector<std::shared_ptr<Drawing>> drawings_;
+  std::vector<std::size_t> owners_;  ///< the request of each of them
+};
+
+}  // namespace
+
+std::vector<Answers> Put(Subject& subject, std::span<const Request> requests) {
+  return Putting(subject, requests).All();
+}
+
+}  // namespace rasterproof::props

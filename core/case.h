@@ -15,7 +15,7 @@ struct Case {
   Scene scene;
   Profile profile;
   DrawOptions options;
-  /// Where it came from: "domain needles, seed 1, case 17", a file. For the reader only.
+  /// Where it came from: the name of a drawn case, "needles:17@1", a file. For the reader only.
   std::string origin;
 
   friend bool operator==(const Case&, const Case&) = default;

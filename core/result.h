@@ -42,7 +42,8 @@ struct PropertyResult {
   /// The first counterexample, shrunken, with what was said of it.
   std::optional<Case> counterexample;
   std::optional<Verdict> verdict;
-  std::uint64_t failing_case = 0;  ///< index of the case that failed first
+  /// Name of the case that failed first, before it was shrunk, "near-edge:17@1"; "" if it has none.
+  std::string failing_case;
 };
 
 /// One subject on one real scene.

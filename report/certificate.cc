@@ -60,7 +60,7 @@ void WriteWitness(JsonWriter& json, const Witness& witness) {
 void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
                          const PropertyResult& result) {
   json.Key("counterexample").BeginObject();
-  json.Key("found_as_case").Integer(result.failing_case);
+  json.Key("found_as_case").Text(result.failing_case);
   if (result.verdict) {
     json.Key("message").Text(result.verdict->message);
     if (result.verdict->witness) WriteWitness(json, *result.verdict->witness);

@@ -43,10 +43,9 @@ std::string Remarks(const Certificate& certificate, const PropertyResult& result
         fmt::format("<div class=\"why\">{}</div>", Escaped(WitnessText(*result.verdict->witness)));
   }
   if (result.counterexample) {
-    html +=
-        fmt::format("<div class=\"why\">case {} of seed {}, shrunk to {} triangles in {}x{}</div>",
-                    result.failing_case, result.seed, result.counterexample->scene.triangles.size(),
-                    result.counterexample->scene.width, result.counterexample->scene.height);
+    html += fmt::format("<div class=\"why\">case {}, shrunk to {} triangles in {}x{}</div>",
+                        Escaped(result.failing_case), result.counterexample->scene.triangles.size(),
+                        result.counterexample->scene.width, result.counterexample->scene.height);
   }
   if (result.counterexample || certificate.replay.contains(result.property)) {
     html += fmt::format("<pre><code>{}</code></pre>", Escaped(ReplayCommand(certificate, result)));

@@ -1,4 +1,4 @@
-// rasterproof check: the properties, on generated cases or on given scenes.
+// rasterproof check: the properties, on generated cases, given scenes or cases by their names.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -18,6 +18,7 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/contract_evidence.h"
+#include "props/run/property_domains.h"
 #include "props/run/tally.h"
 #include "report/text.h"
 #include "tool/commands.h"
@@ -177,8 +178,7 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
     choice.subject = name;
     choice.property = property->name;
     choice.profile = options.profile;
-    choice.seed = options.campaign.seed;
-    choice.index = static_cast<std::int64_t>(result.failing_case);
+    choice.name = result.failing_case;
     text += FailureText(subject, result.property, *result.counterexample, *result.verdict,
                         CommandFor("replay", choice), /*colour=*/false);
     if (!options.save.empty()) SaveCounterexample(options.save, result);
@@ -187,18 +187,33 @@ void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& pro
   if (options.properties.empty() && !Interrupted()) text += ContractText(subject, results, tally);
 }
 
+// The cases that the user names, by files or by their own names.
+std::vector<CaseChoice> GivenCases(const CheckOptions& options) {
+  std::vector<CaseChoice> all;
+  for (const std::string& path : options.scenes) all.emplace_back().path = path;
+  for (const std::string& name : options.named) all.emplace_back().name = name;
+  return all;
+}
+
+Case LoadGiven(const Subject& subject, const CaseChoice& choice) {
+  if (choice.path.empty()) return props::DrawCase(subject.Info(), RequireCaseName(choice.name));
+  Case given = io::ReadCase(choice.path).value;
+  given.profile = subject.Info().profile;
+  RequireTakes(subject, given.scene, choice.path);
+  return given;
+}
+
 void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progress,
                 std::string& text, Tally& tally) {
   const std::string& name = subject.Info().name;
   std::vector<PropertyResult> results;
-  for (const std::string& path : options.scenes) {
+  for (CaseChoice choice : GivenCases(options)) {
     NotAsked not_asked;
-    Case given = io::ReadCase(path).value;
-    given.profile = subject.Info().profile;
-    RequireTakes(subject, given.scene, path);
+    const Case given = LoadGiven(subject, choice);
+    const std::string of = choice.path.empty() ? choice.name : choice.path;
     for (const props::Property* property : ChosenProperties(options)) {
       if (Interrupted()) break;
-      progress.Stage(fmt::format("{} {} on {}", name, property->name, path));
+      progress.Stage(fmt::format("{} {} on {}", name, property->name, of));
       const Verdict verdict = props::RunCase(subject, *property, given);
       tally.Count(verdict.outcome, 1);
       PropertyResult& result = results.emplace_back();
@@ -211,19 +226,17 @@ void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progres
         continue;
       }
       text += fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}\n",
-                          OutcomeName(verdict.outcome), name, property->name, path,
-                          verdict.exercised, NotJudgedText(verdict.not_judged),
-                          verdict.message.empty() ? "" : "; ", report::CleanText(verdict.message));
+                          OutcomeName(verdict.outcome), name, property->name, of, verdict.exercised,
+                          NotJudgedText(verdict.not_judged), verdict.message.empty() ? "" : "; ",
+                          report::CleanText(verdict.message));
       if (verdict.outcome != Outcome::kViolated) continue;
-      CaseChoice choice;
-      choice.path = path;
       choice.subject = name;
       choice.property = property->name;
       choice.profile = options.profile;
       text += FailureText(subject, std::string(property->name), given, verdict,
                           CommandFor("replay", choice), /*colour=*/false);
     }
-    text += not_asked.Lines(name, path + ": ");
+    text += not_asked.Lines(name, of + ": ");
   }
   if (options.properties.empty() && !Interrupted()) text += ContractText(subject, results, tally);
 }
@@ -242,6 +255,7 @@ std::string Hint(const Subject& subject, const Tally& tally, const std::string& 
 int RunCheck(const CheckOptions& options) {
   RequireHonestEnvironment();
   ChosenProperties(options);  // a misspelt name is found before anything is run
+  for (const std::string& name : options.named) RequireCaseName(name);
   std::vector<std::unique_ptr<Subject>> subjects;
   for (const std::string& name : options.subjects) {
     subjects.push_back(MakeSubject(name, options.profile));
@@ -254,7 +268,7 @@ int RunCheck(const CheckOptions& options) {
     Tally own;
     try {
       Progress progress;
-      if (options.scenes.empty()) {
+      if (options.scenes.empty() && options.named.empty()) {
         CheckGenerated(*subject, options, progress, text, own);
       } else {
         CheckGiven(*subject, options, progress, text, own);

@@ -24,6 +24,7 @@
 #include "tool/commands.h"
 #include "tool/description.h"
 #include "tool/failure.h"
+#include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
 
@@ -156,11 +157,13 @@ int RunVer(const PipeOptions& options) {
       if (verdict.outcome == Outcome::kNotExercised) ++tally.idle;
       if (verdict.outcome != Outcome::kViolated) continue;
       if (tally.violated++ == 0) {
-        failures = FailureText(*answering.subject, std::string(property.name), c, verdict,
-                               fmt::format("rasterproof replay --exec PROGRAM --property {} --seed "
-                                           "{} --case {}",
-                                           property.name, options.campaign.seed, n),
-                               /*colour=*/false);
+        CaseChoice choice;
+        choice.subject = std::string(kExecPrefix) + "PROGRAM";
+        choice.property = property.name;
+        choice.profile = options.profile;
+        choice.name = c.origin;
+        failures = FailureText(*answering.subject, choice.property, c, verdict,
+                               CommandFor("replay", choice), /*colour=*/false);
       }
     }
   }

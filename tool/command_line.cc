@@ -127,17 +127,15 @@ void AddCampaign(CLI::App* app, CampaignChoice& campaign) {
       ->capture_default_str();
 }
 
+constexpr std::string_view kCaseHelp = "Drawn case, by its name DOMAIN:INDEX@SEED (near-edge:17@1)";
+
 void AddCase(CLI::App* app, CaseChoice& choice) {
   app->add_option("case", choice.path, "Case or scene file (- for standard input)");
   AddSubject(app, choice.subject, "Subject (default: the one the file names)");
   app->add_option("--property", choice.property, "Property (default: the one the file names)");
   app->add_option("--profile", choice.profile,
                   "Judge by this profile (default: the file's, or the subject's own)");
-  app->add_option_function<std::string>(
-      "--seed", [&](const std::string& text) { choice.seed = ParseSeed(text); },
-      "Seed of a generated case");
-  app->add_option("--case", choice.index, "Number of a generated case")
-      ->check(CLI::NonNegativeNumber);
+  app->add_option("--case", choice.name, std::string(kCaseHelp));
 }
 
 void AddPipe(CLI::App* app, PipeOptions& options) {
@@ -213,9 +211,10 @@ void AddRender(CLI::App& app, Run& run) {
 void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   static CheckOptions options;
   options.subjects = {own};
-  CLI::App* verb =
-      app.add_subcommand("check", "The properties, on generated cases or on given scenes");
+  CLI::App* verb = app.add_subcommand(
+      "check", "The properties, on generated cases, given scenes or cases by their names");
   verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
+  verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
   AddSubjects(verb, options.subjects);
   verb->add_option("--property", options.properties, "Properties (default: all)");
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");

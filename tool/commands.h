@@ -66,7 +66,8 @@ int RunRender(const RenderOptions& options);
 struct CheckOptions {
   std::vector<std::string> subjects;
   std::vector<std::string> properties;
-  std::vector<std::string> scenes;  ///< case or scene files; empty: generated cases
+  std::vector<std::string> scenes;  ///< case or scene files
+  std::vector<std::string> named;   ///< drawn cases, by their names; no scenes either: a campaign
   std::string profile;              ///< judge by this one instead of the subject's own
   CampaignChoice campaign;
   std::string save;  ///< folder for counterexamples
@@ -91,15 +92,14 @@ struct InferOptions {
 };
 int RunInfer(const InferOptions& options);
 
-/// A saved case, or the number of a generated one.
+/// A saved case, or the name of a drawn one.
 struct CaseChoice {
   std::string path;
   std::string subject;
   std::string property;
   std::string profile;  ///< judge by this one; empty: the file's, or the subject's own
-  std::uint64_t seed = 1;
-  std::int64_t index = -1;
-  std::string typed;  ///< the command line as the user gave it, quoted for a shell
+  std::string name;     ///< of a drawn case: "near-edge:17@1"
+  std::string typed;    ///< the command line as the user gave it, quoted for a shell
 };
 
 struct ReplayOptions {

@@ -174,7 +174,7 @@ std::string SelftestJson(const std::vector<HuntResult>& results) {
       const PropertyResult& violation = *result.hunt.violation;
       const Scene& scene = violation.counterexample->scene;
       json.Key("property").Text(violation.property);
-      json.Key("case").Integer(violation.failing_case);
+      json.Key("case").Text(violation.failing_case);
       json.Key("triangles").Integer(scene.triangles.size());
       json.Key("width").Integer(scene.width).Key("height").Integer(scene.height);
       json.Key("message").Text(violation.message);

@@ -23,8 +23,10 @@
 #include "io/mesh.h"
 #include "io/output.h"
 #include "io/scene_file.h"
-#include "props/run/campaign.h"
+#include "props/domains/case_name.h"
+#include "props/domains/domain.h"
 #include "props/run/facings.h"
+#include "props/run/property_domains.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/outside.h"
@@ -233,6 +235,18 @@ const props::Property& RequireProperty(const std::string& name) {
       Suggestion(name, names) + "'rasterproof list properties' names all that there are");
 }
 
+props::CaseName RequireCaseName(const std::string& name) {
+  props::CaseName parsed = props::ParseCaseName(name);
+  if (props::FindDomain(parsed.domain) == nullptr) {
+    std::vector<std::string> names;
+    for (const props::Domain& domain : props::Domains()) names.emplace_back(domain.name);
+    throw InputError(
+        fmt::format("case '{}'", name), fmt::format("there is no domain '{}'", parsed.domain),
+        Suggestion(parsed.domain, names) + "'rasterproof list domains' names all that there are");
+  }
+  return parsed;
+}
+
 bool IsMeshPath(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   if (dot == std::string::npos) return false;
@@ -329,7 +343,7 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   if (!choice.subject.empty()) command += " " + SubjectOption(choice.subject);
   add(" --property", choice.property);
   add(" --profile", choice.profile);
-  if (choice.index >= 0) command += fmt::format(" --seed {} --case {}", choice.seed, choice.index);
+  add(" --case", choice.name);
   return command;
 }
 
@@ -339,28 +353,27 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   std::string property = choice.property;
   const std::vector<std::string> own = OwnNames();
   const std::string unnamed = own.empty() ? std::string() : own.front();  // of kit/main.h's program
-  if (choice.index >= 0) {
+  if (!choice.name.empty()) {
     if (subject.empty()) subject = unnamed;
     if (!choice.path.empty()) {
-      throw InputError("--case", "a case file and the number of a generated case were both given",
+      throw InputError("--case", "a case file and the name of a drawn case were both given",
                        "give one of them");
     }
-    if (subject.empty() || property.empty()) {
-      throw InputError("--case", "a generated case belongs to a subject and a property",
-                       "give --subject and --property as well");
+    if (subject.empty()) {
+      throw InputError("--case", "a name stands for a case together with a subject",
+                       "give --subject as well");
     }
+    const props::CaseName case_name = RequireCaseName(choice.name);
+    if (!property.empty()) loaded.property = &RequireProperty(property);
     loaded.subject = MakeSubject(subject, choice.profile);
-    loaded.property = &RequireProperty(property);
-    loaded.value = props::DrawCase(loaded.subject->Info(), *loaded.property, choice.seed,
-                                   static_cast<std::uint64_t>(choice.index));
+    loaded.value = props::DrawCase(loaded.subject->Info(), case_name);
     CaseChoice stated = choice;
     stated.subject = subject;
     loaded.replay = CommandFor(verb, stated);
     return loaded;
   }
   if (choice.path.empty()) {
-    throw InputError("case", "no case was given",
-                     "give a case file, or --subject, --property, --seed and --case");
+    throw InputError("case", "no case was given", "give a case file, or --subject and --case NAME");
   }
   const io::CaseFile file = io::ReadCase(choice.path);
   if (subject.empty() && !file.subject.empty()) {

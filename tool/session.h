@@ -12,6 +12,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "props/domains/case_name.h"
 #include "props/property.h"
 #include "tool/commands.h"
 
@@ -38,6 +39,11 @@ std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profil
 
 /// Error:      InputError naming the properties there are.
 const props::Property& RequireProperty(const std::string& name);
+
+/// Reads the name of a drawn case, "near-edge:17@1".
+///
+/// Error:      InputError that says what is wrong with it, with the domain that may be meant.
+props::CaseName RequireCaseName(const std::string& name);
 
 /// Whether LoadScene takes the file for a mesh: by its ending.
 bool IsMeshPath(const std::string& path);

@@ -46,14 +46,6 @@ double Spelled(Sketch& sketch) {
   return steps ? sketch.lattice().Move(x, kSteps[fine & 7]) : x;
 }
 
-std::vector<const Domain*> SuitableDomains(const SubjectInfo& info) {
-  std::vector<const Domain*> suitable;
-  for (const Domain& domain : Domains()) {
-    if (Suits(domain, info)) suitable.push_back(&domain);
-  }
-  return suitable;
-}
-
 // One coordinate of an example: a whole or half pixel, and `step` steps from it.
 void Spell(std::vector<std::uint8_t>& bytes, double x, int step) {
   const auto place = std::ranges::find(kSteps, step) - kSteps.begin();
@@ -115,11 +107,10 @@ Case LatticeCase(BitSource& bits, const SubjectInfo& info) {
 Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info) {
   ByteSource source(bytes);
   if (source.Bits(8) < kFirstRecipeByte) return LatticeCase(source, info);
-  const std::vector<const Domain*> domains = SuitableDomains(info);
-  if (domains.empty()) return LatticeCase(source, info);
-  const Domain& domain = *domains[source.Bits(8) % domains.size()];
-  Case c = domain.draw(source, info);
-  c.scene.name = domain.name;
+  const Domain* domain = DomainOfNumber(static_cast<std::uint16_t>(source.Bits(8)));
+  if (domain == nullptr || !Suits(*domain, info)) return LatticeCase(source, info);
+  Case c = domain->draw(source, info);
+  c.scene.name = domain->name;
   return c;
 }
 
@@ -138,12 +129,14 @@ std::vector<CodecExample> CodecExamples() {
       Example("both-windings", {{1.5, 1.5}, {1.5, 9.5}, {9.5, 1.5}}, {{0, 1, 2}, {0, 2, 1}}),
   };
   constexpr std::uint64_t kExampleBytes = 96;
-  std::uint8_t number = 0;
+  constexpr std::uint16_t kLargestByte = 255;
   for (const Domain& domain : Domains()) {
     if (domain.is_promised != nullptr) continue;  // few subjects would decode it to that
-    CodecExample example{std::string(domain.name),
-                         {static_cast<std::uint8_t>(kFirstRecipeByte), number}};
-    PhiloxSource random(0, number++);
+    if (domain.number > kLargestByte) continue;
+    CodecExample example{
+        std::string(domain.name),
+        {static_cast<std::uint8_t>(kFirstRecipeByte), static_cast<std::uint8_t>(domain.number)}};
+    PhiloxSource random(0, domain.number - std::uint64_t{1});
     for (std::uint64_t i = 0; i < kExampleBytes; ++i) {
       example.bytes.push_back(static_cast<std::uint8_t>(random.Bits(8)));
     }

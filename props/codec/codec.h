@@ -18,8 +18,9 @@ namespace rasterproof::props {
 ///
 /// First byte: below 192 the triangles are spelled out, two bytes per coordinate (a place on half
 /// pixels, a subpixel, a step of the lattice: hard places are one byte away from each other), or a
-/// far magnitude. From 192 on the second byte chooses a domain, whose recipe the other bytes feed.
-/// Domains that the subject cannot take are passed over.
+/// far magnitude. From 192 on the second byte is the number of a domain, whose recipe the other
+/// bytes feed; where no domain has it, or one that the subject does not take, the bytes behind it
+/// spell the triangles out. So a domain that comes or goes changes nothing but its own bytes.
 /// Properties: the scene is one that Takes(info, scene) accepts.
 Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info);
 

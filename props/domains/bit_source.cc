@@ -31,7 +31,7 @@ std::int64_t BitSource::Int(std::int64_t low, std::int64_t high) {
 
 std::uint64_t PhiloxSource::Bits(int count) {
   if (unused_words_ == 0) {
-    const r123::Philox4x64::ctr_type counter{{index_, block_++, 0, 0}};
+    const r123::Philox4x64::ctr_type counter{{index_, block_++, stream_, 0}};
     const r123::Philox4x64::key_type key{{seed_, 0}};
     const r123::Philox4x64::ctr_type random = r123::Philox4x64()(counter, key);
     std::copy(random.begin(), random.end(), words_);

@@ -28,16 +28,18 @@ class BitSource {
   }
 };
 
-/// Philox4x64 (Random123): case `index` of `seed` is the same on every machine and needs none
-/// before it.
+/// Philox4x64 (Random123): what `index` of `stream` gives under `seed` is the same on every machine
+/// and needs nothing before it. Streams have nothing in common.
 class PhiloxSource final : public BitSource {
  public:
-  PhiloxSource(std::uint64_t seed, std::uint64_t index) : seed_(seed), index_(index) {}
+  PhiloxSource(std::uint64_t seed, std::uint64_t index, std::uint64_t stream = 0)
+      : seed_(seed), index_(index), stream_(stream) {}
   std::uint64_t Bits(int count) override;
 
  private:
   std::uint64_t seed_;
   std::uint64_t index_;
+  std::uint64_t stream_;
   std::uint64_t block_ = 0;
   std::uint64_t words_[4] = {};
   int unused_words_ = 0;

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_DOMAINS_DOMAIN_H_
 #define RASTERPROOF_PROPS_DOMAINS_DOMAIN_H_
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -11,7 +12,14 @@
 
 namespace rasterproof::props {
 
+/// A row of the table. What its cases are depends on nothing but the row's own number and recipe: a
+/// domain that comes or goes changes no other's.
 struct Domain {
+  /// Part of what a case is drawn from, and the byte that names the domain in a fuzz input (from
+  /// 256 on none does). From 1 on, unique, and never given to another recipe, not even when the
+  /// domain is gone. A recipe that draws otherwise than before gets a new number: names of its
+  /// cases then stand for wholly new ones, and an old fuzz input for none of them.
+  std::uint16_t number = 0;
   std::string_view name;     ///< "needles", "edges-through-centres"
   std::string_view summary;  ///< what is hard about it, one line
   /// True if cases of this domain always have samples on an edge or within a few lattice steps of
@@ -35,6 +43,8 @@ struct Domain {
 std::span<const Domain> Domains();
 /// nullptr if there is none of that name.
 const Domain* FindDomain(std::string_view name);
+/// nullptr if there is none of that number.
+const Domain* DomainOfNumber(std::uint16_t number);
 
 /// Returns whether the subject takes scenes of the domain, and promises what it is about.
 /// (Window-space domains give clip-space

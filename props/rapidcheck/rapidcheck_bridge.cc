@@ -104,7 +104,7 @@ class Run {
   PropertyResult Result() const {
     if (!could_not_judge_.empty()) return tally_.Inconclusive(could_not_judge_);
     if (!minimal_) return tally_.Concluded();
-    return tally_.Failed(RunOnceMore(subject_, property_, *minimal_, seen_), tally_.cases() - 1);
+    return tally_.Failed(RunOnceMore(subject_, property_, *minimal_, seen_), "");
   }
 
  private:

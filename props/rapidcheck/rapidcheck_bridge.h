@@ -26,8 +26,8 @@ rc::Gen<double> HardFloats(Precision precision);
 
 /// Runs the property under RapidCheck: its generation, its search through the shrink tree.
 ///
-/// Returns:    as RunCampaign; failing_case is the number of cases that passed before. `seed` alone
-///             decides the cases: RC_PARAMS and the clock have no say.
+/// Returns:    as RunCampaign; failing_case is empty, for what RapidCheck draws has no name. `seed`
+///             alone decides the cases: RC_PARAMS and the clock have no say.
 /// Properties: at most `shrink_budget` cases are tried while shrinking; what RapidCheck still asks
 ///             for after that is answered with "passes".
 PropertyResult CheckWithRapidCheck(Subject& subject, const Property& property,

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 #include "props/run/batching.h"
 #include "props/run/budget.h"
@@ -27,16 +26,6 @@ constexpr std::uint64_t kCasesPerProgress = 16;
 constexpr std::size_t kCasesInABlock = 32;
 // A subject outside that takes so long over a case is slow.
 constexpr double kSlowSeconds = 1;
-
-Case DrawFrom(const std::vector<const Domain*>& domains, const SubjectInfo& info,
-              std::uint64_t seed, std::uint64_t index) {
-  const Domain& domain = *domains[index % domains.size()];
-  PhiloxSource bits(seed, index);
-  Case c = DrawNamed(domain, bits, info);
-  c.origin = "domain " + std::string(domain.name) + ", seed " + std::to_string(seed) + ", case " +
-             std::to_string(index);
-  return c;
-}
 
 // How long a case takes, roughly.
 std::uint64_t SizeOf(const Case& c) {
@@ -97,7 +86,8 @@ class Campaign {
     std::vector<std::pair<std::uint64_t, Case>> drawn;
     for (std::uint64_t n = done; n < std::min<std::uint64_t>(done + most, options_.cases); ++n) {
       const std::uint64_t index = options_.first_case + n;
-      drawn.emplace_back(index, DrawFrom(tally_.domains(), subject_.Info(), options_.seed, index));
+      drawn.emplace_back(
+          index, DrawCase(subject_.Info(), NameOfCase(tally_.domains(), options_.seed, index)));
     }
     if (pace_.is_slow) {
       const auto size_and_number = [](const auto& entry) {
@@ -133,7 +123,7 @@ class Campaign {
       tally_.AddCase(index % tally_.domains().size(), cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
       if (trial.verdict.outcome == Outcome::kViolated) {
-        return Failed({cases, k, trial}, index);
+        return Failed({cases, k, trial});
       }
       if (options_.progress && tally_.cases() % kCasesPerProgress == 0) {
         options_.progress(tally_.cases());
@@ -157,9 +147,10 @@ class Campaign {
     return tally_.Inconclusive(c.origin + ": " + why);
   }
 
-  PropertyResult Failed(const Failure& failure, std::uint64_t index) {
+  PropertyResult Failed(const Failure& failure) {
     if (failure.trial.hung) pace_.hangs = true;
-    return tally_.Failed(Investigate(subject_, property_, failure, options_, budget_), index);
+    return tally_.Failed(Investigate(subject_, property_, failure, options_, budget_),
+                         failure.company[failure.at].origin);
   }
 
   Subject& subject_;
@@ -175,13 +166,13 @@ class Campaign {
 }  // namespace
 
 Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t seed,
-              std::uint64_t index) {
+              std::uint64_t number) {
   const std::vector<const Domain*> domains = DomainsFor(info, property);
   if (domains.empty()) {
     throw InputError(std::string(property.name), "the subject takes scenes of none of its domains",
                      "choose another property or subject");
   }
-  return DrawFrom(domains, info, seed, index);
+  return DrawCase(info, NameOfCase(domains, seed, number));
 }
 
 Verdict RunCase(Subject& subject, const Property& property, const Case& c) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "core/case.h"
 #include "core/result.h"
 #include "core/subject.h"
 #include "props/property.h"
@@ -23,8 +24,7 @@ struct Pace {
 
 struct CampaignOptions {
   std::uint64_t seed = kDefaultSeed;
-  /// Cases in all, spread evenly over the property's domains: case i is domain i % n, Philox(seed,
-  /// i).
+  /// Cases in all, spread evenly over the property's domains: NameOfCase says which they are.
   std::uint64_t cases = kDefaultCases;
   std::uint64_t first_case = 0;  ///< for shards and replays
   /// Stop after this long, within a case or while shrinking as well if the subject can be stopped;
@@ -63,11 +63,11 @@ struct CampaignOptions {
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options = {});
 
-/// The case that RunCampaign would run as number `index`.
+/// The case that RunCampaign would run as number `number`, counted from 0.
 ///
 /// Error:      InputError if the subject takes scenes of none of the property's domains.
 Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t seed,
-              std::uint64_t index);
+              std::uint64_t number);
 
 /// Runs one property on one given case (replay, saved failures, worst-case files).
 ///

@@ -1,10 +1,13 @@
 #include "props/run/property_domains.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
 #include "props/run/own_transform.h"
 
 namespace rasterproof::props {
@@ -49,6 +52,34 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
     left_out += name;
   }
   return left_out;
+}
+
+CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t seed,
+                    std::uint64_t number) {
+  const std::uint64_t round = number / domains.size();
+  const auto place = domains.begin() + static_cast<std::ptrdiff_t>(number % domains.size());
+  const auto times = static_cast<std::uint64_t>(std::ranges::count(domains, *place));
+  const auto before = static_cast<std::uint64_t>(std::count(domains.begin(), place, *place));
+  return {std::string((*place)->name), round * times + before, seed};
+}
+
+Case DrawCase(const SubjectInfo& info, const CaseName& name) {
+  const std::string text = ToText(name);
+  const Domain* domain = FindDomain(name.domain);
+  if (domain == nullptr) {
+    throw InputError("case '" + text + "'", "there is no domain " + name.domain,
+                     "'rasterproof list domains' names all that there are");
+  }
+  if (!Suits(*domain, info)) {
+    throw InputError("case '" + text + "'",
+                     "subject " + info.name + " takes no scenes of domain " + name.domain +
+                         ", or its profile does not promise what they are about",
+                     "choose another domain, subject or profile");
+  }
+  PhiloxSource bits(name.seed, name.index, domain->number);
+  Case c = DrawNamed(*domain, bits, info);
+  c.origin = text;
+  return c;
 }
 
 Case DrawNamed(const Domain& domain, BitSource& bits, const SubjectInfo& info) {

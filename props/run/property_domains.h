@@ -2,12 +2,14 @@
 #ifndef RASTERPROOF_PROPS_RUN_PROPERTY_DOMAINS_H_
 #define RASTERPROOF_PROPS_RUN_PROPERTY_DOMAINS_H_
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/case.h"
 #include "core/subject.h"
 #include "props/domains/bit_source.h"
+#include "props/domains/case_name.h"
 #include "props/domains/domain.h"
 #include "props/property.h"
 
@@ -20,7 +22,19 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
 /// Names the domains that DomainsFor leaves out, and why; empty if it leaves none out.
 std::string LeftOutDomains(const SubjectInfo& info, const Property& property);
 
-/// Draws a case of the domain; its scene bears the domain's name.
+/// The name of what a run over these domains (at least one) takes as its case `number`: of domain
+/// number % n, the next one that the run has not had of it. Worked out from `number` alone, so that
+/// shards and replays agree, and different for different numbers, however often a domain stands
+/// there.
+CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t seed,
+                    std::uint64_t number);
+
+/// The case of that name for the subject. Its origin is the name.
+///
+/// Error:      InputError if there is no such domain, or the subject takes none of its scenes.
+Case DrawCase(const SubjectInfo& info, const CaseName& name);
+
+/// Draws a case of the domain from any bits; its scene bears the domain's name.
 Case DrawNamed(const Domain& domain, BitSource& bits, const SubjectInfo& info);
 
 }  // namespace rasterproof::props

@@ -95,10 +95,10 @@ PropertyResult Tally::Inconclusive(const std::string& why) const {
 
 PropertyResult Tally::Interrupted() const { return Inconclusive("interrupted"); }
 
-PropertyResult Tally::Failed(Counterexample found, std::uint64_t failing_case) const {
+PropertyResult Tally::Failed(Counterexample found, std::string failing_case) const {
   PropertyResult result = result_;
   result.outcome = found.outcome;
-  result.failing_case = failing_case;
+  result.failing_case = std::move(failing_case);
   result.counterexample = std::move(found.value);
   result.verdict = std::move(found.verdict);
   AddSentence(result.message, found.message);

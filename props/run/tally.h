@@ -41,8 +41,8 @@ class Tally {
   PropertyResult Inconclusive(const std::string& why) const;
   /// The result of a run that was stopped before anything was violated.
   PropertyResult Interrupted() const;
-  /// The result of a run that ended with a case that failed.
-  PropertyResult Failed(Counterexample found, std::uint64_t failing_case) const;
+  /// The result of a run that ended with a case that failed; `failing_case` is its name, if any.
+  PropertyResult Failed(Counterexample found, std::string failing_case) const;
 
  private:
   std::string SoFar() const;

@@ -10,7 +10,9 @@
 
 #include "core/error.h"
 #include "props/domains/bit_source.h"
+#include "props/domains/case_name.h"
 #include "props/domains/domain.h"
+#include "props/run/property_domains.h"
 #include "props/run/tally.h"
 #include "tests/props/planted_subjects.h"
 
@@ -81,21 +83,22 @@ TEST(Campaign, FindsAndShrinksEveryPlantedFault) {
   for (Planted& planted : AllPlanted()) {
     const PropertyResult result = Campaign(planted.subject, planted.cases);
     ASSERT_EQ(result.outcome, Outcome::kViolated) << planted.fault;
-    RecordProperty(std::string("case of ") + std::string(planted.fault),
-                   std::to_string(result.failing_case));
+    RecordProperty(std::string("case of ") + std::string(planted.fault), result.failing_case);
     ASSERT_TRUE(result.counterexample.has_value());
     ASSERT_TRUE(result.verdict.has_value());
     EXPECT_EQ(result.verdict->outcome, Outcome::kViolated) << planted.fault;
     EXPECT_EQ(result.counterexample->scene.triangles.size(), 1U) << planted.fault;
     EXPECT_LE(result.counterexample->scene.vertices.size(), 3U) << planted.fault;
-    EXPECT_EQ(result.cases, result.failing_case + 1);
     EXPECT_FALSE(result.message.empty());
-    // The case that failed comes again from its index alone, and fails again.
-    const Case again = DrawCase(planted.subject.Info(), ModelProperty(kDomains), kDefaultSeed,
-                                result.failing_case);
+    // The case that failed comes again from its name alone, and fails again.
+    const Case again = DrawCase(planted.subject.Info(), ParseCaseName(result.failing_case));
     EXPECT_EQ(RunCase(planted.subject, ModelProperty(kDomains), again).outcome, Outcome::kViolated)
         << planted.fault;
     EXPECT_EQ(again.origin, result.counterexample->origin);
+    EXPECT_EQ(again.origin, result.failing_case);
+    const Case last =
+        DrawCase(planted.subject.Info(), ModelProperty(kDomains), kDefaultSeed, result.cases - 1);
+    EXPECT_EQ(last.origin, result.failing_case);
   }
 }
 
@@ -107,7 +110,7 @@ TEST(Campaign, IsTheSameEveryTimeAndInShards) {
   EXPECT_EQ(*once.counterexample, *twice.counterexample);
   EXPECT_EQ(once.exercised, twice.exercised);
   CampaignOptions shard;
-  shard.first_case = once.failing_case;
+  shard.first_case = once.cases - 1;
   shard.cases = 1;
   const PropertyResult alone = RunCampaign(subject, ModelProperty(kDomains), shard);
   EXPECT_EQ(alone.outcome, Outcome::kViolated);
@@ -115,16 +118,15 @@ TEST(Campaign, IsTheSameEveryTimeAndInShards) {
   EXPECT_EQ(*alone.counterexample, *once.counterexample);
 }
 
-TEST(Campaign, DrawsCaseIFromDomainIModuloTheirNumberByPhiloxOfSeedAndI) {
+TEST(Campaign, DrawsCaseIFromDomainIModuloTheirNumberByPhiloxOfItsNumberAndIndex) {
   const SubjectInfo info = RealInfo();
   for (std::uint64_t i = 0; i < 12; ++i) {
-    PhiloxSource bits(5, i);
     const Domain& domain = *FindDomain(kDomains[i % kDomains.size()]);
+    PhiloxSource bits(5, i / kDomains.size(), domain.number);
     const Case drawn = DrawCase(info, ModelProperty(kDomains), 5, i);
     EXPECT_EQ(drawn.scene.vertices, domain.draw(bits, info).scene.vertices);
     EXPECT_EQ(drawn.scene.name, domain.name);
-    EXPECT_EQ(drawn.origin,
-              "domain " + std::string(domain.name) + ", seed 5, case " + std::to_string(i));
+    EXPECT_EQ(drawn.origin, ToText({std::string(domain.name), i / kDomains.size(), 5}));
   }
 }
 

@@ -80,6 +80,28 @@ TEST(Codec, FindsADoubleCoveredEdgeWithinHundredsOfRandomStrings) {
   EXPECT_LT(executions, 400U);
 }
 
+TEST(Codec, NamesADomainByItsNumberWhateverOthersThereAre) {
+  const std::vector<std::uint8_t> rest = RandomBytes(5, 80);
+  const auto named = [&](std::uint8_t number) {
+    std::vector<std::uint8_t> bytes{192, number};
+    bytes.insert(bytes.end(), rest.begin(), rest.end());
+    return DecodeCase(bytes, RealInfo());
+  };
+  const Domain& near_edge = *FindDomain("near-edge");
+  ByteSource bits(rest);
+  const Case drawn = near_edge.draw(bits, RealInfo());
+  EXPECT_EQ(named(static_cast<std::uint8_t>(near_edge.number)).scene.vertices,
+            drawn.scene.vertices);
+  EXPECT_EQ(named(static_cast<std::uint8_t>(near_edge.number)).scene.name, "near-edge");
+  // No domain's number, and that of one that the subject does not take: spelled out.
+  ByteSource spelled(rest);
+  const Case lattice = LatticeCase(spelled, RealInfo());
+  ASSERT_EQ(DomainOfNumber(255), nullptr);
+  EXPECT_EQ(named(255), lattice);
+  EXPECT_EQ(named(0), lattice);
+  EXPECT_EQ(named(static_cast<std::uint8_t>(FindDomain("w-mixed")->number)), lattice);
+}
+
 TEST(CodecExamples, CoverTheSpelledOutPlacesAndEveryDomain) {
   std::set<std::string> names;
   SubjectInfo takes_all = RealInfo();

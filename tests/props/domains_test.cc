@@ -435,6 +435,7 @@ TEST(BitSources, OfPhiloxAreTheSameOnEveryMachine) {
   EXPECT_EQ(bits.Bits(64), 0x16554d9eca36314cU);
   EXPECT_NE(PhiloxSource(1, 2).Bits(64), PhiloxSource(1, 3).Bits(64));
   EXPECT_NE(PhiloxSource(1, 2).Bits(64), PhiloxSource(2, 2).Bits(64));
+  EXPECT_NE(PhiloxSource(1, 2).Bits(64), PhiloxSource(1, 2, 1).Bits(64));
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ TEST(RapidCheck, TakesItsCasesFromTheSeedAloneNotFromTheEnvironment) {
   ASSERT_EQ(setenv("RC_PARAMS", "seed=99 max_success=1", 1), 0);
   const PropertyResult twice = CheckWithRapidCheck(subject, ModelProperty(kDomains), 5, 60);
   unsetenv("RC_PARAMS");
-  EXPECT_EQ(once.failing_case, twice.failing_case);
+  EXPECT_EQ(once.cases, twice.cases);
+  EXPECT_EQ(once.failing_case, "");  // what RapidCheck draws has no name
   EXPECT_EQ(*once.counterexample, *twice.counterexample);
 }
 

@@ -78,7 +78,7 @@ std::string FaultOf(Subject& subject, const Property& property) {
 TEST(AFaultOfOurs, IsNeverTheSubjects) {
   PlantedSubject subject(RealInfo(), DrawRight);
   const std::string said = FaultOf(subject, Throwing(OracleFails));
-  EXPECT_TRUE(Says(said, "CoverageIsTheModels on domain uniform-subpixel, seed 1, case 0")) << said;
+  EXPECT_TRUE(Says(said, "CoverageIsTheModels on uniform-subpixel:0@1")) << said;
   EXPECT_TRUE(Says(said, "a rational must be finite")) << said;
   EXPECT_NE(FaultOf(subject, Throwing(MemoryRunsOut)), "");
   BatchingSubject outside(std::make_unique<PlantedSubject>(RealInfo(), DrawRight));
@@ -247,7 +247,7 @@ TEST(AnAnswerThatChanges, IsOneInABatchThatNoBatchRepeats) {
   };
   const PropertyResult result = RunOutside(wrong_once, {.cases = 64});
   EXPECT_EQ(result.outcome, Outcome::kInconclusive) << result.message;
-  EXPECT_EQ(result.failing_case, 3U);
+  EXPECT_EQ(result.failing_case, "uniform-subpixel:1@1");
 }
 
 TEST(AnAnswerThatChanges, IsViolatedIfTheCaseThatFailedFirstFailsAgain) {
@@ -331,7 +331,7 @@ TEST(ASlowSubject, IsNeverViolatedForIt) {
   const PropertyResult result = RunTimed(time, slow_over_the_50th, {.cases = 120});
   EXPECT_EQ(result.outcome, Outcome::kInconclusive);
   EXPECT_EQ(result.cases, 50U);
-  EXPECT_TRUE(Says(result.message, "case 49: no answer within 10 s; --time-limit"))
+  EXPECT_TRUE(Says(result.message, "fans:16@1: no answer within 10 s; --time-limit"))
       << result.message;
   EXPECT_TRUE(Says(result.message, "nothing violated so far, exercised in 49 of 50 cases"))
       << result.message;

@@ -77,7 +77,7 @@ TEST(CertificateTest, ACounterexampleIsACaseFileWithTheSameBits) {
   EXPECT_EQ(file.value, *sample.tested[1].counterexample);
   EXPECT_EQ(file.property, "SharedEdgeSamplesAreCoveredOnce");
   EXPECT_EQ(counterexample["witness"]["observed"], "2");
-  EXPECT_EQ(counterexample["found_as_case"], 12);
+  EXPECT_EQ(counterexample["found_as_case"], "needles:12@7");
 }
 
 TEST(CertificateTest, NamesTheCommandThatReplaysACounterexample) {

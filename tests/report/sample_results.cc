@@ -12,7 +12,7 @@ Case OneTriangle() {
   c.scene.height = 4;
   c.scene.vertices = {{0, 0}, {4, 0}, {0, 0x1.000002p+1}};
   c.scene.triangles = {{0, 2, 1}};
-  c.origin = "domain needles, seed 7, case 12";
+  c.origin = "needles:12@7";
   return c;
 }
 
@@ -51,7 +51,7 @@ PropertyResult SampleProperty(const std::string& name, Outcome outcome) {
     result.message = "sample covered twice";
     result.counterexample = OneTriangle();
     result.verdict = Verdict::Violated(3, "sample covered twice", {0, 1, 2, 3, 0, "2", "1"});
-    result.failing_case = 12;
+    result.failing_case = "needles:12@7";
   }
   return result;
 }

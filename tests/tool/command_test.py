@@ -228,6 +228,20 @@ class BadInputTest(TemporaryFolder):
         self.refused("nonesuch", names="nonesuch")
         self.refused(names="subcommand")
 
+    def test_names_of_no_case(self):
+        for verb in ("check", "replay", "explain", "shrink"):
+            def refused(name, *names, verb=verb):
+                self.refused(verb, "--subject", "f32-direct", "--case", name, names=[name, *names])
+
+            refused("17", "not the name of a case", "near-edge:17@1", "list domains")
+            refused("near-edge:seven@1", "'seven' is no index")
+            refused("near-edge:17@", "'' is no seed")
+            refused("near-edges:17@1", "no domain", "did you mean near-edge?", "list domains")
+            refused("w-mixed:0@1", "takes no scenes of domain w-mixed")
+        self.refused("replay", "--case", "near-edge:17@1", names="--subject")
+        scene = self.write(json.dumps(self.GOOD))
+        self.refused("replay", scene, "--case", "near-edge:17@1", names="give one of them")
+
     def test_a_profile_with_a_presets_name_and_another_content(self):
         path = self.write(json.dumps(self.GOOD))
         profile = self.write('{"name": "vulkan", "subpixel_bits": 4}', "vulkan.json")
@@ -347,6 +361,24 @@ class VerdictTest(TemporaryFolder):
             self.assertIn(f" {scene}: ", line)
             self.assertEqual(line.count("FragmentWeightsSumToOne"), 1)
 
+    def test_a_drawn_case_is_checked_by_its_name(self):
+        found = run("check", "--subject", "textbook", "--property", SHARED_EDGE)
+        line = next(l for l in found.stdout.decode().splitlines() if "rasterproof replay" in l)
+        name = line.split(" --case ")[1].split()[0]
+        self.assertRegex(name, "^[a-z0-9-]+:[0-9]+@1$")
+        again = run("check", "--subject", "textbook", "--property", SHARED_EDGE, "--case", name)
+        self.assertEqual(again.returncode, 1, again.stderr)
+        text = again.stdout.decode()
+        self.assertRegex(text, f"(?m)^violated +textbook +{SHARED_EDGE} +{name}: exercised ")
+        self.assertIn(f"replay --subject textbook --property {SHARED_EDGE} --case {name}", text)
+        self.assertIn(" 1 violated, ", text)
+        # Without a property: every one that applies.
+        result = run("check", "--subject", "spans-exact", "--case", "near-edge:17@1",
+                     "--case", "fans:0@2")  # fmt: skip
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        for case in ("near-edge:17@1", "fans:0@2"):
+            self.assertRegex(result.stdout.decode(), f"holds +spans-exact +{MODEL} +{case}: ")
+
     def test_a_replay_is_judged_as_the_check_was(self):
         chosen = ("--subject", "i64-snap8", "--property", MODEL)
         self.assertEqual(run("check", *chosen, "--cases", "60").returncode, 0)
@@ -383,7 +415,8 @@ class VerdictTest(TemporaryFolder):
         self.assertEqual([r["violated"] for r in results], [True, False, False, False])
         killed = results[0]
         replay = run("replay", "--subject", killed["name"], "--property", killed["property"],
-                     "--seed", str(killed["seed"]), "--case", str(killed["case"]))
+                     "--case", killed["case"])  # fmt: skip
+        self.assertTrue(killed["case"].endswith(f"@{killed['seed']}"), killed)
         self.assertEqual(replay.returncode, 1, replay.stdout)
 
     def test_selftest_fails_for_a_mutant_that_survives_and_for_an_unknown_name(self):

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/result.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "fmt/format.h"

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/profile.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "exact/homogeneous.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/subject.h"
+#include "core/evaluators.h"
 #include "exact/rational.h"
 #include "props/catalog/weight_queries.h"
 

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/scene.h"
+#include "core/subject_errors.h"
 #include "props/catalog/places.h"
 #include "props/catalog/planar_mesh.h"
 #include "props/catalog/redraw.h"

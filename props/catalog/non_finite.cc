@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/scene.h"
+#include "core/subject_errors.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
 

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "props/catalog/mesh_neighbours.h"

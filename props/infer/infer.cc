@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "props/infer/declarations.h"
 #include "props/infer/locate.h"

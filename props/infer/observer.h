@@ -12,6 +12,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/catalog/free_choices.h"
 
 namespace rasterproof::props {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/evaluators.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "exact/coverage.h"

@@ -8,7 +8,8 @@
 
 #include "core/error.h"
 #include "core/profile.h"
-#include "core/slow_subject.h"
+#include "core/subject.h"
+#include "core/subject_errors.h"
 #include "props/catalog/degenerate.h"
 #include "props/catalog/redraw.h"
 #include "props/run/batching.h"

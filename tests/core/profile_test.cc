@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof {
 namespace {

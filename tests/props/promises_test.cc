@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "props/domains/domain.h"
 #include "props/domains/input_lattice.h"

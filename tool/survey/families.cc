@@ -9,7 +9,7 @@
 
 #include "core/case.h"
 #include "core/snap.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/vertex.h"
 #include "exact/coverage.h"
 #include "props/domains/bit_source.h"

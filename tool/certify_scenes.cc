@@ -16,6 +16,7 @@
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "io/scene_set.h"
+#include "model/snap_scene.h"
 #include "props/catalog/degenerate.h"
 #include "props/property.h"
 #include "tool/certify.h"

@@ -14,6 +14,8 @@
 #include "exact/rational.h"
 #include "fmt/format.h"
 #include "io/scene_file.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

@@ -7,6 +7,7 @@
 
 #include "core/profile.h"
 #include "exact/winding.h"
+#include "model/snap_scene.h"
 #include "props/catalog/free_choices.h"
 #include "props/catalog/mesh_neighbours.h"
 #include "props/catalog/signed_coverage.h"

@@ -12,6 +12,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/ulp.h"
+#include "model/snap_scene.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
 

@@ -9,6 +9,7 @@
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
+#include "model/snap_scene.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
 #include "props/catalog/witness.h"

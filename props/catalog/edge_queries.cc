@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/snap.h"
 #include "core/ulp.h"
 #include "exact/edge.h"
+#include "model/snap.h"
 #include "props/catalog/exact_comparison.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/witness.h"

@@ -8,6 +8,7 @@
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "model/snap_scene.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/witness.h"
 

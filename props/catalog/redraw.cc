@@ -10,6 +10,8 @@
 #include "core/scene.h"
 #include "core/target_size.h"
 #include "exact/coverage.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/witness.h"
 

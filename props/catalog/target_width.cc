@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/scene.h"
+#include "model/target_model.h"
 #include "props/catalog/precondition.h"
 #include "props/catalog/redraw.h"
 

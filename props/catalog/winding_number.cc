@@ -1,5 +1,6 @@
 #include "props/catalog/winding_number.h"
 
+#include "model/snap_scene.h"
 #include "props/catalog/free_choices.h"
 #include "props/catalog/mesh_model.h"
 #include "props/catalog/outline.h"

@@ -13,6 +13,7 @@
 #include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "model/target_model.h"
 #include "props/catalog/mesh_neighbours.h"
 #include "props/catalog/redraw.h"
 #include "props/catalog/thin_triangles.h"

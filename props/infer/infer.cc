@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/subject_errors.h"
 #include "exact/coverage.h"
+#include "model/snap_scene.h"
 #include "props/infer/declarations.h"
 #include "props/infer/locate.h"
 #include "props/infer/race.h"

@@ -13,6 +13,7 @@
 #include "core/scene.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
+#include "model/target_model.h"
 #include "props/catalog/free_choices.h"
 
 namespace rasterproof::props {

@@ -10,6 +10,7 @@
 #include "core/profile.h"
 #include "core/subject.h"
 #include "core/subject_errors.h"
+#include "model/target_model.h"
 #include "props/catalog/degenerate.h"
 #include "props/catalog/redraw.h"
 #include "props/run/batching.h"

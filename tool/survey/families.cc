@@ -12,6 +12,7 @@
 #include "core/subject_info.h"
 #include "core/vertex.h"
 #include "exact/coverage.h"
+#include "model/snap.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/recipes.h"
 

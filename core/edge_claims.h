@@ -4,8 +4,9 @@
 
 #include <vector>
 
+#include "core/evaluators.h"
 #include "core/scene.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/vertex.h"
 
 namespace rasterproof {

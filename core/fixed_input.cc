@@ -15,14 +15,6 @@ bool FixedInput::IsGiven(double x) const {
   return units == std::floor(units);
 }
 
-double FixedInput::Wrapped(double x) const {
-  if (!wraps || !std::isfinite(x)) return x;
-  // fmod is exact, and so is one span more or less: both are multiples of 2^-m below 2^n in size.
-  const double rest = std::fmod(x, Span());
-  if (rest < Least()) return rest + Span();
-  return rest < Least() + Span() ? rest : rest - Span();
-}
-
 std::int64_t FixedInput::Raw(double x) const {
   return static_cast<std::int64_t>(std::ldexp(x, fraction_bits));
 }

@@ -29,10 +29,6 @@ struct FixedInput {
   bool InRange(double x) const { return x >= Least() && x <= Largest(); }
   /// Whether x can be given: a finite multiple of 2^-m, in range unless the format wraps.
   bool IsGiven(double x) const;
-  /// The coordinate that the subject computes with: x modulo 2^n, in range. Exact.
-  ///
-  /// Domain:     any double; one that is not finite comes back unchanged.
-  double Wrapped(double x) const;
   /// x in units of 2^-m, not wrapped.
   ///
   /// Domain:     IsGiven(x), |x| < 2^(62 - fraction_bits).

@@ -1,24 +1,11 @@
 #include "core/profile.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
 namespace rasterproof {
-namespace {
-
-// Whether high - low > most, though the difference rounds: rounding keeps the order, and where it
-// ends on `most` itself what was lost (Knuth's TwoSum) has the sign of the rest.
-bool DifferenceExceeds(double high, double low, double most) {
-  const double difference = high - low;
-  if (difference != most || !std::isfinite(difference)) return difference > most;
-  const double from_low = difference - high;
-  return (high - (difference - from_low)) - (low + from_low) > 0;
-}
-
-}  // namespace
 
 std::optional<Profile> PresetProfile(std::string_view name) {
   Profile profile;
@@ -33,50 +20,6 @@ std::optional<Profile> PresetProfile(std::string_view name) {
   if (name == "d3d11") return profile;
   if (name == "vulkan" || name == "gl") return profile;
   return std::nullopt;
-}
-
-Profile ForTarget(const Profile& profile, int width, int height) {
-  if (profile.targets.empty()) return profile;
-  Profile resolved = profile;
-  // What holds where no entry fits becomes the last one: so another size can still be asked about.
-  if (!profile.targets.back().Fits(kMaxTargetSide, kMaxTargetSide)) {
-    resolved.targets.push_back(
-        {kMaxTargetSide, kMaxTargetSide, profile.snap, profile.lattice, profile.fill_rule});
-  }
-  const TargetModel model = *std::ranges::find_if(
-      resolved.targets, [&](const TargetModel& entry) { return entry.Fits(width, height); });
-  resolved.snap = model.snap;
-  resolved.lattice = model.lattice;
-  resolved.fill_rule = model.fill_rule;
-  return resolved;
-}
-
-bool Exceeds(const std::array<Point2, 3>& corners, const MaxExtent& extent) {
-  const auto [left, right] = std::ranges::minmax(corners, {}, &Point2::x);
-  const auto [low, high] = std::ranges::minmax(corners, {}, &Point2::y);
-  return DifferenceExceeds(right.x, left.x, extent.width) ||
-         DifferenceExceeds(high.y, low.y, extent.height);
-}
-
-Scene SnapScene(const Scene& scene, const Profile& own) {
-  Scene snapped = scene.clip_space && own.transform ? ToWindow(scene, *own.transform) : scene;
-  std::optional<Profile> resolved;
-  const Profile& profile =
-      own.targets.empty() ? own : resolved.emplace(ForTarget(own, scene.width, scene.height));
-  for (Vertex& v : snapped.vertices) {
-    if (profile.fixed) v = {profile.fixed->Wrapped(v.x), profile.fixed->Wrapped(v.y), v.z, v.w};
-    v.x = SnapCoordinate(v.x, profile.snap);
-    v.y = SnapCoordinate(v.y, profile.snap);
-  }
-  // The grid point of a float32 can need more bits than float32 has.
-  if (!profile.snap.IsNone()) snapped.precision = Precision::kFloat64;
-  if (!profile.max_extent) return snapped;
-  for (Triangle& t : snapped.triangles) {
-    const std::array<Vertex, 3> v = Corners(snapped, t);
-    const std::array<Point2, 3> corners{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
-    if (Exceeds(corners, *profile.max_extent)) t = {t[0], t[0], t[0]};
-  }
-  return snapped;
 }
 
 // All that is not named here is of the model, keys of a later day too.
@@ -113,22 +56,6 @@ bool IsUnwrapped(const Scene& scene, const Profile& profile) {
   const FixedInput& fixed = *profile.fixed;
   return std::ranges::all_of(
       scene.vertices, [&](const Vertex& v) { return fixed.InRange(v.x) && fixed.InRange(v.y); });
-}
-
-bool IsUnclipped(const Scene& scene, const Profile& profile) {
-  if (!profile.no_clip) return true;
-  if (scene.clip_space) return false;  // the rectangle is of window space
-  const auto holds = [&](const Scene& placed) {
-    return std::ranges::all_of(placed.triangles, [&](const Triangle& t) {
-      return std::ranges::all_of(
-          Corners(placed, t), [&](const Vertex& v) { return profile.no_clip->Contains(v.x, v.y); });
-    });
-  };
-  // Whether clipping looks at a vertex before or after snapping is left to the subject.
-  Profile unsnapped = profile;
-  unsnapped.snap = {};
-  unsnapped.targets.clear();
-  return holds(SnapScene(scene, profile)) && holds(SnapScene(scene, unsnapped));
 }
 
 }  // namespace rasterproof

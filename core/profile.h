@@ -156,24 +156,6 @@ inline bool IsHomogeneous(const Scene& scene, const Profile& profile) {
   return scene.clip_space && !profile.transform;
 }
 
-/// Returns the profile with the snap, the sample locations and the fill rule that it has on a
-/// target of this size.
-///
-/// Properties: ForTarget(ForTarget(p, a...), b...) is ForTarget(p, b...) in all that it promises.
-///             A profile without `targets` comes back as it is.
-Profile ForTarget(const Profile& profile, int width, int height);
-
-/// Returns the scene as the profile's model places it: x and y of every vertex wrapped into the
-/// range of its fixed-point input and on the subpixel grid; a triangle larger than `max_extent` has
-/// its three corners in one place. Indices of triangles stay what they are.
-///
-/// Domain:     window-space scenes; w is 1. Clip-space scenes that are not homogeneous: they go
-///             through the profile's transform first. (Others snap after the division: see exact/.)
-Scene SnapScene(const Scene& scene, const Profile& profile);
-
-/// Returns whether a window-space triangle of these corners is larger than the extent. Exact.
-bool Exceeds(const std::array<Point2, 3>& corners, const MaxExtent& extent);
-
 /// Returns whether exactly one result is legal for every scene within the limits.
 inline bool HasOneModel(const Profile& profile) {
   return profile.contract == Contract::kSampleExact && profile.freedom.IsNone() &&
@@ -200,9 +182,6 @@ inline bool PlacesClipSpace(const Profile& profile) {
 /// Returns whether no coordinate is beyond the range of the profile's fixed-point input: then
 /// nothing wraps, and moving a scene moves all of it.
 bool IsUnwrapped(const Scene& scene, const Profile& profile);
-
-/// Returns whether the no-clip rectangle, if there is one, holds every vertex that a triangle uses.
-bool IsUnclipped(const Scene& scene, const Profile& profile);
 
 }  // namespace rasterproof
 

@@ -13,8 +13,10 @@
 #include "core/draw_options.h"
 #include "core/drawing.h"
 #include "core/edge_claims.h"
+#include "core/evaluators.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof {
 

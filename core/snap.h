@@ -1,11 +1,10 @@
-// Snapping of a coordinate to n.b fixed point.
+// How a rasterizer snaps a coordinate to n.b fixed point.
 #ifndef RASTERPROOF_CORE_SNAP_H_
 #define RASTERPROOF_CORE_SNAP_H_
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 namespace rasterproof {
 
@@ -35,21 +34,6 @@ struct Snap {
 };
 
 inline constexpr int kMaxSubpixelBits = 16;
-
-/// Returns the grid point of `snap` that `x` rounds to.
-///
-/// Domain:     any double; 0 <= snap.bits <= kMaxSubpixelBits, or kNone (returns x itself).
-/// Error:      none: the result is the exact grid point that the rule names (of a difference: for
-///             |x| < 2^36; beyond, c + snapped is rounded to double). Infinity and NaN come back
-///             unchanged; the result of a tiny negative x is +0.
-double SnapCoordinate(double x, const Snap& snap);
-
-/// Returns the grid points of `snap` at most `tolerance` steps from x, in ascending order, and with
-/// them the one that x rounds to.
-///
-/// Domain:     as SnapCoordinate; 0 <= tolerance <= 1.
-/// Returns:    x alone if the snap is none, x is not finite, or |x| >= 2^36.
-std::vector<double> GridPointsWithin(double x, const Snap& snap, double tolerance);
 
 /// Names: "nearest-even", "nearest-away", "half-up", "floor", "truncate".
 std::string_view SnapRuleName(SnapRule rule);

@@ -1,4 +1,4 @@
-// From clip space to window space as a rasterizer computes it, operation by operation.
+// The operations by which a rasterizer goes from clip space to window space.
 #ifndef RASTERPROOF_CORE_TRANSFORM_H_
 #define RASTERPROOF_CORE_TRANSFORM_H_
 
@@ -36,26 +36,6 @@ struct Transform {
 
   friend bool operator==(const Transform&, const Transform&) = default;
 };
-
-/// Returns the window-space vertex that the transform makes of a clip-space one.
-///
-/// Domain:     any vertex; the target's size within a scene's limits.
-/// Returns:    x and y bit for bit as the operations give them, infinities and NaN included; NaN if
-///             the vertex is not finite or w is not positive: what clipping makes of it is not the
-///             transform's to say. z is that of the vertex, w is 1.
-Vertex ToWindow(const Vertex& clip, const Transform& transform, int width, int height);
-
-/// Returns a clip-space vertex with the given w that the transform takes to (x, y), or to a place a
-/// few roundings beside it.
-///
-/// Domain:     w positive and finite.
-/// Returns:    doubles: a taker of float32 is to round them.
-Vertex ToClip(const Vertex& window, double w, const Transform& transform, int width, int height);
-
-/// Returns the scene with every vertex taken through the transform; in the transform's precision.
-///
-/// Domain:     a clip-space scene.
-Scene ToWindow(const Scene& scene, const Transform& transform);
 
 /// Names: "quotient", "reciprocal".
 std::string_view DivisionName(Division division);

@@ -16,6 +16,8 @@
 #include "exact/sample_scan.h"
 #include "exact/snap_clip.h"
 #include "exact/spans.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 
 namespace rasterproof::exact {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/snap.h"
 #include "exact/rational.h"
 #include "exact/signs.h"
+#include "model/snap.h"
 
 namespace rasterproof::exact {
 namespace {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "model/target_model.h"
 
 namespace rasterproof::exact {
 namespace {

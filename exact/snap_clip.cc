@@ -11,6 +11,8 @@
 #include "core/error.h"
 #include "exact/coverage.h"
 #include "exact/signs.h"
+#include "model/snap.h"
+#include "model/target_model.h"
 
 namespace rasterproof::exact {
 namespace {

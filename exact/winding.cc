@@ -16,6 +16,7 @@
 #include "exact/row_edge.h"
 #include "exact/sample_frame.h"
 #include "exact/signs.h"
+#include "model/snap_scene.h"
 
 namespace rasterproof::exact {
 namespace {

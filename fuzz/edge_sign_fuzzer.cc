@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "exact/edge.h"
 #include "fuzz/fuzz_target.h"
 #include "props/codec/codec.h"

@@ -21,6 +21,7 @@
 
 #include "core/rasterizer.h"
 #include "core/subject.h"
+#include "core/subject_errors.h"
 
 namespace rasterproof::kit {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/evaluators.h"
 #include "core/scene.h"
-#include "core/subject.h"
 #include "core/ulp.h"
 #include "core/vertex.h"
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/evaluators.h"
 #include "core/scene.h"
-#include "core/subject.h"
 #include "reference/bounds.h"
 #include "reference/edge_walks.h"
 #include "reference/exact_sign.h"

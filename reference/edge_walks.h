@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/subject.h"
+#include "core/evaluators.h"
 #include "reference/bounds.h"
 
 namespace rasterproof::reference {

@@ -42,9 +42,8 @@ class IntegerForm {
         dx_(reversed ? a.x - b.x : b.x - a.x),
         dy_(reversed ? a.y - b.y : b.y - a.y) {}
 
-  static Point2 Snapped(Point2 p) {
-    return {SnapCoordinate(p.x, kSnap), SnapCoordinate(p.y, kSnap)};
-  }
+  /// A snap of its own, not the one that the oracle uses too: so that the two can disagree.
+  static Point2 Snapped(Point2 p) { return {Snapped(p.x), Snapped(p.y)}; }
   static bool Fits(Point2 p) {
     return std::fabs(p.x) <= kIntegerCoordinateLimit<I> &&
            std::fabs(p.y) <= kIntegerCoordinateLimit<I>;
@@ -59,6 +58,13 @@ class IntegerForm {
   I StepY() const { return -dx_ * kOne; }
 
  private:
+  static double Snapped(double x) {
+    // Every double from here on is a multiple of the step. NaN is no less. -0 becomes +0.
+    constexpr double kAllOnGridFrom = 0x1p52 / double{kOne};
+    return std::fabs(x) < kAllOnGridFrom ? std::nearbyint(x * double{kOne}) / double{kOne} + 0.0
+                                         : x;
+  }
+
   I x_, y_, dx_, dy_;
 };
 

@@ -7,8 +7,9 @@
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
+#include "core/evaluators.h"
 #include "core/scene.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof::reference {
 

@@ -13,6 +13,8 @@
 
 #include "core/error.h"
 #include "core/fill_rule.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "reference/homogeneous.h"
 #include "reference/method.h"
 #include "reference/plan_kernel.h"

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "model/snap.h"
 #include "reference/bounds.h"
 #include "reference/box.h"
 #include "reference/triple_sum.h"

@@ -9,6 +9,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "model/snap.h"
 #include "reference/sample_grid.h"
 
 namespace rasterproof::reference {

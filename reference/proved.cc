@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "reference/bounds.h"
 
 namespace rasterproof::reference {

@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "core/evaluators.h"
 #include "core/scene.h"
-#include "core/subject.h"
 #include "core/ulp.h"
 #include "core/vertex.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof::report {
 

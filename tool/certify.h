@@ -12,6 +12,7 @@
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/subject.h"
 #include "exact/edge.h"
 #include "io/scene_set.h"
 #include "report/certificate.h"

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/result.h"
+#include "core/subject_errors.h"
 #include "fmt/format.h"
 #include "io/image.h"
 #include "reference/method.h"

@@ -10,11 +10,13 @@
 
 #include "core/error.h"
 #include "core/result.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "io/scene_set.h"
+#include "model/snap_scene.h"
 #include "props/judging/flat_triangles.h"
 #include "props/property.h"
 #include "tool/certify.h"

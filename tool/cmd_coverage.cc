@@ -10,6 +10,8 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "tool/commands.h"
 #include "tool/session.h"
 

@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/result.h"
+#include "core/subject_errors.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"

@@ -8,6 +8,7 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "model/target_model.h"
 #include "reference/plan.h"
 #include "tool/commands.h"
 #include "tool/session.h"

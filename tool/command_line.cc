@@ -15,7 +15,7 @@
 
 #include "CLI/CLI.hpp"
 #include "core/error.h"
-#include "core/subject.h"
+#include "core/subject_errors.h"
 #include "fmt/format.h"
 #include "report/text.h"
 #include "tool/commands.h"

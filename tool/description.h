@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof::tool {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "report/certificate.h"
 
 namespace rasterproof::tool {

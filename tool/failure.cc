@@ -7,12 +7,15 @@
 
 #include "core/error.h"
 #include "core/profile.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "exact/homogeneous.h"
 #include "exact/rational.h"
 #include "fmt/format.h"
 #include "io/scene_file.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "exact/coverage.h"
 #include "exact/environment.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/domains/bit_source.h"
 
 namespace rasterproof::props {

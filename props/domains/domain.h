@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/domains/bit_source.h"
 
 namespace rasterproof::props {

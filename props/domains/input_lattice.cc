@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/ulp.h"
+#include "model/snap.h"
 
 namespace rasterproof::props {
 

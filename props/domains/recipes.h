@@ -5,7 +5,7 @@
 #define RASTERPROOF_PROPS_DOMAINS_RECIPES_H_
 
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/sketch.h"
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/target_model.h"
+
 namespace rasterproof::props {
 namespace {
 

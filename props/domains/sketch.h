@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/vertex.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/input_lattice.h"

@@ -9,6 +9,7 @@
 
 #include "core/case.h"
 #include "core/ulp.h"
+#include "model/snap.h"
 #include "props/domains/domain.h"
 
 namespace rasterproof::props {

@@ -4,7 +4,7 @@
 #define RASTERPROOF_PROPS_INFER_DIRECTED_H_
 
 #include "core/scene.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/domains/bit_source.h"
 #include "props/infer/model_space.h"
 

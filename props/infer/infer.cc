@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
+#include "model/snap_scene.h"
 #include "props/infer/declarations.h"
 #include "props/infer/locate.h"
 #include "props/infer/race.h"

@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <string>
 
+#include "model/drop.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
+
 namespace rasterproof::props {
 namespace {
 

@@ -9,6 +9,7 @@
 
 #include "core/fill_rule.h"
 #include "exact/coverage.h"
+#include "model/snap.h"
 
 namespace rasterproof::props {
 namespace {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "model/snap_scene.h"
 #include "props/domains/input_lattice.h"
 
 namespace rasterproof::props {

@@ -12,6 +12,8 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
+#include "model/target_model.h"
 #include "props/judging/free_choices.h"
 
 namespace rasterproof::props {

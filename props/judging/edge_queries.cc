@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/snap.h"
 #include "core/ulp.h"
 #include "exact/edge.h"
+#include "model/snap.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/precondition.h"
 #include "props/judging/witness.h"

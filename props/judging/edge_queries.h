@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/evaluators.h"
 #include "core/question.h"
 #include "core/subject.h"
 #include "core/verdict.h"

@@ -7,6 +7,7 @@
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
+#include "model/snap_scene.h"
 
 namespace rasterproof::props {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "model/snap_scene.h"
 #include "props/judging/precondition.h"
 #include "props/judging/witness.h"
 

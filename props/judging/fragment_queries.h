@@ -10,6 +10,7 @@
 
 #include "core/case.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/verdict.h"
 #include "props/judging/weight_queries.h"
 

@@ -11,6 +11,10 @@
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
 #include "exact/snap_clip.h"
+#include "model/drop.h"
+#include "model/snap.h"
+#include "model/target_model.h"
+#include "model/wrap.h"
 #include "props/judging/outline.h"
 
 namespace rasterproof::props {
@@ -61,7 +65,7 @@ struct Span {
 Span Widened(Span span, double slack) { return {span.low - slack, span.high + slack, span.given}; }
 
 Span WindowSpan(double unwrapped, const Profile& profile, const Reach& reach) {
-  const double x = profile.fixed ? profile.fixed->Wrapped(unwrapped) : unwrapped;
+  const double x = profile.fixed ? Wrapped(unwrapped, *profile.fixed) : unwrapped;
   const double own = SnapCoordinate(x, profile.snap);
   const std::vector<double> points = GridPointsWithin(x, profile.snap, reach.tolerance);
   const double low = points.empty() ? own : std::min(own, points.front());
@@ -298,7 +302,7 @@ Scene UnsnappedScene(const Case& c) {
   }
   if (!profile.fixed) return scene;
   for (Vertex& v : scene.vertices) {
-    v = {profile.fixed->Wrapped(v.x), profile.fixed->Wrapped(v.y), v.z, v.w};
+    v = {Wrapped(v.x, *profile.fixed), Wrapped(v.y, *profile.fixed), v.z, v.w};
   }
   return scene;
 }

@@ -9,6 +9,7 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "model/snap_scene.h"
 
 namespace rasterproof::props {
 namespace {

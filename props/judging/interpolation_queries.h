@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/subject.h"
+#include "core/evaluators.h"
 #include "exact/rational.h"
 #include "props/judging/weight_queries.h"
 

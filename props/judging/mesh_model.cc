@@ -11,6 +11,7 @@
 #include "exact/homogeneous.h"
 #include "exact/snap_clip.h"
 #include "exact/winding.h"
+#include "model/target_model.h"
 
 namespace rasterproof::props {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
+#include "model/snap_scene.h"
 #include "props/judging/places.h"
 
 namespace rasterproof::props {

@@ -10,6 +10,9 @@
 #include "core/scene.h"
 #include "core/snap.h"
 #include "exact/coverage.h"
+#include "model/snap.h"
+#include "model/target_model.h"
+#include "model/wrap.h"
 #include "props/judging/precondition.h"
 
 namespace rasterproof::props {
@@ -17,7 +20,7 @@ namespace {
 
 std::vector<Point2> LegalPoints(const Vertex& v, const Profile& profile) {
   const double tolerance = profile.freedom.snap_tolerance;
-  const auto wrapped = [&](double x) { return profile.fixed ? profile.fixed->Wrapped(x) : x; };
+  const auto wrapped = [&](double x) { return profile.fixed ? Wrapped(x, *profile.fixed) : x; };
   const std::vector<double> ys = GridPointsWithin(wrapped(v.y), profile.snap, tolerance);
   std::vector<Point2> points;
   for (const double x : GridPointsWithin(wrapped(v.x), profile.snap, tolerance)) {

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/scene.h"
+#include "core/subject_errors.h"
 #include "props/judging/places.h"
 #include "props/judging/planar_mesh.h"
 #include "props/judging/redraw.h"

@@ -7,6 +7,7 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "model/snap_scene.h"
 #include "props/judging/free_choices.h"
 
 namespace rasterproof::props {

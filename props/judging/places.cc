@@ -10,6 +10,8 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "exact/snap_clip.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 
 namespace rasterproof::props {
 namespace {

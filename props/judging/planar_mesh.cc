@@ -9,6 +9,8 @@
 
 #include "core/scene.h"
 #include "exact/coverage.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_model.h"
 #include "props/judging/outline.h"

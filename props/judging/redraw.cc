@@ -11,6 +11,8 @@
 #include "core/scene.h"
 #include "core/target_size.h"
 #include "exact/coverage.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "props/judging/precondition.h"
 #include "props/judging/witness.h"
 

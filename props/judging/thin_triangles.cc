@@ -10,6 +10,8 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "props/judging/outline.h"
 
 namespace rasterproof::props {

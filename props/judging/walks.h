@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/evaluators.h"
 #include "core/subject.h"
 #include "core/verdict.h"
 #include "props/judging/edge_queries.h"

@@ -9,7 +9,7 @@
 
 #include "core/coverage.h"
 #include "core/drawing.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/verdict.h"
 
 namespace rasterproof::props {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/case.h"
+#include "core/evaluators.h"
 #include "core/subject.h"
 #include "core/verdict.h"
 #include "exact/rational.h"

@@ -8,6 +8,7 @@
 
 #include "core/result.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 

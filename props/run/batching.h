@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "core/drawing.h"
+#include "core/evaluators.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/property.h"
 #include "props/run/trial.h"
 

@@ -9,6 +9,7 @@
 #include "core/case.h"
 #include "core/result.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/property.h"
 
 namespace rasterproof::props {

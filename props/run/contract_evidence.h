@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/result.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof::props {
 

@@ -6,7 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/evaluators.h"
+#include "core/profile.h"
 #include "core/scene.h"
+#include "exact/coverage.h"
+#include "exact/homogeneous.h"
+#include "exact/snap_clip.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "props/run/parts.h"
 
 namespace rasterproof::props {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/subject_errors.h"
 
 namespace rasterproof::props {
 namespace {

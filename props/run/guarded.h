@@ -4,7 +4,9 @@
 
 #include <memory>
 
+#include "core/evaluators.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof::props {
 

@@ -7,6 +7,7 @@
 
 #include "core/profile.h"
 #include "core/transform.h"
+#include "model/target_model.h"
 #include "props/judging/flat_triangles.h"
 #include "props/judging/redraw.h"
 #include "props/run/own_transform.h"

@@ -10,6 +10,9 @@
 #include "core/snap.h"
 #include "exact/edge.h"
 #include "exact/homogeneous.h"
+#include "model/snap.h"
+#include "model/target_model.h"
+#include "model/wrap.h"
 #include "props/domains/input_lattice.h"
 
 namespace rasterproof::props {
@@ -41,7 +44,7 @@ struct Edge {
 bool PutIntoWindow(Vertex& v, bool clip_space, const Profile& profile) {
   if (!IsFinite(v)) return false;
   if (clip_space && !(v.w > 0)) return false;
-  if (profile.fixed) v = {profile.fixed->Wrapped(v.x), profile.fixed->Wrapped(v.y), v.z, v.w};
+  if (profile.fixed) v = {Wrapped(v.x, *profile.fixed), Wrapped(v.y, *profile.fixed), v.z, v.w};
   const Snap& snap = profile.snap;
   if (!snap.IsNone()) {
     if (clip_space) v = {v.x / v.w, v.y / v.w, v.z, 1};

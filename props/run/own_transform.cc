@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/transform.h"
+#include "model/transform.h"
 
 namespace rasterproof::props {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "core/case.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/verdict.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"

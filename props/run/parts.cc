@@ -11,6 +11,8 @@
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
 #include "exact/snap_clip.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 
 namespace rasterproof::props {
 namespace {

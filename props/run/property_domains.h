@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/slow_subject.h"
+#include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "props/run/parts.h"
 

@@ -8,7 +8,9 @@
 
 #include "core/error.h"
 #include "core/profile.h"
-#include "core/slow_subject.h"
+#include "core/subject.h"
+#include "core/subject_errors.h"
+#include "model/target_model.h"
 #include "props/judging/flat_triangles.h"
 #include "props/judging/redraw.h"
 #include "props/run/batching.h"

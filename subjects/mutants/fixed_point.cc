@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/snap.h"
+#include "subjects/mutants/placing.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -59,7 +59,7 @@ class FixedPoint final : public Subject {
   }
 
   // The model that the profile has on the scene's target.
-  Profile ModelOn(const Scene& scene) const;
+  Profile ModelOf(const Scene& scene) const;
   double Wrapped(double x) const;
   bool IsTooLarge(const std::array<GridPoint, 3>& v) const;
   Target Prepare(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) const;
@@ -80,9 +80,9 @@ class FixedPoint final : public Subject {
   int bits_ = 8;
 };
 
-Profile FixedPoint::ModelOn(const Scene& scene) const {
+Profile FixedPoint::ModelOf(const Scene& scene) const {
   if (stages_.target_model) return stages_.target_model(info_.profile, scene);
-  return ForTarget(info_.profile, scene.width, scene.height);
+  return ModelOn(info_.profile, scene.width, scene.height);
 }
 
 // The low n + m bits, the highest of them read as the sign.
@@ -128,7 +128,7 @@ FixedPoint::Target FixedPoint::Prepare(const Scene& scene, const DrawOptions& op
 std::optional<GridPoint> FixedPoint::Snapped(const Vertex& v) const {
   const auto snap = [&](double x, bool along_y) {
     if (info_.profile.fixed && std::isfinite(x)) x = Wrapped(x);
-    return stages_.snap ? stages_.snap(x, along_y) : SnapCoordinate(x, model_.snap);
+    return stages_.snap ? stages_.snap(x, along_y) : SnapToGrid(x, model_.snap);
   };
   const double reach = 2 * info_.profile.coordinate_limit;
   const double x = snap(v.x, false);
@@ -259,7 +259,7 @@ void FixedPoint::DrawTriangle(const GridTriangle& triangle, Target& target) cons
 }
 
 void FixedPoint::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-  model_ = ModelOn(scene);
+  model_ = ModelOf(scene);
   const CoverageCounts before = stages_.after ? counts : CoverageCounts();
   Target target = Prepare(scene, options, counts);
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {

@@ -14,6 +14,7 @@
 #include "core/scene.h"
 #include "core/snap.h"
 #include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/placing.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -82,7 +83,7 @@ class FreeChoice final : public Subject {
   }
 
   std::vector<double> LegalCoordinates(double x) const {
-    const double own = SnapCoordinate(x, {stages_.bits});
+    const double own = SnapToGrid(x, {stages_.bits});
     const double step = std::ldexp(1.0, -stages_.bits);
     std::vector<double> legal{own};
     for (const double point : {own - step, own + step}) {

@@ -11,6 +11,7 @@
 #include "core/fill_rule.h"
 #include "core/profile.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/vertex.h"
 
 namespace rasterproof::subjects::mutants {

@@ -10,6 +10,7 @@
 
 #include "core/snap.h"
 #include "reference/exact_sign.h"
+#include "subjects/mutants/placing.h"
 #include "subjects/mutants/planted.h"
 
 namespace rasterproof::subjects::mutants {
@@ -20,7 +21,7 @@ std::vector<Planted> FixedPointOnes() {
       {"late-half-up-y", "ties of the snap go up along y", "",
        FixedStages{.snap =
                        [](double x, bool along_y) {
-                         return SnapCoordinate(
+                         return SnapToGrid(
                              x, {8, along_y ? SnapRule::kHalfUp : SnapRule::kNearestEven});
                        }}},
       {"late-small-box",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/snap.h"
+#include "subjects/mutants/placing.h"
 #include "subjects/mutants/planted.h"
 
 namespace rasterproof::subjects::mutants {
@@ -66,27 +67,27 @@ std::vector<Planted> Snaps() {
   return {
       {"snap-truncates", "snapping truncates towards zero",
        "passes the published conformance checks",
-       Snapping([](double x, bool) { return SnapCoordinate(x, {8, SnapRule::kTruncate}); })},
+       Snapping([](double x, bool) { return SnapToGrid(x, {8, SnapRule::kTruncate}); })},
       {"snap-floors", "snapping rounds down", "",
-       Snapping([](double x, bool) { return SnapCoordinate(x, {8, SnapRule::kFloor}); })},
+       Snapping([](double x, bool) { return SnapToGrid(x, {8, SnapRule::kFloor}); })},
       {"snap-nearest-away", "ties are snapped away from zero", "",
-       Snapping([](double x, bool) { return SnapCoordinate(x, {8, SnapRule::kNearestAway}); })},
+       Snapping([](double x, bool) { return SnapToGrid(x, {8, SnapRule::kNearestAway}); })},
       {"snap-half-up-in-float", "one half is added in float32 and the sum truncated",
        "what a published conformance suite's own reference does", Snapping([](double x, bool) {
          const float scaled = static_cast<float>(x) * 256.0F + 0.5F;
          return std::floor(double{scaled}) / 256;
        })},
       {"snap-4-bits", "snapping keeps 4 of the 8 bits", "xemu #2183",
-       Snapping([](double x, bool) { return SnapCoordinate(x, {4, SnapRule::kTruncate}); })},
+       Snapping([](double x, bool) { return SnapToGrid(x, {4, SnapRule::kTruncate}); })},
       {"snap-7-bits", "snapping keeps 7 of the 8 bits", "",
-       Snapping([](double x, bool) { return SnapCoordinate(x, {7, SnapRule::kNearestEven}); })},
+       Snapping([](double x, bool) { return SnapToGrid(x, {7, SnapRule::kNearestEven}); })},
       {"snap-y-truncates", "y is truncated, x is not", "", Snapping([](double x, bool along_y) {
-         return SnapCoordinate(x, {8, along_y ? SnapRule::kTruncate : SnapRule::kNearestEven});
+         return SnapToGrid(x, {8, along_y ? SnapRule::kTruncate : SnapRule::kNearestEven});
        })},
       {"snap-of-difference", "snapping follows the subtraction of one half in float32",
        "drivers that sample at integers", Snapping([](double x, bool) {
          const float moved = static_cast<float>(x) - 0.5F;
-         return SnapCoordinate(moved, {8, SnapRule::kNearestEven}) + 0.5;
+         return SnapToGrid(moved, {8, SnapRule::kNearestEven}) + 0.5;
        })},
       {"snap-by-magic-number", "1.5 2^23 is added to force the rounding: too little from 2^14 on",
        "", Snapping([](double x, bool) {
@@ -96,12 +97,12 @@ std::vector<Planted> Snaps() {
        })},
       {"snap-bits-lost-far-off", "from 8192 pixels on only 6 bits are kept", "",
        Snapping([](double x, bool) {
-         return SnapCoordinate(x, {std::fabs(x) < 0x1p13 ? 8 : 6, SnapRule::kNearestEven});
+         return SnapToGrid(x, {std::fabs(x) < 0x1p13 ? 8 : 6, SnapRule::kNearestEven});
        })},
       {"snap-negative-mirrored", "negative coordinates are rounded half down", "",
        Snapping([](double x, bool) {
-         return x < 0 ? -SnapCoordinate(-x, {8, SnapRule::kFloor})
-                      : SnapCoordinate(x, {8, SnapRule::kNearestEven});
+         return x < 0 ? -SnapToGrid(-x, {8, SnapRule::kFloor})
+                      : SnapToGrid(x, {8, SnapRule::kNearestEven});
        })},
   };
 }

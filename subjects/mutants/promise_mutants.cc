@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "subjects/mutants/placing.h"
 #include "subjects/mutants/planted.h"
 #include "subjects/mutants/promises.h"
 
@@ -93,14 +94,14 @@ std::vector<Planted> Extents() {
 std::vector<Planted> Targets() {
   return {
       {"target-first-entry", "the model of small targets is taken for all", "",
-       ByTarget([](const Profile& profile, const Scene&) { return ForTarget(profile, 1, 1); })},
+       ByTarget([](const Profile& profile, const Scene&) { return ModelOn(profile, 1, 1); })},
       {"target-or-equal", "a target of exactly the largest width is taken for a larger one", "",
        ByTarget([](const Profile& profile, const Scene& scene) {
-         return ForTarget(profile, std::min(scene.width + 1, kMaxTargetSide), scene.height);
+         return ModelOn(profile, std::min(scene.width + 1, kMaxTargetSide), scene.height);
        })},
       {"target-by-width", "the model is chosen by the width alone", "",
        ByTarget([](const Profile& profile, const Scene& scene) {
-         return ForTarget(profile, scene.width, 1);
+         return ModelOn(profile, scene.width, 1);
        })},
   };
 }

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "subjects/mutants/placing.h"
 #include "subjects/mutants/planted.h"
 #include "subjects/mutants/promises.h"
 
@@ -68,7 +69,7 @@ std::vector<Planted> PromiseVariants() {
   unsigned_input.profile.fixed = FixedInput{10, 6, false, false};
   FixedStages moved = ClippedBeyond256();
   moved.snap = [](double x, bool) {
-    const double at = SnapCoordinate(x, {8, SnapRule::kNearestEven});
+    const double at = SnapToGrid(x, {8, SnapRule::kNearestEven});
     return std::fabs(x) <= 256 ? at : at + 0x1p-7;
   };
   FixedStages flat = UnspecifiedFlat();

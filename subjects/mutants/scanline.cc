@@ -11,6 +11,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/placing.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -54,8 +55,8 @@ class Scanline final : public Subject {
   std::optional<Corners3> Placed(const std::array<Vertex, 3>& corners) const {
     Corners3 v;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double x = SnapCoordinate(corners[k].x, info_.profile.snap);
-      const double y = SnapCoordinate(corners[k].y, info_.profile.snap);
+      const double x = SnapToGrid(corners[k].x, info_.profile.snap);
+      const double y = SnapToGrid(corners[k].y, info_.profile.snap);
       const double reach = 2 * info_.profile.coordinate_limit;
       if (!(std::fabs(x) <= reach && std::fabs(y) <= reach)) return std::nullopt;
       v[k] = {static_cast<std::int64_t>(x * kUnit), static_cast<std::int64_t>(y * kUnit)};

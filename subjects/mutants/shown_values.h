@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/evaluators.h"
 #include "core/subject.h"
 #include "core/vertex.h"
 

@@ -17,6 +17,7 @@
 
 #include "core/edge_claims.h"
 #include "core/error.h"
+#include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "kit/rasterproof_plugin.h"
 #include "subjects/plugin/environment.h"

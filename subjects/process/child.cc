@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/subject.h"
+#include "core/subject_errors.h"
 #include "subjects/process/groups.h"
 
 namespace rasterproof::subjects {

@@ -10,7 +10,9 @@
 
 #include "core/edge_claims.h"
 #include "core/error.h"
-#include "core/slow_subject.h"
+#include "core/evaluators.h"
+#include "core/subject_errors.h"
+#include "core/subject_info.h"
 #include "core/target_size.h"
 #include "subjects/process/child.h"
 #include "subjects/process/protocol.h"

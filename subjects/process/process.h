@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "core/evaluators.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof::subjects {
 

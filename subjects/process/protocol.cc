@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/subject_errors.h"
 #include "core/target_size.h"
 
 namespace rasterproof::subjects {

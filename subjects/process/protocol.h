@@ -36,7 +36,8 @@
 #include <vector>
 
 #include "core/drawing.h"
-#include "core/subject.h"
+#include "core/evaluators.h"
+#include "core/subject_info.h"
 #include "core/vertex.h"
 
 namespace rasterproof::subjects {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/subject_errors.h"
 #include "subjects/process/protocol.h"
 
 namespace rasterproof::subjects {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof {
 namespace {
@@ -23,27 +23,9 @@ TEST(FixedInput, HasARangeThatEndsAStepBeforeThePowerOfTwo) {
   EXPECT_EQ(kUnsigned.Largest(), 1024 - 0x1p-6);
 }
 
-TEST(FixedInput, WrapsToTheOtherEnd) {
-  EXPECT_EQ(kSigned.Wrapped(2048), -2048);
-  EXPECT_EQ(kSigned.Wrapped(2048 - kStep), 2048 - kStep);
-  EXPECT_EQ(kSigned.Wrapped(-2048), -2048);
-  EXPECT_EQ(kSigned.Wrapped(-2048 - kStep), 2048 - kStep);
-  EXPECT_EQ(kSigned.Wrapped(3 * 4096.0 + 5.25), 5.25);
-  EXPECT_EQ(kUnsigned.Wrapped(-0x1p-6), 1024 - 0x1p-6);
-  EXPECT_EQ(kUnsigned.Wrapped(1024), 0);
-  EXPECT_TRUE(std::isnan(kSigned.Wrapped(std::numeric_limits<double>::quiet_NaN())));
-  const FixedInput still{12, 4, true, false};
-  EXPECT_EQ(still.Wrapped(5000), 5000);
-}
-
-// By integers, as the hardware does it: the low bits, the highest of them read as the sign.
-TEST(FixedInput, WrapsAsIntegersDo) {
+TEST(FixedInput, IsReadInItsUnitsBeforeItWraps) {
   for (std::int64_t raw = -200000; raw < 200000; raw += 7) {
-    const double x = std::ldexp(static_cast<double>(raw), -4);
-    EXPECT_EQ(kSigned.Wrapped(x), std::ldexp(static_cast<std::int16_t>(raw), -4)) << raw;
-    EXPECT_EQ(kSigned.Raw(x), raw);
-    const double y = std::ldexp(static_cast<double>(raw), -6);
-    EXPECT_EQ(kUnsigned.Wrapped(y), std::ldexp(static_cast<std::uint16_t>(raw), -6)) << raw;
+    EXPECT_EQ(kSigned.Raw(std::ldexp(static_cast<double>(raw), -4)), raw);
   }
 }
 
@@ -57,83 +39,12 @@ TEST(FixedInput, IsGivenWhatItsIntegersHold) {
   EXPECT_FALSE(still.IsGiven(2048));
 }
 
-Profile WithTargets() {
-  Profile profile;
-  profile.snap = {4};
-  profile.targets = {{.max_width = 2048, .max_height = 1024, .snap = {8}},
-                     {.max_width = 4096, .max_height = 4096, .snap = {6}}};
-  return profile;
-}
-
-TEST(ForTarget, TakesTheFirstModelThatFitsBothSides) {
-  const auto bits = [](int width, int height) {
-    return ForTarget(WithTargets(), width, height).snap.bits;
-  };
-  EXPECT_EQ(bits(1, 1), 8);
-  EXPECT_EQ(bits(2048, 1024), 8);
-  EXPECT_EQ(bits(2049, 1), 6);
-  EXPECT_EQ(bits(1, 1025), 6);
-  EXPECT_EQ(bits(4096, 4096), 6);
-  EXPECT_EQ(bits(4097, 1), 4);
-}
-
-TEST(ForTarget, CanBeAskedAgainAboutAnotherSize) {
-  const Profile large = ForTarget(WithTargets(), 5000, 5000);
-  EXPECT_EQ(ForTarget(large, 16, 16).snap.bits, 8);
-  EXPECT_EQ(ForTarget(ForTarget(large, 16, 16), 5000, 5000), large);
-  EXPECT_EQ(ForTarget(Profile{}, 16, 16), Profile{});
-}
-
 Scene OneTriangle(std::array<Point2, 3> v) {
   Scene scene;
   scene.precision = Precision::kFloat64;
   for (const Point2 p : v) scene.vertices.push_back({p.x, p.y, 0, 1});
   scene.triangles = {{0, 1, 2}};
   return scene;
-}
-
-TEST(SnapScene, WrapsFirstAndSnapsThen) {
-  Profile profile;
-  profile.fixed = kSigned;
-  profile.snap = {0, SnapRule::kFloor};
-  const Scene placed =
-      SnapScene(OneTriangle({{{4096 + 1.75, -2049}, {2047.5, 3}, {0, 0}}}), profile);
-  EXPECT_EQ(WindowPoint(placed.vertices[0]), (Point2{1, 2047}));
-  EXPECT_EQ(WindowPoint(placed.vertices[1]), (Point2{2047, 3}));
-}
-
-TEST(SnapScene, UsesTheModelOfTheTarget) {
-  Scene scene = OneTriangle({{{0x1p-7, 0}, {4, 0}, {0, 4}}});
-  EXPECT_EQ(SnapScene(scene, WithTargets()).vertices[0].x, 0x1p-7);
-  scene.width = 4097;
-  EXPECT_EQ(SnapScene(scene, WithTargets()).vertices[0].x, 0);
-}
-
-TEST(SnapScene, PutsWhatIsTooLargeIntoOnePlace) {
-  Profile profile;
-  profile.snap = {4};
-  profile.max_extent = MaxExtent{1024, 512};
-  const auto is_kept = [&](Point2 far) {
-    return SnapScene(OneTriangle({{{0, 0}, far, {0, 3}}}), profile).triangles[0] ==
-           Triangle{0, 1, 2};
-  };
-  EXPECT_TRUE(is_kept({1024, 2}));
-  EXPECT_TRUE(is_kept({1024 + 0x1p-6, 2}));  // snaps to the largest extent
-  EXPECT_FALSE(is_kept({1024 + kStep, 2}));
-  EXPECT_TRUE(is_kept({-1024, -509}));
-  EXPECT_FALSE(is_kept({5, 512 + kStep}));
-  EXPECT_FALSE(is_kept({5, -509 - kStep}));
-}
-
-TEST(Exceeds, DoesNotRound) {
-  const auto exceeds = [](double low, double high) {
-    return Exceeds({{{low, 0}, {high, 0}, {0, 1}}}, {1, 8});
-  };
-  EXPECT_FALSE(exceeds(0, 1));
-  EXPECT_TRUE(exceeds(-0x1p-80, 1));
-  EXPECT_FALSE(exceeds(0x1p-80, 1));
-  EXPECT_TRUE(exceeds(0, 1 + 0x1p-52));
-  EXPECT_TRUE(exceeds(-1e308, 1e308));
 }
 
 TEST(Limits, OfAFixedPointInputAreItsIntegers) {
@@ -150,21 +61,6 @@ TEST(Limits, OfAFixedPointInputAreItsIntegers) {
   info.profile = profile;
   EXPECT_TRUE(Takes(info, beyond));  // integers, whatever the scene's precision
   EXPECT_FALSE(Takes(info, OneTriangle({{{0.03125, 0}, {1, 3}, {0, 0}}})));
-}
-
-TEST(IsUnclipped, AsksForEveryCornerBeforeAndAfterSnapping) {
-  Profile profile;
-  profile.snap = {0};
-  profile.no_clip = WindowBox{-8, -8, 8, 8};
-  const auto holds = [&](double x) {
-    return IsUnclipped(OneTriangle({{{0, 0}, {x, 0}, {0, 4}}}), profile);
-  };
-  EXPECT_TRUE(holds(8));
-  EXPECT_TRUE(holds(-8));
-  EXPECT_FALSE(holds(8.25));  // snaps inside
-  EXPECT_FALSE(holds(9));
-  profile.no_clip->x1 = 7.5;
-  EXPECT_FALSE(holds(7.5));  // snaps outside
 }
 
 TEST(SameModel, LooksAtWhatCountsDependOn) {

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/snap.h"
 #include "core/ulp.h"
+#include "model/snap.h"
 #include "tests/exact/families.h"
 #include "tests/exact/naive.h"
 

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "io/case_file.h"
+#include "model/target_model.h"
 
 namespace rasterproof::io {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "core/scene.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "exact/coverage.h"
 #include "kit/main.h"
 

@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/profile.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "props/domains/domain.h"
 #include "props/run/campaign.h"

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "core/snap.h"
 #include "core/ulp.h"
 #include "exact/coverage.h"
+#include "model/snap.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 #include "props/domains/input_lattice.h"

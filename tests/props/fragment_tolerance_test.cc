@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "exact/coverage.h"
 #include "props/property.h"
 #include "props/run/campaign.h"

@@ -21,6 +21,7 @@
 #include "core/scene.h"
 #include "core/snap.h"
 #include "exact/coverage.h"
+#include "model/snap.h"
 #include "props/claims/all.h"
 #include "props/domains/domain.h"
 #include "props/property.h"

@@ -15,6 +15,7 @@
 
 #include "core/fill_rule.h"
 #include "exact/coverage.h"
+#include "model/snap_scene.h"
 #include "props/infer/directed.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"

@@ -12,6 +12,7 @@
 #include "core/fill_rule.h"
 #include "core/snap.h"
 #include "exact/coverage.h"
+#include "model/snap.h"
 #include "props/claims/all.h"
 #include "props/domains/domain.h"
 #include "tests/props/planted_subjects.h"

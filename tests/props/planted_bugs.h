@@ -9,7 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/evaluators.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 
 namespace rasterproof::props {
 

@@ -7,7 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "props/domains/domain.h"
 #include "props/domains/input_lattice.h"
 #include "props/infer/infer.h"

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/slow_subject.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "props/run/batching.h"
 #include "props/run/campaign.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "model/snap_scene.h"
 #include "tests/reference/brute_force.h"
 #include "tests/reference/random_values.h"
 #include "tests/reference/scenes.h"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/snap_scene.h"
 #include "reference/exact_sign.h"
 #include "tests/reference/brute_force.h"
 #include "tests/reference/random_values.h"

@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "model/target_model.h"
 #include "reference/plan_scene.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"

@@ -50,6 +50,13 @@ class LayersTest(unittest.TestCase):
         self.expect("exact/edge.cc", '#include "reference/plan.h"', "may not see reference/")
         self.expect("reference/plan.cc", '#include "exact/edge.h"', "may not see exact/")
 
+    def test_placing_is_shared_but_for_those_that_hold_it(self):
+        self.expect("reference/plan.cc", '#include "model/snap.h"')
+        self.expect("exact/coverage.cc", '#include "model/snap.h"')
+        self.expect("core/scene.cc", '#include "model/snap.h"', "core/ may not see model/")
+        self.expect("reference/integer_form.h", '#include "model/snap.h"', "not for this file")
+        self.expect("subjects/mutants/m.cc", '#include "model/snap.h"', "may not see model/")
+
     def test_only_the_builtin_subjects_see_the_reference(self):
         self.expect("subjects/builtin/b.cc", '#include "reference/plan.h"')
         self.expect("subjects/plugin/p.cc", '#include "reference/plan.h"', "may not see reference/")

@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "core/scene.h"
+#include "core/subject_errors.h"
 
 namespace rasterproof::subjects {
 namespace {

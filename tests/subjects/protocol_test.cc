@@ -13,6 +13,8 @@
 
 #include "core/error.h"
 #include "core/subject.h"
+#include "core/subject_errors.h"
+#include "core/subject_info.h"
 #include "subjects/process/serve.h"
 
 namespace rasterproof::subjects {

@@ -9,9 +9,10 @@
 
 #include "core/case.h"
 #include "core/snap.h"
-#include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/vertex.h"
 #include "exact/coverage.h"
+#include "model/snap.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/recipes.h"
 

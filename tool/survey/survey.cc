@@ -13,6 +13,7 @@
 #include "core/coverage.h"
 #include "core/error.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "exact/coverage.h"
 #include "exact/environment.h"
 #include "io/case_file.h"

@@ -6,6 +6,7 @@
 
 #include "core/profile.h"
 #include "exact/winding.h"
+#include "model/snap_scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"

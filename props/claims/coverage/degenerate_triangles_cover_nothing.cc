@@ -8,6 +8,7 @@
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
+#include "model/snap_scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"

@@ -11,6 +11,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/ulp.h"
+#include "model/snap_scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"

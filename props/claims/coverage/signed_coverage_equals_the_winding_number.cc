@@ -1,4 +1,5 @@
 // For any triangles, folded or not, front minus back equals the winding number of the boundary around the sample.
+#include "model/snap_scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"

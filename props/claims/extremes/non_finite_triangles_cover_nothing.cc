@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/scene.h"
+#include "core/subject_errors.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/scene.h"
+#include "model/target_model.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"

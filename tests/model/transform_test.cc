@@ -1,11 +1,14 @@
-#include "core/transform.h"
+#include "model/transform.h"
 
-#include <array>
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
 
 #include "core/profile.h"
-#include "gtest/gtest.h"
+#include "core/scene.h"
+#include "core/transform.h"
+#include "model/snap_scene.h"
 
 namespace rasterproof {
 namespace {
@@ -74,18 +77,6 @@ TEST(TransformTest, SnappingAProfileWithATransformFollowsIt) {
   EXPECT_FALSE(snapped.clip_space);
   // 0x1.fffffep-1 is snapped to one; the same half a step up, a tie as a quotient, is below it.
   EXPECT_EQ(snapped.vertices[0], (Vertex{1, 0, 0, 1}));
-}
-
-TEST(TransformTest, NamesAreReadBack) {
-  for (const Division division : {Division::kQuotient, Division::kReciprocal}) {
-    EXPECT_EQ(DivisionFromName(DivisionName(division)), division);
-  }
-  for (const ViewportForm form : {ViewportForm::kNone, ViewportForm::kMultiplyAdd,
-                                  ViewportForm::kFused, ViewportForm::kAddMultiply}) {
-    EXPECT_EQ(ViewportFormFromName(ViewportFormName(form)), form);
-  }
-  EXPECT_FALSE(DivisionFromName("quotients"));
-  EXPECT_FALSE(ViewportFormFromName(""));
 }
 
 }  // namespace

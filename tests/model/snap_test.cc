@@ -1,10 +1,12 @@
-#include "core/snap.h"
+#include "model/snap.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "gtest/gtest.h"
+#include "core/snap.h"
 
 namespace rasterproof {
 namespace {
@@ -135,21 +137,6 @@ TEST(SnapTest, AToleranceOfFarCoordinatesIsExactUpToItsDomain) {
   for (const double far : {0x1p36, 0x1p52 + 1, std::numeric_limits<double>::max()}) {
     EXPECT_EQ(GridPointsWithin(far, fine, 1), (Points{far}));
     EXPECT_EQ(GridPointsWithin(-far, fine, 1), (Points{-far}));
-  }
-}
-
-TEST(SnapTest, FormNamesReadBack) {
-  for (const SnapForm form :
-       {SnapForm::kCoordinate, SnapForm::kFloat32Difference, SnapForm::kExactDifference}) {
-    EXPECT_EQ(SnapFormFromName(SnapFormName(form)), form);
-  }
-  EXPECT_EQ(SnapFormFromName("edge"), std::nullopt);
-}
-
-TEST(SnapTest, NamesReadBack) {
-  for (const SnapRule rule : {SnapRule::kNearestEven, SnapRule::kNearestAway, SnapRule::kHalfUp,
-                              SnapRule::kFloor, SnapRule::kTruncate}) {
-    EXPECT_EQ(SnapRuleFromName(SnapRuleName(rule)), rule);
   }
 }
 

@@ -1,0 +1,43 @@
+// How a call to a subject ends that gives no answer.
+#ifndef RASTERPROOF_CORE_SUBJECT_ERRORS_H_
+#define RASTERPROOF_CORE_SUBJECT_ERRORS_H_
+
+#include <stdexcept>
+
+#include "core/error.h"
+
+namespace rasterproof {
+
+/// A subject that died, hung, wrote where it must not, or answered what is no answer. A finding.
+class SubjectFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A subject that was seen to give no answer at all: a finding.
+class SubjectHang : public SubjectFault {
+ public:
+  using SubjectFault::SubjectFault;
+};
+
+/// A subject that took longer over a draw than it may: neither a finding nor a pass.
+class SubjectTooSlow : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The moment that SetDeadline named came before the answer. It says nothing about the subject.
+class SubjectDeadline : public SubjectTooSlow {
+ public:
+  using SubjectTooSlow::SubjectTooSlow;
+};
+
+/// A subject that says that it does not draw this scene.
+class SubjectRefusal : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_SUBJECT_ERRORS_H_

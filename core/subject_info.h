@@ -1,0 +1,108 @@
+// What a subject says of itself.
+#ifndef RASTERPROOF_CORE_SUBJECT_INFO_H_
+#define RASTERPROOF_CORE_SUBJECT_INFO_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/profile.h"
+#include "core/scene.h"
+
+namespace rasterproof {
+
+/// What a subject's coverage comes back as.
+enum class CoverageKind : std::uint8_t {
+  kFacingCounts,  ///< how many triangles of each facing cover the sample
+  kCounts,        ///< how many triangles cover the sample, all of them in `front`
+  kMask,          ///< 1 in `front` where anything covers the sample
+  kWinners,       ///< which triangle won the sample
+  kFragments      ///< the winner, its weights and its depth
+};
+
+/// Which of several triangles on a sample wins it.
+enum class WinnerOrder : std::uint8_t { kLastDrawn, kFirstDrawn };
+
+/// The vertices that a subject's weights belong to: as given, or on the profile's subpixel grid.
+enum class WeightsOf : std::uint8_t { kGiven, kSnapped };
+
+/// What a subject says of the fragments that it shows.
+struct FragmentClaims {
+  WinnerOrder order = WinnerOrder::kLastDrawn;
+  WeightsOf weights_of = WeightsOf::kGiven;
+  /// Most that a weight is off, absolute. 0: it says nothing.
+  double weight_error = 0;
+  /// Most that a depth is off, absolute, in the unit of z. 0: it says nothing.
+  double depth_error = 0;
+};
+
+/// What a subject says of the edge values that it shows, in one number each.
+struct EdgeClaims {
+  bool shows_values = false;
+  bool shows_walks = false;
+  /// A value of E(a, b; p) is off by at most so many u of the size of its two products,
+  /// |(p.x - a.x)(b.y - a.y)| + |(p.y - a.y)(b.x - a.x)|. 0: exact. Nothing: nothing is said.
+  std::optional<double> value_error;
+  /// After n steps a walk is off by at most (n + 1) times so many u of the larger size at its two
+  /// ends.
+  std::optional<double> walk_error;
+
+  friend bool operator==(const EdgeClaims&, const EdgeClaims&) = default;
+};
+
+/// A statement about a method's arithmetic that a script proves.
+struct Proof {
+  std::string statement;
+  std::string script;  ///< in reference/proofs/, run by the tests
+
+  friend bool operator==(const Proof&, const Proof&) = default;
+};
+
+/// What a subject says of itself.
+struct SubjectInfo {
+  std::string name;
+  std::string summary;
+  /// What its coverage is held to.
+  Profile profile;
+  /// The number format it computes its input in: a float64 scene is no input for a float32 subject.
+  Precision input = Precision::kFloat32;
+  bool takes_window = true;
+  bool takes_clip = false;
+  /// True if DrawOptions::threads is more than a wish: then equal coverage from any number is a
+  /// claim.
+  bool takes_threads = false;
+  /// Whether the other members of DrawOptions are obeyed.
+  bool takes_tiles = true;
+  bool takes_scissor = true;
+  bool takes_culling = true;
+  CoverageKind coverage = CoverageKind::kFacingCounts;
+  /// True if it draws several scenes in one call.
+  bool takes_batches = false;
+  /// For the kinds kWinners and kFragments.
+  FragmentClaims fragments;
+  /// For subjects that show edge values and state their bounds as numbers.
+  EdgeClaims edges;
+  /// True if its method claims 0 wrong samples against its own profile. Methods of reference/ and
+  /// deciders of exact/ alone; nothing that comes from outside sets it.
+  bool claims_exact = false;
+  /// What is proved of its arithmetic. Methods of reference/ alone.
+  std::vector<Proof> proofs;
+};
+
+/// Returns whether a call tells which triangle won each sample.
+inline bool ShowsWinners(const SubjectInfo& info) {
+  return info.coverage == CoverageKind::kWinners || info.coverage == CoverageKind::kFragments;
+}
+
+/// Returns whether the subject takes scenes of this kind and precision, and coordinates that its
+/// fixed-point input can be given.
+inline bool Takes(const SubjectInfo& info, const Scene& scene) {
+  if (scene.clip_space ? !info.takes_clip : !info.takes_window) return false;
+  if (info.profile.fixed) return CanBeGiven(scene, info.profile);  // as integers
+  return info.input == Precision::kFloat64 || scene.precision == Precision::kFloat32;
+}
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_SUBJECT_INFO_H_

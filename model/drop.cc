@@ -1,0 +1,27 @@
+#include "model/drop.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterproof {
+namespace {
+
+// Whether high - low > most, though the difference rounds: rounding keeps the order, and where it
+// ends on `most` itself what was lost (Knuth's TwoSum) has the sign of the rest.
+bool DifferenceExceeds(double high, double low, double most) {
+  const double difference = high - low;
+  if (difference != most || !std::isfinite(difference)) return difference > most;
+  const double from_low = difference - high;
+  return (high - (difference - from_low)) - (low + from_low) > 0;
+}
+
+}  // namespace
+
+bool Exceeds(const std::array<Point2, 3>& corners, const MaxExtent& extent) {
+  const auto [left, right] = std::ranges::minmax(corners, {}, &Point2::x);
+  const auto [low, high] = std::ranges::minmax(corners, {}, &Point2::y);
+  return DifferenceExceeds(right.x, left.x, extent.width) ||
+         DifferenceExceeds(high.y, low.y, extent.height);
+}
+
+}  // namespace rasterproof

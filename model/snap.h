@@ -1,0 +1,28 @@
+// Snapping of a coordinate: the stage that puts a vertex on the subpixel grid.
+#ifndef RASTERPROOF_MODEL_SNAP_H_
+#define RASTERPROOF_MODEL_SNAP_H_
+
+#include <vector>
+
+#include "core/snap.h"
+
+namespace rasterproof {
+
+/// Returns the grid point of `snap` that `x` rounds to.
+///
+/// Domain:     any double; 0 <= snap.bits <= kMaxSubpixelBits, or kNone (returns x itself).
+/// Error:      none: the result is the exact grid point that the rule names (of a difference: for
+///             |x| < 2^36; beyond, c + snapped is rounded to double). Infinity and NaN come back
+///             unchanged; the result of a tiny negative x is +0.
+double SnapCoordinate(double x, const Snap& snap);
+
+/// Returns the grid points of `snap` at most `tolerance` steps from x, in ascending order, and with
+/// them the one that x rounds to.
+///
+/// Domain:     as SnapCoordinate; 0 <= tolerance <= 1.
+/// Returns:    x alone if the snap is none, x is not finite, or |x| >= 2^36.
+std::vector<double> GridPointsWithin(double x, const Snap& snap, double tolerance);
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_MODEL_SNAP_H_

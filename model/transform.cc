@@ -1,0 +1,70 @@
+#include "model/transform.h"
+
+#include <cmath>
+#include <limits>
+
+namespace rasterproof {
+namespace {
+
+template <class T>
+T Divided(T x, T w, Division division) {
+  return division == Division::kQuotient ? x / w : x * (T{1} / w);
+}
+
+template <class T>
+T Placed(T q, int size, ViewportForm form) {
+  const T half = static_cast<T>(size) / 2;
+  switch (form) {
+    case ViewportForm::kNone:
+      break;
+    case ViewportForm::kMultiplyAdd:
+      return q * half + half;
+    case ViewportForm::kFused:
+      return std::fma(q, half, half);
+    case ViewportForm::kAddMultiply:
+      return (q + 1) * half;
+  }
+  return q;
+}
+
+template <class T>
+Vertex ToWindowIn(const Vertex& clip, const Transform& transform, int width, int height) {
+  const T w = static_cast<T>(clip.w);
+  const T x = Divided(static_cast<T>(clip.x), w, transform.division);
+  const T y = Divided(static_cast<T>(clip.y), w, transform.division);
+  return {Placed(x, width, transform.viewport),
+          Placed(transform.flips_y ? -y : y, height, transform.viewport), clip.z, 1};
+}
+
+// The quotient that the viewport takes to x.
+double BeforeViewport(double x, int size, ViewportForm form) {
+  return form == ViewportForm::kNone ? x : x / (size / 2.0) - 1;
+}
+
+}  // namespace
+
+Vertex ToWindow(const Vertex& clip, const Transform& transform, int width, int height) {
+  if (!IsFinite(clip) || !(clip.w > 0)) {
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+    return {kNowhere, kNowhere, clip.z, 1};
+  }
+  return transform.precision == Precision::kFloat32
+             ? ToWindowIn<float>(clip, transform, width, height)
+             : ToWindowIn<double>(clip, transform, width, height);
+}
+
+Vertex ToClip(const Vertex& window, double w, const Transform& transform, int width, int height) {
+  const double x = BeforeViewport(window.x, width, transform.viewport);
+  const double y = BeforeViewport(window.y, height, transform.viewport);
+  return {x * w, (transform.flips_y ? -y : y) * w, window.z, w};
+}
+
+Scene ToWindow(const Scene& scene, const Transform& transform) {
+  Scene window = scene;
+  window.clip_space = false;
+  window.precision = transform.precision;
+  for (Vertex& v : window.vertices) v = ToWindow(v, transform, scene.width, scene.height);
+  return window;
+}
+
+}  // namespace rasterproof

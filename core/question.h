@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/drawing.h"
-#include "core/subject.h"
+#include "core/evaluators.h"
 #include "core/vertex.h"
 
 namespace rasterproof {

@@ -9,7 +9,8 @@
 #include <string_view>
 
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/evaluators.h"
+#include "core/subject_info.h"
 #include "core/verdict.h"
 
 namespace rasterproof::props {

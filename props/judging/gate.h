@@ -32,7 +32,7 @@ enum class Shows : std::uint8_t {
   kEdgeValues,
   kSteps,
   kBarycentrics,
-  kFragments,
+  kFragments,  ///< of vertices that are given, or that the profile places
   kPrimitiveIds,
   kTiles,
   kThreads,

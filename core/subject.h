@@ -29,6 +29,22 @@ struct Step {
   int length = 1;
 };
 
+/// Asks for the value of E(a, b; p).
+struct EdgeQuestion {
+  Point2 a;
+  Point2 b;
+  Point2 p;
+};
+
+/// Asks for the values met on a walk of `steps` steps from p.
+struct WalkQuestion {
+  Point2 a;
+  Point2 b;
+  Point2 p;
+  Step step;
+  int steps = 0;
+};
+
 /// Edge values, for subjects that show them.
 class EdgeEvaluator {
  public:
@@ -43,6 +59,9 @@ class EdgeEvaluator {
   virtual double ErrorBound(Point2 a, Point2 b, Point2 p) const = 0;
   /// The values met when the subject walks `steps` steps from p: steps + 1 entries, the first at p.
   virtual std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const = 0;
+  /// The same of many questions, in their order: together where the subject is asked over a pipe.
+  virtual std::vector<double> Values(std::span<const EdgeQuestion> questions) const;
+  virtual std::vector<std::vector<double>> Walks(std::span<const WalkQuestion> questions) const;
   /// A proven bound on |Walk(...)[n] - E| for n = 0..steps, or NaN where none is claimed.
   virtual std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
                                               int steps) const = 0;
@@ -167,6 +186,8 @@ struct SubjectInfo {
   CoverageKind coverage = CoverageKind::kFacingCounts;
   /// True if it draws several scenes in one call.
   bool takes_batches = false;
+  /// The version of the protocol that it speaks, on a pipe (subjects/process/protocol.h).
+  int protocol = 1;
   /// For the kinds kWinners and kFragments.
   FragmentClaims fragments;
   /// For subjects that show edge values and state their bounds as numbers.

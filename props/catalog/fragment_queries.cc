@@ -170,11 +170,12 @@ std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuer
 std::vector<Fragment> SomeFragments(Subject& subject, const Case& c) {
   Subject& whole = subject.Whole();
   const SubjectInfo& info = whole.Info();
-  DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
-  for (std::size_t k = 0; k < job.scene.vertices.size(); ++k) job.scene.vertices[k].z = DepthOf(k);
+  Scene asked = c.scene;
+  for (std::size_t k = 0; k < asked.vertices.size(); ++k) asked.vertices[k].z = DepthOf(k);
+  const DrawJob job{asked, c.options, c.profile.lattice.samples()};
   const Drawing drawing = whole.Show(job);
   const bool snapped = info.fragments.weights_of == WeightsOf::kSnapped;
-  const Scene owners = snapped ? SnapScene(job.scene, c.profile) : job.scene;
+  const Scene owners = snapped ? SnapScene(asked, c.profile) : asked;
   std::vector<std::size_t> covered;
   for (std::size_t k = 0; k < drawing.winners.size(); ++k) {
     if (drawing.winners[k] != kNoTriangle) covered.push_back(k);

@@ -61,7 +61,7 @@ class FacingSubject final : public Subject {
     const std::vector<DrawOutcome> drawn = subject_->DrawMany(part_jobs);
     std::vector<DrawOutcome> outcomes(jobs.size());
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-      const Scene& scene = jobs[k].scene;
+      const Scene& scene = *jobs[k].scene;
       outcomes[k].drawing.counts = CoverageCounts(scene.width, scene.height, jobs[k].samples);
     }
     for (std::size_t n = 0; n < drawn.size(); ++n) {
@@ -85,11 +85,11 @@ class FacingSubject final : public Subject {
 
   void AddParts(std::size_t k, const DrawJob& job, std::vector<Part>& parts,
                 std::vector<DrawJob>& part_jobs) const {
-    const Scene& scene = job.scene;
+    const Scene& scene = *job.scene;
     const Profile profile = ForTarget(info_.profile, scene.width, scene.height);
     const Scene snapped = IsHomogeneous(scene, profile) ? scene : SnapScene(scene, profile);
     std::array<std::vector<Triangle>, 2> sides;
-    for (const Triangle& t : scene.triangles) {
+    for (const Triangle& t : job.Triangles()) {
       sides[FacingOf(snapped, t, profile) < 0 ? 1 : 0].push_back(t);
     }
     for (const bool is_back : {false, true}) {
@@ -97,10 +97,10 @@ class FacingSubject final : public Subject {
       const std::size_t triangles_a_call = CountsTriangles(subject_->Info()) ? side.size() : 1;
       for (std::size_t t = 0; t < side.size(); t += triangles_a_call) {
         parts.push_back({k, is_back});
-        part_jobs.push_back(job);
         const auto first = side.begin() + static_cast<std::ptrdiff_t>(t);
-        part_jobs.back().scene.triangles.assign(
-            first, first + static_cast<std::ptrdiff_t>(triangles_a_call));
+        DrawJob& part = part_jobs.emplace_back(job.scene, job.options, job.samples);
+        part.triangles.emplace(first, first + static_cast<std::ptrdiff_t>(triangles_a_call));
+        part.wants = kCoverageAndIds;  // that an id is of the scene is looked at, whoever asks
       }
     }
   }

@@ -104,9 +104,9 @@ class PluginScene {
 class PluginTarget {
  public:
   PluginTarget(const DrawJob& job, CoverageKind kind)
-      : rows_(static_cast<std::size_t>(job.scene.height)) {
-    RequireTargetSize("plugin", job.scene.width, job.scene.height, job.samples);
-    drawing_.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+      : rows_(static_cast<std::size_t>(job.scene->height)) {
+    RequireTargetSize("plugin", job.scene->width, job.scene->height, job.samples);
+    drawing_.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
     const std::size_t columns = drawing_.counts.size() / rows_;
     const bool winners = kind == CoverageKind::kWinners || kind == CoverageKind::kFragments;
     const GuardedCounts& shape =
@@ -253,11 +253,11 @@ class PluginSubject final : public Subject {
 
   Drawing Show(const DrawJob& job) override {
     Reset();
-    if (!CanBeGiven(job.scene, info_.profile)) {
+    if (!CanBeGiven(*job.scene, info_.profile)) {
       throw InputError("subject " + info_.name, "its integers do not hold a coordinate",
                        "give it multiples of its step within its range");
     }
-    const PluginScene given(job.scene, job.options, fixed_);
+    const PluginScene given(SceneOf(job), job.options, fixed_);
     PluginTarget target(job, info_.coverage);
     const std::int32_t refused =
         InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
@@ -271,7 +271,7 @@ class PluginSubject final : public Subject {
 
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     const auto can_be_given = [&](const DrawJob& job) {
-      return CanBeGiven(job.scene, info_.profile);
+      return CanBeGiven(*job.scene, info_.profile);
     };
     if (plugin_.draw_many == nullptr || jobs.size() < 2 ||
         !std::ranges::all_of(jobs, can_be_given)) {
@@ -283,7 +283,7 @@ class PluginSubject final : public Subject {
     std::vector<const rasterproof_scene*> scene_views;
     std::vector<const rasterproof_target*> target_views;
     for (const DrawJob& job : jobs) {
-      scene_views.push_back(&given.emplace_back(job.scene, job.options, fixed_).view());
+      scene_views.push_back(&given.emplace_back(SceneOf(job), job.options, fixed_).view());
       target_views.push_back(&targets.emplace_back(job, info_.coverage).view());
     }
     const std::int32_t refused = InLibrary([&] {

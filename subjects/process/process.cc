@@ -205,14 +205,14 @@ std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) 
   std::vector<DrawOutcome> outcomes;
   const DrawJob& first = jobs.front();
   const auto fits = [](const DrawJob& job) {
-    return IsTargetSize(job.scene.width, job.scene.height, job.samples);
+    return IsTargetSize(job.scene->width, job.scene->height, job.samples);
   };
   jobs = jobs.first(static_cast<std::size_t>(
       std::ranges::distance(jobs.begin(), std::ranges::find_if_not(jobs, fits))));
   if (jobs.empty()) {
     DrawOutcome& outcome = outcomes.emplace_back();
     outcome.error = Thrown([&] {
-      RequireTargetSize("subject " + info_.name, first.scene.width, first.scene.height,
+      RequireTargetSize("subject " + info_.name, first.scene->width, first.scene->height,
                         first.samples);
     });
     return outcomes;

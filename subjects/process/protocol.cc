@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <istream>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -112,33 +113,31 @@ struct Announced {
   std::size_t triangles = 0;
 };
 
-Announced ParseDrawLine(const std::vector<std::string>& words, DrawRequest& request) {
+Announced ParseDrawLine(const std::vector<std::string>& words, DrawRequest& request, Scene& scene) {
   const std::string where = "draw line";
   if (words.size() < 8 || words[0] != "draw" || (words[5] != "window" && words[5] != "clip")) {
     Malformed(where, "draw ID WIDTH HEIGHT SAMPLES window|clip VERTICES TRIANGLES");
   }
   request.id = Number<std::uint64_t>(words[1], where);
-  request.job.scene.width = Number<int>(words[2], where);
-  request.job.scene.height = Number<int>(words[3], where);
+  scene.width = Number<int>(words[2], where);
+  scene.height = Number<int>(words[3], where);
   request.job.samples = Number<int>(words[4], where);
-  request.job.scene.clip_space = words[5] == "clip";
-  request.job.scene.precision =
-      Precision::kFloat64;  // what it holds; a program narrows what it must
+  scene.clip_space = words[5] == "clip";
+  scene.precision = Precision::kFloat64;  // what it holds; a program narrows what it must
   const Announced announced{Number<std::size_t>(words[6], where),
                             Number<std::size_t>(words[7], where)};
   if (announced.vertices > kMostListed || announced.triangles > kMostListed) {
     Malformed(where, "at most 2^26 vertices and triangles");
   }
   for (std::size_t k = 8; k < words.size(); ++k) ParseOption(words[k], where, request.job.options);
-  const Scene& s = request.job.scene;
-  RequireTargetSize("standard input: " + where, s.width, s.height, request.job.samples);
+  RequireTargetSize("standard input: " + where, scene.width, scene.height, request.job.samples);
   return announced;
 }
 
 DrawRequest ReadRequest(std::istream& in, const std::vector<std::string>& draw_line) {
   DrawRequest request;
-  const Announced announced = ParseDrawLine(draw_line, request);
-  Scene& scene = request.job.scene;
+  Scene scene;
+  const Announced announced = ParseDrawLine(draw_line, request, scene);
   const std::string where = "request " + std::to_string(request.id);
   for (std::size_t n = 0; n < announced.vertices; ++n) {
     const std::string place = where + ", vertex " + std::to_string(n);
@@ -158,6 +157,7 @@ DrawRequest ReadRequest(std::istream& in, const std::vector<std::string>& draw_l
     }
     scene.triangles.push_back(triangle);
   }
+  request.job.scene = std::make_shared<const Scene>(std::move(scene));
   return request;
 }
 
@@ -284,7 +284,7 @@ void ReadWinners(Drawing& drawing, std::size_t triangles, bool fragments,
 }  // namespace
 
 std::string RequestText(std::uint64_t id, const DrawJob& job) {
-  const Scene& scene = job.scene;
+  const Scene& scene = *job.scene;
   const DrawOptions& options = job.options;
   std::string text = "draw " + std::to_string(id);
   for (const int n : {scene.width, scene.height, job.samples}) {
@@ -292,7 +292,7 @@ std::string RequestText(std::uint64_t id, const DrawJob& job) {
     AppendInteger(text, n);
   }
   text += scene.clip_space ? " clip " : " window ";
-  text += std::to_string(scene.vertices.size()) + ' ' + std::to_string(scene.triangles.size());
+  text += std::to_string(scene.vertices.size()) + ' ' + std::to_string(job.Triangles().size());
   if (options.cull != Cull::kNone) {
     text += options.cull == Cull::kFront ? " cull=front" : " cull=back";
   }
@@ -311,7 +311,7 @@ std::string RequestText(std::uint64_t id, const DrawJob& job) {
     }
     text.back() = '\n';
   }
-  for (const Triangle& t : scene.triangles) {
+  for (const Triangle& t : job.Triangles()) {
     for (const std::int32_t index : t) {
       AppendInteger(text, index);
       text += ' ';
@@ -383,9 +383,9 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
                    const NextLine& next_line) {
   RequireHead(next_line(kMostOfAHead), AnswerWord(info.coverage), id, info.name);
   Drawing drawing;
-  drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+  drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
   if (ShowsWinners(info)) {
-    ReadWinners(drawing, job.scene.triangles.size(), info.coverage == CoverageKind::kFragments,
+    ReadWinners(drawing, job.Triangles().size(), info.coverage == CoverageKind::kFragments,
                 next_line);
     return drawing;
   }

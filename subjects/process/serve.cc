@@ -23,7 +23,7 @@ std::string OneLine(std::string text) {
 
 // A drawing of another shape than its target's can't be told.
 void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind) {
-  const CoverageCounts target(job.scene.width, job.scene.height, job.samples);
+  const CoverageCounts target(job.scene->width, job.scene->height, job.samples);
   const bool has_fragments = kind == CoverageKind::kFragments;
   const bool has_winners = kind == CoverageKind::kWinners || has_fragments;
   const CoverageCounts& counts = drawing.counts;

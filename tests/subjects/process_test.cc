@@ -126,7 +126,9 @@ TEST(ProcessSubject, NamesTheOneOfABatchThatHangs) {
   ProcessSubject subject(Pausing("[ \"${rest%% *}\" = 1 ] || sleep 1000"), info, {.seconds = 0.15});
   std::vector<DrawJob> jobs(3);
   EXPECT_EQ(subject.DrawMany(jobs).size(), 3U);
-  jobs[1].scene.height = 2;
+  Scene higher;
+  higher.height = 2;
+  jobs[1] = {higher, {}, 1};
   const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
   ASSERT_EQ(outcomes.size(), 2U) << "what follows a breakdown is left open";
   EXPECT_EQ(outcomes[0].error, nullptr);
@@ -135,10 +137,10 @@ TEST(ProcessSubject, NamesTheOneOfABatchThatHangs) {
 
 TEST(ProcessSubject, IsNotGivenTargetsThatNobodyTakes) {
   ProcessSubject subject(Pausing(":"), Info());
-  DrawJob large;
-  large.scene.width = 16384;
-  large.scene.height = 16384;
-  large.samples = 4;
+  Scene wide;
+  wide.width = 16384;
+  wide.height = 16384;
+  const DrawJob large(wide, {}, 4);
   EXPECT_THROW(subject.Show(large), InputError);
   const std::array<DrawJob, 3> jobs{DrawJob{}, large, DrawJob{}};
   const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);

@@ -19,16 +19,15 @@ namespace rasterproof::subjects {
 namespace {
 
 DrawRequest SomeRequest() {
-  DrawRequest request;
-  request.id = 7;
-  request.job.samples = 2;
-  request.job.scene.width = 3;
-  request.job.scene.height = 2;
-  request.job.scene.precision = Precision::kFloat64;
-  request.job.scene.vertices = {{0.1, -0.0, 0x1p-1074, 1},
-                                {1e300, std::numeric_limits<double>::infinity(), 0, 1},
-                                {0x1.fffffffffffffp1023, 1.0 / 3, -2, 1}};
-  request.job.scene.triangles = {{0, 1, 2}, {2, 1, 0}};
+  Scene scene;
+  scene.width = 3;
+  scene.height = 2;
+  scene.precision = Precision::kFloat64;
+  scene.vertices = {{0.1, -0.0, 0x1p-1074, 1},
+                    {1e300, std::numeric_limits<double>::infinity(), 0, 1},
+                    {0x1.fffffffffffffp1023, 1.0 / 3, -2, 1}};
+  scene.triangles = {{0, 1, 2}, {2, 1, 0}};
+  DrawRequest request{7, {scene, {}, 2}};
   request.job.options.cull = Cull::kBack;
   request.job.options.scissor = PixelRect{-1, 0, 2, 2};
   request.job.options.tile = 8;
@@ -43,19 +42,21 @@ TEST(Protocol, CarriesARequestWithoutLosingABit) {
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].id, request.id);
   EXPECT_EQ(read[0].job.samples, request.job.samples);
-  EXPECT_EQ(read[0].job.scene, request.job.scene);
+  EXPECT_EQ(SceneOf(read[0].job), SceneOf(request.job));
   EXPECT_EQ(read[0].job.options, request.job.options);
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(read[0].job.scene.vertices[0].y), std::uint64_t{1} << 63);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(read[0].job.scene->vertices[0].y), std::uint64_t{1} << 63);
   EXPECT_TRUE(ReadCall(in).empty());
 }
 
 TEST(Protocol, CarriesWhatIsNoNumber) {
   DrawRequest request = SomeRequest();
-  request.job.scene.vertices[1].x = std::numeric_limits<double>::quiet_NaN();
+  Scene scene = *request.job.scene;
+  scene.vertices[1].x = std::numeric_limits<double>::quiet_NaN();
+  request.job.scene = std::make_shared<const Scene>(scene);
   std::istringstream in(RequestText(request.id, request.job));
   const std::vector<DrawRequest> read = ReadCall(in);
   ASSERT_EQ(read.size(), 1U);
-  EXPECT_NE(read[0].job.scene.vertices[1].x, read[0].job.scene.vertices[1].x);
+  EXPECT_NE(read[0].job.scene->vertices[1].x, read[0].job.scene->vertices[1].x);
 }
 
 TEST(Protocol, RefusesRequestsThatAreNone) {
@@ -77,9 +78,10 @@ TEST(Protocol, RefusesRequestsThatAreNone) {
 
 // The answer to request 12, a scene of 2 triangles on a target of one row.
 Drawing Read(const std::string& answer, CoverageKind kind, int width) {
-  DrawJob job;
-  job.scene.width = width;
-  job.scene.triangles.resize(2);
+  Scene scene;
+  scene.width = width;
+  scene.triangles.resize(2);
+  const DrawJob job(scene, {}, 1);
   SubjectInfo info;
   info.coverage = kind;
   std::istringstream lines(answer);
@@ -149,7 +151,7 @@ TEST(Protocol, TakesABatchAsOneCall) {
   const std::vector<DrawRequest> batch = ReadCall(in);
   ASSERT_EQ(batch.size(), 2U);
   EXPECT_EQ(batch[1].id, 8U);
-  EXPECT_EQ(batch[1].job.scene, request.job.scene);
+  EXPECT_EQ(SceneOf(batch[1].job), SceneOf(request.job));
   EXPECT_EQ(ReadCall(in).size(), 1U);
   for (const std::string text :
        {"batch\n", "batch 0\n", "batch 70000\n", "batch x\n", "batch 1\n", "batch 1\nbatch 1\n"}) {

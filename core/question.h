@@ -29,22 +29,6 @@ struct DrawQuestion {
   bool onto_the_last = false;
 };
 
-/// E(a, b; p), evaluated afresh at p.
-struct EdgeQuestion {
-  Point2 a;
-  Point2 b;
-  Point2 p;
-};
-
-/// E(a, b; .) from p on, `steps` steps.
-struct StepsQuestion {
-  Point2 a;
-  Point2 b;
-  Point2 p;
-  Step step;
-  int steps = 0;
-};
-
 struct BarycentricQuestion {
   BarycentricForm form = BarycentricForm::kVertexArea;
   std::array<Point2, 3> v;

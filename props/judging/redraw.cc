@@ -51,6 +51,28 @@ Check BaseDraw(DrawQuestion question) {
   return check;
 }
 
+Check CheckAgainstBase(
+    DrawQuestion question,
+    std::function<Verdict(const CoverageCounts& observed, const CoverageCounts& base)> judge) {
+  Check check;
+  check.questions.draws.push_back(std::move(question));
+  check.bases = {0};
+  check.judge = [judge = std::move(judge)](const Answers& answers) {
+    return judge(answers.draws[1]->counts, answers.draws[0]->counts);
+  };
+  return check;
+}
+
+Check VariationCheck(const Case& c, const Case& variation, std::string claim) {
+  Check check;
+  check.questions.draws = {CountsOf(c.scene, c.profile, WholeTarget(c)),
+                           CountsOf(variation.scene, variation.profile, WholeTarget(variation))};
+  check.judge = [&c, claim = std::move(claim)](const Answers& answers) {
+    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c), claim);
+  };
+  return check;
+}
+
 Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {
   Case part = c;
   part.scene.triangles.clear();

@@ -207,6 +207,7 @@ Asked AskFragments(const Case& c, const Description& subject,
   Scene owners = snapped ? SnapScene(scene, c.profile) : scene;
   Questions questions;
   questions.draws.push_back(WholeCallOf(scene, c.profile, c.options));
+  questions.draws.back().job.wants = kEverything;
   return OneCheck(std::move(questions),
                   [&c, &subject, judge, owners = std::move(owners)](const Answers& answers) {
                     return judge(SomeFragments(*answers.draws[0], owners, c, subject.info));

@@ -37,17 +37,43 @@ CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profil
 }
 
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
-  return {{scene, options, profile.lattice.samples()}, Parts::kFacings};
+  DrawJob job(scene, options, profile.lattice.samples());
+  job.wants = kCoverageAndIds;
+  return {std::move(job), Parts::kFacings};
 }
 
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
-  return {{scene, options, profile.lattice.samples()}, Parts::kWhole};
+  DrawJob job(scene, options, profile.lattice.samples());
+  job.wants = kCoverageAndIds;
+  return {std::move(job), Parts::kWhole};
 }
 
 Check BaseDraw(DrawQuestion question) {
   Check check;
   check.questions.draws.push_back(std::move(question));
   check.judge = [](const Answers&) { return Verdict::Held(0); };
+  return check;
+}
+
+Check CheckAgainstBase(
+    DrawQuestion question,
+    std::function<Verdict(const CoverageCounts& observed, const CoverageCounts& base)> judge) {
+  Check check;
+  check.questions.draws.push_back(std::move(question));
+  check.bases = {0};
+  check.judge = [judge = std::move(judge)](const Answers& answers) {
+    return judge(answers.draws[1]->counts, answers.draws[0]->counts);
+  };
+  return check;
+}
+
+Check VariationCheck(const Case& c, const Case& variation, std::string claim) {
+  Check check;
+  check.questions.draws = {CountsOf(c.scene, c.profile, WholeTarget(c)),
+                           CountsOf(variation.scene, variation.profile, WholeTarget(variation))};
+  check.judge = [&c, claim = std::move(claim)](const Answers& answers) {
+    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c), claim);
+  };
   return check;
 }
 

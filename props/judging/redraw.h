@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,21 @@ CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profil
 
 /// Asks for the counts of a scene, from zero, by facing.
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
-/// Asks for all that one call shows of a scene.
+/// Asks for the coverage and the ids that one call shows of a scene.
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 
 /// A draw that later checks compare with: nothing is judged. Its drawing is number 0 of the case.
 Check BaseDraw(DrawQuestion question);
+/// Asks for a draw, and judges it against the base draw.
+Check CheckAgainstBase(
+    DrawQuestion question,
+    std::function<Verdict(const CoverageCounts& observed, const CoverageCounts& base)> judge);
+
+/// Asks for the case and for a variation of it, culling and scissor off, and holds if the counts
+/// are equal: "coverage differs from `claim`".
+///
+/// Domain:     a case that outlives the check.
+Check VariationCheck(const Case& c, const Case& variation, std::string claim);
 
 /// The case with only the named triangles of its list.
 Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles);

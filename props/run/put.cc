@@ -1,6 +1,7 @@
 #include "props/run/put.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "core/error.h"
 #include "core/subject_errors.h"
 #include "core/target_size.h"
+#include "props/run/batching.h"
 #include "props/run/parts.h"
 
 namespace rasterproof::props {
@@ -80,8 +82,11 @@ std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Ans
   return std::nullopt;
 }
 
-bool NeedsItsTarget(const DrawQuestion& question) {
-  return question.fill != 0 || question.onto_the_last;
+CoverageCounts Filled(std::uint32_t fill, const DrawJob& job) {
+  CoverageCounts counts(job.scene->width, job.scene->height, job.samples);
+  std::ranges::fill(counts.front, fill);
+  std::ranges::fill(counts.back, fill);
+  return counts;
 }
 
 // Where the outcome of one job of a call goes.
@@ -95,7 +100,11 @@ struct Share {
 class Putting {
  public:
   Putting(Subject& subject, std::span<const Request> requests)
-      : subject_(subject), requests_(requests), answers_(requests.size()) {}
+      : subject_(subject),
+        is_outside_(BatchingOf(subject) != nullptr),
+        requests_(requests),
+        answers_(requests.size()),
+        not_given_(requests.size()) {}
 
   std::vector<Answers> All() {
     for (std::size_t r = 0; r < requests_.size(); ++r) {
@@ -106,7 +115,9 @@ class Putting {
     }
     DrawShares();
     for (std::size_t r = 0; r < answers_.size(); ++r) {
-      if (answers_[r].stop == Stop::kNone) Evaluate(requests_[r].check->questions, answers_[r]);
+      Answers& answers = answers_[r];
+      if (answers.stop == Stop::kNone) End(answers, not_given_[r].stop, not_given_[r].why);
+      if (answers.stop == Stop::kNone) Evaluate(requests_[r].check->questions, answers);
     }
     return std::move(answers_);
   }
@@ -119,12 +130,18 @@ class Putting {
     return FacingParts(job, Coverage(r), requests_[r].judged->stated);
   }
 
+  // What a subject outside draws is added to its target here, whatever that held.
+  bool NeedsItsTarget(const DrawQuestion& question) const {
+    return (question.fill != 0 && !is_outside_) || question.onto_the_last;
+  }
+
   // Draws that depend on what their target held, or on the calls before them. Returns whether the
   // request has such.
   bool PutInOrder(std::size_t r) {
     const Questions& questions = requests_[r].check->questions;
-    const bool in_order = questions.company == Company::kInOrderAlone ||
-                          std::ranges::any_of(questions.draws, NeedsItsTarget);
+    const bool in_order =
+        questions.company == Company::kInOrderAlone ||
+        std::ranges::any_of(questions.draws, [&](const auto& q) { return NeedsItsTarget(q); });
     if (!in_order) return false;
     Answers& answers = answers_[r];
     std::shared_ptr<const Drawing> last;
@@ -132,7 +149,8 @@ class Putting {
       const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, question.job, answers);
       if (!job) return true;
       auto drawing = std::make_shared<Drawing>();
-      Guarded(answers, [&] { DrawOnto(r, question, *job, last.get(), *drawing); });
+      const std::vector<Part> parts = PartsOf(r, question, *job);
+      Guarded(answers, [&] { DrawOnto(r, question, *job, parts, last.get(), *drawing); });
       if (answers.stop != Stop::kNone) return true;
       last = drawing;
       answers.draws.push_back(std::move(drawing));
@@ -141,20 +159,17 @@ class Putting {
   }
 
   void DrawOnto(std::size_t r, const DrawQuestion& question, const DrawJob& job,
-                const Drawing* last, Drawing& drawing) {
+                const std::vector<Part>& parts, const Drawing* last, Drawing& drawing) {
     if (question.parts == Parts::kWhole && !NeedsItsTarget(question)) {
       drawing = subject_.Show(job);
       return;
     }
-    drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
-    std::ranges::fill(drawing.counts.front, question.fill);
-    std::ranges::fill(drawing.counts.back, question.fill);
+    drawing.counts = Filled(question.fill, job);
     if (question.onto_the_last && last != nullptr) drawing.counts = last->counts;
     if (Coverage(r) == CoverageKind::kFacingCounts) {
       subject_.Draw(SceneOf(job), job.options, drawing.counts);
       return;
     }
-    const std::vector<Part> parts = PartsOf(r, question, job);
     std::vector<DrawJob> jobs;
     for (const Part& part : parts) jobs.push_back(part.job);
     const std::vector<DrawOutcome> outcomes = subject_.DrawMany(jobs);
@@ -166,12 +181,11 @@ class Putting {
   void AddShares(std::size_t r) {
     const std::vector<DrawQuestion>& draws = requests_[r].check->questions.draws;
     for (std::size_t d = 0; d < draws.size(); ++d) {
-      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, draws[d].job, answers_[r]);
+      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, draws[d].job, not_given_[r]);
       if (!job) return;
       drawings_.push_back(std::make_shared<Drawing>());
       if (draws[d].parts == Parts::kFacings) {
-        drawings_.back()->counts =
-            CoverageCounts(job->scene->width, job->scene->height, job->samples);
+        drawings_.back()->counts = Filled(draws[d].fill, *job);
       }
       for (Part& part : PartsOf(r, draws[d], *job)) {
         shares_.push_back(
@@ -186,9 +200,13 @@ class Putting {
     while (first < shares_.size()) {
       const std::size_t last = EndOfCall(first);
       const std::size_t drawn = DrawCall(first, last);
-      if (first + drawn < last) {
+      const std::size_t end = shares_[first + (drawn == 0 ? 0 : drawn - 1)].request;
+      const Stop stop = answers_[end].stop;
+      const bool broke_down =
+          stop != Stop::kNone && stop != Stop::kRefused && stop != Stop::kCantBePut;
+      if (first + drawn < last || broke_down) {
         // What lies behind a breakdown is not drawn: the case that caused it is judged first.
-        answers_.resize(shares_[first + (drawn == 0 ? 0 : drawn - 1)].request + 1);
+        answers_.resize(end + 1);
         break;
       }
       first = last;
@@ -259,8 +277,10 @@ class Putting {
   }
 
   Subject& subject_;
+  bool is_outside_;
   std::span<const Request> requests_;
   std::vector<Answers> answers_;
+  std::vector<Answers> not_given_;  ///< why, if a request has a draw that can't be given
   std::vector<Share> shares_;
   std::vector<std::shared_ptr<Drawing>> drawings_;
   std::vector<std::size_t> owners_;  ///< the request of each of them

@@ -31,7 +31,7 @@ struct Request {
 /// Where the profile leaves other models legal the facing is a guess (judging/free_choices.h).
 ///
 /// Domain:     checks whose draws may share a call: more than one only if the company of each is
-///             kAny and none draws into a target that is not empty.
+///             kAny and none draws onto the last target.
 /// Returns:    the answers to each, in their order. What the subject's own calls throw is no error
 ///             but a stop. Fewer if it broke down: the last one says so.
 /// Error:      std::bad_alloc.

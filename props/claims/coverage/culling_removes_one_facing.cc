@@ -1,34 +1,32 @@
 // Culling a facing removes its counts and keeps the others.
 #include <algorithm>
-#include <cstdint>
 
+#include "core/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (!subject.Info().takes_culling) return Verdict::NotApplicable("the subject does not cull");
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
-  const CoverageCounts whole = Drawn(subject, c.scene, c.profile, WholeTarget(c));
-  std::uint64_t exercised = 0;
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  DrawOptions options = WholeTarget(c);
+  Asked asked;
+  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, options)));
   for (const Cull cull : {Cull::kFront, Cull::kBack}) {
-    CoverageCounts expected = whole;
-    std::ranges::fill(cull == Cull::kFront ? expected.front : expected.back, 0U);
-    DrawOptions options = WholeTarget(c);
     options.cull = cull;
-    const CoverageCounts observed = Drawn(subject, c.scene, c.profile, options);
-    const Verdict verdict =
-        SameCounts(observed, expected, DecisionsOf(c),
-                   cull == Cull::kFront ? "the back counts alone" : "the front counts alone");
-    exercised += verdict.exercised;
-    if (verdict.outcome == Outcome::kViolated) return verdict;
+    asked.checks.push_back(CheckAgainstBase(
+        CountsOf(c.scene, c.profile, options),
+        [&c, cull](const CoverageCounts& observed, const CoverageCounts& whole) {
+          const bool is_front = cull == Cull::kFront;
+          CoverageCounts expected = whole;
+          std::ranges::fill(is_front ? expected.front : expected.back, 0U);
+          return SameCounts(observed, expected, DecisionsOf(c),
+                            is_front ? "the back counts alone" : "the front counts alone");
+        }));
   }
-  return Verdict::Held(exercised);
+  return asked;
 }
 
 }  // namespace
@@ -42,7 +40,8 @@ constinit const Property kCullingRemovesOneFacing{
     .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .check = Judge,
+    .gate = {.space = Space::kEither, .shows = Shows::kCulling},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -5,14 +5,12 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
+Asked Ask(const Case& c, const Description& /*subject*/) {
   Case unindexed = c;
   unindexed.scene.vertices.clear();
   for (Triangle& t : unindexed.scene.triangles) {
@@ -22,7 +20,9 @@ Verdict Judge(Subject& subject, const Case& c) {
       unindexed.scene.vertices.push_back(vertex);
     }
   }
-  return SameAsUnvaried(subject, c, unindexed, "that of the indexed triangles");
+  Asked asked;
+  asked.checks.push_back(VariationCheck(c, unindexed, "that of the indexed triangles"));
+  return asked;
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ constinit const Property kDuplicatedVerticesKeepCoverage{
     .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kMeshes,
-    .check = Judge,
+    .gate = {.space = Space::kEither},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

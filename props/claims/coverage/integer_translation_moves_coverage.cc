@@ -1,13 +1,13 @@
-// Moving the scene by whole pixels moves the counts, where the sums are exact, of the input format and within the limit.
+// Moving the scene by whole pixels moves the counts, where the moved vertices are exact.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/ulp.h"
@@ -15,7 +15,6 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -61,27 +60,24 @@ CoverageCounts MovedCounts(const CoverageCounts& counts, int dx, int dy) {
   return moved;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kWindow})) return *refusal;
-  if (!IsUnwrapped(c.scene, c.profile)) {
-    return {Outcome::kNotExercised, 0, 0, "a coordinate wraps", std::nullopt};
-  }
-  const CoverageCounts still = Drawn(subject, c.scene, c.profile, WholeTarget(c));
-  std::uint64_t exercised = 0;
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  Asked asked;
+  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, WholeTarget(c))));
   for (const auto& [dx, dy] : kShifts) {
     const std::optional<Scene> moved = Moved(c, dx, dy);
     if (!moved) continue;
-    const int rows = c.profile.y_axis == YAxis::kDown ? dy : -dy;
-    const CoverageCounts observed = Drawn(subject, *moved, c.profile, WholeTarget(c));
-    // There and back: the samples that the target shows both before and after the move.
-    const Verdict verdict = SameCounts(
-        MovedCounts(MovedCounts(observed, -dx, -rows), dx, rows), MovedCounts(still, dx, rows),
-        DecisionsOf(c),
-        "the unmoved scene's, moved by (" + std::to_string(dx) + ", " + std::to_string(dy) + "),");
-    exercised += verdict.exercised;
-    if (verdict.outcome == Outcome::kViolated) return verdict;
+    asked.checks.push_back(CheckAgainstBase(
+        CountsOf(*moved, c.profile, WholeTarget(c)),
+        [&c, x = dx, y = dy](const CoverageCounts& observed, const CoverageCounts& still) {
+          const int rows = c.profile.y_axis == YAxis::kDown ? y : -y;
+          // There and back: the samples that the target shows both before and after the move.
+          return SameCounts(MovedCounts(MovedCounts(observed, -x, -rows), x, rows),
+                            MovedCounts(still, x, rows), DecisionsOf(c),
+                            "the unmoved scene's, moved by (" + std::to_string(x) + ", " +
+                                std::to_string(y) + "),");
+        }));
   }
-  return Verdict::Held(exercised);
+  return asked;
 }
 
 }  // namespace
@@ -97,7 +93,8 @@ constinit const Property kIntegerTranslationMovesCoverage{
         "coordinates are exact, of the input format and within the limit",
     .tolerance = kExact,
     .domains = kOnTheLattice,
-    .check = Judge,
+    .gate = {.unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,24 +1,28 @@
 // Reversing a triangle's vertex list exchanges front and back counts and changes no total.
 #include <utility>
 
+#include "core/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
-  Case reversed = c;
-  for (Triangle& t : reversed.scene.triangles) t = {t[0], t[2], t[1]};
-  CoverageCounts expected = Drawn(subject, c.scene, c.profile, WholeTarget(c));
-  std::swap(expected.front, expected.back);
-  const CoverageCounts observed = Drawn(subject, reversed.scene, c.profile, WholeTarget(c));
-  return SameCounts(observed, expected, DecisionsOf(c),
-                    "the unreversed triangles', facing swapped,");
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  Scene reversed = c.scene;
+  for (Triangle& t : reversed.triangles) t = {t[0], t[2], t[1]};
+  Questions questions;
+  for (const Scene* const scene : {&c.scene, &std::as_const(reversed)}) {
+    questions.draws.push_back(CountsOf(*scene, c.profile, WholeTarget(c)));
+  }
+  return OneCheck(std::move(questions), [&c](const Answers& answers) {
+    CoverageCounts expected = answers.draws[0]->counts;
+    std::swap(expected.front, expected.back);
+    return SameCounts(answers.draws[1]->counts, expected, DecisionsOf(c),
+                      "the unreversed triangles', facing swapped,");
+  });
 }
 
 }  // namespace
@@ -30,7 +34,8 @@ constinit const Property kReversalSwapsFacing{
     .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .check = Judge,
+    .gate = {.space = Space::kEither},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

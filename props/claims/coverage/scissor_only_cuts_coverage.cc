@@ -1,13 +1,12 @@
 // A scissor keeps the counts inside it and leaves none outside.
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
+#include "core/coverage.h"
 #include "core/scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -35,24 +34,20 @@ CoverageCounts Cut(const CoverageCounts& whole, const PixelRect& rect) {
   return part;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (!subject.Info().takes_scissor) {
-    return Verdict::NotApplicable("the subject takes no scissor");
-  }
-  const Need need{.space = Space::kEither, .any_model_suffices = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  const CoverageCounts whole = Drawn(subject, c.scene, c.profile, WholeTarget(c));
-  std::uint64_t exercised = 0;
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  DrawOptions options = WholeTarget(c);
+  Asked asked;
+  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, options)));
   for (const PixelRect& rect : Scissors(c.scene)) {
-    DrawOptions options = WholeTarget(c);
     options.scissor = rect;
-    const CoverageCounts observed = Drawn(subject, c.scene, c.profile, options);
-    const Verdict verdict =
-        SameCounts(observed, Cut(whole, rect), DecisionsOf(c), "the scissored part of the whole");
-    exercised += verdict.exercised;
-    if (verdict.outcome == Outcome::kViolated) return verdict;
+    asked.checks.push_back(
+        CheckAgainstBase(CountsOf(c.scene, c.profile, options),
+                         [&c, rect](const CoverageCounts& observed, const CoverageCounts& whole) {
+                           return SameCounts(observed, Cut(whole, rect), DecisionsOf(c),
+                                             "the scissored part of the whole");
+                         }));
   }
-  return Verdict::Held(exercised);
+  return asked;
 }
 
 }  // namespace
@@ -66,7 +61,8 @@ constinit const Property kScissorOnlyCutsCoverage{
     .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .check = Judge,
+    .gate = {.space = Space::kEither, .shows = Shows::kScissor, .any_model = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -5,28 +5,22 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kEither, .any_model_suffices = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  if (c.scene.triangles.size() < 2) {
-    return {Outcome::kNotExercised, 0, 0, "one triangle has one order", std::nullopt};
-  }
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  if (c.scene.triangles.size() < 2) return NothingAsked("one triangle has one order");
+  Asked asked;
   Case reordered = c;
   std::ranges::reverse(reordered.scene.triangles);
-  Verdict reversed = SameAsUnvaried(subject, c, reordered, "that in the order given");
-  if (reversed.outcome == Outcome::kViolated) return reversed;
+  asked.checks.push_back(VariationCheck(c, reordered, "that in the order given"));
   // A rotation by half, too: a subject that looks at its neighbour in the list sees another one.
   const auto half = static_cast<std::ptrdiff_t>(reordered.scene.triangles.size() / 2);
   std::ranges::rotate(reordered.scene.triangles, reordered.scene.triangles.begin() + half);
-  Verdict rotated = SameAsUnvaried(subject, c, reordered, "that in the order given");
-  rotated.exercised += reversed.exercised;
-  return rotated;
+  asked.checks.push_back(VariationCheck(c, reordered, "that in the order given"));
+  return asked;
 }
 
 }  // namespace
@@ -38,7 +32,8 @@ constinit const Property kTriangleOrderKeepsCoverage{
     .precondition = "contract sample-exact; coordinates within the limit; two triangles or more",
     .tolerance = kExact,
     .domains = kMeshes,
-    .check = Judge,
+    .gate = {.space = Space::kEither, .any_model = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

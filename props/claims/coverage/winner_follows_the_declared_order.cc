@@ -1,13 +1,13 @@
-// The winner of every sample is the last triangle that covers it by the model, or the first one, as the subject declares.
+// The winner of a sample is the last or the first triangle that covers it, as the subject declares.
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exact/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 #include "props/judging/winners.h"
 
@@ -17,36 +17,36 @@ namespace {
 // The mesh is drawn over itself until so many triangles are: more than a byte can number.
 constexpr std::size_t kFewestDrawn = 300;
 
-Verdict Judge(Subject& subject, const Case& c) {
-  Subject& whole = subject.Whole();
-  if (!ShowsWinners(whole.Info())) {
-    return Verdict::NotApplicable("the subject does not show which triangle wins");
-  }
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
-  if (c.scene.triangles.empty()) return Verdict::Held(0);
-  DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
-  job.wants = kCoverageAndIds;
-  std::vector<Triangle>& drawn = job.triangles.emplace(c.scene.triangles);
-  while (drawn.size() < kFewestDrawn) {
-    drawn.insert(drawn.end(), c.scene.triangles.begin(), c.scene.triangles.end());
-  }
-  const Drawing drawing = whole.Show(job);
+// Which samples each triangle covers by the model, for a list that repeats the case's.
+std::vector<std::vector<bool>> CoveredByEach(const Case& c, std::size_t drawn) {
   std::vector<std::vector<bool>> covered;
   for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
     covered.push_back(
         CoveredSamples(exact::Coverage(OnlyTriangles(c, {t}).scene, c.profile, c.options)));
   }
-  for (std::size_t t = 0; covered.size() < drawn.size(); ++t) {
-    covered.push_back(covered[t]);
+  for (std::size_t t = 0; covered.size() < drawn; ++t) covered.push_back(covered[t]);
+  return covered;
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  if (c.scene.triangles.empty()) return {};
+  DrawQuestion question = WholeCallOf(c.scene, c.profile, c.options);
+  std::vector<Triangle>& repeated = question.job.triangles.emplace(c.scene.triangles);
+  while (repeated.size() < kFewestDrawn) {
+    repeated.insert(repeated.end(), c.scene.triangles.begin(), c.scene.triangles.end());
   }
-  Verdict verdict =
-      SameWinners(drawing, WinnersOf(covered, whole.Info().fragments.order),
-                  c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
-  if (verdict.outcome == Outcome::kViolated) {
-    verdict.message +=
-        " (the scene drawn over itself, " + std::to_string(drawn.size()) + " triangles)";
-  }
-  return verdict;
+  const std::size_t drawn = repeated.size();
+  Questions questions;
+  questions.draws.push_back(std::move(question));
+  return OneCheck(std::move(questions), [&c, &subject, drawn](const Answers& answers) {
+    Verdict verdict = SameWinners(
+        *answers.draws[0], WinnersOf(CoveredByEach(c, drawn), subject.info.fragments.order),
+        c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
+    if (verdict.outcome == Outcome::kViolated) {
+      verdict.message += " (the scene drawn over itself, " + std::to_string(drawn) + " triangles)";
+    }
+    return verdict;
+  });
 }
 
 }  // namespace
@@ -62,7 +62,8 @@ constinit const Property kWinnerFollowsTheDeclaredOrder{
         "limit",
     .tolerance = kExact,
     .domains = kAnyMesh,
-    .check = Judge,
+    .gate = {.space = Space::kEither, .shows = Shows::kPrimitiveIds},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

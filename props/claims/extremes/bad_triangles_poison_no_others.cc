@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "core/profile.h"
 #include "core/scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -51,21 +51,22 @@ Scene Poisoned(const Scene& good, const Profile& profile) {
   return scene;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (c.profile.contract != Contract::kSampleExact) {
-    return Verdict::NotApplicable(
-        "the profile's contract does not say what single triangles cover");
-  }
-  if (c.profile.fixed) {
-    return Verdict::NotApplicable("the subject's integers hold nothing that is not finite");
-  }
-  if (auto refusal = CannotDraw(subject, c, Space::kEither)) return *refusal;
+constexpr std::array kRules{
+    kSaysWhatSinglesCover,
+    ProfileRule{[](const Profile& p) { return !p.fixed; }, "no fixed-point input",
+                "the subject's integers hold nothing that is not finite"}};
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
   Case good = c;
   std::erase_if(good.scene.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
-  const CoverageCounts expected = Drawn(subject, good.scene, c.profile, WholeTarget(c));
-  const CoverageCounts observed =
-      Drawn(subject, Poisoned(good.scene, c.profile), c.profile, WholeTarget(c));
-  return SameCounts(observed, expected, DecisionsOf(good), "that without the bad triangles");
+  Questions questions;
+  for (const Scene& scene : {good.scene, Poisoned(good.scene, c.profile)}) {
+    questions.draws.push_back(CountsOf(scene, c.profile, WholeTarget(c)));
+  }
+  return OneCheck(std::move(questions), [decisions = DecisionsOf(good)](const Answers& answers) {
+    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, decisions,
+                      "that without the bad triangles");
+  });
 }
 
 }  // namespace
@@ -77,7 +78,12 @@ constinit const Property kBadTrianglesPoisonNoOthers{
     .precondition = "contract sample-exact; the other triangles finite and within the limit",
     .tolerance = kExact,
     .domains = kExtremes,
-    .check = Judge,
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kNone,
+             .judges_degenerates = true,
+             .beyond_limits = true,
+             .rules = kRules},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

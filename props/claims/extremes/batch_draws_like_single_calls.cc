@@ -7,10 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/coverage.h"
+#include "core/drawing.h"
+#include "core/scene.h"
+#include "core/target_size.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 #include "props/judging/winners.h"
 
@@ -22,57 +25,71 @@ constexpr std::size_t kSingles = 5;
 // The case, the same indices into other vertices, the same vertices with other indices, some of its
 // triangles alone, the case on a larger target, and the case again: scenes that give away what is
 // left of one in the next.
-std::vector<DrawJob> JobsOf(const Case& c) {
-  const int samples = c.profile.lattice.samples();
-  DrawJob job{c.scene, c.options, samples};
-  job.wants = kCoverageAndIds;
-  std::vector<DrawJob> jobs{job, job, job};
+std::vector<DrawQuestion> DrawsOf(const Case& c) {
+  const DrawQuestion draw = WholeCallOf(c.scene, c.profile, c.options);
+  std::vector<DrawQuestion> draws{draw, draw, draw};
   Scene reversed = c.scene;
   std::ranges::reverse(reversed.vertices);
-  jobs[1].scene = std::make_shared<const Scene>(std::move(reversed));
+  draws[1].job.scene = std::make_shared<const Scene>(std::move(reversed));
   const auto last = static_cast<std::int32_t>(c.scene.vertices.size()) - 1;
-  jobs[2].triangles = c.scene.triangles;
-  for (Triangle& t : *jobs[2].triangles) t = {last - t[0], last - t[1], last - t[2]};
+  std::vector<Triangle>& mirrored = draws[2].job.triangles.emplace(c.scene.triangles);
+  for (Triangle& t : mirrored) t = {last - t[0], last - t[1], last - t[2]};
   for (std::size_t t = 0; t < std::min(c.scene.triangles.size(), kSingles); ++t) {
-    jobs.push_back(job);
-    jobs.back().triangles = {c.scene.triangles[t]};
+    draws.push_back(draw);
+    draws.back().job.triangles = {c.scene.triangles[t]};
   }
-  if (c.scene.width < kMaxTargetSide && c.scene.height < kMaxTargetSide) {
+  if (IsTargetSize(c.scene.width + 1, c.scene.height + 1, c.profile.lattice.samples())) {
     Scene larger = c.scene;
     ++larger.width;
     ++larger.height;
-    jobs.push_back(job);
-    jobs.back().scene = std::make_shared<const Scene>(std::move(larger));
+    draws.push_back(draw);
+    draws.back().job.scene = std::make_shared<const Scene>(std::move(larger));
   }
-  jobs.push_back(job);
-  return jobs;
+  draws.push_back(draw);
+  return draws;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  Subject& whole = subject.Whole();
-  if (!whole.Info().takes_batches) {
-    return Verdict::NotApplicable("the subject takes no batches");
-  }
-  const Need need{.space = Space::kEither, .any_contract_suffices = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  const std::vector<DrawJob> jobs = JobsOf(c);
-  const std::vector<DrawOutcome> batch = whole.DrawMany(jobs);
-  const std::uint64_t decisions = DecisionsOf(c);
-  for (std::size_t k = 0; k < jobs.size(); ++k) {
-    const Drawing& drawn = batch[std::min(k, batch.size() - 1)].Get();
-    const Drawing alone = whole.Show(jobs[k]);
-    const std::string scene =
-        "scene " + std::to_string(k + 1) + " of a batch of " + std::to_string(jobs.size());
-    Verdict same = SameCounts(drawn.counts, alone.counts, decisions, "that in a call of its own");
-    if (same.outcome != Outcome::kViolated && !alone.winners.empty()) {
-      same = SameWinners(drawn, alone.winners, c.scene.triangles.size(), decisions,
-                         "in a call of its own");
+// Whether a scene of the batch shows what it shows in a call of its own.
+Verdict LikeAlone(const Drawing& drawn, const Drawing& alone, std::size_t triangles) {
+  Verdict same = SameCounts(drawn.counts, alone.counts, 0, "that in a call of its own");
+  if (same.outcome == Outcome::kViolated || alone.winners.empty()) return same;
+  return SameWinners(drawn, alone.winners, triangles, 0, "in a call of its own");
+}
+
+// The batch. What is compared with it puts the case to the test once.
+Check InOneCall(const Case& c, std::vector<DrawQuestion> draws) {
+  Check check;
+  check.questions.company = Company::kOneCallAlone;
+  check.questions.draws = std::move(draws);
+  check.judge = [&c](const Answers&) { return Verdict::Held(DecisionsOf(c)); };
+  return check;
+}
+
+// Scene k of a batch of so many, in a call that is no batch.
+Check InItsOwnCall(const Case& c, DrawQuestion draw, std::size_t k, std::size_t count) {
+  Check check;
+  check.questions.company = Company::kInOrderAlone;
+  check.questions.draws.push_back(std::move(draw));
+  check.bases = {k};
+  check.judge = [&c, k, count](const Answers& answers) {
+    Verdict same = LikeAlone(*answers.draws[0], *answers.draws[1], c.scene.triangles.size());
+    if (same.outcome == Outcome::kViolated) {
+      same.message = "scene " + std::to_string(k + 1) + " of a batch of " + std::to_string(count) +
+                     ": " + same.message;
     }
-    if (same.outcome != Outcome::kViolated) continue;
-    same.message = scene + ": " + same.message;
     return same;
+  };
+  return check;
+}
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  const std::vector<DrawQuestion> draws = DrawsOf(c);
+  Asked asked;
+  asked.checks.push_back(InOneCall(c, draws));
+  for (std::size_t k = 0; k < draws.size(); ++k) {
+    asked.checks.push_back(InItsOwnCall(c, draws[k], k, draws.size()));
   }
-  return Verdict::Held(decisions);
+  return asked;
 }
 
 }  // namespace
@@ -86,8 +103,12 @@ constinit const Property kBatchDrawsLikeSingleCalls{
         "limit",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .check = Judge,
     .is_about_sequence = true,
+    .gate = {.space = Space::kEither,
+             .shows = Shows::kBatches,
+             .promise = Promise::kAny,
+             .judges_degenerates = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

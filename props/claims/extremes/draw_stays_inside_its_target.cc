@@ -1,17 +1,16 @@
-// Whatever the input, samples outside the scissor keep their values, and the counts keep their shape.
+// Whatever the input, a draw writes nothing outside the scissor and keeps the counts' shape.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "core/coverage.h"
 #include "core/scene.h"
-#include "core/target_size.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
+#include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -32,17 +31,9 @@ bool KeptItsShape(const CoverageCounts& counts, const CoverageCounts& before) {
          counts.back.size() == before.back.size();
 }
 
-// Draws into a rectangle of a guarded target and looks at what surrounds it.
-Verdict DrawGuarded(Subject& subject, const Scene& scene, const Profile& profile,
-                    DrawOptions options, const PixelRect& rect) {
-  const bool is_whole = rect == PixelRect{0, 0, scene.width, scene.height};
-  if (!is_whole) options.scissor = rect;
-  RequireTargetSize("scene", scene.width, scene.height, profile.lattice.samples());
-  CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
-  std::ranges::fill(counts.front, kGuard);
-  std::ranges::fill(counts.back, kGuard);
-  const CoverageCounts before = counts;
-  subject.Draw(scene, options, counts);
+// A look at what surrounds the rectangle that was drawn into.
+Verdict LookAround(const CoverageCounts& counts, const CoverageCounts& before,
+                   const PixelRect& rect) {
   if (!KeptItsShape(counts, before)) {
     return Verdict::Violated(1, "the draw changed the shape of its target",
                              {.observed = std::to_string(counts.front.size()) + " samples",
@@ -70,30 +61,37 @@ Verdict DrawGuarded(Subject& subject, const Scene& scene, const Profile& profile
   return Verdict::Held(std::max<std::uint64_t>(guarded, 1));
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (auto refusal = CannotDraw(subject, c, Space::kEither)) return *refusal;
+// A draw into a rectangle of a guarded target.
+Check GuardedDraw(const Case& c, const Scene& scene, const PixelRect& rect) {
+  DrawOptions options = WholeTarget(c);
+  const PixelRect whole{0, 0, scene.width, scene.height};
+  if (rect != whole) options.scissor = rect;
+  Check check;
+  check.questions.draws.push_back(CountsOf(scene, c.profile, options));
+  check.questions.draws.back().fill = kGuard;
+  check.judge = [&c, whole, rect](const Answers& answers) {
+    CoverageCounts before(whole.x1, whole.y1, c.profile.lattice.samples());
+    std::ranges::fill(before.front, kGuard);
+    std::ranges::fill(before.back, kGuard);
+    return LookAround(answers.draws[0]->counts, before, rect);
+  };
+  return check;
+}
+
+Asked Ask(const Case& c, const Description& subject) {
   const int w = c.scene.width;
   const int h = c.scene.height;
+  Asked asked;
+  asked.checks.push_back(GuardedDraw(c, c.scene, {0, 0, w, h}));
+  if (!subject.info.takes_scissor) return asked;
   // The case's own target as part of a larger one: what runs over its right end or wraps to the
   // previous row, and what runs over its bottom, lands in guarded samples of the same buffer.
   Scene framed = c.scene;
   framed.width = std::min(w + kGuardColumns, kMaxTargetSide);
   framed.height = std::min(h + kGuardRows, kMaxTargetSide);
-  std::vector<std::pair<const Scene*, PixelRect>> draws{{&c.scene, {0, 0, w, h}}};
-  if (subject.Info().takes_scissor) {
-    draws.push_back({&framed, {0, 0, w, h}});
-    draws.push_back({&c.scene, {w / 4, h / 4, w - w / 4, h - h / 4}});
-  }
-  std::uint64_t exercised = 0;
-  for (const auto& [scene, rect] : draws) {
-    Verdict verdict = DrawGuarded(subject, *scene, c.profile, WholeTarget(c), rect);
-    exercised += verdict.exercised;
-    if (verdict.outcome == Outcome::kViolated) {
-      verdict.exercised = exercised;
-      return verdict;
-    }
-  }
-  return Verdict::Held(exercised);
+  asked.checks.push_back(GuardedDraw(c, framed, {0, 0, w, h}));
+  asked.checks.push_back(GuardedDraw(c, c.scene, {w / 4, h / 4, w - w / 4, h - h / 4}));
+  return asked;
 }
 
 }  // namespace
@@ -107,7 +105,11 @@ constinit const Property kDrawStaysInsideItsTarget{
     .precondition = "the subject takes the scene",
     .tolerance = kExact,
     .domains = kExtremes,
-    .check = Judge,
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kNone,
+             .judges_degenerates = true,
+             .beyond_limits = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,24 +1,28 @@
 // Drawing the same scene again adds the same counts again.
 #include <cstdint>
+#include <utility>
 
+#include "core/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kEither, .any_contract_suffices = true, .judges_clipped = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  CoverageCounts twice = Drawn(subject, c.scene, c.profile, c.options);
-  CoverageCounts doubled = twice;
-  for (std::uint32_t& count : doubled.front) count *= 2;
-  for (std::uint32_t& count : doubled.back) count *= 2;
-  subject.Draw(c.scene, c.options, twice);
-  return SameCounts(twice, doubled, DecisionsOf(c), "twice that of one draw");
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  Questions questions;
+  questions.company = Company::kInOrderAlone;
+  const DrawQuestion once = CountsOf(c.scene, c.profile, c.options);
+  questions.draws = {once, once};
+  questions.draws.back().onto_the_last = true;
+  return OneCheck(std::move(questions), [&c](const Answers& answers) {
+    CoverageCounts doubled = answers.draws[0]->counts;
+    for (std::uint32_t& count : doubled.front) count *= 2;
+    for (std::uint32_t& count : doubled.back) count *= 2;
+    return SameCounts(answers.draws[1]->counts, doubled, DecisionsOf(c), "twice that of one draw");
+  });
 }
 
 }  // namespace
@@ -30,8 +34,12 @@ constinit const Property kEqualDrawsGiveEqualCounts{
     .precondition = "any contract but none; coordinates within the limit",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .check = Judge,
     .is_about_sequence = true,
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kAny,
+             .judges_clipped = true,
+             .judges_degenerates = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

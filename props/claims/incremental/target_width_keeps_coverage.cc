@@ -1,14 +1,12 @@
 // A larger target keeps the counts of the samples it shares with the smaller one.
-#include <array>
-#include <cstdint>
 #include <string>
 
+#include "core/coverage.h"
 #include "core/scene.h"
 #include "model/target_model.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -27,28 +25,30 @@ CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
   return part;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
-  const std::array<int, 2> widths{c.scene.width + 1, 2 * c.scene.width + 7};
-  const CoverageCounts expected = Drawn(subject, c.scene, c.profile, WholeTarget(c));
-  std::uint64_t exercised = 0;
-  for (const int width : widths) {
+// Whether the subject can be asked for a target of this width, under the same model.
+bool IsJudged(const Case& c, int width) {
+  const auto samples = CoverageCounts::Size(width, c.scene.height, c.profile.lattice.samples());
+  if (width > kMaxTargetSide || samples > kMaxTargetSamples) return false;
+  // A profile can state another model for wider targets.
+  return ForTarget(c.profile, width, c.scene.height) ==
+         ForTarget(c.profile, c.scene.width, c.scene.height);
+}
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  Asked asked;
+  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, WholeTarget(c))));
+  for (const int width : {c.scene.width + 1, 2 * c.scene.width + 7}) {
+    if (!IsJudged(c, width)) continue;
     Scene wider = c.scene;
     wider.width = width;
-    const auto samples = CoverageCounts::Size(width, c.scene.height, c.profile.lattice.samples());
-    if (width > kMaxTargetSide || samples > kMaxTargetSamples) continue;
-    // A profile can state another model for wider targets.
-    const Profile wide = ForTarget(c.profile, width, c.scene.height);
-    if (wide != ForTarget(c.profile, c.scene.width, c.scene.height)) continue;
-    const CoverageCounts observed =
-        LeftPart(Drawn(subject, wider, c.profile, WholeTarget(c)), c.scene.width);
-    const Verdict verdict =
-        SameCounts(observed, expected, DecisionsOf(c),
-                   "the narrower target's when " + std::to_string(width) + " pixels wide");
-    exercised += verdict.exercised;
-    if (verdict.outcome == Outcome::kViolated) return verdict;
+    asked.checks.push_back(CheckAgainstBase(
+        CountsOf(wider, c.profile, WholeTarget(c)),
+        [&c, width](const CoverageCounts& observed, const CoverageCounts& base) {
+          return SameCounts(LeftPart(observed, c.scene.width), base, DecisionsOf(c),
+                            "the narrower target's when " + std::to_string(width) + " pixels wide");
+        }));
   }
-  return Verdict::Held(exercised);
+  return asked;
 }
 
 }  // namespace
@@ -60,7 +60,8 @@ constinit const Property kTargetWidthKeepsCoverage{
     .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverage,
-    .check = Judge,
+    .gate = {.space = Space::kEither},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

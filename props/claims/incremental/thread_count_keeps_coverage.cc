@@ -1,35 +1,30 @@
 // The number of threads that share the work leaves no trace in the coverage.
-#include <cstdint>
 #include <string>
 
+#include "core/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (!subject.Info().takes_threads) {
-    return Verdict::NotApplicable("the subject draws in one thread");
-  }
-  const Need need{.space = Space::kEither, .any_model_suffices = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
+Asked Ask(const Case& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
   options.threads = 1;
-  const CoverageCounts expected = Drawn(subject, c.scene, c.profile, options);
-  std::uint64_t exercised = 0;
+  Asked asked;
+  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, options)));
   for (const int threads : {2, 3, 8}) {
     options.threads = threads;
-    const CoverageCounts observed = Drawn(subject, c.scene, c.profile, options);
-    const Verdict verdict = SameCounts(observed, expected, DecisionsOf(c),
-                                       "one thread's with " + std::to_string(threads) + " threads");
-    exercised += verdict.exercised;
-    if (verdict.outcome == Outcome::kViolated) return verdict;
+    asked.checks.push_back(CheckAgainstBase(
+        CountsOf(c.scene, c.profile, options),
+        [&c, threads](const CoverageCounts& observed, const CoverageCounts& base) {
+          return SameCounts(observed, base, DecisionsOf(c),
+                            "one thread's with " + std::to_string(threads) + " threads");
+        }));
   }
-  return Verdict::Held(exercised);
+  return asked;
 }
 
 }  // namespace
@@ -43,7 +38,8 @@ constinit const Property kThreadCountKeepsCoverage{
         "number of threads",
     .tolerance = kExact,
     .domains = kCoverage,
-    .check = Judge,
+    .gate = {.space = Space::kEither, .shows = Shows::kThreads, .any_model = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

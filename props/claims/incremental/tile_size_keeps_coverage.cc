@@ -1,12 +1,11 @@
 // The tiles that the target is walked in leave no trace in the coverage.
 #include <array>
-#include <cstdint>
 #include <string>
 
+#include "core/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -22,14 +21,12 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, options)));
   for (const int tile : kTiles) {
     options.tile = tile;
-    Check check;
-    check.questions.draws.push_back(CountsOf(c.scene, c.profile, options));
-    check.bases = {0};
-    check.judge = [&c, tile](const Answers& answers) {
-      return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c),
-                        "the subject's own with tiles of " + std::to_string(tile) + " pixels");
-    };
-    asked.checks.push_back(std::move(check));
+    asked.checks.push_back(CheckAgainstBase(
+        CountsOf(c.scene, c.profile, options),
+        [&c, tile](const CoverageCounts& observed, const CoverageCounts& base) {
+          return SameCounts(observed, base, DecisionsOf(c),
+                            "the subject's own with tiles of " + std::to_string(tile) + " pixels");
+        }));
   }
   return asked;
 }

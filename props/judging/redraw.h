@@ -42,10 +42,11 @@ std::uint64_t DecisionsOf(const Case& c);
 Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                    std::uint64_t exercised, const std::string& claim);
 
-/// Draws the case as its options say and compares the counts with those of the profile's canonical
-/// model, or with what is left of them where the profile allows overdraw. A violation names the
-/// triangle that the subject alone gets wrong, if there is one.
-Verdict JudgeAgainstTheModel(Subject& subject, const Case& c);
+/// Asks for the case as its options say. Holds if the counts are those of the profile's canonical
+/// model, or what is left of them where the profile allows overdraw.
+///
+/// Domain:     a case that outlives what is returned.
+Asked CompareWithTheModel(const Case& c);
 
 /// Holds if the subject draws the variation as it draws the case itself, culling and scissor off.
 Verdict SameAsUnvaried(Subject& subject, const Case& c, const Case& variation,

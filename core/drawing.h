@@ -5,6 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/coverage.h"
@@ -13,12 +17,42 @@
 
 namespace rasterproof {
 
-/// A scene to draw onto a target of its own.
+/// What a call is to give back beside its coverage, which always comes. A subject gives what it
+/// shows of it, and may give more.
+struct Outputs {
+  bool ids = true;  ///< Drawing::winners
+  bool barycentrics = true;
+  bool depths = true;
+
+  friend bool operator==(const Outputs&, const Outputs&) = default;
+};
+inline constexpr Outputs kEverything{};
+inline constexpr Outputs kCoverageAndIds{.ids = true, .barycentrics = false, .depths = false};
+inline constexpr Outputs kCoverageAlone{.ids = false, .barycentrics = false, .depths = false};
+
+/// Triangles of a scene to draw onto a target of their own. Jobs that draw parts or orders of one
+/// scene share it.
 struct DrawJob {
-  Scene scene;
+  DrawJob() = default;
+  DrawJob(std::shared_ptr<const Scene> shared, const DrawOptions& how, int samples_per_pixel)
+      : scene(std::move(shared)), options(how), samples(samples_per_pixel) {}
+  DrawJob(Scene whole, const DrawOptions& how, int samples_per_pixel)
+      : DrawJob(std::make_shared<const Scene>(std::move(whole)), how, samples_per_pixel) {}
+
+  /// The target and the vertices. Never null.
+  std::shared_ptr<const Scene> scene = std::make_shared<const Scene>();
+  /// Those to draw, in this order, any of them more than once; nothing: the scene's own.
+  std::optional<std::vector<Triangle>> triangles;
   DrawOptions options;
   int samples = 1;  ///< per pixel
+  Outputs wants;
+
+  /// Those that are drawn.
+  std::span<const Triangle> Triangles() const { return triangles ? *triangles : scene->triangles; }
 };
+
+/// What a job draws, as a scene of its own.
+Scene SceneOf(const DrawJob& job);
 
 /// No triangle won the sample.
 inline constexpr std::int32_t kNoTriangle = -1;

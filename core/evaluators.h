@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/vertex.h"
@@ -16,6 +17,22 @@ struct Step {
   bool along_y = false;
   int sign = +1;
   int length = 1;
+};
+
+/// Asks for E(a, b; p), evaluated afresh at p.
+struct EdgeQuestion {
+  Point2 a;
+  Point2 b;
+  Point2 p;
+};
+
+/// Asks for the values of E(a, b; .) that are met from p on, `steps` steps.
+struct StepsQuestion {
+  Point2 a;
+  Point2 b;
+  Point2 p;
+  Step step;
+  int steps = 0;
 };
 
 /// Edge values, for subjects that show them.
@@ -32,6 +49,9 @@ class EdgeEvaluator {
   virtual double ErrorBound(Point2 a, Point2 b, Point2 p) const = 0;
   /// The values met when the subject walks `steps` steps from p: steps + 1 entries, the first at p.
   virtual std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const = 0;
+  /// The same of many questions, in their order: together where the subject is asked over a pipe.
+  virtual std::vector<double> Values(std::span<const EdgeQuestion> questions) const;
+  virtual std::vector<std::vector<double>> Walks(std::span<const StepsQuestion> questions) const;
   /// A proven bound on |Walk(...)[n] - E| for n = 0..steps, or NaN where none is claimed.
   virtual std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
                                               int steps) const = 0;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/drawing.h"
-#include "core/subject.h"
+#include "core/evaluators.h"
 #include "core/vertex.h"
 
 namespace rasterproof {
@@ -27,22 +27,6 @@ struct DrawQuestion {
   std::uint32_t fill = 0;
   /// Into the target that the draw before it left.
   bool onto_the_last = false;
-};
-
-/// E(a, b; p), evaluated afresh at p.
-struct EdgeQuestion {
-  Point2 a;
-  Point2 b;
-  Point2 p;
-};
-
-/// E(a, b; .) from p on, `steps` steps.
-struct StepsQuestion {
-  Point2 a;
-  Point2 b;
-  Point2 p;
-  Step step;
-  int steps = 0;
 };
 
 struct BarycentricQuestion {

@@ -33,7 +33,8 @@ concept DrawsScenesByOptions = std::default_initializable<R> &&
                                requires(R r, const Scene& scene, const DrawOptions& options,
                                         CoverageCounts& counts) { r.Draw(scene, options, counts); };
 
-/// Gives all that a call shows: counts, winners, weights and depths, as its Info() says.
+/// Gives all that a call shows: counts, winners, weights and depths, as its Info() says. The job's
+/// triangles are its scene's own, and what it does not want may be left out.
 template <class R>
 concept ShowsDrawings = std::default_initializable<R> && requires(R r, const DrawJob& job) {
   { r.Show(job) } -> std::same_as<Drawing>;
@@ -93,15 +94,17 @@ class RasterizerSubject final : public Subject {
   }
   Drawing Show(const DrawJob& job) override {
     if constexpr (ShowsDrawings<R>) {
-      return rasterizer_.Show(job);
+      return job.triangles ? rasterizer_.Show(Resolved(job)) : rasterizer_.Show(job);
     } else {
       return Subject::Show(job);
     }
   }
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     if constexpr (DrawsBatches<R>) {
+      std::vector<DrawJob> resolved;
+      for (const DrawJob& job : jobs) resolved.push_back(Resolved(job));
       std::vector<DrawOutcome> outcomes;
-      for (Drawing& drawing : rasterizer_.ShowMany(jobs)) {
+      for (Drawing& drawing : rasterizer_.ShowMany(resolved)) {
         outcomes.emplace_back().drawing = std::move(drawing);
       }
       return outcomes;
@@ -129,6 +132,14 @@ class RasterizerSubject final : public Subject {
    private:
     R& rasterizer_;
   };
+
+  // The job with its triangles in its scene, where a type of somebody else's looks for them.
+  static DrawJob Resolved(const DrawJob& job) {
+    if (!job.triangles) return job;
+    DrawJob resolved(SceneOf(job), job.options, job.samples);
+    resolved.wants = job.wants;
+    return resolved;
+  }
 
   SubjectInfo info_;
   R rasterizer_;

@@ -1,13 +1,34 @@
 #include "core/subject.h"
 
 #include <exception>
+#include <span>
+#include <vector>
+
+#include "core/evaluators.h"
 
 namespace rasterproof {
 
+std::vector<double> EdgeEvaluator::Values(std::span<const EdgeQuestion> questions) const {
+  std::vector<double> values;
+  for (const auto& [a, b, p] : questions) values.push_back(Value(a, b, p));
+  return values;
+}
+
+std::vector<std::vector<double>> EdgeEvaluator::Walks(
+    std::span<const StepsQuestion> questions) const {
+  std::vector<std::vector<double>> walks;
+  for (const auto& [a, b, p, step, steps] : questions) walks.push_back(Walk(a, b, p, step, steps));
+  return walks;
+}
+
 Drawing Subject::Show(const DrawJob& job) {
   Drawing drawing;
-  drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
-  Draw(job.scene, job.options, drawing.counts);
+  drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
+  if (job.triangles) {
+    Draw(SceneOf(job), job.options, drawing.counts);
+  } else {
+    Draw(*job.scene, job.options, drawing.counts);
+  }
   return drawing;
 }
 

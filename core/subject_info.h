@@ -79,6 +79,8 @@ struct SubjectInfo {
   CoverageKind coverage = CoverageKind::kFacingCounts;
   /// True if it draws several scenes in one call.
   bool takes_batches = false;
+  /// The version of the protocol that it speaks, on a pipe (subjects/process/protocol.h).
+  int protocol = 1;
   /// For the kinds kWinners and kFragments.
   FragmentClaims fragments;
   /// For subjects that show edge values and state their bounds as numbers.

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -74,8 +75,8 @@ void TellNothingAsked(const props::Property& property, std::uint64_t cases,
                            why_not.empty() ? "it was never put to the test" : why_not);
 }
 
-std::string NextLine(std::size_t /*most_bytes*/) {
-  std::string line;
+std::string_view NextLine(std::size_t /*most_bytes*/) {
+  static std::string line;
   if (std::getline(std::cin, line)) return line;
   throw InputError("standard input", "it ends before every request was answered",
                    "give ver the same options as gen, and flush what the program says");
@@ -122,11 +123,9 @@ int RunGen(const PipeOptions& options) {
   std::string why_not;
   for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
     const Case c = props::DrawCase(info, property, options.campaign.seed, n);
-    std::string text;
-    for (const DrawJob& job : RequestsOf(info, property, c, why_not).jobs) {
-      text += subjects::RequestText(++id, job);
-    }
-    io::WriteStandardOutput(text);
+    const std::vector<DrawJob> jobs = RequestsOf(info, property, c, why_not).jobs;
+    io::WriteStandardOutput(subjects::RequestsText(id + 1, jobs, info));
+    id += jobs.size();
   }
   if (id != 0) return kExitHolds;
   TellNothingAsked(property, options.campaign.cases, why_not);

@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "subjects/process/protocol.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -143,6 +144,19 @@ std::string InputText(const SubjectInfo& info) {
                      fixed.is_signed ? "signed" : "unsigned", fixed.wraps ? " wrap" : "");
 }
 
+int ProtocolOf(const std::string& value, const std::string& place) {
+  int version = 0;
+  const char* const end = value.data() + value.size();
+  const auto [stop, problem] = std::from_chars(value.data(), end, version);
+  if (problem == std::errc{} && stop == end && version >= 1 && version <= subjects::kProtocol) {
+    return version;
+  }
+  throw InputError(
+      place, fmt::format("this program does not speak version '{}' of the protocol", value),
+      fmt::format("write protocol {0}, or an older one from 1 on, and have the subject speak it",
+                  subjects::kProtocol));
+}
+
 void TakeLine(const std::string& key, const std::string& value, const std::string& place,
               Description& description) {
   SubjectInfo& info = description.info;
@@ -170,6 +184,8 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     info.edges.value_error = EdgeErrorOf(value, place);
   } else if (key == "walk-error") {
     info.edges.walk_error = EdgeErrorOf(value, place);
+  } else if (key == "protocol") {
+    info.protocol = ProtocolOf(value, place);
   } else if (key == "shows") {
     std::istringstream words(value);
     for (std::string word; words >> word;) info.edges.*Chosen(kShows, word, place) = true;
@@ -180,7 +196,7 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
   } else {
     throw InputError(place, fmt::format("there is no key '{}'", key),
                      "use name, summary, command, input, coverage, wins, weights-of, weight-error, "
-                     "depth-error, shows, edge-error, walk-error, takes or profile");
+                     "depth-error, shows, edge-error, walk-error, takes, protocol or profile");
   }
 }
 

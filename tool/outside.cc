@@ -15,6 +15,7 @@
 #include "props/run/batching.h"
 #include "subjects/plugin/plugin.h"
 #include "subjects/process/process.h"
+#include "subjects/process/protocol.h"
 #include "subjects/process/serve.h"
 #include "tool/commands.h"
 #include "tool/description.h"
@@ -49,6 +50,7 @@ std::unique_ptr<Subject> Hosted(const std::string& name) {
   SubjectInfo info = ParseDescription(text, name).info;
   info.summary = info.name + (info.summary.empty() ? "" : ": ") + info.summary;
   info.name = name;
+  info.protocol = subjects::kProtocol;
   return InAProcess({ThisProgram(), "host", name}, info);
 }
 
@@ -162,6 +164,7 @@ int HostSubject(const std::string& name, bool describe) {
     SayAll(answers, DescriptionText(here.subject->Info(), here.profile));
     return kExitHolds;
   }
+  std::ios::sync_with_stdio(false);  // character by character otherwise
   subjects::Serve(*here.subject, std::cin, [&](const std::string& text) { SayAll(answers, text); });
   return kExitHolds;
 }

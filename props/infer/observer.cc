@@ -12,16 +12,17 @@
 namespace rasterproof::props {
 
 DrawJob Observer::JobOf(const Scene& scene) const {
-  DrawJob job{scene, {}, info().profile.lattice.samples()};
-  if (info().takes_window) return job;
+  const int samples = info().profile.lattice.samples();
+  if (info().takes_window) return {scene, {}, samples};
   const auto& transform = info().profile.transform;
   if (transform && transform->viewport != ViewportForm::kNone) {
     throw InputError("subject " + info().name,
                      "its viewport takes no vertex to most of the places that infer looks at",
                      "infer a variant that takes window space, or whose viewport is none");
   }
-  job.scene.clip_space = true;  // w is 1 already
-  return job;
+  Scene clip = scene;
+  clip.clip_space = true;  // w is 1 already
+  return {std::move(clip), {}, samples};
 }
 
 CoverageCounts Observer::Raw(const Scene& scene) {

@@ -1,13 +1,15 @@
 #include "props/judging/edge_queries.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "core/ulp.h"
 #include "exact/edge.h"
 #include "model/snap.h"
 #include "props/judging/exact_comparison.h"
-#include "props/judging/precondition.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -40,15 +42,6 @@ std::optional<Point2> Image(const EdgeMap& map, Point2 p, const SubjectInfo& inf
   return map.transpose ? Point2{*y, *x} : Point2{*x, *y};
 }
 
-}  // namespace
-
-std::optional<Verdict> CannotAskEdges(const Subject& subject, const Case& c) {
-  if (subject.Edges() == nullptr) {
-    return Verdict::NotApplicable("the subject shows no edge values");
-  }
-  return CannotEvaluate(subject, c);
-}
-
 std::vector<EdgeQuery> SomeEdgeQueries(const Case& c) {
   std::vector<EdgeQuery> queries;
   for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
@@ -61,6 +54,46 @@ std::vector<EdgeQuery> SomeEdgeQueries(const Case& c) {
   }
   return queries;
 }
+
+// A value at an image, and the one that it should follow from.
+struct ImageValue {
+  EdgeQuestion image;
+  double image_bound = 0;
+  std::size_t of = 0;  ///< among the edges
+  double factor = 1;
+  double scaled_bound = 0;
+};
+
+// Nothing where the image is no input, or a bound claims nothing.
+std::optional<ImageValue> ImageOf(const Case& c, const Description& subject,
+                                  const BoundedEdge& edge, const EdgeMap& map) {
+  const EdgeQuery& q = edge.query;
+  const std::optional<Point2> a = Image(map, q.a, subject.info, c.profile);
+  const std::optional<Point2> b = Image(map, q.b, subject.info, c.profile);
+  const std::optional<Point2> at = Image(map, q.place.at, subject.info, c.profile);
+  if (!a || !b || !at) return std::nullopt;
+  const double image_bound = subject.edges->ErrorBound(*a, *b, *at);
+  const double scaled_bound = std::fabs(map.factor) * edge.bound;
+  if (!Claims(image_bound) || !Claims(scaled_bound)) return std::nullopt;
+  return ImageValue{{*a, *b, *at}, image_bound, 0, map.factor, scaled_bound};
+}
+
+std::vector<ImageValue> ImagesOf(const Case& c, const Description& subject,
+                                 std::span<const BoundedEdge> edges,
+                                 std::span<const EdgeMap> maps) {
+  std::vector<ImageValue> images;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    for (const EdgeMap& map : maps) {
+      std::optional<ImageValue> image = ImageOf(c, subject, edges[k], map);
+      if (!image) continue;
+      image->of = k;
+      images.push_back(*image);
+    }
+  }
+  return images;
+}
+
+}  // namespace
 
 std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeEvaluator& bounds) {
   std::vector<BoundedEdge> edges;
@@ -79,15 +112,6 @@ Questions ValuesAt(std::span<const BoundedEdge> edges) {
   return questions;
 }
 
-std::vector<EdgeAnswer> ClaimedEdgeValues(const EdgeEvaluator& edges, const Case& c) {
-  std::vector<EdgeAnswer> answers;
-  for (const EdgeQuery& q : SomeEdgeQueries(c)) {
-    const double bound = edges.ErrorBound(q.a, q.b, q.place.at);
-    if (Claims(bound)) answers.push_back({q, edges.Value(q.a, q.b, q.place.at), bound});
-  }
-  return answers;
-}
-
 Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& claim,
                       const std::string& observed, const std::string& expected) {
   return Verdict::Violated(
@@ -100,31 +124,25 @@ std::string ExactEdgeText(Point2 a, Point2 b, Point2 p) {
   return "E = " + exact::EdgeValue(a, b, p).ToString();
 }
 
-Verdict EdgeValuesFollow(Subject& subject, const Case& c, std::span<const EdgeMap> maps,
-                         const std::string& claim) {
-  if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
-  const EdgeEvaluator& edges = *subject.Edges();
-  std::uint64_t exercised = 0;
-  for (const auto& [q, value, bound] : ClaimedEdgeValues(edges, c)) {
-    const Point2 p = q.place.at;
-    for (const EdgeMap& map : maps) {
-      const std::optional<Point2> a = Image(map, q.a, subject.Info(), c.profile);
-      const std::optional<Point2> b = Image(map, q.b, subject.Info(), c.profile);
-      const std::optional<Point2> at = Image(map, p, subject.Info(), c.profile);
-      if (!a || !b || !at) continue;
-      const double image_bound = edges.ErrorBound(*a, *b, *at);
-      const double scaled_bound = std::fabs(map.factor) * bound;
-      if (!Claims(image_bound) || !Claims(scaled_bound)) continue;
-      ++exercised;
-      const double image = edges.Value(*a, *b, *at);
-      if (AgreeWithin(image, map.factor * value, -1, image_bound, scaled_bound)) continue;
-      return EdgeViolation(q, exercised, claim, HexText(image),
-                           HexText(map.factor * value) + " within " +
-                               HexText(image_bound + scaled_bound) + "; " +
-                               ExactEdgeText(*a, *b, *at) + " of the image");
+Asked EdgeValuesFollow(const Case& c, const Description& subject, std::span<const EdgeMap> maps,
+                       std::string_view wrong) {
+  std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
+  std::vector<ImageValue> images = ImagesOf(c, subject, edges, maps);
+  Questions questions = ValuesAt(edges);
+  for (const ImageValue& image : images) questions.edges.push_back(image.image);
+  return OneCheck(std::move(questions), [edges = std::move(edges), images = std::move(images),
+                                         wrong = std::string(wrong)](const Answers& answers) {
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      const auto& [image, image_bound, of, factor, scaled_bound] = images[k];
+      const double expected = factor * answers.edges[of];
+      const double observed = answers.edges[edges.size() + k];
+      if (AgreeWithin(observed, expected, -1, image_bound, scaled_bound)) continue;
+      return EdgeViolation(edges[of].query, k + 1, wrong, HexText(observed),
+                           HexText(expected) + " within " + HexText(image_bound + scaled_bound) +
+                               "; " + ExactEdgeText(image.a, image.b, image.p) + " of the image");
     }
-  }
-  return Verdict::Held(exercised);
+    return Verdict::Held(images.size());
+  });
 }
 
 }  // namespace rasterproof::props

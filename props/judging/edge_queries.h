@@ -3,9 +3,9 @@
 #define RASTERPROOF_PROPS_JUDGING_EDGE_QUERIES_H_
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/case.h"
@@ -13,7 +13,9 @@
 #include "core/question.h"
 #include "core/subject.h"
 #include "core/verdict.h"
+#include "props/judging/gate.h"
 #include "props/judging/places.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -26,11 +28,9 @@ struct EdgeQuery {
   SamplePlace place;
 };
 
-/// The verdict to give if the subject shows no edge values or the case has none to ask about.
-std::optional<Verdict> CannotAskEdges(const Subject& subject, const Case& c);
-
-/// Every edge of a few triangles, at samples near any of that triangle's edges.
-std::vector<EdgeQuery> SomeEdgeQueries(const Case& c);
+/// What a claim about edge values needs.
+inline constexpr Gate kAsksEdgeValues{
+    .shows = Shows::kEdgeValues, .promise = Promise::kNone, .unwrapped = true};
 
 /// A query where the subject states a bound on its value.
 struct BoundedEdge {
@@ -38,21 +38,12 @@ struct BoundedEdge {
   double bound = 0;
 };
 
-/// SomeEdgeQueries, where the subject's bound claims anything.
+/// Every edge of a few triangles, at samples near any of that triangle's edges, where the subject's
+/// bound claims anything.
 std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeEvaluator& bounds);
 
 /// Asks for the value at each.
 Questions ValuesAt(std::span<const BoundedEdge> edges);
-
-/// What the subject says at a query.
-struct EdgeAnswer {
-  EdgeQuery query;
-  double value = 0;
-  double bound = 0;
-};
-
-/// The subject's answers to SomeEdgeQueries, where its bound claims anything.
-std::vector<EdgeAnswer> ClaimedEdgeValues(const EdgeEvaluator& edges, const Case& c);
 
 /// A violation at a query: what the claim says, and the values that contradict it.
 Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& claim,
@@ -72,13 +63,13 @@ struct EdgeMap {
   double factor = 1;
 };
 
-/// Holds if the subject's values at the images are `factor` times its values, up to the sum of the
-/// bounds it claims for both. Put to the test only where every image is exact, of the subject's
-/// input format, on the subpixel grid and within the limit.
+/// Whether the subject's values at the images are `factor` times its values, up to the sum of the
+/// bounds it claims for both. Asked only where every image is exact, of the subject's input format,
+/// on the subpixel grid and within the limit. A violation says `wrong`.
 ///
-/// Domain:     factor a power of two of either sign.
-Verdict EdgeValuesFollow(Subject& subject, const Case& c, std::span<const EdgeMap> maps,
-                         const std::string& claim);
+/// Domain:     factor a power of two of either sign; a subject that shows edge values.
+Asked EdgeValuesFollow(const Case& c, const Description& subject, std::span<const EdgeMap> maps,
+                       std::string_view wrong);
 
 }  // namespace rasterproof::props
 

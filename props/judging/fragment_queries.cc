@@ -4,12 +4,16 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <utility>
 
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "model/snap_scene.h"
 #include "props/judging/precondition.h"
+#include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -124,21 +128,48 @@ EdgeErrors EdgeErrorsAt(const WeightQuery& q, Precision precision) {
   return errors;
 }
 
-}  // namespace
-
-std::optional<Verdict> CannotAskFragments(Subject& subject, const Case& c) {
-  if (subject.Whole().Info().coverage != CoverageKind::kFragments) {
-    return Verdict::NotApplicable("the subject shows no fragments");
+// What the drawing shows at its k-th sample. Nothing if the winner has no area.
+std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const Scene& owners,
+                                   const Case& c, const SubjectInfo& info) {
+  const auto samples = static_cast<std::size_t>(drawing.counts.samples);
+  const auto width = static_cast<std::size_t>(drawing.counts.width);
+  Fragment f;
+  f.query.triangle = drawing.winners[k];
+  const Triangle& t = owners.triangles[static_cast<std::size_t>(f.query.triangle)];
+  const std::array<Vertex, 3> corners = Corners(owners, t);
+  for (std::size_t i = 0; i < 3; ++i) {
+    f.query.v[i] = WindowPoint(corners[i]);
+    f.z[i] = corners[i].z;
   }
-  const bool chooses_points = c.profile.freedom.snap_tolerance != 0 ||
-                              c.profile.contract == Contract::kWatertight ||
-                              c.profile.contract == Contract::kClosed;
-  if (subject.Whole().Info().fragments.weights_of == WeightsOf::kSnapped && chooses_points) {
-    return Verdict::NotApplicable(
-        "the profile leaves the grid points free that the weights belong to");
+  if (!std::ranges::all_of(corners, IsFinite) || exact::Facing(f.query.v) == 0) {
+    return std::nullopt;
   }
-  return CannotEvaluate(subject, c);
+  f.query.place = PlaceOf(c, static_cast<int>(k / samples % width),
+                          static_cast<int>(k / samples / width), static_cast<int>(k % samples));
+  f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
+  f.weights = drawing.weights[k];
+  f.depth = drawing.depths[k];
+  f.weight_tolerances = WeightTolerances(info, f.query);
+  f.depth_tolerance = DepthTolerance(info, f);
+  return f;
 }
+
+// `owners` holds the vertices that the weights belong to.
+std::vector<Fragment> SomeFragments(const Drawing& drawing, const Scene& owners, const Case& c,
+                                    const SubjectInfo& info) {
+  std::vector<std::size_t> covered;
+  for (std::size_t k = 0; k < drawing.winners.size(); ++k) {
+    if (drawing.winners[k] != kNoTriangle) covered.push_back(k);
+  }
+  std::vector<Fragment> fragments;
+  for (std::size_t n = 0; n < covered.size(); n += covered.size() / kMostFragments + 1) {
+    const std::optional<Fragment> f = FragmentAt(drawing, covered[n], owners, c, info);
+    if (f) fragments.push_back(*f);
+  }
+  return fragments;
+}
+
+}  // namespace
 
 std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuery& q) {
   const double declared = info.fragments.weight_error;
@@ -168,53 +199,24 @@ std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuer
   return tolerances;
 }
 
-std::vector<Fragment> SomeFragments(Subject& subject, const Case& c) {
-  Subject& whole = subject.Whole();
-  const SubjectInfo& info = whole.Info();
-  DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
-  for (std::size_t k = 0; k < job.scene.vertices.size(); ++k) job.scene.vertices[k].z = DepthOf(k);
-  const Drawing drawing = whole.Show(job);
-  const bool snapped = info.fragments.weights_of == WeightsOf::kSnapped;
-  const Scene owners = snapped ? SnapScene(job.scene, c.profile) : job.scene;
-  std::vector<std::size_t> covered;
-  for (std::size_t k = 0; k < drawing.winners.size(); ++k) {
-    if (drawing.winners[k] != kNoTriangle) covered.push_back(k);
-  }
-  std::vector<Fragment> fragments;
-  const auto samples = static_cast<std::size_t>(drawing.counts.samples);
-  const auto width = static_cast<std::size_t>(drawing.counts.width);
-  for (std::size_t n = 0; n < covered.size(); n += covered.size() / kMostFragments + 1) {
-    const std::size_t k = covered[n];
-    Fragment f;
-    f.query.triangle = drawing.winners[k];
-    const Triangle& t = owners.triangles[static_cast<std::size_t>(f.query.triangle)];
-    const std::array<Vertex, 3> corners = Corners(owners, t);
-    for (std::size_t i = 0; i < 3; ++i) {
-      f.query.v[i] = WindowPoint(corners[i]);
-      f.z[i] = corners[i].z;
-    }
-    if (!std::ranges::all_of(corners, IsFinite) || exact::Facing(f.query.v) == 0) continue;
-    f.query.place = PlaceOf(c, static_cast<int>(k / samples % width),
-                            static_cast<int>(k / samples / width), static_cast<int>(k % samples));
-    f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
-    f.weights = drawing.weights[k];
-    f.depth = drawing.depths[k];
-    f.weight_tolerances = WeightTolerances(info, f.query);
-    f.depth_tolerance = DepthTolerance(info, f);
-    fragments.push_back(f);
-  }
-  return fragments;
+Asked AskFragments(const Case& c, const Description& subject,
+                   Verdict (*judge)(const std::vector<Fragment>&)) {
+  Scene scene = c.scene;
+  for (std::size_t k = 0; k < scene.vertices.size(); ++k) scene.vertices[k].z = DepthOf(k);
+  const bool snapped = subject.info.fragments.weights_of == WeightsOf::kSnapped;
+  Scene owners = snapped ? SnapScene(scene, c.profile) : scene;
+  Questions questions;
+  questions.draws.push_back(WholeCallOf(scene, c.profile, c.options));
+  return OneCheck(std::move(questions),
+                  [&c, &subject, judge, owners = std::move(owners)](const Answers& answers) {
+                    return judge(SomeFragments(*answers.draws[0], owners, c, subject.info));
+                  });
 }
 
 Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
                           const std::string& claim, const std::string& observed,
                           const std::string& expected) {
   return WeightViolation(fragment.query, entry, exercised, claim, observed, expected);
-}
-
-std::string WeightsText(const Fragment& fragment) {
-  const std::array<double, 3>& l = fragment.weights;
-  return HexText(l[0]) + ", " + HexText(l[1]) + ", " + HexText(l[2]);
 }
 
 }  // namespace rasterproof::props

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "props/judging/weight_queries.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -27,12 +27,11 @@ struct Fragment {
   double depth_tolerance = 0;
 };
 
-/// The verdict to give if the subject shows no fragments or the case has none to ask about.
-std::optional<Verdict> CannotAskFragments(Subject& subject, const Case& c);
-
-/// Draws the case, its vertices at depths of our own choice, and gives some of the covered samples,
-/// evenly spread. Winners without area by the declared vertices are left out.
-std::vector<Fragment> SomeFragments(Subject& subject, const Case& c);
+/// Asks for all that a call shows of the case, its vertices at depths of our own choice, and judges
+/// some of the covered samples, evenly spread. Winners without area by the declared vertices are
+/// left out.
+Asked AskFragments(const Case& c, const Description& subject,
+                   Verdict (*judge)(const std::vector<Fragment>&));
 
 /// How far the weights of p may be off: the declared error for each. If none is declared, the most
 /// that the usual forms give in the subject's format: five-operation edge functions over the area,
@@ -50,9 +49,6 @@ std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuer
 Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
                           const std::string& claim, const std::string& observed,
                           const std::string& expected);
-
-/// The fragment's weights in words.
-std::string WeightsText(const Fragment& fragment);
 
 }  // namespace rasterproof::props
 

@@ -95,9 +95,21 @@ std::optional<std::string> ContractDoesNotPromise(const Profile& profile, const 
   return "the profile's contract promises nothing about coverage";
 }
 
-std::optional<std::string> ProfileDoesNotPromise(const Gate& gate, const Profile& profile) {
+// Weights belong to the vertices as given or to their grid points, which a profile may leave free.
+bool LeavesWeightsOpen(const SubjectInfo& info, const Profile& profile) {
+  const bool chooses_points = profile.freedom.snap_tolerance != 0 ||
+                              profile.contract == Contract::kWatertight ||
+                              profile.contract == Contract::kClosed;
+  return info.fragments.weights_of == WeightsOf::kSnapped && chooses_points;
+}
+
+std::optional<std::string> ProfileDoesNotPromise(const Gate& gate, const SubjectInfo& info,
+                                                 const Profile& profile) {
   for (const ProfileRule& rule : gate.rules) {
     if (!rule.holds(profile)) return std::string(rule.why_not);
+  }
+  if (gate.shows == Shows::kFragments && LeavesWeightsOpen(info, profile)) {
+    return "the profile leaves the grid points free that the weights belong to";
   }
   return ContractDoesNotPromise(profile, gate);
 }
@@ -192,7 +204,7 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) return why;
   const Profile& profile = subject.info.profile;
   // What models by target size say is asked for each case.
-  return profile.targets.empty() ? ProfileDoesNotPromise(gate, profile)
+  return profile.targets.empty() ? ProfileDoesNotPromise(gate, subject.info, profile)
                                  : ContractDoesNotPromise(profile, gate);
 }
 
@@ -200,7 +212,7 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) {
     return Verdict::NotApplicable(*std::move(why));
   }
-  if (std::optional<std::string> why = ProfileDoesNotPromise(gate, c.profile)) {
+  if (std::optional<std::string> why = ProfileDoesNotPromise(gate, subject.info, c.profile)) {
     return Verdict::NotApplicable(*std::move(why));
   }
   if (std::optional<Verdict> refusal = CannotDraw(gate, subject.info, c)) return refusal;

@@ -9,7 +9,8 @@
 #include <string_view>
 
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/evaluators.h"
+#include "core/subject_info.h"
 #include "core/verdict.h"
 
 namespace rasterproof::props {
@@ -31,7 +32,7 @@ enum class Shows : std::uint8_t {
   kEdgeValues,
   kSteps,
   kBarycentrics,
-  kFragments,
+  kFragments,  ///< of vertices that are given, or that the profile places
   kPrimitiveIds,
   kTiles,
   kThreads,

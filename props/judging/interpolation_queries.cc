@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "exact/attributes.h"
 #include "props/judging/exact_comparison.h"
@@ -52,29 +53,45 @@ std::optional<exact::Rational> ExactInterpolation(InterpolationForm form,
                                        q.attribute, q.at.place.at);
 }
 
-Verdict InterpolationsStayWithinTheirBound(const WeightEvaluator& evaluator,
-                                           const std::vector<InterpolationQuery>& queries,
-                                           const std::vector<InterpolationForm>& forms) {
-  std::uint64_t exercised = 0;
-  double worst = 0;
+Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
+                        const std::vector<InterpolationForm>& forms, const WeightEvaluator& bounds,
+                        Verdict (*judge)(const std::vector<InterpolationAnswer>&)) {
+  std::vector<InterpolationAnswer> unanswered;
+  Questions questions;
   for (const InterpolationQuery& q : queries) {
     const Point2 p = q.at.place.at;
     for (const InterpolationForm form : forms) {
-      const double bound = evaluator.InterpolationErrorBound(form, q.corners, q.attribute, p);
+      const double bound = bounds.InterpolationErrorBound(form, q.corners, q.attribute, p);
       if (!Claims(bound)) continue;
-      const std::optional<exact::Rational> exact = ExactInterpolation(form, q);
-      if (!exact) continue;
-      ++exercised;
-      const double value = evaluator.Interpolate(form, q.corners, q.attribute, p);
-      const Distance distance = CompareWithExact(value, *exact, bound);
-      if (!distance.within) {
-        return WeightViolation(q.at, -1, exercised,
-                               "value interpolated " + std::string(InterpolationName(form)) +
-                                   " outside its proven bound",
-                               HexText(value), exact->ToString() + " within " + HexText(bound));
-      }
-      worst = std::max(worst, distance.ratio);
+      unanswered.push_back({q, form, bound});
+      questions.interpolations.push_back({form, q.corners, q.attribute, p});
     }
+  }
+  return OneCheck(std::move(questions),
+                  [judge, unanswered = std::move(unanswered)](const Answers& answers) {
+                    std::vector<InterpolationAnswer> answered = unanswered;
+                    for (std::size_t k = 0; k < answered.size(); ++k) {
+                      answered[k].value = answers.interpolations[k];
+                    }
+                    return judge(answered);
+                  });
+}
+
+Verdict InterpolationsStayWithinTheirBound(const std::vector<InterpolationAnswer>& answers) {
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (const auto& [q, form, bound, value] : answers) {
+    const std::optional<exact::Rational> exact = ExactInterpolation(form, q);
+    if (!exact) continue;
+    ++exercised;
+    const Distance distance = CompareWithExact(value, *exact, bound);
+    if (!distance.within) {
+      return WeightViolation(q.at, -1, exercised,
+                             "value interpolated " + std::string(InterpolationName(form)) +
+                                 " outside its proven bound",
+                             HexText(value), exact->ToString() + " within " + HexText(bound));
+    }
+    worst = std::max(worst, distance.ratio);
   }
   return Verdict::Held(exercised, worst);
 }

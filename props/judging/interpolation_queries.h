@@ -8,8 +8,11 @@
 #include <vector>
 
 #include "core/evaluators.h"
+#include "core/subject.h"
+#include "core/verdict.h"
 #include "exact/rational.h"
 #include "props/judging/weight_queries.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -30,10 +33,22 @@ std::string_view InterpolationName(InterpolationForm form);
 std::optional<exact::Rational> ExactInterpolation(InterpolationForm form,
                                                   const InterpolationQuery& q);
 
-/// Holds if every value that one of the forms gives is within the bound claimed for it.
-Verdict InterpolationsStayWithinTheirBound(const WeightEvaluator& evaluator,
-                                           const std::vector<InterpolationQuery>& queries,
-                                           const std::vector<InterpolationForm>& forms);
+/// A value that the subject interpolates, and the bound that it states on its error.
+struct InterpolationAnswer {
+  InterpolationQuery query;
+  InterpolationForm form = InterpolationForm::kWeights;
+  double bound = 0;
+  double value = 0;
+};
+
+/// Asks for the values at the queries, in those of the forms where the subject's bound claims
+/// anything, and judges them all at once.
+Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
+                        const std::vector<InterpolationForm>& forms, const WeightEvaluator& bounds,
+                        Verdict (*judge)(const std::vector<InterpolationAnswer>&));
+
+/// Holds if every value is within its bound of the exact one.
+Verdict InterpolationsStayWithinTheirBound(const std::vector<InterpolationAnswer>& answers);
 
 }  // namespace rasterproof::props
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
@@ -41,15 +42,29 @@ void AddWalk(const Case& c, const EdgeQuery& from, Step step, int wanted,
   if (steps > 0) walks.push_back({from, step, steps});
 }
 
-}  // namespace
-
-std::optional<Verdict> CannotAskWalks(const Subject& subject, const Case& c) {
-  const EdgeClaims& claims = subject.Info().edges;
-  if (claims.shows_values && !claims.shows_walks) {
-    return Verdict::NotApplicable("the subject shows no walks");
+Verdict WithinItsBound(const WalkQuery& walk, const std::vector<double>& values,
+                       const std::vector<double>& bounds) {
+  if (auto wrong = WrongLength(walk, values.size(), bounds.size())) return *wrong;
+  const EdgeQuery& q = walk.from;
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (int n = 0; n <= walk.steps; ++n) {
+    const auto k = static_cast<std::size_t>(n);
+    if (!IsLookedAt(n, walk.steps) || !Claims(bounds[k])) continue;
+    ++exercised;
+    const Point2 p = AfterSteps(walk, n);
+    const Distance distance = CompareWithEdge(values[k], q.a, q.b, p, bounds[k]);
+    if (!distance.within) {
+      return EdgeViolation(q, exercised, "walk outside its proven bound " + StepsText(walk, n),
+                           HexText(values[k]),
+                           ExactEdgeText(q.a, q.b, p) + " within " + HexText(bounds[k]));
+    }
+    worst = std::max(worst, distance.ratio);
   }
-  return CannotAskEdges(subject, c);
+  return Verdict::Held(exercised, worst);
 }
+
+}  // namespace
 
 Point2 AfterSteps(const WalkQuery& walk, int n) {
   Point2 p = walk.from.place.at;
@@ -105,39 +120,34 @@ std::string StepsText(const WalkQuery& walk, int n) {
          (walk.step.along_y ? "y" : "x");
 }
 
-std::optional<Verdict> WrongLength(const WalkQuery& walk, std::size_t values, std::size_t bounds,
-                                   std::uint64_t exercised) {
+StepsQuestion StepsOf(const WalkQuery& walk) {
+  return {walk.from.a, walk.from.b, walk.from.place.at, walk.step, walk.steps};
+}
+
+std::vector<double> BoundsOf(const WalkQuery& walk, const EdgeEvaluator& bounds) {
+  const EdgeQuery& q = walk.from;
+  return bounds.WalkErrorBounds(q.a, q.b, q.place.at, walk.step, walk.steps);
+}
+
+std::optional<Verdict> WrongLength(const WalkQuery& walk, std::size_t values, std::size_t bounds) {
   const std::size_t wanted = static_cast<std::size_t>(walk.steps) + 1;
   if (values == wanted && bounds == wanted) return std::nullopt;
-  return EdgeViolation(walk.from, exercised + 1, "a walk of the wrong length",
+  return EdgeViolation(walk.from, 1, "a walk of the wrong length",
                        std::to_string(values) + " values, " + std::to_string(bounds) + " bounds",
                        std::to_string(wanted) + " of each");
 }
 
-Verdict WalksStayWithinTheirBound(const EdgeEvaluator& edges, std::span<const WalkQuery> walks) {
-  std::uint64_t exercised = 0;
-  double worst = 0;
+Asked WalksStayWithinTheirBound(std::span<const WalkQuery> walks, const EdgeEvaluator& bounds) {
+  Asked asked;
   for (const WalkQuery& walk : walks) {
-    const EdgeQuery& q = walk.from;
-    const std::vector<double> values = edges.Walk(q.a, q.b, q.place.at, walk.step, walk.steps);
-    const std::vector<double> bounds =
-        edges.WalkErrorBounds(q.a, q.b, q.place.at, walk.step, walk.steps);
-    if (auto wrong = WrongLength(walk, values.size(), bounds.size(), exercised)) return *wrong;
-    for (int n = 0; n <= walk.steps; ++n) {
-      const auto k = static_cast<std::size_t>(n);
-      if (!IsLookedAt(n, walk.steps) || !Claims(bounds[k])) continue;
-      ++exercised;
-      const Point2 p = AfterSteps(walk, n);
-      const Distance distance = CompareWithEdge(values[k], q.a, q.b, p, bounds[k]);
-      if (!distance.within) {
-        return EdgeViolation(q, exercised, "walk outside its proven bound " + StepsText(walk, n),
-                             HexText(values[k]),
-                             ExactEdgeText(q.a, q.b, p) + " within " + HexText(bounds[k]));
-      }
-      worst = std::max(worst, distance.ratio);
-    }
+    Check check;
+    check.questions.steps.push_back(StepsOf(walk));
+    check.judge = [walk, claimed = BoundsOf(walk, bounds)](const Answers& answers) {
+      return WithinItsBound(walk, answers.steps[0], claimed);
+    };
+    asked.checks.push_back(std::move(check));
   }
-  return Verdict::Held(exercised, worst);
+  return asked;
 }
 
 }  // namespace rasterproof::props

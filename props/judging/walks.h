@@ -3,7 +3,6 @@
 #define RASTERPROOF_PROPS_JUDGING_WALKS_H_
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,9 +10,12 @@
 
 #include "core/case.h"
 #include "core/evaluators.h"
+#include "core/question.h"
 #include "core/subject.h"
 #include "core/verdict.h"
 #include "props/judging/edge_queries.h"
+#include "props/judging/gate.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -24,8 +26,9 @@ struct WalkQuery {
   int steps = 0;
 };
 
-/// The verdict to give if the subject shows no walks or the case has no edges to walk along.
-std::optional<Verdict> CannotAskWalks(const Subject& subject, const Case& c);
+/// What a claim about walks needs.
+inline constexpr Gate kAsksSteps{
+    .shows = Shows::kSteps, .promise = Promise::kNone, .unwrapped = true};
 
 /// The position after n steps. Exact: a sample location plus at most 2^16 whole pixels.
 Point2 AfterSteps(const WalkQuery& walk, int n);
@@ -37,13 +40,17 @@ std::vector<WalkQuery> SomeWalks(const Case& c);
 /// lets it be. Bits of the case choose the edge and the direction.
 std::vector<WalkQuery> LongWalks(const Case& c, int steps);
 
-/// Compares the values met with the exact ones.
-/// Holds if each is within the bound claimed for it.
-Verdict WalksStayWithinTheirBound(const EdgeEvaluator& edges, std::span<const WalkQuery> walks);
+/// Asks for the values that the walk meets.
+StepsQuestion StepsOf(const WalkQuery& walk);
 
-/// A violation if the subject's answer to a walk has not steps + 1 entries.
-std::optional<Verdict> WrongLength(const WalkQuery& walk, std::size_t values, std::size_t bounds,
-                                   std::uint64_t exercised);
+/// The bounds that the subject states on them.
+std::vector<double> BoundsOf(const WalkQuery& walk, const EdgeEvaluator& bounds);
+
+/// Whether each value met is within the bound claimed for it: a check for each walk.
+Asked WalksStayWithinTheirBound(std::span<const WalkQuery> walks, const EdgeEvaluator& bounds);
+
+/// A violation if a walk has not steps + 1 values and as many bounds.
+std::optional<Verdict> WrongLength(const WalkQuery& walk, std::size_t values, std::size_t bounds);
 
 /// "after n steps of (dx, dy)" for messages.
 std::string StepsText(const WalkQuery& walk, int n);

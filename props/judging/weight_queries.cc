@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "core/scene.h"
 #include "exact/attributes.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
-#include "props/judging/precondition.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -50,11 +50,6 @@ bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p) {
   return true;
 }
 
-std::optional<Verdict> CannotAskWeights(const Subject& subject, const Case& c) {
-  if (subject.Weights() == nullptr) return Verdict::NotApplicable("the subject shows no weights");
-  return CannotEvaluate(subject, c);
-}
-
 std::vector<CornersPlace> SomeProperTriangles(const Case& c) {
   constexpr int kLookedAt = 64;
   std::vector<CornersPlace> proper = SomeTriangles(c, kLookedAt);
@@ -86,15 +81,30 @@ std::vector<BarycentricForm> FormsFor(const WeightQuery& q) {
   return forms;
 }
 
-std::vector<WeightAnswer> WeightsAtQueries(const WeightEvaluator& evaluator, const Case& c) {
-  std::vector<WeightAnswer> answers;
-  for (const WeightQuery& q : SomeWeightQueries(c)) {
+Asked AskWeights(const std::vector<WeightQuery>& queries, const WeightEvaluator& bounds,
+                 Verdict (*judge)(const std::vector<WeightAnswer>&)) {
+  std::vector<WeightAnswer> unanswered;
+  Questions questions;
+  for (const WeightQuery& q : queries) {
+    WeightAnswer& answer = unanswered.emplace_back(WeightAnswer{q, {}});
     for (const BarycentricForm form : FormsFor(q)) {
-      answers.push_back({q, form, evaluator.Weights(form, q.v, q.place.at),
-                         evaluator.WeightErrorBounds(form, q.v, q.place.at)});
+      answer.forms.push_back({form, {}, bounds.WeightErrorBounds(form, q.v, q.place.at)});
+      questions.barycentrics.push_back({form, q.v, q.place.at});
     }
   }
-  return answers;
+  return OneCheck(std::move(questions),
+                  [judge, unanswered = std::move(unanswered)](const Answers& answers) {
+                    std::vector<WeightAnswer> answered = unanswered;
+                    std::size_t next = 0;
+                    for (WeightAnswer& answer : answered) {
+                      for (FormAnswer& f : answer.forms) f.weights = answers.barycentrics[next++];
+                    }
+                    return judge(answered);
+                  });
+}
+
+std::string WeightsText(const std::array<double, 3>& weights) {
+  return HexText(weights[0]) + ", " + HexText(weights[1]) + ", " + HexText(weights[2]);
 }
 
 std::string_view FormName(BarycentricForm form) {

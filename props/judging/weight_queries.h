@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "core/verdict.h"
 #include "exact/rational.h"
 #include "props/judging/places.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -31,9 +31,6 @@ struct WeightQuery {
 /// Domain:     an area that is not zero.
 bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p);
 
-/// The verdict to give if the subject shows no weights or the case has none to ask about.
-std::optional<Verdict> CannotAskWeights(const Subject& subject, const Case& c);
-
 /// A few triangles of non-zero area, at samples inside, near the edges and outside.
 std::vector<WeightQuery> SomeWeightQueries(const Case& c);
 
@@ -44,16 +41,25 @@ std::vector<CornersPlace> SomeProperTriangles(const Case& c);
 std::vector<BarycentricForm> FormsFor(const WeightQuery& q);
 std::string_view FormName(BarycentricForm form);
 
-/// What the subject says at a query in one form.
-struct WeightAnswer {
-  WeightQuery query;
+/// The three weights in one form, and the bounds that the subject states on their errors.
+struct FormAnswer {
   BarycentricForm form = BarycentricForm::kVertexArea;
   std::array<double, 3> weights{};
   std::array<double, 3> bounds{};
 };
 
-/// The subject's answers to SomeWeightQueries in every form that suits each.
-std::vector<WeightAnswer> WeightsAtQueries(const WeightEvaluator& evaluator, const Case& c);
+/// What the subject says at a query, in every form that suits it.
+struct WeightAnswer {
+  WeightQuery query;
+  std::vector<FormAnswer> forms;
+};
+
+/// Asks for the weights at the queries and judges them all at once.
+Asked AskWeights(const std::vector<WeightQuery>& queries, const WeightEvaluator& bounds,
+                 Verdict (*judge)(const std::vector<WeightAnswer>&));
+
+/// The three weights, for a witness.
+std::string WeightsText(const std::array<double, 3>& weights);
 
 /// The exact lambda of the query.
 std::array<exact::Rational, 3> ExactWeights(const WeightQuery& q);

@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/ulp.h"
+#include "core/verdict.h"
 #include "exact/attributes.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
@@ -41,6 +44,38 @@ bool IsWithin(double observed, const Rational& square, double bound) {
   return high.Sign() >= 0 && high * high >= square && (low.Sign() <= 0 || low * low <= square);
 }
 
+// What one edge's distance should be at a query.
+struct ExpectedDistance {
+  WeightQuery query;
+  int edge = 0;
+  std::size_t question = 0;  // the number of the query's question
+  Rational square;           // of the exact distance
+  double rounded = 0;        // the exact distance, for the reader
+  double bound = 0;          // how far off it may be
+};
+
+double BoundOf(const WireframeScale& exact, double weight_bound, double distance,
+               Precision precision) {
+  return 2 * weight_bound * exact.scale +
+         kWireframeErrorMultiplier * UnitRoundoff(precision) * distance + LeastSubnormal(precision);
+}
+
+Verdict AreAsExpected(const std::vector<ExpectedDistance>& expected, const Answers& answers,
+                      const std::string& claim) {
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (const ExpectedDistance& e : expected) {
+    const double observed = answers.distances[e.question][static_cast<std::size_t>(e.edge)];
+    ++exercised;
+    if (!std::isfinite(observed) || !IsWithin(observed, e.square, e.bound)) {
+      return WeightViolation(e.query, e.edge, exercised, claim, HexText(observed),
+                             HexText(e.rounded) + " within " + HexText(e.bound));
+    }
+    worst = std::max(worst, std::fabs(observed - e.rounded) / e.bound);
+  }
+  return Verdict::Held(exercised, worst);
+}
+
 }  // namespace
 
 double RoundedRoot(const Rational& square) {
@@ -49,37 +84,28 @@ double RoundedRoot(const Rational& square) {
   return in_range ? std::sqrt(rounded) : exact::NearestSquareRoot(square);
 }
 
-Verdict DistancesMean(Subject& subject, const Case& c, WireframeForm form, WireframeMeaning meaning,
-                      const std::string& claim) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
-  const Precision precision = subject.Info().input;
-  std::uint64_t exercised = 0;
-  double worst = 0;
+Asked AskDistances(const Case& c, const Description& subject, WireframeForm form,
+                   WireframeMeaning meaning, std::string claim) {
+  std::vector<ExpectedDistance> expected;
+  Questions questions;
   for (const WeightQuery& q : SomeWeightQueries(c)) {
     if (!q.inside) continue;
-    const Point2 p = q.place.at;
     const std::array<double, 3> weight_bounds =
-        evaluator.WeightErrorBounds(BarycentricForm::kVertexArea, q.v, p);
-    const std::array<double, 3> observed = evaluator.EdgeDistances(form, q.v, p);
+        subject.weights->WeightErrorBounds(BarycentricForm::kVertexArea, q.v, q.place.at);
     for (int i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::size_t>(i);
+      const double weight_bound = weight_bounds[static_cast<std::size_t>(i)];
       const std::optional<WireframeScale> exact = meaning(q, i);
-      if (!exact || !Claims(weight_bounds[k])) continue;
-      const double expected = RoundedRoot(exact->exact_square);
-      const double bound = 2 * weight_bounds[k] * exact->scale +
-                           kWireframeErrorMultiplier * UnitRoundoff(precision) * expected +
-                           LeastSubnormal(precision);
+      if (!exact || !Claims(weight_bound)) continue;
+      const double rounded = RoundedRoot(exact->exact_square);
+      const double bound = BoundOf(*exact, weight_bound, rounded, subject.info.input);
       if (!Claims(bound)) continue;
-      ++exercised;
-      if (!std::isfinite(observed[k]) || !IsWithin(observed[k], exact->exact_square, bound)) {
-        return WeightViolation(q, i, exercised, claim, HexText(observed[k]),
-                               HexText(expected) + " within " + HexText(bound));
-      }
-      worst = std::max(worst, std::fabs(observed[k] - expected) / bound);
+      expected.push_back({q, i, questions.distances.size(), exact->exact_square, rounded, bound});
     }
+    questions.distances.push_back({form, q.v, q.place.at});
   }
-  return Verdict::Held(exercised, worst);
+  return OneCheck(std::move(questions),
+                  [expected = std::move(expected), claim = std::move(claim)](
+                      const Answers& answers) { return AreAsExpected(expected, answers, claim); });
 }
 
 }  // namespace rasterproof::props

@@ -8,9 +8,9 @@
 #include "core/case.h"
 #include "core/evaluators.h"
 #include "core/subject.h"
-#include "core/verdict.h"
 #include "exact/rational.h"
 #include "props/judging/weight_queries.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -26,11 +26,11 @@ double RoundedRoot(const exact::Rational& square);
 /// Nothing if the edge has no length.
 using WireframeMeaning = std::optional<WireframeScale> (*)(const WeightQuery& q, int edge);
 
-/// Holds if the subject's distances mean what `meaning` says, up to
-/// (2 bound_i + kWireframeRelError |lambda_i|) scale + the least subnormal, where bound_i is the
-/// bound claimed for weight i over the vertex area.
-Verdict DistancesMean(Subject& subject, const Case& c, WireframeForm form, WireframeMeaning meaning,
-                      const std::string& claim);
+/// Asks for the distances in the closed triangle. Holds if they mean what `meaning` says, up to
+/// (2 bound_i + kWireframeErrorMultiplier u |lambda_i|) scale + the least subnormal, where bound_i
+/// is the bound claimed for weight i over the vertex area.
+Asked AskDistances(const Case& c, const Description& subject, WireframeForm form,
+                   WireframeMeaning meaning, std::string claim);
 
 }  // namespace rasterproof::props
 

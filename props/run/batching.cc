@@ -30,15 +30,17 @@ bool HasSameBits(const Vertex& a, const Vertex& b) {
 }
 
 bool AsksTheSame(const DrawJob& a, const DrawJob& b) {
-  return a.scene.width == b.scene.width && a.scene.height == b.scene.height &&
-         a.scene.clip_space == b.scene.clip_space && a.samples == b.samples &&
-         a.options == b.options && a.scene.triangles == b.scene.triangles &&
-         std::ranges::equal(a.scene.vertices, b.scene.vertices, HasSameBits);
+  const Scene& x = *a.scene;
+  const Scene& y = *b.scene;
+  return x.width == y.width && x.height == y.height && x.clip_space == y.clip_space &&
+         a.samples == b.samples && a.options == b.options && a.wants == b.wants &&
+         std::ranges::equal(a.Triangles(), b.Triangles()) &&
+         (&x == &y || std::ranges::equal(x.vertices, y.vertices, HasSameBits));
 }
 
 std::size_t SizeOf(const DrawJob& job) {
-  return CoverageCounts::Size(job.scene.width, job.scene.height, job.samples) +
-         job.scene.vertices.size();
+  return CoverageCounts::Size(job.scene->width, job.scene->height, job.samples) +
+         job.scene->vertices.size();
 }
 
 // The open jobs of some ledgers, in their order, as many as fit a call.
@@ -158,7 +160,7 @@ DrawOutcome BatchingSubject::Missing(const DrawJob& job) {
     return outcome;
   }
   Drawing& drawing = outcome.drawing;
-  drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+  drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
   if (ShowsWinners(info_)) {
     drawing.winners.assign(drawing.counts.size(), kNoTriangle);
     drawing.weights.resize(drawing.counts.size());

@@ -54,7 +54,7 @@ class FacingSubject final : public Subject {
     const std::vector<DrawOutcome> drawn = subject_->DrawMany(part_jobs);
     std::vector<DrawOutcome> outcomes(jobs.size());
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-      const Scene& scene = jobs[k].scene;
+      const Scene& scene = *jobs[k].scene;
       outcomes[k].drawing.counts = CoverageCounts(scene.width, scene.height, jobs[k].samples);
     }
     for (std::size_t n = 0; n < drawn.size(); ++n) {

@@ -71,7 +71,9 @@ class SeenSubject final : public Subject {
     subject_.Draw(InClipSpace(scene), options, counts);
   }
   Drawing Show(const DrawJob& job) override {
-    return subject_.Show({InClipSpace(job.scene), job.options, job.samples});
+    DrawJob clip(InClipSpace(SceneOf(job)), job.options, job.samples);
+    clip.wants = job.wants;
+    return subject_.Show(clip);
   }
   void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
     subject_.SetDeadline(deadline);

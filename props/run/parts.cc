@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "core/profile.h"
 #include "core/scene.h"
@@ -33,10 +34,9 @@ int FacingOf(const Scene& snapped, const Triangle& t, const Profile& profile) {
 }
 
 DrawJob WithTriangles(const DrawJob& job, std::vector<Triangle> triangles) {
-  DrawJob part{{job.scene.name, job.scene.width, job.scene.height, job.scene.precision,
-                job.scene.clip_space, job.scene.vertices, std::move(triangles)},
-               job.options,
-               job.samples};
+  DrawJob part = job;
+  part.triangles = std::move(triangles);
+  part.wants = kCoverageAndIds;  // that an id is of the scene is looked at, whoever asks
   return part;
 }
 
@@ -44,11 +44,11 @@ DrawJob WithTriangles(const DrawJob& job, std::vector<Triangle> triangles) {
 
 std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const Profile& profile) {
   if (coverage == CoverageKind::kFacingCounts) return {{job, false}};
-  const Scene& scene = job.scene;
+  const Scene& scene = *job.scene;
   const Profile model = ForTarget(profile, scene.width, scene.height);
   const Scene snapped = IsHomogeneous(scene, model) ? scene : SnapScene(scene, model);
   std::array<std::vector<Triangle>, 2> sides;
-  for (const Triangle& t : scene.triangles) {
+  for (const Triangle& t : job.Triangles()) {
     sides[FacingOf(snapped, t, model) < 0 ? 1 : 0].push_back(t);
   }
   std::vector<Part> parts;

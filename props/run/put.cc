@@ -63,15 +63,18 @@ void Guarded(Answers& answers, const Call& call) {
 // Nothing, and a stop, if it can't be.
 std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Answers& answers) {
   try {
-    RequireTargetSize("scene", job.scene.width, job.scene.height, job.samples);
+    RequireTargetSize("scene", job.scene->width, job.scene->height, job.samples);
   } catch (const InputError& error) {
     End(answers, Stop::kCantBePut, error.what());
     return std::nullopt;
   }
   if (!judged.places) return job;
-  std::optional<Scene> clip = judged.places->InClipSpace(job.scene);
-  if (clip) return DrawJob{*std::move(clip), job.options, job.samples};
-  const InputError error("subject " + judged.subject.info.name, judged.places->WhyNot(job.scene),
+  if (std::optional<Scene> clip = judged.places->InClipSpace(*job.scene)) {
+    DrawJob given = job;
+    given.scene = std::make_shared<const Scene>(*std::move(clip));
+    return given;
+  }
+  const InputError error("subject " + judged.subject.info.name, judged.places->WhyNot(*job.scene),
                          "choose another property");
   End(answers, Stop::kCantBePut, error.what());
   return std::nullopt;
@@ -143,12 +146,12 @@ class Putting {
       drawing = subject_.Show(job);
       return;
     }
-    drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+    drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
     std::ranges::fill(drawing.counts.front, question.fill);
     std::ranges::fill(drawing.counts.back, question.fill);
     if (question.onto_the_last && last != nullptr) drawing.counts = last->counts;
     if (Coverage(r) == CoverageKind::kFacingCounts) {
-      subject_.Draw(job.scene, job.options, drawing.counts);
+      subject_.Draw(SceneOf(job), job.options, drawing.counts);
       return;
     }
     const std::vector<Part> parts = PartsOf(r, question, job);
@@ -168,7 +171,7 @@ class Putting {
       drawings_.push_back(std::make_shared<Drawing>());
       if (draws[d].parts == Parts::kFacings) {
         drawings_.back()->counts =
-            CoverageCounts(job->scene.width, job->scene.height, job->samples);
+            CoverageCounts(job->scene->width, job->scene->height, job->samples);
       }
       for (Part& part : PartsOf(r, draws[d], *job)) {
         shares_.push_back(
@@ -205,8 +208,8 @@ class Putting {
     std::size_t size = 0;
     for (std::size_t n = first; n < shares_.size(); ++n) {
       const DrawJob& job = shares_[n].part.job;
-      size += CoverageCounts::Size(job.scene.width, job.scene.height, job.samples) +
-              job.scene.vertices.size();
+      size += CoverageCounts::Size(job.scene->width, job.scene->height, job.samples) +
+              job.scene->vertices.size();
       if (n > first && size > kMostInACall) return n;
     }
     return shares_.size();
@@ -240,12 +243,8 @@ class Putting {
   void Evaluate(const Questions& questions, Answers& answers) {
     Guarded(answers, [&] {
       const EdgeEvaluator* const edges = subject_.Edges();
-      for (const EdgeQuestion& q : questions.edges) {
-        answers.edges.push_back(edges->Value(q.a, q.b, q.p));
-      }
-      for (const StepsQuestion& q : questions.steps) {
-        answers.steps.push_back(edges->Walk(q.a, q.b, q.p, q.step, q.steps));
-      }
+      if (!questions.edges.empty()) answers.edges = edges->Values(questions.edges);
+      if (!questions.steps.empty()) answers.steps = edges->Walks(questions.steps);
       const WeightEvaluator* const weights = subject_.Weights();
       for (const BarycentricQuestion& q : questions.barycentrics) {
         answers.barycentrics.push_back(weights->Weights(q.form, q.v, q.p));

@@ -61,11 +61,12 @@ class FreeChoice final : public Subject {
     drawing.winners.assign(size, kNoTriangle);
     drawing.weights.resize(size);
     drawing.depths.resize(size);
-    for (std::size_t t = 0; t < job.scene.triangles.size(); ++t) {
-      CoverageCounts alone(job.scene.width, job.scene.height, job.samples);
-      DrawTriangle(job.scene, t, job.options, alone);
+    const Scene scene = SceneOf(job);
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+      CoverageCounts alone(scene.width, scene.height, job.samples);
+      DrawTriangle(scene, t, job.options, alone);
       for (std::size_t k = 0; k < size; ++k) {
-        if (alone.Count(k) != 0) Win(job.scene, t, k, drawing);
+        if (alone.Count(k) != 0) Win(scene, t, k, drawing);
       }
     }
     return drawing;

@@ -28,12 +28,14 @@ class GuardedCounts {
   std::string Damage() const;
 
  private:
+  std::string Found(std::size_t first, std::size_t last) const;
+
   std::size_t words_;
   std::size_t row_length_;  ///< in words, like the stride
   std::size_t rows_;
   std::size_t stride_;
-  std::size_t mapped_bytes_ = 0;
-  std::byte* mapped_ = nullptr;
+  std::size_t open_bytes_;
+  std::byte* open_ = nullptr;        ///< between two closed pages
   std::span<std::uint32_t> counts_;  ///< guards and rows
 };
 

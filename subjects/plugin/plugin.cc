@@ -10,6 +10,7 @@
 #include <cstring>
 #include <deque>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -63,61 +64,77 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   return info;
 }
 
-// The scene as the library sees it; the vectors hold what it points to.
-class PluginScene {
- public:
-  PluginScene(const Scene& scene, const DrawOptions& options,
-              const std::optional<FixedInput>& fixed) {
-    if (fixed) {
-      for (const Vertex& v : scene.vertices) {
-        fixed_.insert(fixed_.end(), {fixed->Raw(v.x), fixed->Raw(v.y)});
+// A scene's vertices as the library sees them.
+struct PluginVertices {
+  PluginVertices(std::shared_ptr<const Scene> of, const std::optional<FixedInput>& input)
+      : scene(std::move(of)) {
+    if (input) {
+      for (const Vertex& v : scene->vertices) {
+        fixed.insert(fixed.end(), {input->Raw(v.x), input->Raw(v.y)});
       }
     }
-    for (const Vertex& v : scene.vertices) vertices_.insert(vertices_.end(), {v.x, v.y, v.z, v.w});
-    for (const Triangle& t : scene.triangles) {
-      triangles_.insert(triangles_.end(), {t[0], t[1], t[2]});
-    }
+    for (const Vertex& v : scene->vertices) places.insert(places.end(), {v.x, v.y, v.z, v.w});
+  }
+
+  std::shared_ptr<const Scene> scene;
+  std::vector<double> places;
+  std::vector<std::int64_t> fixed;
+};
+
+// What is to be drawn as the library sees it; holds what the structure points to.
+class PluginScene {
+ public:
+  PluginScene(const DrawJob& job, std::shared_ptr<const PluginVertices> vertices)
+      : vertices_(std::move(vertices)) {
+    const Scene& scene = *job.scene;
+    const DrawOptions& options = job.options;
+    for (const Triangle& t : job.Triangles())
+      triangles_.insert(triangles_.end(), t.begin(), t.end());
     const PixelRect cut = options.scissor.value_or(PixelRect{0, 0, scene.width, scene.height});
     view_ = {.size = sizeof(rasterproof_scene),
              .width = scene.width,
              .height = scene.height,
              .clip_space = scene.clip_space ? 1 : 0,
-             .vertices = vertices_.data(),
+             .vertices = vertices_->places.data(),
              .triangles = triangles_.data(),
              .vertex_count = scene.vertices.size(),
-             .triangle_count = scene.triangles.size(),
+             .triangle_count = job.Triangles().size(),
              .cull = static_cast<std::int32_t>(options.cull),
              .scissor = {cut.x0, cut.y0, cut.x1, cut.y1},
              .tile = options.tile,
              .threads = options.threads,
-             .fixed = fixed ? fixed_.data() : nullptr};
+             .fixed = vertices_->fixed.empty() ? nullptr : vertices_->fixed.data()};
   }
   const rasterproof_scene& view() const { return view_; }
 
  private:
-  std::vector<double> vertices_;
+  std::shared_ptr<const PluginVertices> vertices_;
   std::vector<std::int32_t> triangles_;
-  std::vector<std::int64_t> fixed_;
   rasterproof_scene view_{};
 };
 
-// What one scene is drawn onto; a part that the library does not show is not there.
+// What one scene is drawn onto; a part that the library does not show is not there, nor one that
+// is not wanted if it can do without.
 class PluginTarget {
  public:
-  PluginTarget(const DrawJob& job, CoverageKind kind)
-      : rows_(static_cast<std::size_t>(job.scene.height)) {
-    RequireTargetSize("plugin", job.scene.width, job.scene.height, job.samples);
-    drawing_.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+  PluginTarget(const DrawJob& job, CoverageKind kind, bool needs_all)
+      : rows_(static_cast<std::size_t>(job.scene->height)) {
+    RequireTargetSize("plugin", job.scene->width, job.scene->height, job.samples);
+    drawing_.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
     const std::size_t columns = drawing_.counts.size() / rows_;
     const bool winners = kind == CoverageKind::kWinners || kind == CoverageKind::kFragments;
     const GuardedCounts& shape =
         winners ? winners_.emplace(columns, rows_, 1, static_cast<std::uint32_t>(kNoTriangle))
                 : front_.emplace(columns, rows_);
     if (kind == CoverageKind::kFacingCounts) back_.emplace(columns, rows_);
-    if (kind == CoverageKind::kFragments) {
+    const bool fragments = kind == CoverageKind::kFragments;
+    if (fragments && (needs_all || job.wants.barycentrics)) {
       weights_.emplace(columns, rows_, 3 * kWordsOfADouble);
+    }
+    if (fragments && (needs_all || job.wants.depths)) {
       depths_.emplace(columns, rows_, kWordsOfADouble);
     }
+    wants_ = job.wants;
     view_ = {.size = sizeof(rasterproof_target),
              .samples = job.samples,
              .stride = shape.stride(),
@@ -125,7 +142,10 @@ class PluginTarget {
              .back = DataOf<std::uint32_t>(back_),
              .winners = DataOf<std::int32_t>(winners_),
              .weights = DataOf<double>(weights_),
-             .depths = DataOf<double>(depths_)};
+             .depths = DataOf<double>(depths_),
+             .wants = (job.wants.ids ? RASTERPROOF_WANTS_IDS : 0U) |
+                      (job.wants.barycentrics ? RASTERPROOF_WANTS_WEIGHTS : 0U) |
+                      (job.wants.depths ? RASTERPROOF_WANTS_DEPTHS : 0U)};
   }
   const rasterproof_target& view() const { return view_; }
 
@@ -140,8 +160,8 @@ class PluginTarget {
     CopyRows(front_, rows_, drawing_.counts.size(), drawing_.counts.front);
     CopyRows(back_, rows_, drawing_.counts.size(), drawing_.counts.back);
     CopyRows(winners_, rows_, drawing_.counts.size(), drawing_.winners);
-    CopyRows(weights_, rows_, drawing_.counts.size(), drawing_.weights);
-    CopyRows(depths_, rows_, drawing_.counts.size(), drawing_.depths);
+    if (wants_.barycentrics) CopyRows(weights_, rows_, drawing_.counts.size(), drawing_.weights);
+    if (wants_.depths) CopyRows(depths_, rows_, drawing_.counts.size(), drawing_.depths);
     for (std::size_t k = 0; k < drawing_.winners.size(); ++k) {
       drawing_.counts.front[k] = drawing_.winners[k] == kNoTriangle ? 0 : 1;
     }
@@ -167,6 +187,7 @@ class PluginTarget {
   }
 
   std::size_t rows_;
+  Outputs wants_;
   Drawing drawing_;
   Part front_;
   Part back_;
@@ -233,7 +254,8 @@ class PluginSubject final : public Subject {
       : plugin_(plugin),
         info_(InfoOf(plugin, path)),
         fixed_(FixedInputOf(plugin)),
-        environment_(environment) {
+        environment_(environment),
+        needs_all_(!Has(plugin, RASTERPROOF_TAKES_WANTS)) {
     const LibraryEnvironment::Within library(environment_);
     if (plugin_.open != nullptr) state_ = plugin_.open();
     if (info_.edges.shows_values) edges_.emplace(plugin_, info_, state_, environment_);
@@ -254,12 +276,12 @@ class PluginSubject final : public Subject {
 
   Drawing Show(const DrawJob& job) override {
     Reset();
-    if (!CanBeGiven(job.scene, info_.profile)) {
+    if (!CanBeGiven(*job.scene, info_.profile)) {
       throw InputError("subject " + info_.name, "its integers do not hold a coordinate",
                        "give it multiples of its step within its range");
     }
-    const PluginScene given(job.scene, job.options, fixed_);
-    PluginTarget target(job, info_.coverage);
+    const PluginScene given(job, VerticesOf(job));
+    PluginTarget target(job, info_.coverage, needs_all_);
     const std::int32_t refused =
         InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
     Drawing drawing = target.Drawn();
@@ -272,7 +294,7 @@ class PluginSubject final : public Subject {
 
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     const auto can_be_given = [&](const DrawJob& job) {
-      return CanBeGiven(job.scene, info_.profile);
+      return CanBeGiven(*job.scene, info_.profile);
     };
     if (plugin_.draw_many == nullptr || jobs.size() < 2 ||
         !std::ranges::all_of(jobs, can_be_given)) {
@@ -284,8 +306,8 @@ class PluginSubject final : public Subject {
     std::vector<const rasterproof_scene*> scene_views;
     std::vector<const rasterproof_target*> target_views;
     for (const DrawJob& job : jobs) {
-      scene_views.push_back(&given.emplace_back(job.scene, job.options, fixed_).view());
-      target_views.push_back(&targets.emplace_back(job, info_.coverage).view());
+      scene_views.push_back(&given.emplace_back(job, VerticesOf(job)).view());
+      target_views.push_back(&targets.emplace_back(job, info_.coverage, needs_all_).view());
     }
     const std::int32_t refused = InLibrary([&] {
       return plugin_.draw_many(state_, scene_views.data(), target_views.data(), jobs.size());
@@ -305,6 +327,13 @@ class PluginSubject final : public Subject {
   }
 
  private:
+  // Converted once for the jobs behind each other that share a scene.
+  std::shared_ptr<const PluginVertices> VerticesOf(const DrawJob& job) {
+    if (vertices_ == nullptr || vertices_->scene != job.scene) {
+      vertices_ = std::make_shared<const PluginVertices>(job.scene, fixed_);
+    }
+    return vertices_;
+  }
   template <class Call>
   std::int32_t InLibrary(const Call& call) {
     const LibraryEnvironment::Within library(environment_);
@@ -319,8 +348,10 @@ class PluginSubject final : public Subject {
   SubjectInfo info_;
   std::optional<FixedInput> fixed_;
   LibraryEnvironment environment_;
+  bool needs_all_;  ///< it was not built to be given less than it shows
   void* state_ = nullptr;
   std::optional<PluginEdges> edges_;
+  std::shared_ptr<const PluginVertices> vertices_;
 };
 
 void RequireSoundFixedInput(const rasterproof_plugin& plugin, const std::string& path) {

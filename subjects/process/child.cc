@@ -23,6 +23,8 @@ namespace rasterproof::subjects {
 namespace {
 
 constexpr std::size_t kChunk = 1 << 16;
+// What a pipe holds, where the system allows it: so much goes over it in one turn.
+constexpr int kPipeBytes = 1 << 20;
 constexpr int kMomentLooks = 50;  // at whether it ended: about 200 ms
 constexpr int kExitLooks = 2000;  // about 10 s
 
@@ -91,6 +93,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_
     End(0);
     CannotStart(program, error);
   }
+  fcntl(to_child_, F_SETPIPE_SZ, kPipeBytes);
+  fcntl(from_child_, F_SETPIPE_SZ, kPipeBytes);
   fcntl(to_child_, F_SETFL, O_NONBLOCK);
   fcntl(from_child_, F_SETFL, O_NONBLOCK);
 }
@@ -126,10 +130,9 @@ bool ChildProcess::WriteSome() {
 }
 
 PipeEnd ChildProcess::ReadSome(bool& moved) {
-  const std::size_t length = heard_.size();
-  heard_.resize(length + kChunk);
-  const ssize_t n = read(from_child_, heard_.data() + length, kChunk);
-  heard_.resize(length + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  if (heard_.size() < heard_to_ + kChunk) heard_.resize(2 * heard_.size() + kChunk);
+  const ssize_t n = read(from_child_, heard_.data() + heard_to_, heard_.size() - heard_to_);
+  heard_to_ += static_cast<std::size_t>(std::max<ssize_t>(n, 0));
   moved = moved || n > 0;
   return n == 0 || (n < 0 && errno != EAGAIN) ? PipeEnd::kClosed : PipeEnd::kOpen;
 }
@@ -165,22 +168,24 @@ PipeEnd ChildProcess::Exchange(Patience& patience) {
   return PipeEnd::kOpen;
 }
 
-PipeEnd ChildProcess::ReadLine(Patience& patience, std::size_t most_bytes, std::string& line) {
-  std::size_t searched = heard_from_;
+PipeEnd ChildProcess::ReadLine(Patience& patience, std::size_t most_bytes, std::string_view& line) {
+  std::size_t searched = 0;
   for (;;) {
-    const std::size_t end = heard_.find('\n', searched);
-    if (std::min(end, heard_.size()) - heard_from_ > most_bytes) {
+    const std::string_view unread = Unread();
+    const std::size_t end = unread.find('\n', searched);
+    if (std::min(end, unread.size()) > most_bytes) {
       lost_ = true;
       return PipeEnd::kTooLong;
     }
-    if (end != std::string::npos) {
-      line.assign(heard_, heard_from_, end - heard_from_);
-      heard_from_ = end + 1;
+    if (end != std::string_view::npos) {
+      line = unread.substr(0, end);
+      heard_from_ += end + 1;
       return PipeEnd::kOpen;
     }
-    heard_.erase(0, heard_from_);
+    searched = unread.size();
+    std::copy(unread.begin(), unread.end(), heard_.begin());
     heard_from_ = 0;
-    searched = heard_.size();
+    heard_to_ = searched;
     const PipeEnd state = Exchange(patience);
     if (state != PipeEnd::kOpen) {
       lost_ = state != PipeEnd::kClosed;
@@ -190,15 +195,15 @@ PipeEnd ChildProcess::ReadLine(Patience& patience, std::size_t most_bytes, std::
 }
 
 bool ChildProcess::HasUnread(std::string& first_line) {
-  if (heard_from_ == heard_.size()) {
+  if (Unread().empty()) {
     bool moved = false;
     pollfd end{from_child_, POLLIN, 0};
     if (poll(&end, 1, 0) == 1) ReadSome(moved);
   }
-  if (heard_from_ == heard_.size()) return false;
+  const std::string_view unread = Unread();
+  if (unread.empty()) return false;
   lost_ = true;
-  const std::size_t end = std::min(heard_.find('\n', heard_from_), heard_.size());
-  first_line = heard_.substr(heard_from_, end - heard_from_);
+  first_line = unread.substr(0, unread.find('\n'));
   return true;
 }
 

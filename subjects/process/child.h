@@ -61,8 +61,9 @@ class ChildProcess {
   void SayNoMore();
   /// Whether the child closed its input before it had read all that it was told.
   bool ReadsNoMore() const { return said_ < to_say_.size() && to_child_ < 0; }
-  /// Reads a line of at most so many bytes, without its end. kOpen: `line` holds it.
-  PipeEnd ReadLine(Patience& patience, std::size_t most_bytes, std::string& line);
+  /// Reads a line of at most so many bytes, without its end. kOpen: `line` is it, until the next
+  /// call.
+  PipeEnd ReadLine(Patience& patience, std::size_t most_bytes, std::string_view& line);
 
   /// What it has said by now beyond the lines that were read, up to its first line's end; does not
   /// wait. Nothing: it has said no more.
@@ -87,8 +88,11 @@ class ChildProcess {
   std::size_t said_ = 0;
   bool last_words_ = false;
   bool lost_ = false;  ///< it did not answer as it should: nothing is worth waiting for
-  std::string heard_;
+  std::string_view Unread() const { return {heard_.data() + heard_from_, heard_to_ - heard_from_}; }
+
+  std::vector<char> heard_;
   std::size_t heard_from_ = 0;  ///< what lies before was given out
+  std::size_t heard_to_ = 0;    ///< what lies behind is room
 };
 
 }  // namespace rasterproof::subjects

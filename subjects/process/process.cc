@@ -1,6 +1,7 @@
 #include "subjects/process/process.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -69,14 +70,6 @@ std::string FaultText(const DrawOutcome& outcome) {
   }
 }
 
-// The job without the wishes that the subject does not take.
-DrawJob Taken(const DrawJob& job, const SubjectInfo& info) {
-  DrawJob taken = job;
-  if (!info.takes_tiles) taken.options.tile = 0;
-  if (!info.takes_threads) taken.options.threads = 1;
-  return taken;
-}
-
 // The least n of [low, high] that does it, if it is so for all above as well; high is known to.
 std::size_t LeastThat(std::size_t low, std::size_t high,
                       const std::function<bool(std::size_t)>& does) {
@@ -116,8 +109,8 @@ class ProcessSubject::Child {
     return process_.Wait(seconds, deadline);
   }
 
-  std::string Line(Patience& patience, std::size_t most_bytes) {
-    std::string line;
+  std::string_view Line(Patience& patience, std::size_t most_bytes) {
+    std::string_view line;
     switch (process_.ReadLine(patience, most_bytes, line)) {
       case PipeEnd::kOpen:
         return line;
@@ -157,10 +150,24 @@ class ProcessSubject::ShownEdges final : public ClaimedEdges {
   explicit ShownEdges(ProcessSubject& subject)
       : ClaimedEdges(subject.info_.edges, subject.info_.input), subject_(subject) {}
   double Value(Point2 a, Point2 b, Point2 p) const override {
-    return subject_.AskValues(a, b, p, std::nullopt, 0).front();
+    return Values(std::array{EdgeQuestion{a, b, p}}).front();
   }
   std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
-    return subject_.AskValues(a, b, p, step, steps);
+    return Walks(std::array{StepsQuestion{a, b, p, step, steps}}).front();
+  }
+  std::vector<double> Values(std::span<const EdgeQuestion> questions) const override {
+    std::vector<EdgeRequest> requests;
+    for (const auto& [a, b, p] : questions) requests.push_back({0, a, b, p, std::nullopt, 0});
+    std::vector<double> values;
+    for (const auto& answer : subject_.AskValues(requests)) values.push_back(answer.front());
+    return values;
+  }
+  std::vector<std::vector<double>> Walks(std::span<const StepsQuestion> questions) const override {
+    std::vector<EdgeRequest> requests;
+    for (const auto& [a, b, p, step, steps] : questions) {
+      requests.push_back({0, a, b, p, step, steps});
+    }
+    return subject_.AskValues(requests);
   }
 
  private:
@@ -207,14 +214,14 @@ std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) 
   std::vector<DrawOutcome> outcomes;
   const DrawJob& first = jobs.front();
   const auto fits = [](const DrawJob& job) {
-    return IsTargetSize(job.scene.width, job.scene.height, job.samples);
+    return IsTargetSize(job.scene->width, job.scene->height, job.samples);
   };
   jobs = jobs.first(static_cast<std::size_t>(
       std::ranges::distance(jobs.begin(), std::ranges::find_if_not(jobs, fits))));
   if (jobs.empty()) {
     DrawOutcome& outcome = outcomes.emplace_back();
     outcome.error = Thrown([&] {
-      RequireTargetSize("subject " + info_.name, first.scene.width, first.scene.height,
+      RequireTargetSize("subject " + info_.name, first.scene->width, first.scene->height,
                         first.samples);
     });
     return outcomes;
@@ -241,26 +248,34 @@ const EdgeEvaluator* ProcessSubject::Edges() const { return edges_.get(); }
 
 void ProcessSubject::SetDeadline(Clock::time_point deadline) { deadline_ = deadline; }
 
-std::vector<double> ProcessSubject::AskValues(Point2 a, Point2 b, Point2 p,
-                                              std::optional<Step> step, int steps) {
-  std::vector<double> values;
-  const auto ask = [&](double seconds) {
+// All that are open in one write. One that takes too long is asked for alone, and what is behind it
+// in another write.
+std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest> requests) {
+  std::vector<std::vector<double>> answers;
+  const auto ask = [&](std::size_t count, double seconds) {
     std::unique_ptr<Child> child = TakeChild();
-    const EdgeRequest request{next_id_++, a, b, p, step, steps};
-    child->Ask(RequestText(request));
-    Patience patience = child->Wait(seconds, deadline_);
-    values = ReadValues(request, info_.name,
-                        [&](std::size_t most) { return child->Line(patience, most); });
+    const std::span<EdgeRequest> open = requests.subspan(answers.size(), count);
+    for (EdgeRequest& request : open) request.id = next_id_++;
+    child->Ask(RequestsText(open));
+    double counted = 0;
+    for (const EdgeRequest& request : open) {
+      Patience patience = child->Wait(seconds, deadline_);
+      answers.push_back(ReadValues(request, info_.name,
+                                   [&](std::size_t most) { return child->Line(patience, most); }));
+      counted = patience.time.Counted();
+    }
     child->RequireSilence("its answer");
     child_ = std::move(child);
-    return patience.time.Counted();
+    return counted;
   };
-  try {
-    ask(limits_.seconds);
-  } catch (const OutOfTime& slow) {
-    TryLonger(slow, ask);
+  while (answers.size() < requests.size()) {
+    try {
+      ask(requests.size() - answers.size(), limits_.seconds);
+    } catch (const OutOfTime& slow) {
+      TryLonger(slow, [&](double seconds) { return ask(1, seconds); });
+    }
   }
-  return values;
+  return answers;
 }
 
 // The child is in the hands of who asks it: whatever goes wrong, the next one starts a fresh one.
@@ -308,10 +323,7 @@ std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, doub
 
 std::string ProcessSubject::CallText(std::uint64_t first_id, std::span<const DrawJob> jobs) const {
   std::string call = info_.takes_batches && jobs.size() > 1 ? BatchText(jobs.size()) : "";
-  for (std::size_t k = 0; k < jobs.size(); ++k) {
-    call += RequestText(first_id + k, Taken(jobs[k], info_));
-  }
-  return call;
+  return call + RequestsText(first_id, jobs, info_);
 }
 
 DrawOutcome ProcessSubject::AskAlone(const DrawJob& job) {
@@ -456,12 +468,13 @@ std::string OutputOf(const std::vector<std::string>& command, const std::string&
   Patience patience = process.Wait(seconds);
   std::string output;
   for (;;) {
-    std::string line;
+    std::string_view line;
     const PipeEnd end = process.ReadLine(patience, kMostOfOutput - output.size(), line);
     switch (end) {
       case PipeEnd::kOpen:
         if (output.size() + line.size() >= kMostOfOutput) break;
-        output += line + '\n';
+        output += line;
+        output += '\n';
         continue;
       case PipeEnd::kClosed: {
         const std::string ending = process.Ending();

@@ -15,6 +15,7 @@
 #include "core/evaluators.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
+#include "subjects/process/protocol.h"
 
 namespace rasterproof::subjects {
 
@@ -65,7 +66,7 @@ class ProcessSubject final : public Subject {
   class ShownEdges;
   static bool IsOutOfTime(const DrawOutcome& outcome);
   std::unique_ptr<Child> TakeChild();
-  std::vector<double> AskValues(Point2 a, Point2 b, Point2 p, std::optional<Step> step, int steps);
+  std::vector<std::vector<double>> AskValues(std::span<EdgeRequest> requests);
   std::string CallText(std::uint64_t first_id, std::span<const DrawJob> jobs) const;
   std::vector<DrawOutcome> Ask(std::span<const DrawJob> jobs, double seconds,
                                double* counted = nullptr);

@@ -3,7 +3,7 @@
 //
 // A request is a line, then a line for each vertex and each triangle:
 //     draw ID WIDTH HEIGHT SAMPLES window|clip VERTICES TRIANGLES [cull=front|back]
-//          [scissor=X0,Y0,X1,Y1] [tile=N] [threads=N]
+//          [scissor=X0,Y0,X1,Y1] [tile=N] [threads=N] [wants=...]
 //     X Y Z W
 //     I J K
 // Coordinates are decimal numbers that a reader of doubles reads back exactly (floats too, then
@@ -14,6 +14,15 @@
 //     fragments ID   the same, but each index (not -1) is followed by W0 W1 W2 DEPTH
 // Or one line: `refused ID REASON`, or `fault ID REASON` for what it found out about itself.
 //
+// Version 2, for programs that say that they speak it (SubjectInfo::protocol), is version 1 and two
+// words that come over the pipe no more often than they save something:
+//     same       in place of VERTICES: those of the request before; no lines of vertices follow
+//     wants=...  not all that the program shows. coverage: the answer is `counts ID`, 1 where
+//                anything won the sample. ids: it is `ids ID`. ids,barycentrics or ids,depths: it is
+//                `fragments ID`, and behind each index come W0 W1 W2 alone, or DEPTH alone.
+// The first request of a call has vertices of its own. What a program says in version 1 is the same
+// in version 2.
+//
 // A program that shows edge values is asked for them in one line:
 //     edge ID AX AY BX BY PX PY                             E(a, b; p), evaluated afresh
 //     walk ID AX AY BX BY PX PY x|y +1|-1 LENGTH STEPS      from p, STEPS steps of LENGTH pixels
@@ -21,7 +30,8 @@
 //
 // A program that takes batches may be told `batch N` before N requests: it may draw them in one
 // call. It answers each of them, in order. One that does not is sent requests before it has
-// answered the earlier ones all the same, as many as the tool has at hand.
+// answered the earlier ones all the same, as many as the tool has at hand; requests for edge values
+// too.
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_PROTOCOL_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_PROTOCOL_H_
 
@@ -29,6 +39,7 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,38 +48,20 @@
 
 #include "core/drawing.h"
 #include "core/evaluators.h"
+#include "core/scene.h"
+#include "core/subject.h"
 #include "core/subject_info.h"
 #include "core/vertex.h"
 
 namespace rasterproof::subjects {
 
+/// The newest version; all from 1 on are spoken.
+inline constexpr int kProtocol = 2;
+
 struct DrawRequest {
   std::uint64_t id = 0;
   DrawJob job;
 };
-
-std::string RequestText(std::uint64_t id, const DrawJob& job);
-/// The line that tells a program to take the next n requests as one call.
-std::string BatchText(std::size_t n);
-/// Reads the next call: a request, or as many as a batch line announces. Empty at the end of the
-/// stream.
-///
-/// Error:      InputError with the number of the request and what was expected in it.
-std::vector<DrawRequest> ReadCall(std::istream& in);
-
-/// The answer to a request.
-std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind);
-
-/// Gives the next line of an answer. No right answer's has more than so many bytes: who reads need
-/// not wait for the end of one that has.
-using NextLine = std::function<std::string(std::size_t most_bytes)>;
-
-/// Reads the answer to a request, line by line.
-///
-/// Error:      SubjectFault if it is no answer to request `id` of this kind and shape, or tells of
-///             a fault; InputError if it is a refusal; what next_line throws.
-Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
-                   const NextLine& next_line);
 
 /// Asks for edge values.
 struct EdgeRequest {
@@ -82,12 +75,58 @@ struct EdgeRequest {
   std::size_t Values() const { return static_cast<std::size_t>(steps) + 1; }
 };
 
-std::string RequestText(const EdgeRequest& request);
-/// Reads the next request if it asks for edge values; else the stream stays where it is.
+/// The requests for the jobs of one call, numbered from `first_id` on, in the version that the
+/// subject speaks. Wishes that it does not take are left out.
+std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
+                         const SubjectInfo& info);
+/// The line that tells a program to take the next n requests as one call.
+std::string BatchText(std::size_t n);
+std::string RequestsText(std::span<const EdgeRequest> requests);
+
+/// Reads requests of every version, one after the other.
 ///
-/// Error:      InputError as ReadCall.
-std::optional<EdgeRequest> ReadEdgeRequest(std::istream& in);
+/// Domain:     a stream that outlives this.
+/// Error:      of all reading: InputError with the number of the request and what was expected.
+class RequestReader {
+ public:
+  explicit RequestReader(std::istream& in) : in_(in) {}
+
+  /// The next call: a request, or as many as a batch line announces. Empty at the end of the
+  /// stream. Requests for the same vertices share them.
+  std::vector<DrawRequest> NextCall();
+  /// Whether another request is at hand; does not wait.
+  bool HasMore();
+  /// The next request if it asks for edge values; else it is left where it is.
+  std::optional<EdgeRequest> NextEdgeRequest();
+
+ private:
+  bool Peek();
+  bool NextLine();
+  DrawRequest NextRequest();
+  std::shared_ptr<const Scene> SceneFor(Scene target, std::optional<std::size_t> vertices,
+                                        std::uint64_t id);
+  std::vector<Triangle> NextTriangles(std::size_t count, std::size_t vertices, std::uint64_t id);
+
+  std::istream& in_;
+  std::string line_;
+  bool has_line_ = false;              ///< line_ is still to be read
+  std::shared_ptr<const Scene> last_;  ///< of the request before: vertices alone
+};
+
+/// The answer to a request for a job that wants these outputs.
+std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind, Outputs wants);
 std::string ValuesText(std::uint64_t id, std::span<const double> values);
+
+/// Gives the next line of an answer, valid until the next call. No right answer's has more than so
+/// many bytes: who reads need not wait for the end of one that has.
+using NextLine = std::function<std::string_view(std::size_t most_bytes)>;
+
+/// Reads the answer to a request, line by line. What the job does not want may be left out.
+///
+/// Error:      SubjectFault if it is no answer to request `id` of this kind and shape, or tells of
+///             a fault; InputError if it is a refusal; what next_line throws.
+Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
+                   const NextLine& next_line);
 /// Reads the answer to an edge request.
 ///
 /// Error:      as ReadAnswer.

@@ -1,6 +1,7 @@
 #include "subjects/process/serve.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -8,6 +9,7 @@
 #include <istream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -17,6 +19,9 @@
 namespace rasterproof::subjects {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kMostKeptBack{10};
+
 std::string OneLine(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   return text;
@@ -24,16 +29,19 @@ std::string OneLine(std::string text) {
 
 // A drawing of another shape than its target's can't be told.
 void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind) {
-  const CoverageCounts target(job.scene.width, job.scene.height, job.samples);
+  const Outputs& wants = job.wants;
+  const CoverageCounts target(job.scene->width, job.scene->height, job.samples);
   const bool has_fragments = kind == CoverageKind::kFragments;
-  const bool has_winners = kind == CoverageKind::kWinners || has_fragments;
+  const bool has_winners =
+      (kind == CoverageKind::kWinners || has_fragments) && wants != kCoverageAlone;
   const CoverageCounts& counts = drawing.counts;
-  const bool fits = counts.width == target.width && counts.height == target.height &&
-                    counts.samples == target.samples && counts.front.size() == target.size() &&
-                    counts.back.size() == target.size() &&
-                    (!has_winners || drawing.winners.size() == target.size()) &&
-                    (!has_fragments || (drawing.weights.size() == target.size() &&
-                                        drawing.depths.size() == target.size()));
+  const bool fits =
+      counts.width == target.width && counts.height == target.height &&
+      counts.samples == target.samples && counts.front.size() == target.size() &&
+      counts.back.size() == target.size() &&
+      (!has_winners || drawing.winners.size() == target.size()) &&
+      (!has_fragments || ((!wants.barycentrics || drawing.weights.size() == target.size()) &&
+                          (!wants.depths || drawing.depths.size() == target.size())));
   if (!fits) throw SubjectFault("its drawing has not the shape of the target, or lacks a part");
 }
 
@@ -54,7 +62,7 @@ std::string Answered(std::uint64_t number, const std::function<std::string()>& a
 std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, CoverageKind kind) {
   return Answered(request.id, [&] {
     if (outcome.error == nullptr) RequireShape(outcome.drawing, request.job, kind);
-    return AnswerText(request.id, outcome.Get(), kind);
+    return AnswerText(request.id, outcome.Get(), kind, request.job.wants);
   });
 }
 
@@ -72,12 +80,20 @@ std::string ValuesOf(const Subject& subject, const EdgeRequest& request) {
 }  // namespace
 
 void Serve(Subject& subject, std::istream& in, const std::function<void(const std::string&)>& say) {
+  RequestReader requests(in);
+  std::string values;  // that were not said yet
+  Clock::time_point said = Clock::now();
   for (;;) {
-    if (const std::optional<EdgeRequest> request = ReadEdgeRequest(in)) {
-      say(Answered(request->id, [&] { return ValuesOf(subject, *request); }));
+    if (const std::optional<EdgeRequest> request = requests.NextEdgeRequest()) {
+      values += Answered(request->id, [&] { return ValuesOf(subject, *request); });
+      // Where more is asked already the answers go in one write, but none is kept back for long.
+      if (requests.HasMore() && Clock::now() - said < kMostKeptBack) continue;
+      say(std::exchange(values, {}));
+      said = Clock::now();
       continue;
     }
-    const std::vector<DrawRequest> call = ReadCall(in);
+    if (!values.empty()) say(std::exchange(values, {}));
+    const std::vector<DrawRequest> call = requests.NextCall();
     if (call.empty()) return;
     std::vector<DrawJob> jobs;
     for (const DrawRequest& request : call) jobs.push_back(request.job);

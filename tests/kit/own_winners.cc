@@ -21,12 +21,13 @@ struct Winners {
 
   Drawing Show(const DrawJob& job) {
     Drawing drawing;
-    drawing.counts = rasterproof::CoverageCounts(job.scene.width, job.scene.height, job.samples);
+    const rasterproof::Scene& scene = *job.scene;
+    drawing.counts = rasterproof::CoverageCounts(scene.width, scene.height, job.samples);
     drawing.winners.assign(drawing.counts.size(), rasterproof::kNoTriangle);
-    DrawJob alone = job;
-    for (std::size_t t = 0; t < job.scene.triangles.size(); ++t) {
-      alone.scene.triangles = {job.scene.triangles[t]};
-      const auto covered = rasterproof::exact::Coverage(alone.scene, Info().profile, job.options);
+    rasterproof::Scene alone = scene;
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+      alone.triangles = {scene.triangles[t]};
+      const auto covered = rasterproof::exact::Coverage(alone, Info().profile, job.options);
       for (std::size_t k = 0; k < covered.size(); ++k) {
         if (covered.Count(k) != 0) drawing.winners[k] = static_cast<std::int32_t>(t);
       }

@@ -174,10 +174,10 @@ TEST(Batches, LeaveCallsThatMustFollowEachOtherAlone) {
 }
 
 DrawJob NotANumber() {
-  DrawJob job;
-  job.scene.vertices = {{std::numeric_limits<double>::quiet_NaN(), 0}, {1, 0}, {0, 1}};
-  job.scene.triangles = {{0, 1, 2}};
-  return job;
+  Scene scene;
+  scene.vertices = {{std::numeric_limits<double>::quiet_NaN(), 0}, {1, 0}, {0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  return {scene, {}, 1};
 }
 
 TEST(Ledgers, TakeEqualBitsForOneDrawWhereTheyRecord) {

@@ -74,7 +74,7 @@ class HonestSubject final : public Subject {
     counts += Show({scene, options, counts.samples}).counts;
   }
   Drawing Show(const DrawJob& job) override {
-    const Scene& scene = job.scene;
+    const Scene scene = SceneOf(job);
     Drawing drawing;
     drawing.counts = CoverageCounts(scene.width, scene.height);
     drawing.winners.assign(drawing.counts.size(), kNoTriangle);

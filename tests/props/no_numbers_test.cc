@@ -28,8 +28,8 @@ class NoNumbers final : public Subject {
   }
   Drawing Show(const DrawJob& job) override {
     Drawing drawing;
-    drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
-    drawing.winners.assign(drawing.counts.size(), job.scene.triangles.empty() ? kNoTriangle : 0);
+    drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
+    drawing.winners.assign(drawing.counts.size(), job.Triangles().empty() ? kNoTriangle : 0);
     drawing.weights.assign(drawing.counts.size(), {weight_, weight_, weight_});
     drawing.depths.assign(drawing.counts.size(), depth_);
     return drawing;

@@ -40,7 +40,7 @@ std::vector<Plant> OutputPlants() {
        {.draw = RepeatTheFirst}},
       {"OneCallDrawsLikeItsTriangles", "winners of a mesh are numbered from its end", "spans-exact",
        Showing([](Drawing& drawing, const DrawJob& job) {
-         const auto last = static_cast<std::int32_t>(job.scene.triangles.size()) - 1;
+         const auto last = static_cast<std::int32_t>(job.Triangles().size()) - 1;
          for (std::int32_t& winner : drawing.winners) {
            if (winner != kNoTriangle) winner = last - winner;
          }
@@ -70,7 +70,7 @@ std::vector<Plant> OutputPlants() {
          for (std::size_t k = 0; k < drawing.depths.size(); ++k) {
            if (drawing.winners[k] == kNoTriangle) continue;
            const auto t = static_cast<std::size_t>(drawing.winners[k]);
-           drawing.depths[k] = Corners(job.scene, job.scene.triangles[t])[0].z;
+           drawing.depths[k] = Corners(*job.scene, job.Triangles()[t])[0].z;
          }
        })},
       {"BatchDrawsLikeSingleCalls", "the last scene of a batch is dropped", "spans-exact",

@@ -10,20 +10,21 @@ namespace {
 
 // The last triangle that the sound subject draws on each sample, its weights and depth.
 Drawing SoundFragments(Subject& sound, const DrawJob& job) {
+  const Scene scene = SceneOf(job);
   Drawing drawing;
-  drawing.counts = CoverageCounts(job.scene.width, job.scene.height, job.samples);
+  drawing.counts = CoverageCounts(scene.width, scene.height, job.samples);
   drawing.winners.assign(drawing.counts.size(), kNoTriangle);
   drawing.weights.resize(drawing.counts.size());
   drawing.depths.resize(drawing.counts.size());
   const SampleLattice& lattice = sound.Info().profile.lattice;
   DrawJob one = job;
-  for (std::size_t t = 0; t < job.scene.triangles.size(); ++t) {
-    one.scene.triangles = {job.scene.triangles[t]};
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    one.triangles = {scene.triangles[t]};
     const CoverageCounts covered = sound.Show(one).counts;
-    const std::array<Vertex, 3> v = Corners(job.scene, job.scene.triangles[t]);
+    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
     const std::array<Point2, 3> at{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
-    for (int row = 0; row < job.scene.height; ++row) {
-      for (int i = 0; i < job.scene.width * job.samples; ++i) {
+    for (int row = 0; row < scene.height; ++row) {
+      for (int i = 0; i < scene.width * job.samples; ++i) {
         const std::size_t k = covered.Index(i / job.samples, row, i % job.samples);
         if (covered.Count(k) == 0) continue;
         const Point2 p = lattice.At(i / job.samples, row, i % job.samples);

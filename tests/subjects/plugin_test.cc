@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "core/drawing.h"
 #include "core/error.h"
@@ -25,11 +29,57 @@ TEST(Plugin, KeepsItsRoundingModeToItself) {
 
 TEST(Plugin, IsNotGivenTargetsThatNobodyTakes) {
   const LoadedPlugin loaded = LoadPlugin(kRounds);
-  DrawJob large;
-  large.scene.width = 16384;
-  large.scene.height = 16384;
-  large.samples = 4;
+  Scene wide;
+  wide.width = 16384;
+  wide.height = 16384;
+  const DrawJob large(wide, {}, 4);
   EXPECT_THROW(loaded.subject->Show(large), InputError);
+}
+
+// A triangle that covers the target, of a scene in which another stands before it.
+DrawJob SecondOfTwo(Outputs wants) {
+  Scene scene;
+  scene.width = scene.height = 4;
+  scene.vertices = {{-9, -9, 0.5}, {-9, 30, 0.5}, {30, -9, 0.5}};
+  scene.triangles = {{0, 0, 0}, {0, 1, 2}};
+  DrawJob job(scene, {}, 1);
+  job.triangles = {scene.triangles[1]};
+  job.wants = wants;
+  return job;
+}
+
+TEST(Plugin, IsAskedForWhatIsWantedIfItSaysThatItReadsIt) {
+  for (const char* const name : {"/shown_FRAGMENTS.so", "/shown_NEEDS_ALL.so"}) {
+    const LoadedPlugin loaded = LoadPlugin(std::string(FAULTY_PLUGINS) + name);
+    const Drawing all = loaded.subject->Show(SecondOfTwo(kEverything));
+    EXPECT_EQ(all.winners, std::vector<std::int32_t>(16, 0)) << "of the triangles of the job";
+    ASSERT_EQ(all.depths.size(), 16U);
+    EXPECT_EQ(all.depths[0], 0.5);
+    EXPECT_EQ(all.weights.size(), 16U);
+    const Drawing ids = loaded.subject->Show(SecondOfTwo(kCoverageAndIds));
+    EXPECT_EQ(ids.winners, all.winners);
+    EXPECT_TRUE(ids.weights.empty() && ids.depths.empty());
+    const Drawing depths = loaded.subject->Show(SecondOfTwo({true, false, true}));
+    EXPECT_EQ(depths.depths, all.depths);
+    EXPECT_TRUE(depths.weights.empty());
+  }
+}
+
+TEST(Plugin, DrawsPartsOfASharedSceneLikeScenesOfTheirOwn) {
+  const LoadedPlugin loaded = LoadPlugin(FAULTY_PLUGINS "/shown_COUNTS.so");
+  const DrawJob part = SecondOfTwo(kEverything);
+  DrawJob both = part;
+  both.triangles.reset();
+  const std::vector<DrawJob> shared{part, both, part};
+  std::vector<DrawJob> apart;
+  for (const DrawJob& job : shared) apart.emplace_back(SceneOf(job), job.options, job.samples);
+  const std::vector<DrawOutcome> a = loaded.subject->DrawMany(shared);
+  const std::vector<DrawOutcome> b = loaded.subject->DrawMany(apart);
+  ASSERT_EQ(a.size(), 3U);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].Get().counts, b[k].Get().counts);
+    EXPECT_EQ(a[k].Get().counts, loaded.subject->Show(shared[k]).counts);
+  }
 }
 
 }  // namespace

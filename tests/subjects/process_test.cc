@@ -127,7 +127,9 @@ TEST(ProcessSubject, NamesTheOneOfABatchThatHangs) {
   ProcessSubject subject(Pausing("[ \"${rest%% *}\" = 1 ] || sleep 1000"), info, {.seconds = 0.15});
   std::vector<DrawJob> jobs(3);
   EXPECT_EQ(subject.DrawMany(jobs).size(), 3U);
-  jobs[1].scene.height = 2;
+  Scene higher;
+  higher.height = 2;
+  jobs[1] = {higher, {}, 1};
   const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
   ASSERT_EQ(outcomes.size(), 2U) << "what follows a breakdown is left open";
   EXPECT_EQ(outcomes[0].error, nullptr);
@@ -136,16 +138,52 @@ TEST(ProcessSubject, NamesTheOneOfABatchThatHangs) {
 
 TEST(ProcessSubject, IsNotGivenTargetsThatNobodyTakes) {
   ProcessSubject subject(Pausing(":"), Info());
-  DrawJob large;
-  large.scene.width = 16384;
-  large.scene.height = 16384;
-  large.samples = 4;
+  Scene wide;
+  wide.width = 16384;
+  wide.height = 16384;
+  const DrawJob large(wide, {}, 4);
   EXPECT_THROW(subject.Show(large), InputError);
   const std::array<DrawJob, 3> jobs{DrawJob{}, large, DrawJob{}};
   const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
   ASSERT_EQ(outcomes.size(), 3U);
   EXPECT_THROW(outcomes[1].Get(), InputError);
   EXPECT_EQ(outcomes[2].error, nullptr);
+}
+
+// Answers two questions once it was asked both, "2" and "3"; alone, any.
+std::vector<std::string> Valuing(const std::string& before_any) {
+  return {
+      "/bin/sh", "-c",
+      "while read word first rest; do\n" + before_any +
+          "\n"
+          "  case \"$rest\" in\n"
+          "    *' 1') read word second rest; printf \"values $first 2\\nvalues $second 3\\n\" ;;\n"
+          "    *) printf \"values $first 4\\n\" ;;\n"
+          "  esac\n"
+          "done\n"};
+}
+
+SubjectInfo EdgeInfo() {
+  SubjectInfo info = Info();
+  info.edges.shows_values = true;
+  return info;
+}
+
+TEST(ProcessSubject, PutsManyEdgeQuestionsBeforeItReadsTheFirstAnswer) {
+  const ProcessSubject subject(Valuing(""), EdgeInfo(), {.seconds = 1});
+  const std::array<EdgeQuestion, 3> questions{
+      {{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1, 0}, {0, 2}}, {{0, 0}, {1, 0}, {0, 3}}}};
+  EXPECT_EQ(subject.Edges()->Values(questions), (std::vector<double>{2, 3, 4}));
+  EXPECT_EQ(subject.Edges()->Value({0, 0}, {1, 0}, {0, 5}), 4);
+  EXPECT_TRUE(subject.Edges()->Values({}).empty());
+}
+
+TEST(ProcessSubject, TellsWhenOneOfManyEdgeQuestionsIsNotAnswered) {
+  const ProcessSubject subject(Valuing("[ \"${rest##* }\" != 7 ] || exit 3"), EdgeInfo());
+  const std::array<EdgeQuestion, 2> questions{{{{0, 0}, {1, 0}, {0, 6}}, {{0, 0}, {1, 0}, {0, 7}}}};
+  EXPECT_THROW(subject.Edges()->Values(questions), SubjectFault);
+  EXPECT_EQ(subject.Edges()->Values({questions.data(), 1}), std::vector<double>{4})
+      << "what follows a fault is asked afresh";
 }
 
 }  // namespace

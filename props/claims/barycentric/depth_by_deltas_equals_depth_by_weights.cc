@@ -1,6 +1,8 @@
 // z0 + l1 (z1 - z0) + l2 (z2 - z0) and l0 z0 + l1 z1 + l2 z2 agree up to the sum of their bounds.
+#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -12,24 +14,20 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
+// A query with the bounds that the subject states on both values.
+struct BoundedPair {
+  InterpolationQuery query;
+  double weights_bound = 0;
+  double deltas_bound = 0;
+};
+
+Verdict Judge(const std::vector<BoundedPair>& pairs, const Answers& answers) {
   std::uint64_t exercised = 0;
-  for (const InterpolationQuery& q : SomeInterpolations(c)) {
-    const Point2 p = q.at.place.at;
-    const auto value = [&](InterpolationForm form) {
-      return evaluator.Interpolate(form, q.corners, q.attribute, p);
-    };
-    const auto bound = [&](InterpolationForm form) {
-      return evaluator.InterpolationErrorBound(form, q.corners, q.attribute, p);
-    };
-    const double weights_bound = bound(InterpolationForm::kWeights);
-    const double deltas_bound = bound(InterpolationForm::kDeltas);
-    if (!Claims(weights_bound) || !Claims(deltas_bound)) continue;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto& [q, weights_bound, deltas_bound] = pairs[k];
+    const double by_weights = answers.interpolations[2 * k];
+    const double by_deltas = answers.interpolations[2 * k + 1];
     ++exercised;
-    const double by_weights = value(InterpolationForm::kWeights);
-    const double by_deltas = value(InterpolationForm::kDeltas);
     if (AgreeWithin(by_deltas, by_weights, -1, deltas_bound, weights_bound)) continue;
     return WeightViolation(
         q.at, -1, exercised, "depth by deltas differs from depth by weights",
@@ -37,6 +35,27 @@ Verdict Judge(Subject& subject, const Case& c) {
         HexText(by_weights) + " by weights, within " + HexText(deltas_bound + weights_bound));
   }
   return Verdict::Held(exercised);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<BoundedPair> pairs;
+  Questions questions;
+  for (const InterpolationQuery& q : SomeInterpolations(c)) {
+    const Point2 p = q.at.place.at;
+    const auto bound = [&](InterpolationForm form) {
+      return subject.weights->InterpolationErrorBound(form, q.corners, q.attribute, p);
+    };
+    const double weights_bound = bound(InterpolationForm::kWeights);
+    const double deltas_bound = bound(InterpolationForm::kDeltas);
+    if (!Claims(weights_bound) || !Claims(deltas_bound)) continue;
+    pairs.push_back({q, weights_bound, deltas_bound});
+    for (const InterpolationForm form : {InterpolationForm::kWeights, InterpolationForm::kDeltas}) {
+      questions.interpolations.push_back({form, q.corners, q.attribute, p});
+    }
+  }
+  return OneCheck(std::move(questions), [pairs = std::move(pairs)](const Answers& answers) {
+    return Judge(pairs, answers);
+  });
 }
 
 }  // namespace
@@ -50,7 +69,8 @@ constinit const Property kDepthByDeltasEqualsDepthByWeights{
     .precondition = kWeightValues,
     .tolerance = "the sum of both proven InterpolationErrorBounds",
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

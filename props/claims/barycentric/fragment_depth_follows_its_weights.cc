@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -16,11 +16,10 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskFragments(subject, c)) return *refusal;
+Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
   double worst = 0;
-  for (const Fragment& f : SomeFragments(subject, c)) {
+  for (const Fragment& f : fragments) {
     double bound = f.depth_tolerance;
     exact::Rational by_weights;
     for (std::size_t i = 0; i < 3; ++i) bound += f.weight_tolerances[i] * std::fabs(f.z[i]);
@@ -28,7 +27,7 @@ Verdict Judge(Subject& subject, const Case& c) {
     ++exercised;
     const std::string claim = "the depth of a fragment is not what its weights give";
     if (!std::ranges::all_of(f.weights, [](double x) { return std::isfinite(x); })) {
-      return FragmentViolation(f, -1, exercised, claim, WeightsText(f), "finite weights");
+      return FragmentViolation(f, -1, exercised, claim, WeightsText(f.weights), "finite weights");
     }
     for (std::size_t i = 0; i < 3; ++i) {
       by_weights += exact::Rational(f.weights[i]) * exact::Rational(f.z[i]);
@@ -43,6 +42,8 @@ Verdict Judge(Subject& subject, const Case& c) {
   return Verdict::Held(exercised, worst);
 }
 
+Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+
 }  // namespace
 
 constinit const Property kFragmentDepthFollowsItsWeights{
@@ -54,7 +55,8 @@ constinit const Property kFragmentDepthFollowsItsWeights{
     .precondition = kFragmentValues,
     .tolerance = "the depth's and the weights' tolerances, the latter times the vertices' depths",
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kFragments, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,10 +1,8 @@
-// The depth at a sample in the closed triangle lies between the least and the greatest depth of its vertices.
+// The depth at a sample in the closed triangle lies between its vertices' least and greatest.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -16,10 +14,9 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskFragments(subject, c)) return *refusal;
+Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
-  for (const Fragment& f : SomeFragments(subject, c)) {
+  for (const Fragment& f : fragments) {
     if (!f.query.inside || !Claims(f.depth_tolerance)) continue;
     ++exercised;
     const auto [low, high] = std::minmax({f.z[0], f.z[1], f.z[2]});
@@ -34,6 +31,8 @@ Verdict Judge(Subject& subject, const Case& c) {
   return Verdict::Held(exercised);
 }
 
+Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+
 }  // namespace
 
 constinit const Property kFragmentDepthStaysInTheHull{
@@ -45,7 +44,8 @@ constinit const Property kFragmentDepthStaysInTheHull{
         "closed triangle of the vertices that it names",
     .tolerance = kDepthTolerance,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kFragments, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,10 +1,10 @@
-// Every weight at a covered sample is near the exact barycentric coordinate of the winner's vertices that the subject declares, given or snapped.
+// Every weight at a covered sample is near the exact one of the winner's vertices, as declared.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -16,11 +16,10 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskFragments(subject, c)) return *refusal;
+Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
   double worst = 0;
-  for (const Fragment& f : SomeFragments(subject, c)) {
+  for (const Fragment& f : fragments) {
     const std::array<exact::Rational, 3> exact_weights = ExactWeights(f.query);
     for (std::size_t i = 0; i < 3; ++i) {
       const double bound = f.weight_tolerances[i];
@@ -30,7 +29,7 @@ Verdict Judge(Subject& subject, const Case& c) {
       if (!distance.within) {
         return FragmentViolation(f, static_cast<int>(i), exercised,
                                  "a weight of a fragment is off by more than its error",
-                                 WeightsText(f),
+                                 WeightsText(f.weights),
                                  exact_weights[i].ToString() + " within " + HexText(bound) +
                                      " for vertex " + std::to_string(i));
       }
@@ -39,6 +38,8 @@ Verdict Judge(Subject& subject, const Case& c) {
   }
   return Verdict::Held(exercised, worst);
 }
+
+Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
 
 }  // namespace
 
@@ -53,7 +54,8 @@ constinit const Property kFragmentWeightsStayWithinTheirError{
         "the declared weight error; none declared: the forward bound of the "
         "five-operation quotient, which grows with the triangle's conditioning",
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kFragments, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -16,30 +16,31 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskFragments(subject, c)) return *refusal;
+Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
   double worst = 0;
-  for (const Fragment& f : SomeFragments(subject, c)) {
+  for (const Fragment& f : fragments) {
     const auto& [a, b, d] = f.weight_tolerances;
     const double bound = a + b + d;
     if (!Claims(bound)) continue;
     ++exercised;
     const std::string claim = "the weights of a fragment do not sum to one";
     if (!std::ranges::all_of(f.weights, [](double x) { return std::isfinite(x); })) {
-      return FragmentViolation(f, -1, exercised, claim, WeightsText(f), "finite weights");
+      return FragmentViolation(f, -1, exercised, claim, WeightsText(f.weights), "finite weights");
     }
     const exact::Rational rest =
         exact::Rational(1) - exact::Rational(f.weights[0]) - exact::Rational(f.weights[1]);
     const Distance distance = CompareWithExact(f.weights[2], rest, bound);
     if (!distance.within) {
-      return FragmentViolation(f, -1, exercised, claim, WeightsText(f),
+      return FragmentViolation(f, -1, exercised, claim, WeightsText(f.weights),
                                "a sum of 1 within " + HexText(bound));
     }
     worst = std::max(worst, distance.ratio);
   }
   return Verdict::Held(exercised, worst);
 }
+
+Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
 
 }  // namespace
 
@@ -51,7 +52,8 @@ constinit const Property kFragmentWeightsSumToOne{
     .precondition = kFragmentValues,
     .tolerance = "the sum of the three tolerances of FragmentWeightsStayWithinTheirError",
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kFragments, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,8 +1,8 @@
-// Inside the closed triangle a value interpolated with positive w lies between the least and the greatest vertex value, up to the bound claimed.
+// In the closed triangle a value interpolated with positive w lies between its vertices' values.
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -14,32 +14,31 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
+Verdict Judge(const std::vector<InterpolationAnswer>& answers) {
   std::uint64_t exercised = 0;
-  for (const InterpolationQuery& q : SomeInterpolations(c)) {
-    if (!q.at.inside) continue;
-    const Point2 p = q.at.place.at;
+  for (const auto& [q, form, bound, value] : answers) {
     const auto [least, greatest] = std::ranges::minmax(q.attribute);
-    for (const InterpolationForm form : {InterpolationForm::kWeights, InterpolationForm::kDeltas,
-                                         InterpolationForm::kPerspective}) {
-      const double bound = evaluator.InterpolationErrorBound(form, q.corners, q.attribute, p);
-      if (!Claims(bound)) continue;
-      ++exercised;
-      const double value = evaluator.Interpolate(form, q.corners, q.attribute, p);
-      // Inside the hull, or past the nearer end by at most the bound. NaN is neither.
-      if (value >= least && value <= greatest) continue;
-      const double end = value < least ? least : greatest;
-      if (AgreeWithin(value, end, -1, bound, 0)) continue;
-      return WeightViolation(
-          q.at, -1, exercised,
-          "value interpolated " + std::string(InterpolationName(form)) + " leaves the hull",
-          HexText(value),
-          "[" + HexText(least) + ", " + HexText(greatest) + "] within " + HexText(bound));
-    }
+    ++exercised;
+    // Inside the hull, or past the nearer end by at most the bound. NaN is neither.
+    if (value >= least && value <= greatest) continue;
+    const double end = value < least ? least : greatest;
+    if (AgreeWithin(value, end, -1, bound, 0)) continue;
+    return WeightViolation(
+        q.at, -1, exercised,
+        "value interpolated " + std::string(InterpolationName(form)) + " leaves the hull",
+        HexText(value),
+        "[" + HexText(least) + ", " + HexText(greatest) + "] within " + HexText(bound));
   }
   return Verdict::Held(exercised);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<InterpolationQuery> inside = SomeInterpolations(c);
+  std::erase_if(inside, [](const InterpolationQuery& q) { return !q.at.inside; });
+  return AskInterpolations(
+      inside,
+      {InterpolationForm::kWeights, InterpolationForm::kDeltas, InterpolationForm::kPerspective},
+      *subject.weights, Judge);
 }
 
 }  // namespace
@@ -53,7 +52,8 @@ constinit const Property kInterpolatedValuesStayInTheHull{
         "limits, area not zero; sample in the closed triangle; every w positive",
     .tolerance = kInterpolationBound,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,5 +1,4 @@
 // Interpolation by weights and by deltas stays within the bound claimed of the exact value.
-#include <optional>
 #include <vector>
 
 #include "props/claims/all.h"
@@ -10,15 +9,14 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
+Asked Ask(const Case& c, const Description& subject) {
   std::vector<InterpolationQuery> affine = SomeInterpolations(c);
   // w plays no part in the affine forms: the queries that differ in it alone are left out.
   std::erase_if(affine, [](const InterpolationQuery& q) {
     return q.corners[0].w != 1 || q.corners[2].w != 1;
   });
-  return InterpolationsStayWithinTheirBound(
-      *subject.Weights(), affine, {InterpolationForm::kWeights, InterpolationForm::kDeltas});
+  return AskInterpolations(affine, {InterpolationForm::kWeights, InterpolationForm::kDeltas},
+                           *subject.weights, InterpolationsStayWithinTheirBound);
 }
 
 }  // namespace
@@ -32,7 +30,8 @@ constinit const Property kInterpolationStaysWithinItsBound{
     .precondition = kWeightValues,
     .tolerance = kInterpolationBound,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,6 +1,4 @@
-// Perspective-correct interpolation stays within the bound claimed of the exact quotient; with one w for all vertices that is the affine value.
-#include <optional>
-
+// Perspective-correct interpolation stays within the bound claimed of the exact quotient.
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
@@ -9,10 +7,9 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  return InterpolationsStayWithinTheirBound(*subject.Weights(), SomeInterpolations(c),
-                                            {InterpolationForm::kPerspective});
+Asked Ask(const Case& c, const Description& subject) {
+  return AskInterpolations(SomeInterpolations(c), {InterpolationForm::kPerspective},
+                           *subject.weights, InterpolationsStayWithinTheirBound);
 }
 
 }  // namespace
@@ -28,7 +25,8 @@ constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
         "within the limits, area not zero; every w positive",
     .tolerance = kInterpolationBound,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,9 +1,7 @@
-// Weight i is one at vertex i and zero at the other two and at samples exactly on the opposite edge, up to the bound claimed there.
-#include <algorithm>
+// Weight i is one at vertex i and zero on the opposite edge, its ends included, up to its bound.
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,15 +35,11 @@ std::vector<WeightQuery> CornersAndTies(const Case& c) {
   return queries;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
+Verdict Judge(const std::vector<WeightAnswer>& answers) {
   std::uint64_t exercised = 0;
-  for (const WeightQuery& q : CornersAndTies(c)) {
+  for (const auto& [q, forms] : answers) {
     const Point2 p = q.place.at;
-    for (const BarycentricForm form : FormsFor(q)) {
-      const std::array<double, 3> weights = evaluator.Weights(form, q.v, p);
-      const std::array<double, 3> bounds = evaluator.WeightErrorBounds(form, q.v, p);
+    for (const auto& [form, weights, bounds] : forms) {
       for (int i = 0; i < 3; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const bool at_vertex = p == q.v[k];
@@ -65,6 +59,10 @@ Verdict Judge(Subject& subject, const Case& c) {
   return Verdict::Held(exercised);
 }
 
+Asked Ask(const Case& c, const Description& subject) {
+  return AskWeights(CornersAndTies(c), *subject.weights, Judge);
+}
+
 }  // namespace
 
 constinit const Property kWeightIsOneAtItsVertexAndZeroOpposite{
@@ -76,7 +74,8 @@ constinit const Property kWeightIsOneAtItsVertexAndZeroOpposite{
         "limits, area not zero; at vertices and at samples exactly on an edge line",
     .tolerance = kWeightBounds,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

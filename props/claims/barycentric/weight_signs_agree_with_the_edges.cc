@@ -1,9 +1,8 @@
-// A weight has the sign of its exact lambda wherever |lambda| exceeds the bound claimed: a sample inside gets no negative weight, one outside gets one.
-#include <array>
+// A weight has the sign of its exact lambda wherever |lambda| exceeds the bound claimed.
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "exact/coverage.h"
 #include "exact/edge.h"
@@ -17,31 +16,35 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
+Verdict Judge(const std::vector<WeightAnswer>& answers) {
   std::uint64_t exercised = 0;
-  for (const auto& [q, form, weights, bounds] : WeightsAtQueries(*subject.Weights(), c)) {
-    const Point2 p = q.place.at;
+  for (const auto& [q, forms] : answers) {
     const int facing = exact::Facing(q.v);
-    for (int i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (!Claims(bounds[k])) continue;
-      // lambda_i = E_i / area: its sign is the product of theirs.
-      const int sign = exact::EdgeSign(EdgeStart(q.v, i), EdgeEnd(q.v, i), p) * facing;
-      if (HasSign(weights[k], sign)) {
+    for (const auto& [form, weights, bounds] : forms) {
+      for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (!Claims(bounds[k])) continue;
+        // lambda_i = E_i / area: its sign is the product of theirs.
+        const int sign = exact::EdgeSign(EdgeStart(q.v, i), EdgeEnd(q.v, i), q.place.at) * facing;
+        if (HasSign(weights[k], sign)) {
+          ++exercised;
+          continue;
+        }
+        const exact::Rational lambda = ExactWeights(q)[k];
+        if (bounds[k] > 0 && lambda.Abs() <= exact::Rational(bounds[k])) continue;
         ++exercised;
-        continue;
+        return WeightViolation(
+            q, i, exercised,
+            "weight (" + std::string(FormName(form)) + ") of the wrong sign outside its band",
+            HexText(weights[k]), lambda.ToString() + ", band " + HexText(bounds[k]));
       }
-      const exact::Rational lambda = ExactWeights(q)[k];
-      if (bounds[k] > 0 && lambda.Abs() <= exact::Rational(bounds[k])) continue;
-      ++exercised;
-      return WeightViolation(
-          q, i, exercised,
-          "weight (" + std::string(FormName(form)) + ") of the wrong sign outside its band",
-          HexText(weights[k]), lambda.ToString() + ", band " + HexText(bounds[k]));
     }
   }
   return Verdict::Held(exercised);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  return AskWeights(SomeWeightQueries(c), *subject.weights, Judge);
 }
 
 }  // namespace
@@ -55,7 +58,8 @@ constinit const Property kWeightSignsAgreeWithTheEdges{
     .precondition = kWeightValues,
     .tolerance = "the subject's proven WeightErrorBounds; where they are 0, none: exact",
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

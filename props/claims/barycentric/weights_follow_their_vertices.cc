@@ -2,8 +2,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -18,30 +19,61 @@ namespace {
 using Order = std::array<std::size_t, 3>;
 constexpr std::array<Order, 5> kOrders{{{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
+using Triple = std::array<double, 3>;
+
+// A query in one form, as it stands and in every other order.
+struct InEveryOrder {
+  WeightQuery query;
+  BarycentricForm form = BarycentricForm::kVertexArea;
+  Triple bounds{};
+  std::array<Triple, kOrders.size()> reordered_bounds{};
+};
+constexpr std::size_t kQuestions = 1 + kOrders.size();
+
+Verdict Judge(const std::vector<InEveryOrder>& queries, const Answers& answers) {
   std::uint64_t exercised = 0;
-  for (const auto& [q, form, weights, bounds] : WeightsAtQueries(evaluator, c)) {
-    const Point2 p = q.place.at;
-    for (const Order& order : kOrders) {
-      const std::array<Point2, 3> v{q.v[order[0]], q.v[order[1]], q.v[order[2]]};
-      const std::array<double, 3> reordered = evaluator.Weights(form, v, p);
-      const std::array<double, 3> reordered_bounds = evaluator.WeightErrorBounds(form, v, p);
+  for (std::size_t n = 0; n < queries.size(); ++n) {
+    const auto& [q, form, bounds, reordered_bounds] = queries[n];
+    const Triple& weights = answers.barycentrics[n * kQuestions];
+    for (std::size_t order = 0; order < kOrders.size(); ++order) {
+      const Triple& reordered = answers.barycentrics[n * kQuestions + 1 + order];
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = order[k];
-        if (!Claims(bounds[i]) || !Claims(reordered_bounds[k])) continue;
+        const std::size_t i = kOrders[order][k];
+        const double bound = reordered_bounds[order][k];
+        if (!Claims(bounds[i]) || !Claims(bound)) continue;
         ++exercised;
-        if (AgreeWithin(reordered[k], weights[i], -1, reordered_bounds[k], bounds[i])) continue;
+        if (AgreeWithin(reordered[k], weights[i], -1, bound, bounds[i])) continue;
         return WeightViolation(
             q, static_cast<int>(i), exercised,
             "weight (" + std::string(FormName(form)) + ") does not follow its vertex",
             HexText(reordered[k]) + " as entry " + std::to_string(k),
-            HexText(weights[i]) + " within " + HexText(bounds[i] + reordered_bounds[k]));
+            HexText(weights[i]) + " within " + HexText(bounds[i] + bound));
       }
     }
   }
   return Verdict::Held(exercised);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<InEveryOrder> queries;
+  Questions questions;
+  for (const WeightQuery& q : SomeWeightQueries(c)) {
+    const Point2 p = q.place.at;
+    for (const BarycentricForm form : FormsFor(q)) {
+      InEveryOrder at{q, form, subject.weights->WeightErrorBounds(form, q.v, p)};
+      questions.barycentrics.push_back({form, q.v, p});
+      for (std::size_t order = 0; order < kOrders.size(); ++order) {
+        const auto& [i, j, k] = kOrders[order];
+        const std::array<Point2, 3> v{q.v[i], q.v[j], q.v[k]};
+        at.reordered_bounds[order] = subject.weights->WeightErrorBounds(form, v, p);
+        questions.barycentrics.push_back({form, v, p});
+      }
+      queries.push_back(at);
+    }
+  }
+  return OneCheck(std::move(questions), [queries = std::move(queries)](const Answers& answers) {
+    return Judge(queries, answers);
+  });
 }
 
 }  // namespace
@@ -53,7 +85,8 @@ constinit const Property kWeightsFollowTheirVertices{
     .precondition = kWeightValues,
     .tolerance = "the sum of both proven WeightErrorBounds",
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -37,30 +37,33 @@ Reproduced Reproduce(const std::array<double, 3>& weights, const std::array<doub
   return {sum.Abs(), bound};
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
+Verdict Judge(const std::vector<WeightAnswer>& answers) {
   std::uint64_t exercised = 0;
-  for (const auto& [q, form, weights, bounds] : WeightsAtQueries(*subject.Weights(), c)) {
+  for (const auto& [q, forms] : answers) {
     const Point2 p = q.place.at;
-    if (!std::ranges::all_of(bounds, Claims)) continue;
-    ++exercised;
-    const std::string claim =
-        "weights (" + std::string(FormName(form)) + ") do not reproduce the sample";
-    const std::string observed =
-        HexText(weights[0]) + ", " + HexText(weights[1]) + ", " + HexText(weights[2]);
-    if (!std::ranges::all_of(weights, [](double x) { return std::isfinite(x); })) {
-      return WeightViolation(q, -1, exercised, claim, observed, "finite weights");
+    for (const auto& [form, weights, bounds] : forms) {
+      if (!std::ranges::all_of(bounds, Claims)) continue;
+      ++exercised;
+      const std::string claim =
+          "weights (" + std::string(FormName(form)) + ") do not reproduce the sample";
+      if (!std::ranges::all_of(weights, [](double x) { return std::isfinite(x); })) {
+        return WeightViolation(q, -1, exercised, claim, WeightsText(weights), "finite weights");
+      }
+      const Reproduced x = Reproduce(weights, bounds, {q.v[0].x, q.v[1].x, q.v[2].x}, p.x);
+      const Reproduced y = Reproduce(weights, bounds, {q.v[0].y, q.v[1].y, q.v[2].y}, p.y);
+      if (x.distance <= x.bound && y.distance <= y.bound) continue;
+      return WeightViolation(q, -1, exercised, claim, WeightsText(weights),
+                             "off by at most (" + HexText(x.bound.ToDoubleUp()) + ", " +
+                                 HexText(y.bound.ToDoubleUp()) + "), not (" +
+                                 HexText(x.distance.ToDouble()) + ", " +
+                                 HexText(y.distance.ToDouble()) + ")");
     }
-    const Reproduced x = Reproduce(weights, bounds, {q.v[0].x, q.v[1].x, q.v[2].x}, p.x);
-    const Reproduced y = Reproduce(weights, bounds, {q.v[0].y, q.v[1].y, q.v[2].y}, p.y);
-    if (x.distance <= x.bound && y.distance <= y.bound) continue;
-    return WeightViolation(q, -1, exercised, claim, observed,
-                           "off by at most (" + HexText(x.bound.ToDoubleUp()) + ", " +
-                               HexText(y.bound.ToDoubleUp()) + "), not (" +
-                               HexText(x.distance.ToDouble()) + ", " +
-                               HexText(y.distance.ToDouble()) + ")");
   }
   return Verdict::Held(exercised);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  return AskWeights(SomeWeightQueries(c), *subject.weights, Judge);
 }
 
 }  // namespace
@@ -74,7 +77,8 @@ constinit const Property kWeightsReproduceThePoint{
     .precondition = kWeightValues,
     .tolerance = "sum of bound_i |v_i|",
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

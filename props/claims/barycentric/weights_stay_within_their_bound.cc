@@ -1,10 +1,10 @@
-// Every weight lies within the subject's own proven bound of lambda_i, in every form; the unsigned form only inside the closed triangle, where alone it means lambda_i.
+// Every weight lies within the subject's bound of lambda_i; unsigned ones only in the triangle.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -16,16 +16,12 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
+Verdict Judge(const std::vector<WeightAnswer>& answers) {
   std::uint64_t exercised = 0;
   double worst = 0;
-  for (const WeightQuery& q : SomeWeightQueries(c)) {
+  for (const auto& [q, forms] : answers) {
     const std::array<exact::Rational, 3> lambda = ExactWeights(q);
-    for (const BarycentricForm form : FormsFor(q)) {
-      const std::array<double, 3> weights = evaluator.Weights(form, q.v, q.place.at);
-      const std::array<double, 3> bounds = evaluator.WeightErrorBounds(form, q.v, q.place.at);
+    for (const auto& [form, weights, bounds] : forms) {
       for (std::size_t i = 0; i < 3; ++i) {
         if (!Claims(bounds[i])) continue;
         ++exercised;
@@ -43,6 +39,10 @@ Verdict Judge(Subject& subject, const Case& c) {
   return Verdict::Held(exercised, worst);
 }
 
+Asked Ask(const Case& c, const Description& subject) {
+  return AskWeights(SomeWeightQueries(c), *subject.weights, Judge);
+}
+
 }  // namespace
 
 constinit const Property kWeightsStayWithinTheirBound{
@@ -56,7 +56,8 @@ constinit const Property kWeightsStayWithinTheirBound{
         "within the limits, area not zero; unsigned areas: closed triangle only",
     .tolerance = kWeightBounds,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -18,32 +20,49 @@ namespace {
 
 using exact::Rational;
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWeights(subject, c)) return *refusal;
-  const WeightEvaluator& evaluator = *subject.Weights();
+// A query in a form that the subject states a bound on the sum of.
+struct BoundedSum {
+  WeightQuery query;
+  BarycentricForm form = BarycentricForm::kVertexArea;
+  double bound = 0;
+};
+
+Verdict Judge(const std::vector<BoundedSum>& sums, const Answers& answers) {
   std::uint64_t exercised = 0;
   double worst = 0;
-  for (const WeightQuery& q : SomeWeightQueries(c)) {
-    for (const BarycentricForm form : FormsFor(q)) {
-      const double bound = evaluator.SumErrorBound(form, q.v, q.place.at);
-      if (!Claims(bound)) continue;
-      ++exercised;
-      const std::array<double, 3> l = evaluator.Weights(form, q.v, q.place.at);
-      const std::string claim = "weights (" + std::string(FormName(form)) + ") do not sum to one";
-      const std::string observed = HexText(l[0]) + ", " + HexText(l[1]) + ", " + HexText(l[2]);
-      if (!std::ranges::all_of(l, [](double x) { return std::isfinite(x); })) {
-        return WeightViolation(q, -1, exercised, claim, observed, "finite weights");
-      }
-      const Rational rest = Rational(1) - Rational(l[0]) - Rational(l[1]);
-      const Distance distance = CompareWithExact(l[2], rest, bound);
-      if (!distance.within) {
-        return WeightViolation(q, -1, exercised, claim, observed,
-                               "a sum of 1 within " + HexText(bound));
-      }
-      worst = std::max(worst, distance.ratio);
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const auto& [q, form, bound] = sums[k];
+    const std::array<double, 3>& l = answers.barycentrics[k];
+    ++exercised;
+    const std::string claim = "weights (" + std::string(FormName(form)) + ") do not sum to one";
+    if (!std::ranges::all_of(l, [](double x) { return std::isfinite(x); })) {
+      return WeightViolation(q, -1, exercised, claim, WeightsText(l), "finite weights");
     }
+    const Rational rest = Rational(1) - Rational(l[0]) - Rational(l[1]);
+    const Distance distance = CompareWithExact(l[2], rest, bound);
+    if (!distance.within) {
+      return WeightViolation(q, -1, exercised, claim, WeightsText(l),
+                             "a sum of 1 within " + HexText(bound));
+    }
+    worst = std::max(worst, distance.ratio);
   }
   return Verdict::Held(exercised, worst);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<BoundedSum> sums;
+  Questions questions;
+  for (const WeightQuery& q : SomeWeightQueries(c)) {
+    for (const BarycentricForm form : FormsFor(q)) {
+      const double bound = subject.weights->SumErrorBound(form, q.v, q.place.at);
+      if (!Claims(bound)) continue;
+      sums.push_back({q, form, bound});
+      questions.barycentrics.push_back({form, q.v, q.place.at});
+    }
+  }
+  return OneCheck(std::move(questions), [sums = std::move(sums)](const Answers& answers) {
+    return Judge(sums, answers);
+  });
 }
 
 }  // namespace
@@ -56,7 +75,8 @@ constinit const Property kWeightsSumToOne{
     .precondition = kWeightValues,
     .tolerance = "the subject's proven SumErrorBound",
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

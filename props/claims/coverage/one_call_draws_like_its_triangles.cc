@@ -26,11 +26,10 @@ constexpr std::size_t kBefore = 256;
 // The triangles of one call, by their place in the case.
 using Order = std::vector<std::size_t>;
 
-Scene InOrder(const Case& c, const Order& order) {
-  Scene scene = c.scene;
-  scene.triangles.clear();
-  for (const std::size_t t : order) scene.triangles.push_back(c.scene.triangles[t]);
-  return scene;
+DrawJob InOrder(DrawJob job, const Order& order) {
+  job.triangles.emplace();
+  for (const std::size_t t : order) job.triangles->push_back(job.scene->triangles[t]);
+  return job;
 }
 
 // The mesh, so many times over; and behind so many repetitions of its first triangle.
@@ -45,12 +44,11 @@ std::array<Order, 2> OrdersOf(std::size_t count, std::size_t times) {
 // A call for each order, and then one for each triangle.
 std::vector<DrawJob> WholesAndSingles(const Case& c, std::span<const Order> orders,
                                       std::size_t count) {
-  const int samples = c.profile.lattice.samples();
+  DrawJob job(c.scene, c.options, c.profile.lattice.samples());
+  job.wants = kCoverageAndIds;
   std::vector<DrawJob> jobs;
-  for (const Order& order : orders) jobs.push_back({InOrder(c, order), c.options, samples});
-  for (std::size_t t = 0; t < count; ++t) {
-    jobs.push_back({InOrder(c, {t}), c.options, samples});
-  }
+  for (const Order& order : orders) jobs.push_back(InOrder(job, order));
+  for (std::size_t t = 0; t < count; ++t) jobs.push_back(InOrder(job, {t}));
   return jobs;
 }
 

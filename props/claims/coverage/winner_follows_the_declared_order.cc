@@ -25,9 +25,10 @@ Verdict Judge(Subject& subject, const Case& c) {
   if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kEither})) return *refusal;
   if (c.scene.triangles.empty()) return Verdict::Held(0);
   DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
-  while (job.scene.triangles.size() < kFewestDrawn) {
-    job.scene.triangles.insert(job.scene.triangles.end(), c.scene.triangles.begin(),
-                               c.scene.triangles.end());
+  job.wants = kCoverageAndIds;
+  std::vector<Triangle>& drawn = job.triangles.emplace(c.scene.triangles);
+  while (drawn.size() < kFewestDrawn) {
+    drawn.insert(drawn.end(), c.scene.triangles.begin(), c.scene.triangles.end());
   }
   const Drawing drawing = whole.Show(job);
   std::vector<std::vector<bool>> covered;
@@ -35,15 +36,15 @@ Verdict Judge(Subject& subject, const Case& c) {
     covered.push_back(
         CoveredSamples(exact::Coverage(OnlyTriangles(c, {t}).scene, c.profile, c.options)));
   }
-  for (std::size_t t = 0; covered.size() < job.scene.triangles.size(); ++t) {
+  for (std::size_t t = 0; covered.size() < drawn.size(); ++t) {
     covered.push_back(covered[t]);
   }
   Verdict verdict =
       SameWinners(drawing, WinnersOf(covered, whole.Info().fragments.order),
                   c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
   if (verdict.outcome == Outcome::kViolated) {
-    verdict.message += " (the scene drawn over itself, " +
-                       std::to_string(job.scene.triangles.size()) + " triangles)";
+    verdict.message +=
+        " (the scene drawn over itself, " + std::to_string(drawn.size()) + " triangles)";
   }
   return verdict;
 }

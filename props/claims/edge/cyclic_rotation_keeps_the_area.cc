@@ -2,7 +2,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -16,31 +17,59 @@ namespace {
 
 constexpr int kTriangles = 64;
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
-  const EdgeEvaluator& edges = *subject.Edges();
-  std::uint64_t exercised = 0;
-  for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
-    const std::array<Point2, 3>& v = corners.at;
-    const double bound = edges.ErrorBound(v[0], v[1], v[2]);
+// An area told from another vertex than the first.
+struct Rotation {
+  BoundedEdge edge;
+  double area_bound = 0;
+  std::size_t area = 0;     ///< among the answers
+  std::size_t rotated = 0;  ///< among the answers
+};
+
+// Adds the rotations of a triangle, and what they ask.
+void AddRotations(const CornersPlace& corners, const EdgeEvaluator& bounds,
+                  std::vector<Rotation>& rotations, std::vector<EdgeQuestion>& questions) {
+  const std::array<Point2, 3>& v = corners.at;
+  const double area_bound = bounds.ErrorBound(v[0], v[1], v[2]);
+  if (!Claims(area_bound)) return;
+  const std::size_t area = questions.size();
+  questions.push_back({v[0], v[1], v[2]});
+  for (int i = 0; i < 2; ++i) {
+    const Point2 a = EdgeStart(v, i);
+    const Point2 b = EdgeEnd(v, i);
+    const Point2 apex = v[static_cast<std::size_t>(i)];
+    const double bound = bounds.ErrorBound(a, b, apex);
     if (!Claims(bound)) continue;
-    const double area = edges.Value(v[0], v[1], v[2]);
-    for (int i = 0; i < 2; ++i) {
-      const Point2 a = EdgeStart(v, i);
-      const Point2 b = EdgeEnd(v, i);
-      const Point2 apex = v[static_cast<std::size_t>(i)];
-      const double rotated_bound = edges.ErrorBound(a, b, apex);
-      if (!Claims(rotated_bound)) continue;
-      ++exercised;
-      const double rotated = edges.Value(a, b, apex);
-      if (AgreeWithin(rotated, area, -1, rotated_bound, bound)) continue;
-      return EdgeViolation({corners.triangle, i, a, b, {-1, -1, 0, apex}}, exercised,
-                           "twice the area depends on the first vertex", HexText(rotated),
-                           HexText(area) + " within " + HexText(bound + rotated_bound) + "; " +
-                               ExactEdgeText(a, b, apex));
-    }
+    const EdgeQuery query{corners.triangle, i, a, b, {-1, -1, 0, apex}};
+    rotations.push_back({{query, bound}, area_bound, area, questions.size()});
+    questions.push_back({a, b, apex});
+  }
+}
+
+Verdict Judge(const std::vector<Rotation>& rotations, const Answers& answers) {
+  std::uint64_t exercised = 0;
+  for (const Rotation& rotation : rotations) {
+    ++exercised;
+    const auto& [q, bound] = rotation.edge;
+    const double area = answers.edges[rotation.area];
+    const double rotated = answers.edges[rotation.rotated];
+    if (AgreeWithin(rotated, area, -1, bound, rotation.area_bound)) continue;
+    return EdgeViolation(q, exercised, "twice the area depends on the first vertex",
+                         HexText(rotated),
+                         HexText(area) + " within " + HexText(rotation.area_bound + bound) + "; " +
+                             ExactEdgeText(q.a, q.b, q.place.at));
   }
   return Verdict::Held(exercised);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<Rotation> rotations;
+  Questions questions;
+  for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
+    AddRotations(corners, *subject.edges, rotations, questions.edges);
+  }
+  return OneCheck(std::move(questions), [rotations = std::move(rotations)](const Answers& answers) {
+    return Judge(rotations, answers);
+  });
 }
 
 }  // namespace
@@ -52,7 +81,8 @@ constinit const Property kCyclicRotationKeepsTheArea{
     .precondition = kEdgeValues,
     .tolerance = kBothBounds,
     .domains = kMagnitudes,
-    .check = Judge,
+    .gate = kAsksEdgeValues,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

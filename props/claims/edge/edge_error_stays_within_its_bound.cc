@@ -1,7 +1,8 @@
 // Every edge value lies within the subject's own proven bound of E(a, b; p).
 #include <algorithm>
-#include <cstdint>
-#include <optional>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -13,21 +14,24 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
-  std::uint64_t exercised = 0;
-  double worst = 0;
-  for (const auto& [q, value, bound] : ClaimedEdgeValues(*subject.Edges(), c)) {
-    const Point2 p = q.place.at;
-    ++exercised;
-    const Distance distance = CompareWithEdge(value, q.a, q.b, p, bound);
-    if (!distance.within) {
-      return EdgeViolation(q, exercised, "edge value outside its proven bound", HexText(value),
-                           ExactEdgeText(q.a, q.b, p) + " within " + HexText(bound));
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
+  Questions questions = ValuesAt(edges);
+  return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {
+    double worst = 0;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto& [q, bound] = edges[k];
+      const double value = answers.edges[k];
+      const Point2 p = q.place.at;
+      const Distance distance = CompareWithEdge(value, q.a, q.b, p, bound);
+      if (!distance.within) {
+        return EdgeViolation(q, k + 1, "edge value outside its proven bound", HexText(value),
+                             ExactEdgeText(q.a, q.b, p) + " within " + HexText(bound));
+      }
+      worst = std::max(worst, distance.ratio);
     }
-    worst = std::max(worst, distance.ratio);
-  }
-  return Verdict::Held(exercised, worst);
+    return Verdict::Held(edges.size(), worst);
+  });
 }
 
 }  // namespace
@@ -41,7 +45,8 @@ constinit const Property kEdgeErrorStaysWithinItsBound{
     .precondition = kEdgeValues,
     .tolerance = "the subject's proven ErrorBound",
     .domains = kMagnitudes,
-    .check = Judge,
+    .gate = kAsksEdgeValues,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

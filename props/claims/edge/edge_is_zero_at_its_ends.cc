@@ -1,7 +1,8 @@
-// E(a, b; a) and E(a, b; b) are zero up to the bound claimed there: exactly, where the subject claims to be exact.
+// E(a, b; a) and E(a, b; b) are zero up to the bound claimed there: exactly, where that is zero.
 #include <cmath>
-#include <cstdint>
-#include <optional>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -15,27 +16,34 @@ namespace {
 
 constexpr int kTriangles = 64;
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
-  const EdgeEvaluator& edges = *subject.Edges();
-  std::uint64_t exercised = 0;
+std::vector<BoundedEdge> EndsOfEdges(const Case& c, const EdgeEvaluator& bounds) {
+  std::vector<BoundedEdge> ends;
   for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
     for (int i = 0; i < 3; ++i) {
       const Point2 a = EdgeStart(corners.at, i);
       const Point2 b = EdgeEnd(corners.at, i);
       for (const Point2 end : {a, b}) {
-        const double bound = edges.ErrorBound(a, b, end);
-        if (!Claims(bound)) continue;
-        ++exercised;
-        const double value = edges.Value(a, b, end);
-        if (std::fabs(value) <= bound) continue;  // NaN is not
-        return EdgeViolation({corners.triangle, i, a, b, {-1, -1, 0, end}}, exercised,
-                             "not zero at an end of the edge", HexText(value),
-                             "0 within " + HexText(bound));
+        const double bound = bounds.ErrorBound(a, b, end);
+        if (Claims(bound)) ends.push_back({{corners.triangle, i, a, b, {-1, -1, 0, end}}, bound});
       }
     }
   }
-  return Verdict::Held(exercised);
+  return ends;
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<BoundedEdge> ends = EndsOfEdges(c, *subject.edges);
+  Questions questions = ValuesAt(ends);
+  return OneCheck(std::move(questions), [ends = std::move(ends)](const Answers& answers) {
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const auto& [q, bound] = ends[k];
+      const double value = answers.edges[k];
+      if (std::fabs(value) <= bound) continue;  // NaN is not
+      return EdgeViolation(q, k + 1, "not zero at an end of the edge", HexText(value),
+                           "0 within " + HexText(bound));
+    }
+    return Verdict::Held(ends.size());
+  });
 }
 
 }  // namespace
@@ -47,7 +55,8 @@ constinit const Property kEdgeIsZeroAtItsEnds{
     .precondition = kEdgeValues,
     .tolerance = kOwnBound,
     .domains = kMagnitudes,
-    .check = Judge,
+    .gate = kAsksEdgeValues,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

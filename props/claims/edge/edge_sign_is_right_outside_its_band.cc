@@ -1,4 +1,6 @@
-// Where |E| exceeds the bound that the subject claims, its value has the sign of E; where it claims to be exact, always, zero included.
+// Where |E| exceeds the bound that the subject claims, its value has the sign of E.
+//
+// Where it claims to be exact that is everywhere, zero included.
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -50,7 +52,7 @@ constinit const Property kEdgeSignIsRightOutsideItsBand{
     .precondition = kEdgeValues,
     .tolerance = kOwnBound,
     .domains = kNearEdges,
-    .gate = {.shows = Shows::kEdgeValues, .promise = Promise::kNone, .unwrapped = true},
+    .gate = kAsksEdgeValues,
     .ask = Ask,
 };
 

@@ -17,8 +17,8 @@ constexpr std::array<EdgeMap, 4> kTranslations{{
     {.tx = -4096, .ty = -4096},
 }};
 
-Verdict Judge(Subject& subject, const Case& c) {
-  return EdgeValuesFollow(subject, c, kTranslations, "edge value changes under translation");
+Asked Ask(const Case& c, const Description& subject) {
+  return EdgeValuesFollow(c, subject, kTranslations, "edge value changes under translation");
 }
 
 }  // namespace
@@ -33,7 +33,8 @@ constinit const Property kIntegerTranslationKeepsEdgeValues{
         "the subpixel grid and within the limit",
     .tolerance = kBothBounds,
     .domains = kOnTheLattice,
-    .check = Judge,
+    .gate = kAsksEdgeValues,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -15,8 +15,8 @@ constexpr std::array<EdgeMap, 3> kMirrors{{
     {.transpose = true, .factor = -1},
 }};
 
-Verdict Judge(Subject& subject, const Case& c) {
-  return EdgeValuesFollow(subject, c, kMirrors, "edge value is not negated by a mirror");
+Asked Ask(const Case& c, const Description& subject) {
+  return EdgeValuesFollow(c, subject, kMirrors, "edge value is not negated by a mirror");
 }
 
 }  // namespace
@@ -33,7 +33,8 @@ constinit const Property kMirrorNegatesEdgeValues{
         "subpixel grid and within the limit",
     .tolerance = kBothBounds,
     .domains = kOnTheLattice,
-    .check = Judge,
+    .gate = kAsksEdgeValues,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

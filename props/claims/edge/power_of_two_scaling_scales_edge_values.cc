@@ -16,8 +16,8 @@ constexpr std::array<EdgeMap, 3> kScalings{{
     {.sx = 0x1p20, .sy = 0x1p20, .factor = 0x1p40},
 }};
 
-Verdict Judge(Subject& subject, const Case& c) {
-  return EdgeValuesFollow(subject, c, kScalings, "edge value does not scale by 4^k");
+Asked Ask(const Case& c, const Description& subject) {
+  return EdgeValuesFollow(c, subject, kScalings, "edge value does not scale by 4^k");
 }
 
 }  // namespace
@@ -32,7 +32,8 @@ constinit const Property kPowerOfTwoScalingScalesEdgeValues{
         "the subpixel grid and within the limit",
     .tolerance = "the sum of both proven ErrorBounds, scaled",
     .domains = kOnTheLattice,
-    .check = Judge,
+    .gate = kAsksEdgeValues,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,6 +1,7 @@
 // E(b, a; p) is -E(a, b; p), up to the sum of the bounds claimed for both.
-#include <cstdint>
-#include <optional>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -12,23 +13,53 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskEdges(subject, c)) return *refusal;
-  const EdgeEvaluator& edges = *subject.Edges();
-  std::uint64_t exercised = 0;
-  for (const auto& [q, value, bound] : ClaimedEdgeValues(edges, c)) {
-    const Point2 p = q.place.at;
-    const double reversed_bound = edges.ErrorBound(q.b, q.a, p);
-    if (!Claims(reversed_bound)) continue;
-    ++exercised;
-    const double reversed = edges.Value(q.b, q.a, p);
+struct EdgeBothWays {
+  BoundedEdge edge;
+  double reversed_bound = 0;
+};
+
+std::vector<EdgeBothWays> SomeEdgesBothWays(const Case& c, const EdgeEvaluator& bounds) {
+  std::vector<EdgeBothWays> edges;
+  for (const BoundedEdge& edge : SomeBoundedEdges(c, bounds)) {
+    const EdgeQuery& q = edge.query;
+    const double reversed_bound = bounds.ErrorBound(q.b, q.a, q.place.at);
+    if (Claims(reversed_bound)) edges.push_back({edge, reversed_bound});
+  }
+  return edges;
+}
+
+// Forwards, then reversed.
+Questions ValuesOf(const std::vector<EdgeBothWays>& edges) {
+  Questions questions;
+  for (const auto& [edge, reversed_bound] : edges) {
+    const EdgeQuery& q = edge.query;
+    questions.edges.push_back({q.a, q.b, q.place.at});
+    questions.edges.push_back({q.b, q.a, q.place.at});
+  }
+  return questions;
+}
+
+Verdict Judge(const std::vector<EdgeBothWays>& edges, const Answers& answers) {
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const auto& [edge, reversed_bound] = edges[k];
+    const auto& [q, bound] = edge;
+    const double value = answers.edges[2 * k];
+    const double reversed = answers.edges[2 * k + 1];
     if (AgreeWithin(reversed, value, +1, reversed_bound, bound)) continue;
-    return EdgeViolation(q, exercised, "the reversed edge is not the negative",
+    return EdgeViolation(q, k + 1, "the reversed edge is not the negative",
                          HexText(reversed) + " reversed",
                          HexText(-value) + " within " + HexText(bound + reversed_bound) + "; " +
-                             ExactEdgeText(q.a, q.b, p) + " forwards");
+                             ExactEdgeText(q.a, q.b, q.place.at) + " forwards");
   }
-  return Verdict::Held(exercised);
+  return Verdict::Held(edges.size());
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<EdgeBothWays> edges = SomeEdgesBothWays(c, *subject.edges);
+  Questions questions = ValuesOf(edges);
+  return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {
+    return Judge(edges, answers);
+  });
 }
 
 }  // namespace
@@ -41,7 +72,8 @@ constinit const Property kReversedEdgeChangesSign{
     .precondition = kEdgeValues,
     .tolerance = "the sum of both proven ErrorBounds; where both are 0, none: exact",
     .domains = kNearEdges,
-    .check = Judge,
+    .gate = kAsksEdgeValues,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "props/claims/all.h"
@@ -21,19 +23,26 @@ constexpr std::size_t kSingles = 5;
 // triangles alone, the case on a larger target, and the case again: scenes that give away what is
 // left of one in the next.
 std::vector<DrawJob> JobsOf(const Case& c) {
-  const DrawJob job{c.scene, c.options, c.profile.lattice.samples()};
+  const int samples = c.profile.lattice.samples();
+  DrawJob job{c.scene, c.options, samples};
+  job.wants = kCoverageAndIds;
   std::vector<DrawJob> jobs{job, job, job};
-  std::ranges::reverse(jobs[1].scene.vertices);
+  Scene reversed = c.scene;
+  std::ranges::reverse(reversed.vertices);
+  jobs[1].scene = std::make_shared<const Scene>(std::move(reversed));
   const auto last = static_cast<std::int32_t>(c.scene.vertices.size()) - 1;
-  for (Triangle& t : jobs[2].scene.triangles) t = {last - t[0], last - t[1], last - t[2]};
+  jobs[2].triangles = c.scene.triangles;
+  for (Triangle& t : *jobs[2].triangles) t = {last - t[0], last - t[1], last - t[2]};
   for (std::size_t t = 0; t < std::min(c.scene.triangles.size(), kSingles); ++t) {
     jobs.push_back(job);
-    jobs.back().scene.triangles = {c.scene.triangles[t]};
+    jobs.back().triangles = {c.scene.triangles[t]};
   }
   if (c.scene.width < kMaxTargetSide && c.scene.height < kMaxTargetSide) {
+    Scene larger = c.scene;
+    ++larger.width;
+    ++larger.height;
     jobs.push_back(job);
-    ++jobs.back().scene.width;
-    ++jobs.back().scene.height;
+    jobs.back().scene = std::make_shared<const Scene>(std::move(larger));
   }
   jobs.push_back(job);
   return jobs;

@@ -1,6 +1,4 @@
 // A walk across the largest target drifts no further than the bound claimed for it.
-#include <optional>
-
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
@@ -11,9 +9,8 @@ namespace {
 
 constexpr int kSteps = 16384;  // the side of the largest target of the APIs in use
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWalks(subject, c)) return *refusal;
-  return WalksStayWithinTheirBound(*subject.Edges(), LongWalks(c, kSteps));
+Asked Ask(const Case& c, const Description& subject) {
+  return WalksStayWithinTheirBound(LongWalks(c, kSteps), *subject.edges);
 }
 
 }  // namespace
@@ -27,7 +24,8 @@ constinit const Property kLongWalkStaysWithinItsBound{
     .precondition = kEdgeValues,
     .tolerance = kWalkBounds,
     .domains = kLongWalks,
-    .check = Judge,
+    .gate = kAsksSteps,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

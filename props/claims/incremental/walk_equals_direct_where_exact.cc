@@ -1,7 +1,6 @@
-// Where the subject claims both its walk and its direct evaluation to be exact, they give the same number at every step.
+// Where both a walk and direct evaluation are claimed to be exact they give the same number.
 #include <cstddef>
-#include <cstdint>
-#include <optional>
+#include <iterator>
 #include <vector>
 
 #include "props/claims/all.h"
@@ -13,29 +12,44 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWalks(subject, c)) return *refusal;
-  const EdgeEvaluator& edges = *subject.Edges();
-  std::uint64_t exercised = 0;
-  for (const WalkQuery& walk : SomeWalks(c)) {
-    const EdgeQuery& q = walk.from;
-    const std::vector<double> values = edges.Walk(q.a, q.b, q.place.at, walk.step, walk.steps);
-    const std::vector<double> bounds =
-        edges.WalkErrorBounds(q.a, q.b, q.place.at, walk.step, walk.steps);
-    if (auto wrong = WrongLength(walk, values.size(), bounds.size(), exercised)) return *wrong;
-    for (int n = 0; n <= walk.steps; ++n) {
-      const auto k = static_cast<std::size_t>(n);
-      const Point2 p = AfterSteps(walk, n);
-      if (bounds[k] != 0 || edges.ErrorBound(q.a, q.b, p) != 0) continue;
-      ++exercised;
-      const double direct = edges.Value(q.a, q.b, p);
-      if (values[k] == direct) continue;
-      return EdgeViolation(
-          q, exercised, "walk differs from direct evaluation " + StepsText(walk, n),
-          HexText(values[k]), HexText(direct) + " evaluated afresh; " + ExactEdgeText(q.a, q.b, p));
-    }
+// The answers: the walk, and direct values at its steps where both are claimed to be exact.
+Verdict Judge(const WalkQuery& walk, const std::vector<int>& exact_steps, const Answers& answers) {
+  const EdgeQuery& q = walk.from;
+  for (std::size_t k = 0; k < exact_steps.size(); ++k) {
+    const int n = exact_steps[k];
+    const double walked = answers.steps[0][static_cast<std::size_t>(n)];
+    const double direct = answers.edges[k];
+    if (walked == direct) continue;
+    return EdgeViolation(
+        q, k + 1, "walk differs from direct evaluation " + StepsText(walk, n), HexText(walked),
+        HexText(direct) + " evaluated afresh; " + ExactEdgeText(q.a, q.b, AfterSteps(walk, n)));
   }
-  return Verdict::Held(exercised);
+  return Verdict::Held(exact_steps.size());
+}
+
+Check CheckOf(const WalkQuery& walk, const EdgeEvaluator& edges) {
+  const EdgeQuery& q = walk.from;
+  const std::vector<double> bounds = BoundsOf(walk, edges);
+  std::vector<int> exact_steps;
+  Check check;
+  check.questions.steps.push_back(StepsOf(walk));
+  for (int n = 0; n <= walk.steps && n < std::ssize(bounds); ++n) {
+    const Point2 p = AfterSteps(walk, n);
+    if (bounds[static_cast<std::size_t>(n)] != 0 || edges.ErrorBound(q.a, q.b, p) != 0) continue;
+    exact_steps.push_back(n);
+    check.questions.edges.push_back({q.a, q.b, p});
+  }
+  check.judge = [walk, exact_steps, bounds = bounds.size()](const Answers& answers) {
+    if (auto wrong = WrongLength(walk, answers.steps[0].size(), bounds)) return *wrong;
+    return Judge(walk, exact_steps, answers);
+  };
+  return check;
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  Asked asked;
+  for (const WalkQuery& walk : SomeWalks(c)) asked.checks.push_back(CheckOf(walk, *subject.edges));
+  return asked;
 }
 
 }  // namespace
@@ -51,7 +65,8 @@ constinit const Property kWalkEqualsDirectWhereExact{
         "within the limits; both claimed bounds are 0",
     .tolerance = kExact,
     .domains = kOnTheLattice,
-    .check = Judge,
+    .gate = kAsksSteps,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

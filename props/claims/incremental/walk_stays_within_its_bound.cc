@@ -1,6 +1,6 @@
-// Each of the eight walks (along x or y, either way, by one pixel or by L) meets values within the bound that the subject claims for that many steps.
-#include <optional>
-
+// Each of the eight walks meets values within the bound that the subject claims for its steps.
+//
+// They go along x or y, either way, by one pixel or by L.
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
@@ -9,9 +9,8 @@
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (std::optional<Verdict> refusal = CannotAskWalks(subject, c)) return *refusal;
-  return WalksStayWithinTheirBound(*subject.Edges(), SomeWalks(c));
+Asked Ask(const Case& c, const Description& subject) {
+  return WalksStayWithinTheirBound(SomeWalks(c), *subject.edges);
 }
 
 }  // namespace
@@ -25,7 +24,8 @@ constinit const Property kWalkStaysWithinItsBound{
     .precondition = kEdgeValues,
     .tolerance = kWalkBounds,
     .domains = kMagnitudes,
-    .check = Judge,
+    .gate = kAsksSteps,
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,4 +1,6 @@
-// Dividing by |d lambda/dx| + |d lambda/dy| measures pixels in the L1 norm of the gradient: between 1/sqrt(2) of the distance (diagonal edges) and the distance (edges along an axis).
+// Dividing by |d lambda/dx| + |d lambda/dy| measures pixels in the L1 norm of the gradient.
+//
+// That is between 1/sqrt(2) of the distance (diagonal edges) and the distance (along an axis).
 #include <optional>
 
 #include "exact/edge.h"
@@ -25,9 +27,9 @@ std::optional<WireframeScale> InTheL1Norm(const WeightQuery& q, int edge) {
   return WireframeScale{distance * distance, (area / reach).ToDouble()};
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  return DistancesMean(subject, c, WireframeForm::kDerivative, InTheL1Norm,
-                       "derivative-weighted distance is not that of the L1 norm");
+Asked Ask(const Case& c, const Description& subject) {
+  return AskDistances(c, subject, WireframeForm::kDerivative, InTheL1Norm,
+                      "derivative-weighted distance is not that of the L1 norm");
 }
 
 }  // namespace
@@ -41,7 +43,8 @@ constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
     .precondition = kInTheTriangle,
     .tolerance = kWireframeBound,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

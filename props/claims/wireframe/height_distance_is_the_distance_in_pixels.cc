@@ -1,4 +1,4 @@
-// lambda_i times the height over edge i is the distance to that edge in pixels; pairing a weight with another vertex's height is not.
+// lambda_i times the height over edge i is the distance to that edge in pixels.
 #include <cstddef>
 #include <optional>
 
@@ -20,9 +20,9 @@ std::optional<WireframeScale> InPixels(const WeightQuery& q, int edge) {
   return WireframeScale{*distance, RoundedRoot(*height)};
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  return DistancesMean(subject, c, WireframeForm::kHeight, InPixels,
-                       "height-compensated distance is not the distance in pixels");
+Asked Ask(const Case& c, const Description& subject) {
+  return AskDistances(c, subject, WireframeForm::kHeight, InPixels,
+                      "height-compensated distance is not the distance in pixels");
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ constinit const Property kHeightDistanceIsTheDistanceInPixels{
     .precondition = kInTheTriangle,
     .tolerance = kWireframeBound,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

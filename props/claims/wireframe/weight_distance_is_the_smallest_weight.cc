@@ -1,4 +1,6 @@
-// The weight-space distance to an edge is lambda_i: a width W draws a line that is W times the triangle's height wide, not W pixels.
+// The weight-space distance to an edge is lambda_i.
+//
+// So a width W draws a line that is W times the triangle's height wide, not W pixels.
 #include <cstddef>
 #include <optional>
 
@@ -15,9 +17,9 @@ std::optional<WireframeScale> InWeightSpace(const WeightQuery& q, int edge) {
   return WireframeScale{lambda * lambda, 1};
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  return DistancesMean(subject, c, WireframeForm::kWeight, InWeightSpace,
-                       "weight-space distance is not the weight");
+Asked Ask(const Case& c, const Description& subject) {
+  return AskDistances(c, subject, WireframeForm::kWeight, InWeightSpace,
+                      "weight-space distance is not the weight");
 }
 
 }  // namespace
@@ -29,7 +31,8 @@ constinit const Property kWeightDistanceIsTheSmallestWeight{
     .precondition = kInTheTriangle,
     .tolerance = kWireframeBound,
     .domains = kWeights,
-    .check = Judge,
+    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

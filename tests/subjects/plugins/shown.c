@@ -56,7 +56,7 @@ static int covers(const triangle* t, int64_t x, int64_t y, int64_t e[3]) {
 static void show_fragment(const triangle* t, const int64_t e[3], const rasterproof_target* target,
                           size_t at) {
   const double area = (double)edge(t->v[0], t->v[1], t->v[2][0], t->v[2][1]);
-  double* const w = target->weights + 3 * at;
+  double w[3];
   for (int k = 0; k < 3; ++k) w[k] = (double)e[k] / area;
   double depth = w[0] * t->z[0] + w[1] * t->z[1] + w[2] * t->z[2];
 #if defined(FAULT_WEIGHTS_PERMUTED)
@@ -70,7 +70,13 @@ static void show_fragment(const triangle* t, const int64_t e[3], const rasterpro
 #elif defined(FAULT_HULL)
   depth = t->z[0] + t->z[1] + t->z[2];
 #endif
-  target->depths[at] = depth;
+#if defined(NEEDS_ALL)
+  const uint32_t wants = RASTERPROOF_WANTS_WEIGHTS | RASTERPROOF_WANTS_DEPTHS;
+#else
+  const uint32_t wants = target->wants;
+#endif
+  if ((wants & RASTERPROOF_WANTS_WEIGHTS) != 0) memcpy(target->weights + 3 * at, w, sizeof w);
+  if ((wants & RASTERPROOF_WANTS_DEPTHS) != 0) target->depths[at] = depth;
 }
 
 static void show(const triangle* t, int32_t index, const int64_t e[3],
@@ -209,7 +215,11 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
       .profile = "gl",
       .input = RASTERPROOF_FLOAT32,
       .coverage = KIND,
+#if defined(NEEDS_ALL)
       .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING,
+#else
+      .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING | RASTERPROOF_TAKES_WANTS,
+#endif
       .draw = DRAW,
 #if defined(NO_BATCHES)
       .draw_many = NULL,

@@ -1,0 +1,231 @@
+// What is answered: written on the far side, read on this one.
+#include <array>
+#include <utility>
+
+#include "core/error.h"
+#include "core/subject_errors.h"
+#include "subjects/process/protocol.h"
+#include "subjects/process/text.h"
+
+namespace rasterproof::subjects {
+namespace {
+
+// Of the lines of a right answer: room for blanks and for programs that pad.
+constexpr std::size_t kRoomOfANumber = 64;
+constexpr std::size_t kMostOfAHead = std::size_t{1} << 16;  // a reason may be a long text
+constexpr std::size_t kNumbersOfAFragment = 5;              // the winner, its weights, its depth
+constexpr std::size_t kMostQuoted = 60;
+
+constexpr std::size_t MostOfARow(std::size_t numbers) { return (numbers + 1) * kRoomOfANumber; }
+
+// What the answer to a job holds: of what the subject shows, what is wanted.
+Outputs Answered(CoverageKind kind, Outputs wants) {
+  if (kind == CoverageKind::kFragments) {
+    wants.ids = wants.ids || wants.barycentrics || wants.depths;
+    return wants;
+  }
+  const bool has_ids = kind == CoverageKind::kWinners && wants != kCoverageAlone;
+  return has_ids ? kCoverageAndIds : kCoverageAlone;
+}
+
+std::string_view AnswerWord(Outputs answered) {
+  if (!answered.ids) return "counts";
+  return answered.barycentrics || answered.depths ? "fragments" : "ids";
+}
+
+// What follows `WORD ID` on the line if it begins so.
+std::optional<std::string_view> AfterHead(std::string_view line, std::string_view word,
+                                          std::uint64_t id) {
+  const std::string head = std::string(word) + " " + std::to_string(id);
+  if (!line.starts_with(head)) return std::nullopt;
+  line.remove_prefix(head.size());
+  if (line.empty()) return line;
+  if (line.front() != ' ' && line.front() != '\r') return std::nullopt;
+  return line.substr(1);
+}
+
+// Returns what follows the head of an answer's first line.
+std::string_view RequireHead(std::string_view line, std::string_view word, std::uint64_t id,
+                             const std::string& subject) {
+  if (const auto rest = AfterHead(line, word, id)) return *rest;
+  if (const auto reason = AfterHead(line, "fault", id)) throw SubjectFault(std::string(*reason));
+  if (const auto reason = AfterHead(line, "refused", id)) {
+    throw SubjectRefusal("subject " + subject, "it refused the scene: " + std::string(*reason),
+                         "give it another one");
+  }
+  throw SubjectFault("it answered \"" + std::string(line.substr(0, kMostQuoted)) + "\", not \"" +
+                     std::string(word) + " " + std::to_string(id) +
+                     "\" (was a line left over from an earlier answer?)");
+}
+
+// The numbers of one line of an answer, and where it goes wrong.
+class RowReader {
+ public:
+  explicit RowReader(std::string_view line) : line_(line), words_(line) {}
+
+  template <class T>
+  T Next(std::size_t read, std::size_t wanted) {
+    T value{};
+    if (words_.Number(value)) return value;
+    throw SubjectFault("a row of its answer has " + std::to_string(read) + " samples, not " +
+                       std::to_string(wanted) + Quoted());
+  }
+  void RequireEnd(std::size_t wanted) {
+    if (words_.AtEnd()) return;
+    throw SubjectFault("a row of its answer has more than " + std::to_string(wanted) + " samples" +
+                       Quoted());
+  }
+
+ private:
+  std::string Quoted() const { return ": \"" + std::string(line_.substr(0, kMostQuoted)) + "\""; }
+
+  std::string_view line_;
+  WordReader words_;
+};
+
+// Reads HEIGHT rows; take(row, index, column, columns) reads one sample, of at most so many
+// numbers, from the row.
+template <class Take>
+void ReadRows(const CoverageCounts& shape, std::size_t numbers, const NextLine& next_line,
+              const Take& take) {
+  const auto columns = shape.size() / static_cast<std::size_t>(shape.height);
+  for (std::size_t at = 0; at < shape.size(); at += columns) {
+    RowReader row(next_line(MostOfARow(columns * numbers)));
+    for (std::size_t k = 0; k < columns; ++k) take(row, at + k, k, columns);
+    row.RequireEnd(columns);
+  }
+}
+
+void ReadCounts(const CoverageCounts& shape, std::vector<std::uint32_t>& side,
+                const NextLine& next_line) {
+  ReadRows(shape, 1, next_line,
+           [&](RowReader& row, std::size_t index, std::size_t column, std::size_t columns) {
+             side[index] = row.Next<std::uint32_t>(column, columns);
+           });
+}
+
+void RequireWinner(std::int32_t winner, std::size_t triangles) {
+  if (winner >= kNoTriangle && winner < static_cast<std::int64_t>(triangles)) return;
+  throw SubjectFault("it says that triangle " + std::to_string(winner) +
+                     " won a sample, of a scene of " + std::to_string(triangles));
+}
+
+// `answered` is what the answer holds, `wants` what of it is kept.
+void ReadWinners(Drawing& drawing, std::size_t triangles, Outputs answered, Outputs wants,
+                 const NextLine& next_line) {
+  const std::size_t size = drawing.counts.size();
+  drawing.winners.resize(size);
+  if (answered.barycentrics && wants.barycentrics) drawing.weights.resize(size);
+  if (answered.depths && wants.depths) drawing.depths.resize(size);
+  const auto read = [&](RowReader& row, std::size_t index, std::size_t column,
+                        std::size_t columns) {
+    const auto winner = row.Next<std::int32_t>(column, columns);
+    RequireWinner(winner, triangles);
+    drawing.winners[index] = winner;
+    if (winner == kNoTriangle) return;
+    drawing.counts.front[index] = 1;
+    if (answered.barycentrics) {
+      std::array<double, 3> weights{};
+      for (double& weight : weights) weight = row.Next<double>(column, columns);
+      if (!drawing.weights.empty()) drawing.weights[index] = weights;
+    }
+    if (answered.depths) {
+      const auto depth = row.Next<double>(column, columns);
+      if (!drawing.depths.empty()) drawing.depths[index] = depth;
+    }
+  };
+  const bool is_fragment = answered.barycentrics || answered.depths;
+  ReadRows(drawing.counts, is_fragment ? kNumbersOfAFragment : 1, next_line, read);
+}
+
+// HEIGHT rows; add(index) writes one sample.
+template <class Add>
+void AddRows(TextWriter& text, const CoverageCounts& shape, const Add& add) {
+  const auto columns = shape.size() / static_cast<std::size_t>(shape.height);
+  for (std::size_t at = 0; at < shape.size(); at += columns) {
+    for (std::size_t k = 0; k < columns; ++k) {
+      if (k != 0) text.Add(' ');
+      add(at + k);
+    }
+    text.Add('\n');
+  }
+}
+
+void AddWinners(TextWriter& text, const Drawing& drawing, Outputs answered) {
+  AddRows(text, drawing.counts, [&](std::size_t k) {
+    text.AddNumber(drawing.winners[k]);
+    if (drawing.winners[k] == kNoTriangle) return;
+    if (answered.barycentrics) {
+      for (const double weight : drawing.weights[k]) {
+        text.Add(' ');
+        text.AddNumber(weight);
+      }
+    }
+    if (answered.depths) {
+      text.Add(' ');
+      text.AddNumber(drawing.depths[k]);
+    }
+  });
+}
+
+}  // namespace
+
+std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind, Outputs wants) {
+  const Outputs answered = Answered(kind, wants);
+  TextWriter text;
+  text.Add(AnswerWord(answered));
+  text.Add(' ');
+  text.AddNumber(id);
+  text.Add('\n');
+  const CoverageCounts& counts = drawing.counts;
+  if (answered.ids) {
+    AddWinners(text, drawing, answered);
+    return text.Take();
+  }
+  AddRows(text, counts, [&](std::size_t k) { text.AddNumber(counts.front[k]); });
+  if (kind == CoverageKind::kFacingCounts) {
+    AddRows(text, counts, [&](std::size_t k) { text.AddNumber(counts.back[k]); });
+  }
+  return text.Take();
+}
+
+Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
+                   const NextLine& next_line) {
+  const Outputs answered = Answered(info.coverage, info.protocol >= 2 ? job.wants : kEverything);
+  RequireHead(next_line(kMostOfAHead), AnswerWord(answered), id, info.name);
+  Drawing drawing;
+  drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
+  if (answered.ids) {
+    ReadWinners(drawing, job.Triangles().size(), answered, job.wants, next_line);
+    return drawing;
+  }
+  ReadCounts(drawing.counts, drawing.counts.front, next_line);
+  if (info.coverage == CoverageKind::kFacingCounts) {
+    ReadCounts(drawing.counts, drawing.counts.back, next_line);
+  }
+  return drawing;
+}
+
+std::string ValuesText(std::uint64_t id, std::span<const double> values) {
+  TextWriter text;
+  text.Add("values ");
+  text.AddNumber(id);
+  for (const double value : values) {
+    text.Add(' ');
+    text.AddNumber(value);
+  }
+  text.Add('\n');
+  return text.Take();
+}
+
+std::vector<double> ReadValues(const EdgeRequest& request, const std::string& subject,
+                               const NextLine& next_line) {
+  const std::size_t most = kMostOfAHead + MostOfARow(request.Values());
+  RowReader row(RequireHead(next_line(most), "values", request.id, subject));
+  std::vector<double> values(request.Values());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = row.Next<double>(k, values.size());
+  row.RequireEnd(values.size());
+  return values;
+}
+
+}  // namespace rasterproof::subjects

@@ -1,0 +1,370 @@
+// What is asked: written on this side, read on the other.
+#include <array>
+#include <cstring>
+#include <istream>
+#include <streambuf>
+#include <utility>
+
+#include "core/error.h"
+#include "core/subject_errors.h"
+#include "core/target_size.h"
+#include "subjects/process/protocol.h"
+#include "subjects/process/text.h"
+
+namespace rasterproof::subjects {
+namespace {
+
+constexpr std::size_t kMostListed = std::size_t{1} << 26;
+constexpr int kMostSteps = 1 << 20;
+constexpr std::size_t kMostInABatch = std::size_t{1} << 16;
+constexpr std::string_view kSame = "same";
+
+static_assert(sizeof(Vertex) == 4 * sizeof(double), "its bytes are its numbers'");
+
+// Bit for bit: -0 is not 0, and a NaN is the same NaN.
+bool HaveTheSameVertices(const Scene& a, const Scene& b) {
+  if (&a == &b) return true;
+  const std::size_t bytes = a.vertices.size() * sizeof(Vertex);
+  return a.vertices.size() == b.vertices.size() &&
+         (bytes == 0 || std::memcmp(a.vertices.data(), b.vertices.data(), bytes) == 0);
+}
+
+// What a job wants of what the subject shows, as the line says it; nothing if it wants it all.
+std::string_view WantsText(Outputs wants, CoverageKind kind) {
+  const bool shows_fragments = kind == CoverageKind::kFragments;
+  if (kind != CoverageKind::kWinners && !shows_fragments) return "";
+  if (wants.barycentrics && wants.depths) return "";
+  if (shows_fragments && wants.barycentrics) return " wants=ids,barycentrics";
+  if (shows_fragments && wants.depths) return " wants=ids,depths";
+  if (!wants.ids) return " wants=coverage";
+  return shows_fragments ? " wants=ids" : "";
+}
+
+void AddOptions(TextWriter& text, const DrawOptions& options, const SubjectInfo& info) {
+  if (options.cull != Cull::kNone) {
+    text.Add(options.cull == Cull::kFront ? " cull=front" : " cull=back");
+  }
+  if (options.scissor) {
+    const PixelRect& r = *options.scissor;
+    char before = '=';
+    text.Add(" scissor");
+    for (const int side : {r.x0, r.y0, r.x1, r.y1}) {
+      text.Add(std::exchange(before, ','));
+      text.AddNumber(side);
+    }
+  }
+  if (options.tile != 0 && info.takes_tiles) {
+    text.Add(" tile=");
+    text.AddNumber(options.tile);
+  }
+  if (options.threads > 1 && info.takes_threads) {
+    text.Add(" threads=");
+    text.AddNumber(options.threads);
+  }
+}
+
+// Each number behind the one before it, and an end of the line behind the last.
+template <class Numbers>
+void AddLine(TextWriter& text, const Numbers& numbers) {
+  bool is_first = true;
+  for (const auto x : numbers) {
+    if (!std::exchange(is_first, false)) text.Add(' ');
+    text.AddNumber(x);
+  }
+  text.Add('\n');
+}
+
+void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
+                bool has_same_vertices) {
+  const Scene& scene = *job.scene;
+  text.Add("draw ");
+  text.AddNumber(id);
+  for (const int n : {scene.width, scene.height, job.samples}) {
+    text.Add(' ');
+    text.AddNumber(n);
+  }
+  text.Add(scene.clip_space ? " clip " : " window ");
+  if (has_same_vertices) {
+    text.Add(kSame);
+  } else {
+    text.AddNumber(scene.vertices.size());
+  }
+  text.Add(' ');
+  text.AddNumber(job.Triangles().size());
+  AddOptions(text, job.options, info);
+  if (info.protocol >= 2) text.Add(WantsText(job.wants, info.coverage));
+  text.Add('\n');
+  if (!has_same_vertices) {
+    for (const Vertex& v : scene.vertices) AddLine(text, std::array{v.x, v.y, v.z, v.w});
+  }
+  for (const Triangle& t : job.Triangles()) AddLine(text, t);
+}
+
+[[noreturn]] void Malformed(const std::string& where, const std::string& expected) {
+  throw InputError("standard input: " + where, "not what a request looks like", "give " + expected);
+}
+
+// The next word as a number.
+template <class T>
+T Number(WordReader& words, const std::string& where) {
+  T value{};
+  if (!words.Number(value)) Malformed(where, "a number, not " + std::string(words.Word()));
+  return value;
+}
+
+template <class T>
+T Number(std::string_view word, const std::string& where) {
+  WordReader words(word);
+  T value = Number<T>(words, where);
+  if (!words.AtEnd()) Malformed(where, "a number, not " + std::string(word));
+  return value;
+}
+
+// A line of exactly so many numbers. The place is named only where it is wrong: there are many.
+template <class T, std::size_t n>
+std::array<T, n> NumbersOf(const std::string& line, const char* what, std::size_t index,
+                           std::uint64_t id) {
+  WordReader words(line);
+  std::array<T, n> numbers{};
+  bool fits = true;
+  for (T& number : numbers) fits = fits && words.Number(number);
+  if (fits && words.AtEnd()) return numbers;
+  const std::string where =
+      "request " + std::to_string(id) + ", " + what + " " + std::to_string(index);
+  const std::string word(words.Word());
+  if (fits || word.empty()) Malformed(where, std::to_string(n) + " numbers");
+  Malformed(where, "a number, not " + word);
+}
+
+PixelRect ParseRect(std::string_view text, const std::string& where) {
+  std::array<int, 4> sides{};
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (k + 1 == sides.size())) {
+      Malformed(where, "scissor=X0,Y0,X1,Y1");
+    }
+    sides[k] = Number<int>(text.substr(0, comma), where);
+    text.remove_prefix(std::min(comma, text.size() - 1) + 1);
+  }
+  return {sides[0], sides[1], sides[2], sides[3]};
+}
+
+Outputs ParseWants(std::string_view text, const std::string& where) {
+  Outputs wants = kCoverageAlone;
+  if (text == "coverage") return wants;
+  while (!text.empty()) {
+    const std::string_view name = text.substr(0, text.find(','));
+    if (name != "ids" && name != "barycentrics" && name != "depths") {
+      Malformed(where, "wants=coverage, or any of ids,barycentrics,depths");
+    }
+    wants.ids = true;
+    wants.barycentrics = wants.barycentrics || name == "barycentrics";
+    wants.depths = wants.depths || name == "depths";
+    text.remove_prefix(std::min(name.size() + 1, text.size()));
+  }
+  return wants;
+}
+
+void ParseOption(std::string_view word, const std::string& where, DrawJob& job) {
+  const std::size_t equals = word.find('=');
+  const std::string_view key = word.substr(0, equals);
+  const std::string_view value =
+      equals == std::string_view::npos ? std::string_view() : word.substr(equals + 1);
+  DrawOptions& options = job.options;
+  if (key == "cull" && (value == "front" || value == "back")) {
+    options.cull = value == "front" ? Cull::kFront : Cull::kBack;
+  } else if (key == "scissor") {
+    options.scissor = ParseRect(value, where);
+  } else if (key == "tile") {
+    options.tile = Number<int>(value, where);
+  } else if (key == "threads") {
+    options.threads = Number<int>(value, where);
+  } else if (key == "wants" && !value.empty()) {
+    job.wants = ParseWants(value, where);
+  } else {
+    Malformed(where, "cull=, scissor=, tile=, threads= or wants=, not " + std::string(word));
+  }
+}
+
+}  // namespace
+
+std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
+                         const SubjectInfo& info) {
+  TextWriter text;
+  const Scene* before = nullptr;
+  for (const DrawJob& job : jobs) {
+    const bool has_same_vertices =
+        info.protocol >= 2 && before != nullptr && HaveTheSameVertices(*before, *job.scene);
+    AddRequest(text, first_id++, job, info, has_same_vertices);
+    before = job.scene.get();
+  }
+  return text.Take();
+}
+
+std::string BatchText(std::size_t n) { return "batch " + std::to_string(n) + "\n"; }
+
+std::string RequestsText(std::span<const EdgeRequest> requests) {
+  TextWriter text;
+  for (const EdgeRequest& request : requests) {
+    text.Add(request.step ? "walk " : "edge ");
+    text.AddNumber(request.id);
+    for (const Point2& at : {request.a, request.b, request.p}) {
+      for (const double x : {at.x, at.y}) {
+        text.Add(' ');
+        text.AddNumber(x);
+      }
+    }
+    if (const std::optional<Step>& step = request.step) {
+      text.Add(step->along_y ? " y " : " x ");
+      text.Add(step->sign < 0 ? "-1 " : "+1 ");
+      AddLine(text, std::array{step->length, request.steps});
+    } else {
+      text.Add('\n');
+    }
+  }
+  return text.Take();
+}
+
+// Whether there is a line that has any words; it is then line_.
+bool RequestReader::Peek() {
+  while (!has_line_) {
+    if (!std::getline(in_, line_)) return false;
+    has_line_ = !WordReader(line_).AtEnd();
+  }
+  return true;
+}
+
+// As Peek(), and the line is read.
+bool RequestReader::NextLine() {
+  const bool has_line = Peek();
+  has_line_ = false;
+  return has_line;
+}
+
+std::vector<DrawRequest> RequestReader::NextCall() {
+  std::vector<DrawRequest> requests;
+  if (!Peek()) return requests;
+  std::size_t n = 1;
+  WordReader words(line_);
+  if (words.Word() == "batch") {
+    const std::string where = "batch line";
+    n = Number<std::size_t>(words, where);
+    if (!words.AtEnd()) Malformed(where, "batch N");
+    if (n < 1 || n > kMostInABatch) Malformed(where, "1 to 2^16 requests");
+    has_line_ = false;
+  }
+  while (requests.size() < n) requests.push_back(NextRequest());
+  return requests;
+}
+
+DrawRequest RequestReader::NextRequest() {
+  const std::string where = "draw line";
+  const auto wrong = [&] {
+    Malformed(where, "draw ID WIDTH HEIGHT SAMPLES window|clip VERTICES TRIANGLES");
+  };
+  if (!NextLine()) wrong();
+  WordReader words(line_);
+  if (words.Word() != "draw") wrong();
+  DrawRequest request;
+  Scene target;
+  request.id = Number<std::uint64_t>(words, where);
+  target.width = Number<int>(words, where);
+  target.height = Number<int>(words, where);
+  request.job.samples = Number<int>(words, where);
+  const std::string_view space = words.Word();
+  if (space != "window" && space != "clip") wrong();
+  target.clip_space = space == "clip";
+  target.precision = Precision::kFloat64;  // what it holds; a program narrows what it must
+  const std::string_view vertices = words.Word();
+  const auto own_vertices =
+      vertices == kSame ? std::nullopt : std::optional(Number<std::size_t>(vertices, where));
+  const auto triangles = Number<std::size_t>(words, where);
+  if (own_vertices.value_or(0) > kMostListed || triangles > kMostListed) {
+    Malformed(where, "at most 2^26 vertices and triangles");
+  }
+  while (!words.AtEnd()) ParseOption(words.Word(), where, request.job);
+  RequireTargetSize("standard input: " + where, target.width, target.height, request.job.samples);
+  last_ = SceneFor(std::move(target), own_vertices, request.id);
+  request.job.scene = last_;
+  request.job.triangles = NextTriangles(triangles, last_->vertices.size(), request.id);
+  return request;
+}
+
+// The target with the vertices whose lines follow, or those of the request before.
+std::shared_ptr<const Scene> RequestReader::SceneFor(Scene target,
+                                                     std::optional<std::size_t> vertices,
+                                                     std::uint64_t id) {
+  if (!vertices) {
+    if (last_ == nullptr) {
+      Malformed("request " + std::to_string(id),
+                "vertices: there is no request before it to have the same");
+    }
+    if (target.width == last_->width && target.height == last_->height &&
+        target.clip_space == last_->clip_space) {
+      return last_;
+    }
+    target.vertices = last_->vertices;
+    return std::make_shared<const Scene>(std::move(target));
+  }
+  for (std::size_t n = 0; n < *vertices; ++n) {
+    if (!std::getline(in_, line_)) line_.clear();
+    const auto [x, y, z, w] = NumbersOf<double, 4>(line_, "vertex", n, id);
+    target.vertices.push_back({x, y, z, w});
+  }
+  return std::make_shared<const Scene>(std::move(target));
+}
+
+std::vector<Triangle> RequestReader::NextTriangles(std::size_t count, std::size_t vertices,
+                                                   std::uint64_t id) {
+  std::vector<Triangle> triangles;
+  for (std::size_t n = 0; n < count; ++n) {
+    if (!std::getline(in_, line_)) line_.clear();
+    triangles.push_back(NumbersOf<std::int32_t, 3>(line_, "triangle", n, id));
+    for (const std::int32_t index : triangles.back()) {
+      if (index >= 0 && static_cast<std::size_t>(index) < vertices) continue;
+      Malformed("request " + std::to_string(id) + ", triangle " + std::to_string(n),
+                "indices of its " + std::to_string(vertices) + " vertices");
+    }
+  }
+  return triangles;
+}
+
+bool RequestReader::HasMore() {
+  std::streambuf& at_hand = *in_.rdbuf();
+  while (!has_line_ && at_hand.in_avail() > 0 && at_hand.sgetc() == '\n') at_hand.sbumpc();
+  return has_line_ || at_hand.in_avail() > 0;
+}
+
+std::optional<EdgeRequest> RequestReader::NextEdgeRequest() {
+  if (!Peek()) return std::nullopt;
+  WordReader words(line_);
+  const std::string_view word = words.Word();
+  const bool walks = word == "walk";
+  if (!walks && word != "edge") return std::nullopt;
+  has_line_ = false;
+  const std::string where = "edge or walk line";
+  EdgeRequest request;
+  request.id = Number<std::uint64_t>(words, where);
+  for (Point2* const at : {&request.a, &request.b, &request.p}) {
+    at->x = Number<double>(words, where);
+    at->y = Number<double>(words, where);
+  }
+  if (walks) {
+    const std::string_view axis = words.Word();
+    const std::string_view sign = words.Word();
+    if ((axis != "x" && axis != "y") || (sign != "+1" && sign != "-1")) {
+      Malformed(where, "a walk along x or y, by +1 or -1");
+    }
+    request.step = Step{axis == "y", sign == "-1" ? -1 : +1, Number<int>(words, where)};
+    request.steps = Number<int>(words, where);
+    if (request.steps < 0 || request.steps > kMostSteps || request.step->length < 1) {
+      Malformed(where, "a length of 1 or more, and 0 to 2^20 steps");
+    }
+  }
+  if (!words.AtEnd()) {
+    Malformed(where, "edge ID AX AY BX BY PX PY, or walk with x|y +1|-1 LENGTH STEPS behind");
+  }
+  return request;
+}
+
+}  // namespace rasterproof::subjects

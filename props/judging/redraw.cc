@@ -40,6 +40,13 @@ DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOpti
   return {{scene, options, profile.lattice.samples()}, Parts::kFacings};
 }
 
+DrawQuestion CountsOfOne(const std::shared_ptr<const Scene>& scene, std::size_t t,
+                         const Profile& profile, const DrawOptions& options) {
+  DrawQuestion question{{scene, options, profile.lattice.samples()}, Parts::kFacings};
+  question.job.triangles = {{scene->triangles[t]}};
+  return question;
+}
+
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
   return {{scene, options, profile.lattice.samples()}, Parts::kWhole};
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profil
 
 /// Asks for the counts of a scene, from zero, by facing.
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
+/// The same of triangle t alone, of a scene that several draws share.
+DrawQuestion CountsOfOne(const std::shared_ptr<const Scene>& scene, std::size_t t,
+                         const Profile& profile, const DrawOptions& options);
 /// Asks for all that one call shows of a scene.
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -158,9 +159,10 @@ Asked BlameTriangles(const Case& c, const Verdict& verdict, const DrawOptions& o
     return OneCheck({}, [&c, witness](const Answers&) { return BlameNearest(c, witness); });
   }
   Asked asked;
+  const auto scene = std::make_shared<const Scene>(c.scene);
   for (std::size_t t = 0; t < TrianglesToBlame(c); ++t) {
     Check check;
-    check.questions.draws.push_back(CountsOf(OnlyTriangles(c, {t}).scene, c.profile, options));
+    check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, options));
     check.judge = [&c, t, options, witness](const Answers& answers) {
       return BlameOne(c, t, options, witness, answers.draws[0]->counts);
     };

@@ -6,9 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "core/coverage.h"
 #include "core/profile.h"
+#include "core/scene.h"
 #include "exact/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -47,9 +49,9 @@ Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed) {
   return Verdict::Held(exercised);
 }
 
-Check OfOneTriangle(const Case& c, std::size_t t) {
+Check OfOneTriangle(const Case& c, const std::shared_ptr<const Scene>& scene, std::size_t t) {
   Check check;
-  check.questions.draws.push_back(CountsOf(OnlyTriangles(c, {t}).scene, c.profile, WholeTarget(c)));
+  check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
   check.judge = [&c, t](const Answers& answers) {
     Verdict verdict = KeepsToItsSide(OnlyTriangles(c, {t}), answers.draws[0]->counts);
     if (verdict.witness) verdict.witness->triangle = static_cast<int>(t);
@@ -69,9 +71,10 @@ Check OfTheMesh(const Case& c) {
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
   Asked asked;
+  const auto scene = std::make_shared<const Scene>(c.scene);
   // One triangle's excess must not make up for another's lack.
   for (std::size_t t = 0; t < std::min(kMostSingles, c.scene.triangles.size()); ++t) {
-    asked.checks.push_back(OfOneTriangle(c, t));
+    asked.checks.push_back(OfOneTriangle(c, scene, t));
   }
   asked.checks.push_back(OfTheMesh(c));
   return asked;

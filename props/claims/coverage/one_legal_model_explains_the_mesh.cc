@@ -6,12 +6,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/profile.h"
+#include "core/scene.h"
 #include "exact/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -114,11 +116,10 @@ Verdict HaveOneModel(const Case& drawn, const Answers& alone) {
 }
 
 Check OfEachAlone(const Case& c) {
-  const Case drawn = LookedAt(c);
+  const auto scene = std::make_shared<const Scene>(LookedAt(c).scene);
   Check check;
-  for (std::size_t t = 0; t < drawn.scene.triangles.size(); ++t) {
-    check.questions.draws.push_back(
-        CountsOf(OnlyTriangles(drawn, {t}).scene, c.profile, WholeTarget(c)));
+  for (std::size_t t = 0; t < scene->triangles.size(); ++t) {
+    check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
   }
   check.judge = [&c](const Answers& answers) { return HaveOneModel(LookedAt(c), answers); };
   return check;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -57,10 +58,10 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
 // The one that covers the witness's sample by itself, or none: then it is their company.
 Asked Blame(const Case& c, const Verdict& verdict, const Description& /*subject*/) {
   Asked asked;
+  const auto scene = std::make_shared<const Scene>(c.scene);
   for (const std::size_t t : NonFiniteTriangles(c)) {
     Check check;
-    check.questions.draws.push_back(
-        CountsOf(OnlyTriangles(c, {t}).scene, c.profile, WholeTarget(c)));
+    check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
     check.judge = [t, witness = *verdict.witness](const Answers& answers) {
       const CoverageCounts& counts = answers.draws[0]->counts;
       if (counts.Count(counts.Index(witness.x, witness.y, witness.sample)) == 0) {

@@ -14,7 +14,6 @@
 #include "core/subject.h"
 #include "core/subject_info.h"
 #include "model/target_model.h"
-#include "props/judging/free_choices.h"
 
 namespace rasterproof::props {
 
@@ -47,7 +46,9 @@ class Observer {
   void SetFacing(FacingReport facing) { facing_ = facing; }
   FacingReport facing() const { return facing_; }
   /// Whether the subject tells facings itself, and none need be worked out.
-  bool TellsFacings() const { return props::TellsFacings(subject_); }
+  bool TellsFacings() const {
+    return subject_.Whole().Info().coverage == CoverageKind::kFacingCounts;
+  }
   const SubjectInfo& info() const { return subject_.Info(); }
   /// The declared profile, as it is on the small targets of all experiments.
   const Profile& declared() const { return declared_; }

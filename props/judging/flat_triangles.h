@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "core/case.h"
-#include "core/subject.h"
-#include "core/verdict.h"
 
 namespace rasterproof::props {
 

@@ -286,8 +286,8 @@ void OpenTriangles::ForgetTurned() {
   std::erase_if(open_, [](const Open& open) { return !open.is_dropped; });
 }
 
-bool TellsFacings(Subject& subject) {
-  return subject.Whole().Info().coverage == CoverageKind::kFacingCounts;
+bool TellsFacings(const Description& subject) {
+  return subject.info.coverage == CoverageKind::kFacingCounts;
 }
 
 Scene UnsnappedScene(const Case& c) {

@@ -8,8 +8,8 @@
 
 #include "core/case.h"
 #include "core/scene.h"
-#include "core/subject.h"
 #include "core/vertex.h"
+#include "props/judging/gate.h"
 
 namespace rasterproof::props {
 
@@ -61,7 +61,7 @@ class OpenTriangles {
 
 /// Returns whether the facing of a triangle that the subject draws is what it says itself, and not
 /// worked out from the canonical model.
-bool TellsFacings(Subject& subject);
+bool TellsFacings(const Description& subject);
 
 /// The window-space scene with its coordinates wrapped but not snapped; triangles that every legal
 /// model drops for their extent have their corners in one place. What is one place here is one in

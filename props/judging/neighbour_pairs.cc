@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "core/error.h"
 #include "core/scene.h"
-#include "core/subject_errors.h"
 #include "props/judging/places.h"
 #include "props/judging/planar_mesh.h"
 #include "props/judging/redraw.h"
@@ -61,44 +59,37 @@ class PairEdges {
   std::vector<VisibleEdge> outer_;
 };
 
+// The violation of a pair drawn alone, on the case that it is of.
+void NamePair(const Neighbours& pair, Verdict& verdict) {
+  verdict.witness->triangle = static_cast<int>(pair.first);
+  verdict.witness->edge = pair.edge;
+  verdict.message += " beside the edge that triangles " + std::to_string(pair.first) + " and " +
+                     std::to_string(pair.second) + " share";
+}
+
 }  // namespace
 
-Verdict PairsCoverOnce(Subject& subject, const Case& c,
-                       const std::function<bool(const Neighbours&)>& takes) {
-  Verdict all = Verdict::Held(0);
+Asked CompareNeighbours(const Case& c, const std::function<bool(const Neighbours&)>& takes) {
+  Asked asked;
   const Scene placed = PlacedScene(c);
-  // Every pair is drawn, whatever comes of the first: what is asked does not depend on answers.
   for (const Neighbours& pair : SharedEdges(c, kPairs)) {
     if (!takes(pair)) continue;
-    const Case alone = OnlyTriangles(c, {pair.first, pair.second});
-    const PairEdges edges(placed, pair);
-    const MeshView beside_the_edge{
-        [&](const SamplePlace& place) { return edges.SharedIsNearest(place.at); }, true};
-    Verdict verdict;
-    try {
-      verdict = JudgePlanarMesh(subject, alone, beside_the_edge);
-    } catch (const InputError&) {
-      if (!all.witness) throw;
-      continue;  // whatever becomes of another pair does not unsay what was seen
-    } catch (const SubjectFault&) {
-      if (!all.witness) throw;
-      continue;
-    } catch (const SubjectTooSlow&) {
-      if (!all.witness) throw;
-      continue;
+    MeshView beside_the_edge{[edges = PairEdges(placed, pair)](const SamplePlace& place) {
+                               return edges.SharedIsNearest(place.at);
+                             },
+                             true};
+    Asked alone = CompareWithItsWinding(OnlyTriangles(c, {pair.first, pair.second}),
+                                        std::move(beside_the_edge));
+    for (Check& check : alone.checks) {
+      check.judge = [pair, judge = std::move(check.judge)](const Answers& answers) {
+        Verdict verdict = judge(answers);
+        if (verdict.outcome == Outcome::kViolated) NamePair(pair, verdict);
+        return verdict;
+      };
+      asked.checks.push_back(std::move(check));
     }
-    all.exercised += verdict.exercised;
-    all.not_judged += verdict.not_judged;
-    if (verdict.outcome != Outcome::kViolated || all.witness) continue;
-    all.outcome = Outcome::kViolated;
-    all.witness = verdict.witness;
-    all.witness->triangle = static_cast<int>(pair.first);
-    all.witness->edge = pair.edge;
-    all.message = verdict.message + " beside the edge that triangles " +
-                  std::to_string(pair.first) + " and " + std::to_string(pair.second) + " share";
   }
-  if (all.outcome != Outcome::kViolated && all.exercised != 0) all.outcome = Outcome::kHolds;
-  return all;
+  return asked;
 }
 
 }  // namespace rasterproof::props

@@ -5,21 +5,20 @@
 #include <functional>
 
 #include "core/case.h"
-#include "core/subject.h"
-#include "core/verdict.h"
 #include "props/judging/mesh_neighbours.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
-/// Draws a few pairs of the case's neighbours, each pair alone, and asks that every sample of their
-/// union within a pixel of the shared edge, and no nearer to any other of their edges, is covered
-/// as JudgePlanarMesh says: exactly once. What lies nearer to their outline is the business of
-/// EmbeddedMeshSamplesAreCoveredOnce and of the claims about the model.
+/// Asks for a few pairs of the case's neighbours, each pair alone and with a check of its own. A
+/// check holds if every sample of their union within a pixel of the shared edge, and no nearer to
+/// any other of their edges, is covered as CompareWithItsWinding says: exactly once. What lies
+/// nearer to their outline is the business of EmbeddedMeshSamplesAreCoveredOnce and of the claims
+/// about the model. A pair that folds or overlaps has no check.
 ///
 /// `takes` chooses among the pairs. Either space; triangle and edge of the witness are those of the
 /// case, and the edge is the one nearest to the witness's sample.
-Verdict PairsCoverOnce(Subject& subject, const Case& c,
-                       const std::function<bool(const Neighbours&)>& takes);
+Asked CompareNeighbours(const Case& c, const std::function<bool(const Neighbours&)>& takes);
 
 }  // namespace rasterproof::props
 

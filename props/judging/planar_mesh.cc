@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,15 +16,12 @@
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_model.h"
 #include "props/judging/outline.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 #include "props/judging/thin_triangles.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
 namespace {
-
-Verdict NotExercised(const char* why) { return {Outcome::kNotExercised, 0, 0, why, std::nullopt}; }
 
 bool SharesTies(const Profile& profile) { return profile.overdraw || profile.fill_rule.inclusive; }
 
@@ -96,19 +95,25 @@ class OpenParts {
 };
 
 // What is judged of a mesh, and what is expected there.
+struct PlanarMesh {
+  Case c;
+  MeshView view;
+  OpenParts open;
+  std::vector<std::int64_t> winding;
+  SharedTies ties;
+};
+
 class MeshJudge {
  public:
-  MeshJudge(const Case& c, const MeshView& view, const OpenParts& open,
-            std::vector<std::int64_t> winding)
-      : case_(c), view_(view), open_(open), winding_(std::move(winding)), ties_(c) {}
+  explicit MeshJudge(const PlanarMesh& mesh) : mesh_(mesh) {}
 
   Verdict Of(const CoverageCounts& counts) {
     for (int row = 0; row < counts.height; ++row) {
       for (int x = 0; x < counts.width; ++x) {
         for (int s = 0; s < counts.samples; ++s) {
           const std::size_t k = counts.Index(x, row, s);
-          if (counts.Count(k) == 0 && winding_[k] == 0) continue;  // outside and left alone
-          const SamplePlace place = PlaceOf(case_, x, row, s);
+          if (counts.Count(k) == 0 && mesh_.winding[k] == 0) continue;  // outside and left alone
+          const SamplePlace place = PlaceOf(mesh_.c, x, row, s);
           if (std::optional<Verdict> violated = Judge(counts.Count(k), k, place)) {
             return *std::move(violated);
           }
@@ -122,19 +127,20 @@ class MeshJudge {
 
  private:
   std::optional<Verdict> Judge(std::uint32_t count, std::size_t k, const SamplePlace& place) {
-    const auto least = static_cast<std::uint32_t>(std::abs(winding_[k]));
-    const bool is_right = count == least || (count > least && ties_.Allow(count, k, place.at));
+    const auto least = static_cast<std::uint32_t>(std::abs(mesh_.winding[k]));
+    const bool is_right = count == least || (count > least && mesh_.ties.Allow(count, k, place.at));
     if (is_right && least == 0) return std::nullopt;
-    if ((view_.looks_at && !view_.looks_at(place)) || open_.IsBesideTheOutline(place.at)) {
+    if ((mesh_.view.looks_at && !mesh_.view.looks_at(place)) ||
+        mesh_.open.IsBesideTheOutline(place.at)) {
       return std::nullopt;
     }
-    if (open_.CanTurnAt(place.at)) {
+    if (mesh_.open.CanTurnAt(place.at)) {
       ++not_judged_;
       return std::nullopt;
     }
     ++exercised_;
     if (is_right) return std::nullopt;
-    const bool at_least = count < least && SharesTies(case_.profile);
+    const bool at_least = count < least && SharesTies(mesh_.c.profile);
     Witness witness = WitnessAt(-1, -1, place, "covered " + std::to_string(count) + " times",
                                 least == 0 ? "outside: never"
                                 : at_least ? "at least once"
@@ -145,38 +151,29 @@ class MeshJudge {
     return verdict;
   }
 
-  const Case& case_;
-  const MeshView& view_;
-  const OpenParts& open_;
-  std::vector<std::int64_t> winding_;
-  SharedTies ties_;
+  const PlanarMesh& mesh_;
   std::uint64_t exercised_ = 0;
   std::uint64_t not_judged_ = 0;
 };
 
 }  // namespace
 
-std::optional<Verdict> OwnsNoEdges(const Profile& profile) {
-  if (profile.fill_rule.IsConsistent()) return std::nullopt;
-  return Verdict::NotApplicable(profile.fill_rule.inclusive
-                                    ? "an inclusive fill rule covers shared edges twice"
-                                    : "an exclusive fill rule covers shared edges never");
-}
-
-std::optional<Verdict> LeavesEdgesOpen(const Profile& profile) {
-  return profile.fill_rule.exclusive ? OwnsNoEdges(profile) : std::nullopt;
-}
-
-Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view) {
-  const OpenParts open(c, view);
-  if (open.IsFolded()) return NotExercised("the snapped mesh is folded");
-  if (open.IsFlat()) return NotExercised("the mesh has triangles in a plane with the eye");
+Asked CompareWithItsWinding(Case c, MeshView view) {
+  OpenParts open(c, view);
+  if (open.IsFolded()) return NothingAsked("the snapped mesh is folded");
+  if (open.IsFlat()) return NothingAsked("the mesh has triangles in a plane with the eye");
   std::vector<std::int64_t> winding = WindingOf(c);
   if (std::ranges::any_of(winding, [](std::int64_t w) { return std::abs(w) > 1; })) {
-    return NotExercised("the mesh overlaps itself");
+    return NothingAsked("the mesh overlaps itself");
   }
-  MeshJudge judge(c, view, open, std::move(winding));
-  return judge.Of(Drawn(subject, c.scene, c.profile, WholeTarget(c)));
+  SharedTies ties(c);
+  Questions questions;
+  questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
+  auto mesh = std::make_shared<const PlanarMesh>(PlanarMesh{
+      std::move(c), std::move(view), std::move(open), std::move(winding), std::move(ties)});
+  return OneCheck(std::move(questions), [mesh = std::move(mesh)](const Answers& answers) {
+    return MeshJudge(*mesh).Of(answers.draws[0]->counts);
+  });
 }
 
 }  // namespace rasterproof::props

@@ -2,14 +2,13 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_PLANAR_MESH_H_
 #define RASTERPROOF_PROPS_JUDGING_PLANAR_MESH_H_
 
+#include <array>
 #include <functional>
-#include <optional>
-#include <string>
 
 #include "core/case.h"
-#include "core/subject.h"
-#include "core/verdict.h"
+#include "props/judging/gate.h"
 #include "props/judging/places.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -21,10 +20,11 @@ struct MeshView {
   bool spares_outline = false;
 };
 
-/// Draws the case's mesh and compares every count with the mesh's winding number. Window space, or
-/// clip space: a mesh in front of the eye, or one that lies around it.
+/// Asks for the case's mesh, culling and scissor off, and compares every count with the mesh's
+/// winding number. Window space, or clip space: a mesh in front of the eye, or one that lies around
+/// it.
 ///
-/// Precondition (else not exercised): no triangle is folded against the others, in any legal model,
+/// Precondition (else nothing is asked): no triangle is folded against the others, in any legal model,
 /// and no winding number exceeds 1 in size. Then all areas have one sign, so the count *is* the
 /// size of the signed coverage, and that is the winding number.
 ///
@@ -38,13 +38,10 @@ struct MeshView {
 /// samples that a triangle can cover which a legal choice turns over or flattens; all others are:
 /// what covers them has one facing in every legal model, so that the argument above holds. They are
 /// counted as not judged.
-Verdict JudgePlanarMesh(Subject& subject, const Case& c, const MeshView& view);
+Asked CompareWithItsWinding(Case c, MeshView view);
 
-/// Not applicable: the profile's fill rule does not give each sample of an edge to one side.
-std::optional<Verdict> OwnsNoEdges(const Profile& profile);
-
-/// Not applicable: the profile's fill rule leaves the samples on a shared edge uncovered.
-std::optional<Verdict> LeavesEdgesOpen(const Profile& profile);
+/// What the profile must say of meshes that cover each sample inside.
+inline constexpr std::array kPlanarMeshRules{kClosesEdges};
 
 }  // namespace rasterproof::props
 

@@ -42,6 +42,13 @@ DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOpti
   return {std::move(job), Parts::kFacings};
 }
 
+DrawQuestion CountsOfOne(const std::shared_ptr<const Scene>& scene, std::size_t t,
+                         const Profile& profile, const DrawOptions& options) {
+  DrawQuestion question{{scene, options, profile.lattice.samples()}, Parts::kFacings};
+  question.job.triangles = {{scene->triangles[t]}};
+  return question;
+}
+
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
   DrawJob job(scene, options, profile.lattice.samples());
   job.wants = kCoverageAndIds;
@@ -140,16 +147,17 @@ void AcceptOverdraw(const Case& c, const CoverageCounts& observed, CoverageCount
 
 }  // namespace
 
-Verdict JudgeAgainstTheModel(Subject& subject, const Case& c) {
-  // The draw first: it may be put off, and then nothing was worked out in vain.
-  const CoverageCounts observed = Drawn(subject, c.scene, c.profile, c.options);
-  CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
-  if (c.profile.overdraw && c.profile.fill_rule.IsConsistent()) {
-    AcceptOverdraw(c, observed, expected);
-  }
-  Verdict verdict = SameCounts(observed, expected, DecisionsOf(c), "the model's");
-  if (verdict.witness) BlameTriangle(subject, c, c.options, *verdict.witness);
-  return verdict;
+Asked CompareWithTheModel(const Case& c) {
+  Questions questions;
+  questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
+  return OneCheck(std::move(questions), [&c](const Answers& answers) {
+    const CoverageCounts& observed = answers.draws[0]->counts;
+    CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+    if (c.profile.overdraw && c.profile.fill_rule.IsConsistent()) {
+      AcceptOverdraw(c, observed, expected);
+    }
+    return SameCounts(observed, expected, DecisionsOf(c), "the model's");
+  });
 }
 
 Verdict SameAsUnvaried(Subject& subject, const Case& c, const Case& variation,

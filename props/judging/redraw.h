@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profil
 
 /// Asks for the counts of a scene, from zero, by facing.
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
+/// The same of triangle t alone, of a scene that several draws share.
+DrawQuestion CountsOfOne(const std::shared_ptr<const Scene>& scene, std::size_t t,
+                         const Profile& profile, const DrawOptions& options);
 /// Asks for the coverage and the ids that one call shows of a scene.
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 
@@ -53,10 +57,11 @@ std::uint64_t DecisionsOf(const Case& c);
 Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                    std::uint64_t exercised, const std::string& claim);
 
-/// Draws the case as its options say and compares the counts with those of the profile's canonical
-/// model, or with what is left of them where the profile allows overdraw. A violation names the
-/// triangle that the subject alone gets wrong, if there is one.
-Verdict JudgeAgainstTheModel(Subject& subject, const Case& c);
+/// Asks for the case as its options say. Holds if the counts are those of the profile's canonical
+/// model, or what is left of them where the profile allows overdraw.
+///
+/// Domain:     a case that outlives what is returned.
+Asked CompareWithTheModel(const Case& c);
 
 /// Holds if the subject draws the variation as it draws the case itself, culling and scissor off.
 Verdict SameAsUnvaried(Subject& subject, const Case& c, const Case& variation,

@@ -1,26 +1,19 @@
 #include "props/judging/signed_coverage.h"
 
 #include <cstddef>
+#include <utility>
 
+#include "core/coverage.h"
 #include "props/judging/places.h"
-#include "props/judging/planar_mesh.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
+namespace {
 
-std::optional<Verdict> CannotJudgeSignedCoverage(const Subject& subject, const Case& c,
-                                                 const Need& need) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return refusal;
-  if (c.profile.overdraw) {
-    return Verdict::NotApplicable("the profile leaves it open how often an edge is drawn");
-  }
-  return OwnsNoEdges(c.profile);
-}
-
-Verdict SignedCoverageIs(Subject& subject, const Case& c, const std::vector<std::int64_t>& expected,
-                         const std::string& what, const Spared& spared) {
-  const CoverageCounts counts = Drawn(subject, c.scene, c.profile, WholeTarget(c));
+Verdict SignedCoverageIs(const Case& c, const CoverageCounts& counts,
+                         const std::vector<std::int64_t>& expected, const std::string& what,
+                         const Spared& spared) {
   std::uint64_t exercised = 0;
   std::uint64_t not_judged = 0;
   for (std::size_t k = 0; k < counts.size(); ++k) {
@@ -45,6 +38,18 @@ Verdict SignedCoverageIs(Subject& subject, const Case& c, const std::vector<std:
   Verdict verdict = Verdict::Held(exercised);
   verdict.not_judged = not_judged;
   return verdict;
+}
+
+}  // namespace
+
+Asked CompareSignedCoverage(const Case& c, std::vector<std::int64_t> expected, std::string what,
+                            Spared spared) {
+  Questions questions;
+  questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
+  return OneCheck(std::move(questions), [&c, expected = std::move(expected), what = std::move(what),
+                                         spared = std::move(spared)](const Answers& answers) {
+    return SignedCoverageIs(c, answers.draws[0]->counts, expected, what, spared);
+  });
 }
 
 }  // namespace rasterproof::props

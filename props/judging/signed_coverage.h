@@ -2,23 +2,21 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_SIGNED_COVERAGE_H_
 #define RASTERPROOF_PROPS_JUDGING_SIGNED_COVERAGE_H_
 
+#include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/case.h"
-#include "core/subject.h"
-#include "core/verdict.h"
 #include "props/judging/free_choices.h"
+#include "props/judging/gate.h"
 #include "props/judging/outline.h"
-#include "props/judging/precondition.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
-/// CannotJudgeCoverage for a subject whose fill rule owns edges consistently.
-std::optional<Verdict> CannotJudgeSignedCoverage(const Subject& subject, const Case& c,
-                                                 const Need& need);
+/// Where front minus back is promised, each sample of an edge is given to one side, once.
+inline constexpr std::array kSignedCoverageRules{kCountsTies, kOwnsEdges};
 
 /// The samples that are not judged: beside an outline, and where a triangle can lie whose facing or
 /// extent is the subject's choice.
@@ -27,12 +25,14 @@ struct Spared {
   OpenTriangles open;
 };
 
-/// Holds if front minus back is `expected` at every sample that is not `spared`, culling and
-/// scissor off. What the open triangles spare is counted as not judged.
+/// Asks for the case, culling and scissor off. Holds if front minus back is `expected`, in words
+/// `what`, at every sample that is not `spared`. What the open triangles spare is counted as not
+/// judged.
 ///
+/// Domain:     a case that outlives what is returned.
 /// Shape:      expected: as CoverageCounts.
-Verdict SignedCoverageIs(Subject& subject, const Case& c, const std::vector<std::int64_t>& expected,
-                         const std::string& what, const Spared& spared = {});
+Asked CompareSignedCoverage(const Case& c, std::vector<std::int64_t> expected, std::string what,
+                            Spared spared = {});
 
 }  // namespace rasterproof::props
 

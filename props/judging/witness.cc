@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "model/target_model.h"
@@ -96,26 +97,28 @@ Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& ex
 
 namespace {
 
-// The subject's counts for the case, or nothing if it refuses it: then that is not what failed.
-std::optional<CoverageCounts> DrawnIfPossible(Subject& subject, const Case& c,
-                                              const DrawOptions& options) {
-  try {
-    return Drawn(subject, c.scene, c.profile, options);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 std::string EdgeValuesText(const Case& alone, Point2 p) {
   const auto places =
       alone.scene.clip_space ? std::vector<CornersPlace>() : SomeTriangles(alone, 1);
   return places.empty() ? "" : EdgeValuesText(places[0].at, p);
 }
 
-// The edge nearest to p of all that the first triangles have.
-void BlameNearest(const Scene& placed, std::size_t count, Point2 p, Witness& witness) {
+Point2 SampleOf(const Case& c, const Witness& witness) {
+  return PlaceOf(c, witness.x, witness.y, witness.sample).at;
+}
+
+std::size_t TrianglesToBlame(const Case& c) {
+  return std::min(c.scene.triangles.size(), kMaxTrianglesBlamed);
+}
+
+Verdict Blamed(Witness witness) { return Verdict::Violated(1, "", std::move(witness)); }
+
+// The edge nearest to the witness's sample of all that the first triangles have.
+Verdict BlameNearest(const Case& c, Witness witness) {
+  const Scene placed = PlacedScene(c);
+  const Point2 p = SampleOf(c, witness);
   std::optional<exact::Rational> least;
-  for (std::size_t t = 0; t < count; ++t) {
+  for (std::size_t t = 0; t < TrianglesToBlame(c); ++t) {
     const std::array<Vertex, 3> v = Corners(placed, placed.triangles[t]);
     if (!std::ranges::all_of(v, IsFinite)) continue;
     for (int i = 0; i < 3; ++i) {
@@ -128,41 +131,44 @@ void BlameNearest(const Scene& placed, std::size_t count, Point2 p, Witness& wit
       witness.edge = i;
     }
   }
+  return Blamed(std::move(witness));
 }
 
-void BlameOneOf(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
-  const std::size_t count = std::min(c.scene.triangles.size(), kMaxTrianglesBlamed);
-  const Point2 p = PlaceOf(c, witness.x, witness.y, witness.sample).at;
-  if (LegalReach(c) != 0) {
-    BlameNearest(PlacedScene(c), count, p, witness);
-    return;
-  }
-  for (std::size_t t = 0; t < count; ++t) {
-    const Case alone = OnlyTriangles(c, {t});
-    const std::optional<CoverageCounts> observed = DrawnIfPossible(subject, alone, options);
-    if (!observed) continue;
-    const std::size_t index = observed->Index(witness.x, witness.y, witness.sample);
-    if (LegalCountsOf(alone, options).Allow(*observed, index)) continue;
-    witness.triangle = static_cast<int>(t);
-    const Scene placed = PlacedScene(alone);
-    const std::array<Vertex, 3> v = Corners(placed, placed.triangles[0]);
-    if (!std::ranges::all_of(v, IsFinite)) return;
+// Violated if the subject's counts for triangle t alone are not legal at the witness's sample.
+Verdict BlameOne(const Case& c, std::size_t t, const DrawOptions& options, Witness witness,
+                 const CoverageCounts& observed) {
+  const Case alone = OnlyTriangles(c, {t});
+  const std::size_t index = observed.Index(witness.x, witness.y, witness.sample);
+  if (LegalCountsOf(alone, options).Allow(observed, index)) return Verdict::Held(1);
+  witness.triangle = static_cast<int>(t);
+  const Scene placed = PlacedScene(alone);
+  const std::array<Vertex, 3> v = Corners(placed, placed.triangles[0]);
+  if (std::ranges::all_of(v, IsFinite)) {
+    const Point2 p = SampleOf(c, witness);
     witness.edge = NearestEdge(v, p);
     witness.expected += EdgeValuesText(alone, p);
-    return;
   }
+  return Blamed(std::move(witness));
 }
 
 }  // namespace
 
-void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness) {
-  try {
-    BlameOneOf(subject, c, options, witness);
-  } catch (const SubjectFault&) {
-    return;  // what is wrong was seen before: a breakdown over less of the case does not unsay it
-  } catch (const SubjectTooSlow&) {
-    return;  // nor does a lack of time
+Asked BlameTriangles(const Case& c, const Verdict& verdict, const DrawOptions& options) {
+  const Witness& witness = *verdict.witness;
+  if (LegalReach(c) != 0) {
+    return OneCheck({}, [&c, witness](const Answers&) { return BlameNearest(c, witness); });
   }
+  Asked asked;
+  const auto scene = std::make_shared<const Scene>(c.scene);
+  for (std::size_t t = 0; t < TrianglesToBlame(c); ++t) {
+    Check check;
+    check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, options));
+    check.judge = [&c, t, options, witness](const Answers& answers) {
+      return BlameOne(c, t, options, witness, answers.draws[0]->counts);
+    };
+    asked.checks.push_back(std::move(check));
+  }
+  return asked;
 }
 
 }  // namespace rasterproof::props

@@ -8,9 +8,9 @@
 
 #include "core/case.h"
 #include "core/coverage.h"
-#include "core/subject.h"
 #include "core/verdict.h"
 #include "props/judging/places.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
@@ -26,13 +26,16 @@ Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string 
 Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                         std::size_t index);
 
-/// Adds the triangle that the subject, drawing it alone under `options`, gets wrong at the
-/// witness's sample, its edge nearest to the sample, and (window space) the exact edge values
-/// there. Leaves the witness as it is if each triangle by itself is right.
+/// A second round (Property::blame): which triangle the subject, drawing it alone under `options`,
+/// gets wrong at the witness's sample. To the witness are added that triangle, its edge nearest to
+/// the sample, and (window space) the exact edge values there.
 ///
-/// Where the profile leaves it open where a vertex lies, no triangle alone can be wrong: named is
-/// the one whose edge is nearest to the sample.
-void BlameTriangle(Subject& subject, const Case& c, const DrawOptions& options, Witness& witness);
+/// Where the profile leaves it open where a vertex lies, no triangle alone can be wrong: nothing is
+/// drawn, and named is the one whose edge is nearest to the sample.
+///
+/// Domain:     a verdict with a witness of one of the case's samples; a case that outlives what is
+///             returned.
+Asked BlameTriangles(const Case& c, const Verdict& verdict, const DrawOptions& options);
 
 }  // namespace rasterproof::props
 

@@ -84,7 +84,7 @@ TEST_P(SoundSubjects, HoldOnEveryCase) {
     if (!HasADomainFor(property, subject->Info())) continue;
     for (std::uint64_t i = 0; i < kCases; ++i) {
       const Case c = DrawCase(subject->Info(), property, kSeed, i);
-      const Verdict verdict = property.check(*subject, c);
+      const Verdict verdict = RunCase(*subject, property, c);
       ASSERT_NE(verdict.outcome, Outcome::kViolated)
           << property.name << ", " << c.origin << ": " << verdict.message;
       ASSERT_LE(verdict.worst_ratio, 1) << property.name << ", " << c.origin;
@@ -114,7 +114,7 @@ TEST(FloatMethods, StayWithinTheirProvenBounds) {
       if (!by_bounds || !HasADomainFor(property, subject->Info())) continue;
       for (std::uint64_t i = 0; i < kCases; ++i) {
         const Case c = DrawCase(subject->Info(), property, kSeed, i);
-        const Verdict verdict = property.check(*subject, c);
+        const Verdict verdict = RunCase(*subject, property, c);
         ASSERT_NE(verdict.outcome, Outcome::kViolated)
             << name << ", " << property.name << ", " << c.origin << ": " << verdict.message;
       }
@@ -132,7 +132,7 @@ Exercise ExerciseOf(Subject& subject, const Property& property, int cases) {
   Exercise exercise;
   for (int i = 0; i < cases; ++i) {
     const Case c = DrawCase(subject.Info(), property, kSeed, static_cast<std::uint64_t>(i));
-    const Verdict verdict = property.check(subject, c);
+    const Verdict verdict = RunCase(subject, property, c);
     ++exercise.cases;
     if (verdict.exercised != 0) ++exercise.exercised;
     exercise.by_domain[c.scene.name] += verdict.exercised != 0 ? 1 : 0;
@@ -144,7 +144,7 @@ TEST(Exercise, MostCasesPutTheirPropertyToTheTest) {
   const auto subject = subjects::MakeBuiltin("spans-exact");
   for (const Property& property : Catalog()) {
     if (!HasADomainFor(property, subject->Info())) continue;
-    if (property.check(*subject, DrawCase(subject->Info(), property, kSeed, 0)).outcome ==
+    if (RunCase(*subject, property, DrawCase(subject->Info(), property, kSeed, 0)).outcome ==
         Outcome::kNotApplicable) {
       continue;
     }
@@ -183,7 +183,7 @@ TEST(PlantedBugs, EachIsCaughtByItsPropertyWithAWitness) {
     std::uint64_t i = 0;
     Verdict verdict;
     for (; i < kCases && verdict.outcome != Outcome::kViolated; ++i) {
-      verdict = property.check(subject, DrawCase(subject.Info(), property, kSeed, i));
+      verdict = RunCase(subject, property, DrawCase(subject.Info(), property, kSeed, i));
     }
     ASSERT_EQ(verdict.outcome, Outcome::kViolated)
         << plant.property << " lets through: " << plant.name;
@@ -207,7 +207,8 @@ TEST(SoundOutputs, HoldOnEveryCase) {
     const Property& property = *FindProperty(plant.property);
     std::uint64_t exercised = 0;
     for (std::uint64_t i = 0; i < Cases<std::uint64_t>(36); ++i) {
-      const Verdict verdict = property.check(subject, DrawCase(subject.Info(), property, kSeed, i));
+      const Verdict verdict =
+          RunCase(subject, property, DrawCase(subject.Info(), property, kSeed, i));
       ASSERT_NE(verdict.outcome, Outcome::kViolated) << plant.property << ": " << verdict.message;
       exercised += verdict.exercised;
     }
@@ -227,7 +228,7 @@ Case TwoTriangles() {
 
 Verdict Judge(std::string_view property, Bug bug, const Case& c) {
   PlantedSubject subject(subjects::MakeBuiltin("spans-exact"), std::move(bug));
-  return FindProperty(property)->check(subject, c);
+  return RunCase(subject, *FindProperty(property), c);
 }
 
 // An extra count at column 5, row 2, if the second triangle is drawn.
@@ -401,7 +402,7 @@ TEST(Fairness, ABoundThatIsNotClaimedIsNotJudged) {
   c.scene.vertices = {{0x1p100, 0x1p101}, {-0x1p100, 0x1.8p101}, {0x1p102, -0x1p100}};
   c.scene.triangles = {{0, 1, 2}};
   const auto subject = subjects::MakeBuiltin("f32-direct");
-  EXPECT_EQ(FindProperty("EdgeErrorStaysWithinItsBound")->check(*subject, c).outcome,
+  EXPECT_EQ(RunCase(*subject, *FindProperty("EdgeErrorStaysWithinItsBound"), c).outcome,
             Outcome::kNotExercised);
 }
 

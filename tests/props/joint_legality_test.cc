@@ -13,8 +13,9 @@
 #include "core/snap.h"
 #include "exact/coverage.h"
 #include "model/snap.h"
-#include "props/claims/all.h"
 #include "props/domains/domain.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
 #include "tests/props/planted_subjects.h"
 
 namespace rasterproof::props {
@@ -56,6 +57,10 @@ PlantedSubject SnapsNeighboursApart(const SubjectInfo& info) {
     const bool odd = std::max({t[0], t[1], t[2]}) % 2 != 0;
     profile.snap.rule = odd ? SnapRule::kHalfUp : SnapRule::kNearestEven;
   });
+}
+
+Verdict OneLegalModelExplainsTheMesh(Subject& subject, const Case& c) {
+  return RunCase(subject, *FindProperty("OneLegalModelExplainsTheMesh"), c);
 }
 
 struct Tried {

@@ -1,20 +1,11 @@
-// Clip-space triangles, behind the eye or across it as they may be, cover what the ray through the sample meets.
+// Clip-space triangles cover what the ray through the sample meets in front of the eye.
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
+#include "props/judging/witness.h"
 
 namespace rasterproof::props {
-namespace {
-
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kClip, .judges_overdraw = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  return JudgeAgainstTheModel(subject, c);
-}
-
-}  // namespace
 
 constinit const Property kClipSpaceCoverageEqualsTheModel{
     .name = "ClipSpaceCoverageEqualsTheModel",
@@ -26,7 +17,10 @@ constinit const Property kClipSpaceCoverageEqualsTheModel{
         "contract sample-exact; coordinates within the limit; clip space; no near clipping",
     .tolerance = kExact,
     .domains = kClipSpace,
-    .check = Judge,
+    .gate = {.space = Space::kClip, .judges_overdraw = true},
+    .ask = [](const Case& c, const Description&) { return CompareWithTheModel(c); },
+    .blame = [](const Case& c, const Verdict& verdict,
+                const Description&) { return BlameTriangles(c, verdict, c.options); },
 };
 
 }  // namespace rasterproof::props

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "core/coverage.h"
 #include "core/profile.h"
 #include "exact/winding.h"
 #include "model/snap_scene.h"
@@ -27,18 +29,12 @@ bool IsClosedInEveryModel(const Case& c) {
   return exact::ShapeOf(UnsnappedScene(c), as_it_is).closed;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kEither,
-                  .closed_suffices = true,
-                  .any_model_suffices = true,
-                  .judges_clipped = true};
-  if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
+Asked Ask(const Case& c, const Description& subject) {
   if (std::ranges::any_of(c.scene.vertices, [](const Vertex& v) { return !(v.w > 0); })) {
-    return {Outcome::kNotExercised, 0, 0, "the surface may wind around the eye", std::nullopt};
+    return NothingAsked("the surface may wind around the eye");
   }
   const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
-  if (!IsClosedInEveryModel(c))
-    return {Outcome::kNotExercised, 0, 0, "the mesh has a boundary", std::nullopt};
+  if (!IsClosedInEveryModel(c)) return NothingAsked("the mesh has a boundary");
   Spared spared;
   if (!one_model) {
     spared.open = OpenTriangles(c);
@@ -49,8 +45,8 @@ Verdict Judge(Subject& subject, const Case& c) {
   }
   const std::size_t size =
       CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.lattice.samples());
-  return SignedCoverageIs(subject, c, std::vector<std::int64_t>(size), "zero, the mesh is closed",
-                          spared);
+  return CompareSignedCoverage(c, std::vector<std::int64_t>(size), "zero, the mesh is closed",
+                               std::move(spared));
 }
 
 }  // namespace
@@ -65,7 +61,12 @@ constinit const Property kClosedMeshCancels{
         "choice turns a triangle there",
     .tolerance = kExact,
     .domains = kClosed,
-    .check = Judge,
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kClosed,
+             .any_model = true,
+             .judges_clipped = true,
+             .rules = kSignedCoverageRules},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,23 +1,31 @@
-// Front minus back of a closed clip-space surface is the same at every sample: the number of times that it winds around the eye.
+// Front minus back of a closed clip-space surface is the same at every sample.
+//
+// It is the number of times that the surface winds around the eye.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "core/profile.h"
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
+#include "props/judging/free_choices.h"
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/signed_coverage.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict NotExercised(const char* why) { return {Outcome::kNotExercised, 0, 0, why, std::nullopt}; }
+constexpr std::array kRules{
+    kCountsTies, kOwnsEdges,
+    ProfileRule{[](const Profile& p) { return p.snap.IsNone(); }, "no snapping",
+                "snapping follows the division: a profile without it is needed"}};
 
 // The eye is the origin. A triangle in a plane through it can hold it only if its vertices are not
 // all on one side of w = 0.
@@ -27,25 +35,20 @@ bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
   return !in_front && !behind && exact::DeterminantSign(v) == 0;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kClip, .closed_suffices = true, .any_model_suffices = true};
-  if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
-  if (!c.profile.snap.IsNone()) {
-    return Verdict::NotApplicable("snapping follows the division: a profile without it is needed");
-  }
+Asked Ask(const Case& c, const Description& subject) {
   if (c.scene.triangles.empty() || !IsClosed(c.scene)) {
-    return NotExercised("the surface is not closed");
+    return NothingAsked("the surface is not closed");
   }
   for (const Triangle& t : c.scene.triangles) {
-    if (MayHoldTheEye(Corners(c.scene, t))) return NotExercised("the eye may lie on the surface");
+    if (MayHoldTheEye(Corners(c.scene, t))) return NothingAsked("the eye may lie on the surface");
   }
   // The surface winds equally often around the eye in every direction: one ray tells it for all.
   const CoverageCounts one =
       exact::Coverage(c.scene, c.profile, {.scissor = PixelRect{0, 0, 1, 1}});
   Spared spared;
   if (!HasOneModel(c.profile) && !TellsFacings(subject)) spared.open = OpenTriangles(c);
-  return SignedCoverageIs(subject, c, std::vector<std::int64_t>(one.size(), one.Signed(0)),
-                          "the winding number around the eye", spared);
+  return CompareSignedCoverage(c, std::vector<std::int64_t>(one.size(), one.Signed(0)),
+                               "the winding number around the eye", std::move(spared));
 }
 
 }  // namespace
@@ -60,7 +63,11 @@ constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
         "a closed surface that does not pass through the eye",
     .tolerance = kExact,
     .domains = kClosedClip,
-    .check = Judge,
+    .gate = {.space = Space::kClip,
+             .promise = Promise::kClosed,
+             .any_model = true,
+             .rules = kRules},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,14 +1,20 @@
-// A triangle drawn alone covers at least the samples that the canonical model covers (contract conservative-over), or at most those (conservative-under); a mesh counts at least or at most as often.
+// Each triangle alone, and the mesh, strays from the canonical model to the contract's side only.
+//
+// Under conservative-over it covers each sample at least as often as the model, under
+// conservative-under at most as often.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
+#include "core/coverage.h"
 #include "core/profile.h"
+#include "core/scene.h"
 #include "exact/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 
@@ -17,10 +23,18 @@ namespace {
 
 constexpr std::size_t kMostSingles = 64;
 
+bool IsConservative(const Profile& profile) {
+  return profile.contract == Contract::kConservativeOver ||
+         profile.contract == Contract::kConservativeUnder;
+}
+
+constexpr std::array kRules{ProfileRule{IsConservative, "contract conservative over or under",
+                                        "the profile's contract is not conservative"}};
+
 // Which way a subject may stray decides what fails; a facing that strays is not looked at.
-Verdict Judge(Subject& subject, const Case& c, bool over) {
+Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed) {
+  const bool over = c.profile.contract == Contract::kConservativeOver;
   const CoverageCounts expected = exact::Coverage(c.scene, c.profile, WholeTarget(c));
-  const CoverageCounts observed = Drawn(subject, c.scene, c.profile, WholeTarget(c));
   std::uint64_t exercised = 0;
   for (std::size_t k = 0; k < expected.size(); ++k) {
     const std::uint32_t truth = expected.Count(k);
@@ -35,25 +49,35 @@ Verdict Judge(Subject& subject, const Case& c, bool over) {
   return Verdict::Held(exercised);
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const bool over = c.profile.contract == Contract::kConservativeOver;
-  if (!over && c.profile.contract != Contract::kConservativeUnder) {
-    return Verdict::NotApplicable("the profile's contract is not conservative");
-  }
-  const Need need{.space = Space::kEither, .any_contract_suffices = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  std::uint64_t exercised = 0;
+Check OfOneTriangle(const Case& c, const std::shared_ptr<const Scene>& scene, std::size_t t) {
+  Check check;
+  check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
+  check.judge = [&c, t](const Answers& answers) {
+    Verdict verdict = KeepsToItsSide(OnlyTriangles(c, {t}), answers.draws[0]->counts);
+    if (verdict.witness) verdict.witness->triangle = static_cast<int>(t);
+    return verdict;
+  };
+  return check;
+}
+
+Check OfTheMesh(const Case& c) {
+  Check check;
+  check.questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
+  check.judge = [&c](const Answers& answers) {
+    return KeepsToItsSide(c, answers.draws[0]->counts);
+  };
+  return check;
+}
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  Asked asked;
+  const auto scene = std::make_shared<const Scene>(c.scene);
   // One triangle's excess must not make up for another's lack.
   for (std::size_t t = 0; t < std::min(kMostSingles, c.scene.triangles.size()); ++t) {
-    Verdict alone = Judge(subject, OnlyTriangles(c, {t}), over);
-    exercised += alone.exercised;
-    alone.exercised = exercised;
-    if (alone.witness) alone.witness->triangle = static_cast<int>(t);
-    if (alone.outcome == Outcome::kViolated) return alone;
+    asked.checks.push_back(OfOneTriangle(c, scene, t));
   }
-  Verdict whole = Judge(subject, c, over);
-  whole.exercised += exercised;
-  return whole;
+  asked.checks.push_back(OfTheMesh(c));
+  return asked;
 }
 
 }  // namespace
@@ -67,7 +91,8 @@ constinit const Property kConservativeCoverageKeepsToItsSide{
     .precondition = "contract conservative over or under; coordinates within the limit",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .check = Judge,
+    .gate = {.space = Space::kEither, .promise = Promise::kAny, .rules = kRules},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

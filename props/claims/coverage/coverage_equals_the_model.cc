@@ -2,19 +2,10 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
+#include "props/judging/witness.h"
 
 namespace rasterproof::props {
-namespace {
-
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kWindow, .judges_overdraw = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  return JudgeAgainstTheModel(subject, c);
-}
-
-}  // namespace
 
 constinit const Property kCoverageEqualsTheModel{
     .name = "CoverageEqualsTheModel",
@@ -25,7 +16,10 @@ constinit const Property kCoverageEqualsTheModel{
     .precondition = "contract sample-exact; coordinates within the limit; window space",
     .tolerance = kExact,
     .domains = kModelCoverage,
-    .check = Judge,
+    .gate = {.judges_overdraw = true},
+    .ask = [](const Case& c, const Description&) { return CompareWithTheModel(c); },
+    .blame = [](const Case& c, const Verdict& verdict,
+                const Description&) { return BlameTriangles(c, verdict, c.options); },
 };
 
 }  // namespace rasterproof::props

@@ -1,22 +1,16 @@
-// A mesh that does not fold or overlap covers every sample inside exactly once and none outside. It needs no coverage oracle: inside is where the boundary's winding number is not zero.
+// A mesh that does not fold or overlap covers every sample inside exactly once, and none outside.
+//
+// That needs no coverage oracle: inside is where the boundary's winding number is not zero.
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
 #include "props/judging/planar_mesh.h"
-#include "props/judging/precondition.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kEither, .watertight_suffices = true, .judges_clipped = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  if (auto refusal = LeavesEdgesOpen(c.profile)) return *refusal;
-  Verdict verdict = JudgePlanarMesh(subject, c, {});
-  if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);
-  return verdict;
-}
+Asked Ask(const Case& c, const Description& /*subject*/) { return CompareWithItsWinding(c, {}); }
 
 }  // namespace
 
@@ -30,7 +24,13 @@ constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
     .precondition = kEmbeddedMeshes,
     .tolerance = kExact,
     .domains = kMeshesAnySpace,
-    .check = Judge,
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kWatertight,
+             .judges_clipped = true,
+             .rules = kPlanarMeshRules},
+    .ask = Ask,
+    .blame = [](const Case& c, const Verdict& verdict,
+                const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };
 
 }  // namespace rasterproof::props

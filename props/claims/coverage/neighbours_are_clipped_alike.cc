@@ -1,4 +1,6 @@
-// Two triangles that share an edge and of which at least one leaves the target, or passes behind the eye, still cover each sample near that edge exactly as often as they do unclipped.
+// Two triangles cover each sample near their common edge as often clipped as unclipped.
+//
+// At least one of them leaves the target or passes behind the eye.
 #include <algorithm>
 #include <cstddef>
 
@@ -8,7 +10,6 @@
 #include "props/claims/row_words.h"
 #include "props/judging/neighbour_pairs.h"
 #include "props/judging/planar_mesh.h"
-#include "props/judging/precondition.h"
 
 namespace rasterproof::props {
 namespace {
@@ -24,11 +25,8 @@ bool LeavesTarget(const Scene& scene, std::size_t triangle) {
                              [&](const Vertex& v) { return IsSeenOutside(v, scene); });
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kEither, .watertight_suffices = true, .judges_clipped = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  if (auto refusal = LeavesEdgesOpen(c.profile)) return *refusal;
-  return PairsCoverOnce(subject, c, [&](const Neighbours& pair) {
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  return CompareNeighbours(c, [&](const Neighbours& pair) {
     return LeavesTarget(c.scene, pair.first) || LeavesTarget(c.scene, pair.second);
   });
 }
@@ -44,7 +42,11 @@ constinit const Property kNeighboursAreClippedAlike{
     .precondition = kClippedNeighbours,
     .tolerance = kExact,
     .domains = kClipped,
-    .check = Judge,
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kWatertight,
+             .judges_clipped = true,
+             .rules = kPlanarMeshRules},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

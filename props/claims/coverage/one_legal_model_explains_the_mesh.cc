@@ -1,20 +1,25 @@
-// One legal grid point for every vertex and one legal tie rule explain every sample of every triangle, each drawn alone, and the mesh counts what its triangles count.
+// One legal grid point for every vertex and one legal tie rule explain all triangles of a mesh.
+//
+// They explain every sample of every triangle, each drawn alone; and the mesh counts what its
+// triangles count.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/profile.h"
+#include "core/scene.h"
 #include "exact/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/model_search.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 
@@ -28,21 +33,16 @@ void Add(CoverageCounts& sum, const CoverageCounts& more) {
   }
 }
 
-// What a subject drew for each triangle alone.
-struct Singles {
-  Case drawn;  ///< the case with as many of its triangles as are looked at
-  std::vector<CoverageCounts> alone;
-};
+constexpr std::array kRules{ProfileRule{[](const Profile& p) { return !p.freedom.IsNone(); },
+                                        "grid points or tie rule left free",
+                                        "the profile leaves nothing free: one model is legal"},
+                            kCountsTies, kSaysWhatSinglesCover};
 
-Singles DrawSingles(Subject& subject, const Case& c) {
-  Singles singles{c, {}};
-  std::vector<Triangle>& triangles = singles.drawn.scene.triangles;
-  triangles.resize(std::min(triangles.size(), ModelSearch::kMostTriangles));
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Case one = OnlyTriangles(singles.drawn, {t});
-    singles.alone.push_back(Drawn(subject, one.scene, c.profile, WholeTarget(c)));
-  }
-  return singles;
+// The case with as many of its triangles as are looked at.
+Case LookedAt(const Case& c) {
+  Case some = c;
+  some.scene.triangles.resize(std::min(c.scene.triangles.size(), ModelSearch::kMostTriangles));
+  return some;
 }
 
 std::string PointsText(const std::vector<Point2>& points) {
@@ -71,74 +71,92 @@ std::string NeedsText(const Case& c, const ModelSearch& search,
   return text;
 }
 
-Verdict NotJudged(const Case& c, const char* why) {
-  Verdict verdict{Outcome::kNotExercised, 0, 0, why, std::nullopt};
-  verdict.not_judged = DecisionsOf(c);
-  return verdict;
+Asked NotJudged(const Case& c, const char* why) {
+  Asked asked = NothingAsked(why);
+  asked.otherwise.not_judged = DecisionsOf(c);
+  return asked;
 }
 
-Verdict NoModel(const Singles& singles, const ModelSearch& search,
-                const std::vector<std::size_t>& conflict, std::uint64_t exercised) {
+Verdict NoModel(const Case& drawn, const Answers& alone, const ModelSearch& search,
+                const std::vector<std::size_t>& conflict) {
   std::string names;
   for (const std::size_t t : conflict) names += (names.empty() ? "" : ", ") + std::to_string(t);
   const std::size_t t = conflict.front();
-  const CoverageCounts canonical =
-      exact::Coverage(OnlyTriangles(singles.drawn, {t}).scene, singles.drawn.profile);
-  const CoverageDifference difference = Compare(singles.alone[t], canonical);
+  const CoverageCounts& counts = alone.draws[t]->counts;
+  const CoverageCounts canonical = exact::Coverage(OnlyTriangles(drawn, {t}).scene, drawn.profile);
+  const CoverageDifference difference = Compare(counts, canonical);
   Witness witness;
   if (difference.wrong != 0) {
-    witness = WitnessOfCounts(singles.alone[t], canonical, difference.first_wrong);
+    witness = WitnessOfCounts(counts, canonical, difference.first_wrong);
   }
   witness.triangle = static_cast<int>(t);
   const std::string here = witness.observed;
   const std::string canonical_here = witness.expected;
   witness.observed =
-      "triangles " + names + ", each drawn alone" + NeedsText(singles.drawn, search, conflict);
+      "triangles " + names + ", each drawn alone" + NeedsText(drawn, search, conflict);
   witness.expected = "one legal grid point for each vertex and one tie rule that explain " +
                      std::string(conflict.size() == 1 ? "it" : "them together");
   if (!here.empty()) {
     witness.observed += "; triangle " + std::to_string(t) + " has " + here + " here";
     witness.expected += "; the canonical model has " + canonical_here + " here";
   }
-  return Verdict::Violated(exercised,
+  return Verdict::Violated(DecisionsOf(drawn),
                            conflict.size() == 1
                                ? "no legal model explains triangle " + names + " by itself"
                                : "no legal model explains triangles " + names + " together",
                            witness);
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (c.profile.freedom.IsNone()) {
-    return Verdict::NotApplicable("the profile leaves nothing free: one model is legal");
-  }
-  if (c.profile.overdraw) {
-    return Verdict::NotApplicable("the profile leaves it open how often an edge is drawn");
-  }
-  if (c.profile.contract != Contract::kSampleExact) {
-    return Verdict::NotApplicable(
-        "the profile's contract does not say what single triangles cover");
-  }
-  const Need need{.space = Space::kEither, .any_model_suffices = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  if (c.scene.clip_space) return NotJudged(c, "models are searched in window space alone");
-  if (!IsUnclippedInEveryModel(c)) {
-    return NotJudged(c, "a legal choice leaves the profile's no-clip rectangle");
-  }
-  const Singles singles = DrawSingles(subject, c);
-  const std::uint64_t exercised = DecisionsOf(singles.drawn);
-  ModelSearch search(singles.drawn);
-  CoverageCounts sum(c.scene.width, c.scene.height, c.profile.lattice.samples());
-  for (std::size_t t = 0; t < singles.alone.size(); ++t) {
-    search.Observe(t, singles.alone[t]);
-    Add(sum, singles.alone[t]);
-  }
+// Violated if no model explains what was drawn for each triangle alone.
+Verdict HaveOneModel(const Case& drawn, const Answers& alone) {
+  ModelSearch search(drawn);
+  for (std::size_t t = 0; t < alone.draws.size(); ++t) search.Observe(t, alone.draws[t]->counts);
   const std::vector<std::size_t> conflict = search.Conflict();
-  if (!conflict.empty()) return NoModel(singles, search, conflict, exercised);
-  const CoverageCounts whole = Drawn(subject, singles.drawn.scene, c.profile, WholeTarget(c));
+  return conflict.empty() ? Verdict::Held(0) : NoModel(drawn, alone, search, conflict);
+}
+
+Check OfEachAlone(const Case& c) {
+  const auto scene = std::make_shared<const Scene>(LookedAt(c).scene);
+  Check check;
+  for (std::size_t t = 0; t < scene->triangles.size(); ++t) {
+    check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
+  }
+  check.judge = [&c](const Answers& answers) { return HaveOneModel(LookedAt(c), answers); };
+  return check;
+}
+
+// Compares the mesh with the sum of its triangles. The last drawing is its own.
+Verdict IsTheSum(const Case& c, std::uint64_t exercised, const Answers& answers) {
+  const CoverageCounts& whole = answers.draws.back()->counts;
+  CoverageCounts sum(whole.width, whole.height, whole.samples);
+  for (std::size_t t = 0; t + 1 < answers.draws.size(); ++t) Add(sum, answers.draws[t]->counts);
   Verdict verdict =
       SameCounts(whole, sum, exercised, "the sum of its triangles, each drawn alone,");
   verdict.not_judged = DecisionsOf(c) - exercised;  // of the triangles behind the most
   return verdict;
+}
+
+Check OfAllTogether(const Case& c) {
+  const Case drawn = LookedAt(c);
+  Check check;
+  check.questions.draws.push_back(CountsOf(drawn.scene, c.profile, WholeTarget(c)));
+  check.bases.resize(drawn.scene.triangles.size());
+  std::iota(check.bases.begin(), check.bases.end(), std::size_t{0});
+  check.judge = [&c, exercised = DecisionsOf(drawn)](const Answers& answers) {
+    return IsTheSum(c, exercised, answers);
+  };
+  return check;
+}
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  if (c.scene.clip_space) return NotJudged(c, "models are searched in window space alone");
+  if (!IsUnclippedInEveryModel(c)) {
+    return NotJudged(c, "a legal choice leaves the profile's no-clip rectangle");
+  }
+  Asked asked;
+  asked.checks.push_back(OfEachAlone(c));
+  asked.checks.push_back(OfAllTogether(c));
+  return asked;
 }
 
 }  // namespace
@@ -155,7 +173,8 @@ constinit const Property kOneLegalModelExplainsTheMesh{
         "window space; coordinates within the limit",
     .tolerance = "the profile's own freedom, jointly for all triangles",
     .domains = kFreeSnaps,
-    .check = Judge,
+    .gate = {.space = Space::kEither, .any_model = true, .rules = kRules},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,19 +1,15 @@
-// Near an edge that two triangles share from either side, each sample of their union is covered by exactly one of them.
+// Each sample beside an edge that two triangles share from either side is covered by one of them.
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
 #include "props/judging/neighbour_pairs.h"
 #include "props/judging/planar_mesh.h"
-#include "props/judging/precondition.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kEither, .watertight_suffices = true, .judges_clipped = true};
-  if (auto refusal = CannotJudgeCoverage(subject, c, need)) return *refusal;
-  if (auto refusal = LeavesEdgesOpen(c.profile)) return *refusal;
-  return PairsCoverOnce(subject, c, [](const Neighbours&) { return true; });
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  return CompareNeighbours(c, [](const Neighbours&) { return true; });
 }
 
 }  // namespace
@@ -28,7 +24,11 @@ constinit const Property kSharedEdgeSamplesAreCoveredOnce{
     .precondition = kSharedEdges,
     .tolerance = kExact,
     .domains = kMeshesAnySpace,
-    .check = Judge,
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kWatertight,
+             .judges_clipped = true,
+             .rules = kPlanarMeshRules},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

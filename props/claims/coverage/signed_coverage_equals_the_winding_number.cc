@@ -1,4 +1,6 @@
-// For any triangles, folded or not, front minus back equals the winding number of the boundary around the sample.
+// For any triangles, folded or not, front minus back is the boundary's winding number.
+#include <utility>
+
 #include "model/snap_scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
@@ -6,28 +8,22 @@
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_model.h"
 #include "props/judging/outline.h"
-#include "props/judging/precondition.h"
 #include "props/judging/signed_coverage.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict Judge(Subject& subject, const Case& c) {
-  const Need need{.space = Space::kEither, .judges_clipped = true};
-  if (auto refusal = CannotJudgeSignedCoverage(subject, c, need)) return *refusal;
-  const bool clipped = !IsUnclipped(c.scene, c.profile);
+Asked Ask(const Case& c, const Description& subject) {
   Spared spared;
-  if (clipped) {
+  if (!IsUnclipped(c.scene, c.profile)) {
     spared.open = OpenTriangles(c);
     spared.outline = Outline::OfMoved(c, spared.open.MostMoved());
     if (TellsFacings(subject)) spared.open.ForgetTurned();
   }
   const char* const what = c.scene.clip_space ? "the winding number around the eye"
                                               : "the winding number of the boundary";
-  Verdict verdict = SignedCoverageIs(subject, c, WindingOf(c), what, spared);
-  if (verdict.witness) BlameTriangle(subject, c, WholeTarget(c), *verdict.witness);
-  return verdict;
+  return CompareSignedCoverage(c, WindingOf(c), what, std::move(spared));
 }
 
 }  // namespace
@@ -41,7 +37,10 @@ constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .precondition = "contract sample-exact; coordinates within the limit; a consistent fill rule",
     .tolerance = kExact,
     .domains = kAnyMesh,
-    .check = Judge,
+    .gate = {.space = Space::kEither, .judges_clipped = true, .rules = kSignedCoverageRules},
+    .ask = Ask,
+    .blame = [](const Case& c, const Verdict& verdict,
+                const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };
 
 }  // namespace rasterproof::props

@@ -1,17 +1,20 @@
-// A window-space triangle lifted to clip space, each vertex (x w, y w, w) by a positive power of two w of its own, covers what the window-space triangle covers.
+// A window-space triangle lifted to clip space covers what the window-space triangle covers.
+//
+// Each vertex becomes (x w, y w, w) by a positive power of two w of its own.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
+#include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -49,18 +52,21 @@ std::optional<Scene> Lifted(const Scene& window) {
   return clip;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kClip})) return *refusal;
-  const Scene window = ProjectedScene(c.scene);
-  const std::optional<Scene> lifted = Lifted(window);
-  if (!WithinLimits(window, c.profile) || !lifted || !WithinLimits(*lifted, c.profile)) {
-    return {Outcome::kNotExercised, 0, 0, "the projected scene is beyond the limits", std::nullopt};
-  }
+Asked Ask(const Case& c, const Description& /*subject*/) {
   Case projected = c;
-  projected.scene = window;
-  const CoverageCounts expected = exact::Coverage(window, c.profile, WholeTarget(c));
-  const CoverageCounts observed = Drawn(subject, *lifted, c.profile, WholeTarget(c));
-  return SameCounts(observed, expected, DecisionsOf(projected), "that of the projected triangles");
+  projected.scene = ProjectedScene(c.scene);
+  const std::optional<Scene> lifted = Lifted(projected.scene);
+  if (!WithinLimits(projected.scene, c.profile) || !lifted || !WithinLimits(*lifted, c.profile)) {
+    return NothingAsked("the projected scene is beyond the limits");
+  }
+  Questions questions;
+  questions.draws.push_back(CountsOf(*lifted, c.profile, WholeTarget(c)));
+  return OneCheck(std::move(questions), [projected = std::move(projected)](const Answers& answers) {
+    const CoverageCounts expected =
+        exact::Coverage(projected.scene, projected.profile, WholeTarget(projected));
+    return SameCounts(answers.draws[0]->counts, expected, DecisionsOf(projected),
+                      "that of the projected triangles");
+  });
 }
 
 }  // namespace
@@ -76,7 +82,8 @@ constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
         "space; the lifted coordinates are exact",
     .tolerance = kExact,
     .domains = kClipSpace,
-    .check = Judge,
+    .gate = {.space = Space::kClip},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

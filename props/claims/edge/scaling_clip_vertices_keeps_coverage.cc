@@ -1,8 +1,11 @@
-// Multiplying x, y and w of a clip-space vertex by a positive power of two changes no sign and so no sample: the edges V_j x V_i are only multiplied by it.
+// A clip-space vertex times a positive power of two, in x, y and w, changes no sample.
+//
+// It changes no sign: the edges V_j x V_i are only multiplied by it.
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "core/profile.h"
 #include "core/scene.h"
@@ -10,7 +13,6 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -40,16 +42,18 @@ std::optional<Scene> Scaled(const Scene& scene) {
   return scaled;
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (auto refusal = CannotJudgeCoverage(subject, c, {.space = Space::kClip})) return *refusal;
+Asked Ask(const Case& c, const Description& /*subject*/) {
   const std::optional<Scene> scaled = Scaled(c.scene);
   if (!scaled || !WithinLimits(*scaled, c.profile)) {
-    return {Outcome::kNotExercised, 0, 0, "a scaled vertex is not exact or beyond the limit",
-            std::nullopt};
+    return NothingAsked("a scaled vertex is not exact or beyond the limit");
   }
-  Case variation = c;
-  variation.scene = *scaled;
-  return SameAsUnvaried(subject, c, variation, "that of the unscaled vertices");
+  Questions questions;
+  questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
+  questions.draws.push_back(CountsOf(*scaled, c.profile, WholeTarget(c)));
+  return OneCheck(std::move(questions), [&c](const Answers& answers) {
+    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c),
+                      "that of the unscaled vertices");
+  });
 }
 
 }  // namespace
@@ -65,7 +69,8 @@ constinit const Property kScalingClipVerticesKeepsCoverage{
         "space; the scaled coordinates are exact",
     .tolerance = kExact,
     .domains = kClipSpace,
-    .check = Judge,
+    .gate = {.space = Space::kClip},
+    .ask = Ask,
 };
 
 }  // namespace rasterproof::props

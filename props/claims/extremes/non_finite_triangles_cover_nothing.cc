@@ -3,15 +3,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
-#include "core/error.h"
+#include "core/coverage.h"
 #include "core/scene.h"
-#include "core/subject_errors.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
-#include "props/judging/precondition.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -41,47 +41,42 @@ std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
   return triangles;
 }
 
-// The one that covers the witness's sample by itself, or none: then it is their company.
-int Culprit(Subject& subject, const Case& c, const std::vector<std::size_t>& bad,
-            const Witness& witness) {
-  try {
-    for (const std::size_t t : bad) {
-      const CoverageCounts counts =
-          Drawn(subject, OnlyTriangles(c, {t}).scene, c.profile, WholeTarget(c));
-      if (counts.Count(counts.Index(witness.x, witness.y, witness.sample)) != 0) {
-        return static_cast<int>(t);
-      }
-    }
-  } catch (const InputError&) {
-    return -1;  // what was seen of all of them stays so, whatever becomes of one
-  } catch (const SubjectFault&) {
-    return -1;
-  } catch (const SubjectTooSlow&) {
-    return -1;
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  const std::vector<std::size_t> bad = NonFiniteTriangles(c);
+  if (bad.empty()) {
+    return NothingAsked("every triangle is finite, or the profile leaves its infinite vertex open");
   }
-  return -1;
+  Questions questions;
+  questions.draws.push_back(CountsOf(OnlyTriangles(c, bad).scene, c.profile, WholeTarget(c)));
+  return OneCheck(std::move(questions), [exercised = bad.size()](const Answers& answers) {
+    const CoverageCounts& observed = answers.draws[0]->counts;
+    const CoverageCounts nothing(observed.width, observed.height, observed.samples);
+    return SameCounts(observed, nothing, exercised, "none, the triangles are not finite,");
+  });
 }
 
-Verdict Judge(Subject& subject, const Case& c) {
-  if (c.profile.contract != Contract::kSampleExact) {
-    return Verdict::NotApplicable(
-        "the profile's contract does not say what single triangles cover");
+// The one that covers the witness's sample by itself, or none: then it is their company.
+Asked Blame(const Case& c, const Verdict& verdict, const Description& /*subject*/) {
+  Asked asked;
+  const auto scene = std::make_shared<const Scene>(c.scene);
+  for (const std::size_t t : NonFiniteTriangles(c)) {
+    Check check;
+    check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
+    check.judge = [t, witness = *verdict.witness](const Answers& answers) {
+      const CoverageCounts& counts = answers.draws[0]->counts;
+      if (counts.Count(counts.Index(witness.x, witness.y, witness.sample)) == 0) {
+        return Verdict::Held(1);
+      }
+      Witness culprit = witness;
+      culprit.triangle = static_cast<int>(t);
+      return Verdict::Violated(1, "", std::move(culprit));
+    };
+    asked.checks.push_back(std::move(check));
   }
-  const std::vector<std::size_t> bad = NonFiniteTriangles(c);
-  const Case alone = OnlyTriangles(c, bad);
-  if (auto refusal = CannotDraw(subject, alone, Space::kEither)) return *refusal;
-  if (bad.empty()) {
-    return {Outcome::kNotExercised, 0, 0,
-            "every triangle is finite, or the profile leaves its infinite vertex open",
-            std::nullopt};
-  }
-  const CoverageCounts observed = Drawn(subject, alone.scene, c.profile, WholeTarget(c));
-  const CoverageCounts nothing(c.scene.width, c.scene.height, c.profile.lattice.samples());
-  Verdict verdict =
-      SameCounts(observed, nothing, bad.size(), "none, the triangles are not finite,");
-  if (verdict.witness) verdict.witness->triangle = Culprit(subject, c, bad, *verdict.witness);
-  return verdict;
+  return asked;
 }
+
+constexpr std::array kRules{kSaysWhatSinglesCover};
 
 }  // namespace
 
@@ -96,7 +91,13 @@ constinit const Property kNonFiniteTrianglesCoverNothing{
         "says what it covers",
     .tolerance = kExact,
     .domains = kNonFinite,
-    .check = Judge,
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kNone,
+             .judges_degenerates = true,
+             .beyond_limits = true,
+             .rules = kRules},
+    .ask = Ask,
+    .blame = Blame,
 };
 
 }  // namespace rasterproof::props

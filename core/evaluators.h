@@ -35,26 +35,32 @@ struct StepsQuestion {
   int steps = 0;
 };
 
-/// Edge values, for subjects that show them.
-class EdgeEvaluator {
+/// What a subject states of its edge values, before any is asked for.
+class EdgeBounds {
  public:
-  virtual ~EdgeEvaluator() = default;
+  virtual ~EdgeBounds() = default;
 
+  /// A proven bound on |EdgeEvaluator::Value - E|, or NaN where no bound is claimed (overflow,
+  /// underflow). 0: exact.
+  virtual double ErrorBound(Point2 a, Point2 b, Point2 p) const = 0;
+  /// A proven bound on |EdgeEvaluator::Walk(...)[n] - E| for n = 0..steps, or NaN where none is
+  /// claimed.
+  virtual std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                              int steps) const = 0;
+};
+
+/// Edge values, for subjects that show them.
+class EdgeEvaluator : public EdgeBounds {
+ public:
   /// The subject's value of E(a, b; p), evaluated afresh at p.
   ///
   /// Units:      pixels squared.
   virtual double Value(Point2 a, Point2 b, Point2 p) const = 0;
-  /// A proven bound on |Value - E|, or NaN where no bound is claimed (overflow, underflow). 0:
-  /// exact.
-  virtual double ErrorBound(Point2 a, Point2 b, Point2 p) const = 0;
   /// The values met when the subject walks `steps` steps from p: steps + 1 entries, the first at p.
   virtual std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const = 0;
   /// The same of many questions, in their order: together where the subject is asked over a pipe.
   virtual std::vector<double> Values(std::span<const EdgeQuestion> questions) const;
   virtual std::vector<std::vector<double>> Walks(std::span<const StepsQuestion> questions) const;
-  /// A proven bound on |Walk(...)[n] - E| for n = 0..steps, or NaN where none is claimed.
-  virtual std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                              int steps) const = 0;
 };
 
 /// The ways to turn edge values into weights.
@@ -83,14 +89,11 @@ struct Corner {
   double w = 1;
 };
 
-/// Weights and what is interpolated with them, for subjects that show them.
-class WeightEvaluator {
+/// What a subject states of its weights and of what it interpolates, before any is asked for.
+class BarycentricBounds {
  public:
-  virtual ~WeightEvaluator() = default;
+  virtual ~BarycentricBounds() = default;
 
-  /// Weights of p: entry i belongs to vertex i.
-  virtual std::array<double, 3> Weights(BarycentricForm form, const std::array<Point2, 3>& v,
-                                        Point2 p) const = 0;
   /// A proven bound on |Weights[i] - lambda_i|, or NaN where none is claimed.
   virtual std::array<double, 3> WeightErrorBounds(BarycentricForm form,
                                                   const std::array<Point2, 3>& v,
@@ -98,12 +101,20 @@ class WeightEvaluator {
   /// A proven bound on |l0 + l1 + l2 - 1| (the sum taken exactly), or NaN where none is claimed.
   virtual double SumErrorBound(BarycentricForm form, const std::array<Point2, 3>& v,
                                Point2 p) const = 0;
-  virtual double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
-                             const std::array<double, 3>& attribute, Point2 p) const = 0;
   /// A proven bound on the distance from the exact interpolated value, or NaN.
   virtual double InterpolationErrorBound(InterpolationForm form, const std::array<Corner, 3>& v,
                                          const std::array<double, 3>& attribute,
                                          Point2 p) const = 0;
+};
+
+/// Weights and what is interpolated with them, for subjects that show them.
+class WeightEvaluator : public BarycentricBounds {
+ public:
+  /// Weights of p: entry i belongs to vertex i.
+  virtual std::array<double, 3> Weights(BarycentricForm form, const std::array<Point2, 3>& v,
+                                        Point2 p) const = 0;
+  virtual double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
+                             const std::array<double, 3>& attribute, Point2 p) const = 0;
   /// Distance of p to each edge line, entry i for the edge opposite vertex i, in the form's unit.
   virtual std::array<double, 3> EdgeDistances(WireframeForm form, const std::array<Point2, 3>& v,
                                               Point2 p) const = 0;

@@ -95,7 +95,7 @@ std::vector<ImageValue> ImagesOf(const Case& c, const Description& subject,
 
 }  // namespace
 
-std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeEvaluator& bounds) {
+std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeBounds& bounds) {
   std::vector<BoundedEdge> edges;
   for (const EdgeQuery& q : SomeEdgeQueries(c)) {
     const double bound = bounds.ErrorBound(q.a, q.b, q.place.at);

@@ -40,7 +40,7 @@ struct BoundedEdge {
 
 /// Every edge of a few triangles, at samples near any of that triangle's edges, where the subject's
 /// bound claims anything.
-std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeEvaluator& bounds);
+std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeBounds& bounds);
 
 /// Asks for the value at each.
 Questions ValuesAt(std::span<const BoundedEdge> edges);

@@ -20,8 +20,8 @@ namespace rasterproof::props {
 /// The bounds are what it states, not what it measures: pure functions of the question.
 struct Description {
   SubjectInfo info;
-  const EdgeEvaluator* edges = nullptr;      ///< of its edge values; nullptr: it shows none
-  const WeightEvaluator* weights = nullptr;  ///< of its barycentrics; nullptr: it shows none
+  const EdgeBounds* edges = nullptr;           ///< of its edge values; nullptr: it shows none
+  const BarycentricBounds* weights = nullptr;  ///< of its barycentrics; nullptr: it shows none
 };
 
 enum class Space : std::uint8_t { kWindow, kClip, kEither };

@@ -54,7 +54,8 @@ std::optional<exact::Rational> ExactInterpolation(InterpolationForm form,
 }
 
 Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
-                        const std::vector<InterpolationForm>& forms, const WeightEvaluator& bounds,
+                        const std::vector<InterpolationForm>& forms,
+                        const BarycentricBounds& bounds,
                         Verdict (*judge)(const std::vector<InterpolationAnswer>&)) {
   std::vector<InterpolationAnswer> unanswered;
   Questions questions;

@@ -44,7 +44,8 @@ struct InterpolationAnswer {
 /// Asks for the values at the queries, in those of the forms where the subject's bound claims
 /// anything, and judges them all at once.
 Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
-                        const std::vector<InterpolationForm>& forms, const WeightEvaluator& bounds,
+                        const std::vector<InterpolationForm>& forms,
+                        const BarycentricBounds& bounds,
                         Verdict (*judge)(const std::vector<InterpolationAnswer>&));
 
 /// Holds if every value is within its bound of the exact one.

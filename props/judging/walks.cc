@@ -124,7 +124,7 @@ StepsQuestion StepsOf(const WalkQuery& walk) {
   return {walk.from.a, walk.from.b, walk.from.place.at, walk.step, walk.steps};
 }
 
-std::vector<double> BoundsOf(const WalkQuery& walk, const EdgeEvaluator& bounds) {
+std::vector<double> BoundsOf(const WalkQuery& walk, const EdgeBounds& bounds) {
   const EdgeQuery& q = walk.from;
   return bounds.WalkErrorBounds(q.a, q.b, q.place.at, walk.step, walk.steps);
 }
@@ -137,7 +137,7 @@ std::optional<Verdict> WrongLength(const WalkQuery& walk, std::size_t values, st
                        std::to_string(wanted) + " of each");
 }
 
-Asked WalksStayWithinTheirBound(std::span<const WalkQuery> walks, const EdgeEvaluator& bounds) {
+Asked WalksStayWithinTheirBound(std::span<const WalkQuery> walks, const EdgeBounds& bounds) {
   Asked asked;
   for (const WalkQuery& walk : walks) {
     Check check;

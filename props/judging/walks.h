@@ -44,10 +44,10 @@ std::vector<WalkQuery> LongWalks(const Case& c, int steps);
 StepsQuestion StepsOf(const WalkQuery& walk);
 
 /// The bounds that the subject states on them.
-std::vector<double> BoundsOf(const WalkQuery& walk, const EdgeEvaluator& bounds);
+std::vector<double> BoundsOf(const WalkQuery& walk, const EdgeBounds& bounds);
 
 /// Whether each value met is within the bound claimed for it: a check for each walk.
-Asked WalksStayWithinTheirBound(std::span<const WalkQuery> walks, const EdgeEvaluator& bounds);
+Asked WalksStayWithinTheirBound(std::span<const WalkQuery> walks, const EdgeBounds& bounds);
 
 /// A violation if a walk has not steps + 1 values and as many bounds.
 std::optional<Verdict> WrongLength(const WalkQuery& walk, std::size_t values, std::size_t bounds);

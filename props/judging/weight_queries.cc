@@ -81,7 +81,7 @@ std::vector<BarycentricForm> FormsFor(const WeightQuery& q) {
   return forms;
 }
 
-Asked AskWeights(const std::vector<WeightQuery>& queries, const WeightEvaluator& bounds,
+Asked AskWeights(const std::vector<WeightQuery>& queries, const BarycentricBounds& bounds,
                  Verdict (*judge)(const std::vector<WeightAnswer>&)) {
   std::vector<WeightAnswer> unanswered;
   Questions questions;

@@ -55,7 +55,7 @@ struct WeightAnswer {
 };
 
 /// Asks for the weights at the queries and judges them all at once.
-Asked AskWeights(const std::vector<WeightQuery>& queries, const WeightEvaluator& bounds,
+Asked AskWeights(const std::vector<WeightQuery>& queries, const BarycentricBounds& bounds,
                  Verdict (*judge)(const std::vector<WeightAnswer>&));
 
 /// The three weights, for a witness.

@@ -26,7 +26,7 @@ struct Rotation {
 };
 
 // Adds the rotations of a triangle, and what they ask.
-void AddRotations(const CornersPlace& corners, const EdgeEvaluator& bounds,
+void AddRotations(const CornersPlace& corners, const EdgeBounds& bounds,
                   std::vector<Rotation>& rotations, std::vector<EdgeQuestion>& questions) {
   const std::array<Point2, 3>& v = corners.at;
   const double area_bound = bounds.ErrorBound(v[0], v[1], v[2]);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kTriangles = 64;
 
-std::vector<BoundedEdge> EndsOfEdges(const Case& c, const EdgeEvaluator& bounds) {
+std::vector<BoundedEdge> EndsOfEdges(const Case& c, const EdgeBounds& bounds) {
   std::vector<BoundedEdge> ends;
   for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
     for (int i = 0; i < 3; ++i) {

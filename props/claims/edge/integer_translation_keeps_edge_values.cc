@@ -1,4 +1,4 @@
-// Moving edge and sample by whole pixels keeps E, where the sums are exact and on the input lattice.
+// Moving edge and sample by whole pixels keeps E, where the sums are exact and of the input format.
 #include <array>
 
 #include "props/claims/all.h"

@@ -18,7 +18,7 @@ struct EdgeBothWays {
   double reversed_bound = 0;
 };
 
-std::vector<EdgeBothWays> SomeEdgesBothWays(const Case& c, const EdgeEvaluator& bounds) {
+std::vector<EdgeBothWays> SomeEdgesBothWays(const Case& c, const EdgeBounds& bounds) {
   std::vector<EdgeBothWays> edges;
   for (const BoundedEdge& edge : SomeBoundedEdges(c, bounds)) {
     const EdgeQuery& q = edge.query;

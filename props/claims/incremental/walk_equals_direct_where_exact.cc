@@ -27,15 +27,15 @@ Verdict Judge(const WalkQuery& walk, const std::vector<int>& exact_steps, const 
   return Verdict::Held(exact_steps.size());
 }
 
-Check CheckOf(const WalkQuery& walk, const EdgeEvaluator& edges) {
+Check CheckOf(const WalkQuery& walk, const EdgeBounds& claimed) {
   const EdgeQuery& q = walk.from;
-  const std::vector<double> bounds = BoundsOf(walk, edges);
+  const std::vector<double> bounds = BoundsOf(walk, claimed);
   std::vector<int> exact_steps;
   Check check;
   check.questions.steps.push_back(StepsOf(walk));
   for (int n = 0; n <= walk.steps && n < std::ssize(bounds); ++n) {
     const Point2 p = AfterSteps(walk, n);
-    if (bounds[static_cast<std::size_t>(n)] != 0 || edges.ErrorBound(q.a, q.b, p) != 0) continue;
+    if (bounds[static_cast<std::size_t>(n)] != 0 || claimed.ErrorBound(q.a, q.b, p) != 0) continue;
     exact_steps.push_back(n);
     check.questions.edges.push_back({q.a, q.b, p});
   }

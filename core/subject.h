@@ -40,6 +40,8 @@ class Subject {
   /// Returns:    one outcome for each job; fewer if the subject broke down, and then the last one
   ///             holds what it threw. A scene that it refuses is no breakdown.
   virtual std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs);
+  /// True if many draws in one call cost less than each in a call of its own: of a process.
+  virtual bool SharesCalls() const { return false; }
   /// The subject whose calls each go to the rasterizer as they are. Another one than this where
   /// this splits a scene, to tell facings or overlaps that the rasterizer does not tell.
   virtual Subject& Whole() { return *this; }

@@ -13,7 +13,6 @@
 
 #include "core/case.h"
 #include "core/question.h"
-#include "core/subject.h"
 #include "core/verdict.h"
 #include "props/judging/gate.h"
 
@@ -58,9 +57,6 @@ struct Property {
   std::string_view tolerance;     ///< the named, proven bound, or "none: exact"
   /// Names of the domains whose cases put this claim to the test.
   std::span<const std::string_view> domains;
-  /// Never throws for a legal subject; says kNotApplicable or kNotExercised rather than passing
-  /// vacuously. nullptr: see `ask`.
-  Verdict (*check)(Subject&, const Case&) = nullptr;
   /// True if the claim is about calls that follow each other: no others may come in between.
   bool is_about_sequence = false;
   Gate gate = {};

@@ -14,6 +14,7 @@
 #include "io/image.h"
 #include "io/output.h"
 #include "props/codec/codec.h"
+#include "props/judging/redraw.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
 #include "report/picture.h"
@@ -42,13 +43,11 @@ std::string WhyObservedOnly(const SubjectInfo& info, const Case& c) {
 }
 
 // Without a property the claim is the plainest one: the counts are the model's.
-Verdict CompareWithModel(Subject& subject, const Case& c) {
-  if (!Takes(subject.Info(), c.scene)) return Verdict::NotApplicable("it takes no such scene");
-  const CoverageCounts observed = Draw(subject, c.scene, c.options);
+Verdict CompareWithModel(const CoverageCounts& observed, const SubjectInfo& info, const Case& c) {
   const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(difference.samples);
-  if (const std::string why = WhyObservedOnly(subject.Info(), c); !why.empty()) {
+  if (const std::string why = WhyObservedOnly(info, c); !why.empty()) {
     return {Outcome::kNotExercised, 0, 0,
             fmt::format("{} of {} samples differ from the canonical model: {}", difference.wrong,
                         difference.samples, why),
@@ -69,6 +68,14 @@ Verdict CompareWithModel(Subject& subject, const Case& c) {
                            witness);
 }
 
+props::Asked AskForTheModel(const Case& c, const props::Description& subject) {
+  Questions questions;
+  questions.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
+  return props::OneCheck(std::move(questions), [&c, &subject](const Answers& answers) {
+    return CompareWithModel(answers.draws[0]->counts, subject.info, c);
+  });
+}
+
 // What the case is judged by.
 const props::Property& ClaimOf(const LoadedCase& loaded) {
   static const props::Property plain{.name = "coverage",
@@ -77,7 +84,10 @@ const props::Property& ClaimOf(const LoadedCase& loaded) {
                                      .precondition = "a scene that the oracle decides",
                                      .tolerance = "none: exact",
                                      .domains = {},
-                                     .check = CompareWithModel};
+                                     .gate = {.space = props::Space::kEither,
+                                              .promise = props::Promise::kNone,
+                                              .beyond_limits = true},
+                                     .ask = AskForTheModel};
   return loaded.property != nullptr ? *loaded.property : plain;
 }
 

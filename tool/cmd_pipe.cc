@@ -2,25 +2,30 @@
 //
 // Both make the same cases and put the claim to the test on a subject that has no pixels of its
 // own: gen's writes down what it is asked to draw, ver's answers with what the program said.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "core/question.h"
 #include "core/result.h"
 #include "core/subject_errors.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "props/run/batching.h"
+#include "props/judging/redraw.h"
 #include "props/run/campaign.h"
-#include "props/run/facings.h"
+#include "props/run/judge.h"
+#include "props/run/judged_case.h"
+#include "props/run/put.h"
 #include "props/run/tally.h"
 #include "subjects/process/protocol.h"
 #include "tool/commands.h"
@@ -42,38 +47,49 @@ SubjectInfo InfoOf(const PipeOptions& options) {
   return info;
 }
 
-// A subject outside without a rasterizer: what it draws is a ledger's.
-struct LedgerSubject {
-  LedgerSubject(const SubjectInfo& info, props::DrawLedger& ledger, props::OnMiss on_miss) {
-    auto batching = std::make_unique<props::BatchingSubject>(info);
-    batching->Follow(ledger, on_miss);
-    subject = props::WithFacings(std::move(batching));
+// A rasterizer at the far end of a pipe that is laid by hand.
+class FarEnd : public Subject {
+ public:
+  explicit FarEnd(const SubjectInfo& info) : info_(info) {}
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    counts += Show({scene, options, counts.samples}).counts;
   }
-  std::unique_ptr<Subject> subject;
+  Drawing Show(const DrawJob& job) override {
+    DrawOutcome outcome = std::move(DrawMany({&job, 1}).front());
+    outcome.Get();  // or it throws
+    return std::move(outcome.drawing);
+  }
+
+ protected:
+  const SubjectInfo& info() const { return info_; }
+
+ private:
+  SubjectInfo info_;
 };
 
-// What a subject is asked to draw when the claim is put to the test on the case; `why_not` is set
-// to what stands in the way, where nothing is asked and nothing stood there before.
-props::DrawLedger RequestsOf(const SubjectInfo& info, const props::Property& property,
-                             const Case& c, std::string& why_not) {
-  props::DrawLedger ledger;
-  const LedgerSubject recorder(info, ledger, props::OnMiss::kCoverNothing);
-  const Verdict verdict = props::RunCase(*recorder.subject, property, c);
-  if (ledger.jobs.empty() && why_not.empty()) why_not = verdict.message;
-  if (!ledger.jobs.empty()) {
-    // The picture of a failure shows the whole case, which the claim need not have asked for.
-    CoverageCounts counts(c.scene.width, c.scene.height, c.profile.lattice.samples());
-    recorder.subject->Draw(c.scene, c.options, counts);
+// gen's: what is asked is written down, and nothing is covered.
+class Asking final : public FarEnd {
+ public:
+  using FarEnd::FarEnd;
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    asked_.insert(asked_.end(), jobs.begin(), jobs.end());
+    std::vector<DrawOutcome> outcomes(jobs.size());
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+      Drawing& drawing = outcomes[k].drawing;
+      drawing.counts = CoverageCounts(jobs[k].scene->width, jobs[k].scene->height, jobs[k].samples);
+      if (!ShowsWinners(info())) continue;
+      drawing.winners.assign(drawing.counts.size(), kNoTriangle);
+      drawing.weights.resize(drawing.counts.size());
+      drawing.depths.resize(drawing.counts.size());
+    }
+    return outcomes;
   }
-  return ledger;
-}
+  std::vector<DrawJob> Asked() { return std::exchange(asked_, {}); }
 
-// Of a run that asked for no drawing at all.
-void TellNothingAsked(const props::Property& property, std::uint64_t cases,
-                      const std::string& why_not) {
-  std::cerr << fmt::format("{}: none of {} cases asks for a drawing: {}\n", property.name, cases,
-                           why_not.empty() ? "it was never put to the test" : why_not);
-}
+ private:
+  std::vector<DrawJob> asked_;
+};
 
 std::string_view NextLine(std::size_t /*most_bytes*/) {
   static std::string line;
@@ -82,21 +98,94 @@ std::string_view NextLine(std::size_t /*most_bytes*/) {
                    "give ver the same options as gen, and flush what the program says");
 }
 
-// Reads the answers to a ledger's jobs. Returns whether none was refused.
-bool ReadAnswers(const SubjectInfo& info, std::uint64_t& id, props::DrawLedger& ledger) {
-  bool all = true;
-  for (const DrawJob& job : ledger.jobs) {
-    DrawOutcome& outcome = ledger.outcomes.emplace_back();
-    try {
-      outcome.drawing = subjects::ReadAnswer(++id, job, info, NextLine);
-    } catch (const InputError&) {
-      if (std::cin.eof()) throw;
-      all = false;
-    } catch (const SubjectFault&) {
-      outcome.error = std::current_exception();
+// ver's: every job is answered by what the program said, in the same order.
+class Answering final : public FarEnd {
+ public:
+  using FarEnd::FarEnd;
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    std::vector<DrawOutcome> outcomes(jobs.size());
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+      try {
+        outcomes[k].drawing = subjects::ReadAnswer(++id_, jobs[k], info(), NextLine);
+      } catch (const std::exception&) {
+        if (std::cin.eof()) throw;
+        outcomes[k].error = std::current_exception();
+      }
     }
+    return outcomes;
   }
+  std::uint64_t answered() const { return id_; }
+
+ private:
+  std::uint64_t id_ = 0;
+};
+
+// The counts of one drawing, whatever is asked: for the picture of a failure.
+class Shown final : public Subject {
+ public:
+  Shown(const SubjectInfo& info, CoverageCounts counts) : info_(info), counts_(std::move(counts)) {
+    info_.coverage = CoverageKind::kFacingCounts;
+  }
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& /*scene*/, const DrawOptions& /*options*/,
+            CoverageCounts& counts) override {
+    if (counts.size() == counts_.size()) counts += counts_;
+  }
+
+ private:
+  SubjectInfo info_;
+  CoverageCounts counts_;
+};
+
+// The answers to all that is asked about a case: to every check, whatever comes of those before it,
+// and to the draw of the whole case, which the picture of a failure shows.
+struct AllAnswers {
+  std::vector<Answers> of_checks;  ///< those of their bases not among them
+  Answers of_picture;
+};
+
+AllAnswers PutAll(Subject& subject, const props::CaseInHand& hand) {
+  AllAnswers all;
+  const auto put = [&](const Questions& questions) {
+    const props::Check check{questions, {}};
+    const props::Request request{&hand.AsJudged(), &check, nullptr};
+    return std::move(props::Put(subject, {&request, 1}).front());
+  };
+  if (hand.IsDone()) return all;
+  for (const props::Check& check : hand.Checks()) all.of_checks.push_back(put(check.questions));
+  const Case& c = hand.AsJudged().value;
+  Questions picture;
+  picture.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
+  all.of_picture = put(picture);
   return all;
+}
+
+bool IsAnyRefused(const AllAnswers& all) {
+  const auto is_refused = [](const Answers& answers) { return answers.stop == Stop::kRefused; };
+  return is_refused(all.of_picture) || std::ranges::any_of(all.of_checks, is_refused);
+}
+
+// Judges the checks by their answers, up to the first violated one.
+const Verdict& JudgeAll(props::CaseInHand& hand, AllAnswers& all) {
+  std::vector<std::shared_ptr<const Drawing>> drawn;
+  for (std::size_t k = 0; !hand.IsDone(); ++k) {
+    Answers& answers = all.of_checks[k];
+    const std::vector<std::shared_ptr<const Drawing>> own = answers.draws;
+    std::vector<std::shared_ptr<const Drawing>> draws;
+    for (const std::size_t base : hand.Checks()[k].bases) draws.push_back(drawn[base]);
+    draws.insert(draws.end(), own.begin(), own.end());
+    drawn.insert(drawn.end(), own.begin(), own.end());
+    answers.draws = std::move(draws);
+    hand.Take(answers);
+  }
+  return hand.Result().verdict;
+}
+
+// Of a run that asked for no drawing at all.
+void TellNothingAsked(const props::Property& property, std::uint64_t cases,
+                      const std::string& why_not) {
+  std::cerr << fmt::format("{}: none of {} cases asks for a drawing: {}\n", property.name, cases,
+                           why_not.empty() ? "it was never put to the test" : why_not);
 }
 
 struct PipeTally {
@@ -119,11 +208,16 @@ int RunGen(const PipeOptions& options) {
   RequireHonestEnvironment();
   const SubjectInfo info = InfoOf(options);
   const props::Property& property = RequireProperty(options.property);
+  Asking asking(info);
+  const props::Description description = props::DescriptionOf(asking);
   std::uint64_t id = 0;
   std::string why_not;
   for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
     const Case c = props::DrawCase(info, property, options.campaign.seed, n);
-    const std::vector<DrawJob> jobs = RequestsOf(info, property, c, why_not).jobs;
+    const props::CaseInHand hand(property, c, description);
+    if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
+    PutAll(asking, hand);
+    const std::vector<DrawJob> jobs = asking.Asked();
     io::WriteStandardOutput(subjects::RequestsText(id + 1, jobs, info));
     id += jobs.size();
   }
@@ -136,7 +230,8 @@ int RunVer(const PipeOptions& options) {
   RequireHonestEnvironment();
   const SubjectInfo info = InfoOf(options);
   const props::Property& property = RequireProperty(options.property);
-  std::uint64_t id = 0;
+  Answering answering(info);
+  const props::Description description = props::DescriptionOf(answering);
   PipeTally tally;
   std::string why_not;
   std::string failures;
@@ -146,13 +241,14 @@ int RunVer(const PipeOptions& options) {
     for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
       progress.Done(n);
       const Case c = props::DrawCase(info, property, options.campaign.seed, n);
-      props::DrawLedger ledger = RequestsOf(info, property, c, why_not);
-      if (!ReadAnswers(info, id, ledger)) {
+      props::CaseInHand hand(property, c, description);
+      if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
+      AllAnswers all = PutAll(answering, hand);
+      if (IsAnyRefused(all)) {
         ++tally.refused;
         continue;
       }
-      const LedgerSubject answering(info, ledger, props::OnMiss::kRefuse);
-      const Verdict verdict = props::RunCase(*answering.subject, property, c);
+      const Verdict& verdict = JudgeAll(hand, all);
       if (verdict.outcome == Outcome::kHolds) ++tally.held;
       if (verdict.outcome == Outcome::kNotExercised) ++tally.idle;
       if (verdict.outcome != Outcome::kViolated) continue;
@@ -162,12 +258,14 @@ int RunVer(const PipeOptions& options) {
         choice.property = property.name;
         choice.profile = options.profile;
         choice.name = c.origin;
-        failures = FailureText(*answering.subject, choice.property, c, verdict,
-                               CommandFor("replay", choice), /*colour=*/false);
+        Shown shown(info, all.of_picture.draws.empty() ? CoverageCounts()
+                                                       : all.of_picture.draws.front()->counts);
+        failures = FailureText(shown, choice.property, c, verdict, CommandFor("replay", choice),
+                               /*colour=*/false);
       }
     }
   }
-  if (id == 0) TellNothingAsked(property, options.campaign.cases, why_not);
+  if (answering.answered() == 0) TellNothingAsked(property, options.campaign.cases, why_not);
   io::WriteStandardOutput(
       fmt::format("{}{}: {} cases held, {} violated, {} did not exercise it, {} refused\n",
                   failures, property.name, tally.held, tally.violated, tally.idle, tally.refused));

@@ -12,7 +12,6 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "props/run/batching.h"
 #include "subjects/plugin/plugin.h"
 #include "subjects/process/process.h"
 #include "subjects/process/protocol.h"
@@ -38,8 +37,8 @@ std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe
 std::unique_ptr<Subject> InAProcess(std::vector<std::string> command, SubjectInfo info) {
   info.claims_exact = false;
   info.proofs.clear();
-  return std::make_unique<props::BatchingSubject>(std::make_unique<subjects::ProcessSubject>(
-      std::move(command), std::move(info), OutsideLimits()));
+  return std::make_unique<subjects::ProcessSubject>(std::move(command), std::move(info),
+                                                    OutsideLimits());
 }
 
 // This program once more, as the host of a library or an own type: what they break, they break

@@ -91,6 +91,7 @@ class JudgedSubject final : public Subject {
     return subject_->DrawMany(jobs);
   }
   Subject& Whole() override { return subject_->Whole(); }
+  bool SharesCalls() const override { return subject_->SharesCalls(); }
   void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
     subject_->SetDeadline(deadline);
   }

@@ -13,7 +13,6 @@
 #include "props/infer/declarations.h"
 #include "props/infer/locate.h"
 #include "props/infer/race.h"
-#include "props/run/batching.h"
 #include "props/run/guarded.h"
 #include "props/shrink/shrink.h"
 
@@ -129,8 +128,7 @@ bool Inference::Agrees() const {
 Inference Infer(Subject& subject, const InferOptions& options) {
   const Clock::time_point start = Clock::now();
   GuardedSubject guarded(subject);
-  const bool is_outside = BatchingOf(subject) != nullptr;  // which is guarded at the rasterizer
-  Observer observer(is_outside ? subject : guarded);
+  Observer observer(guarded);
   Inference inference;
   const auto broke_off = [&](const std::exception& error) {
     inference.remaining.clear();

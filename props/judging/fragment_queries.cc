@@ -12,7 +12,7 @@
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "model/snap_scene.h"
-#include "props/judging/precondition.h"
+#include "props/judging/gate.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 

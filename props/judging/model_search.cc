@@ -13,7 +13,7 @@
 #include "model/snap.h"
 #include "model/target_model.h"
 #include "model/wrap.h"
-#include "props/judging/precondition.h"
+#include "props/judging/gate.h"
 
 namespace rasterproof::props {
 namespace {

@@ -13,7 +13,7 @@
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
-#include "props/judging/precondition.h"
+#include "props/judging/gate.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -27,14 +27,6 @@ std::uint64_t PixelsBetween(double low, double high, int size) {
 }
 
 }  // namespace
-
-CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profile,
-                     const DrawOptions& options) {
-  RequireTargetSize("scene", scene.width, scene.height, profile.lattice.samples());
-  CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
-  subject.Draw(scene, options, counts);
-  return counts;
-}
 
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
   DrawJob job(scene, options, profile.lattice.samples());
@@ -158,14 +150,6 @@ Asked CompareWithTheModel(const Case& c) {
     }
     return SameCounts(observed, expected, DecisionsOf(c), "the model's");
   });
-}
-
-Verdict SameAsUnvaried(Subject& subject, const Case& c, const Case& variation,
-                       const std::string& claim) {
-  const CoverageCounts expected = Drawn(subject, c.scene, c.profile, WholeTarget(c));
-  const CoverageCounts observed =
-      Drawn(subject, variation.scene, variation.profile, WholeTarget(variation));
-  return SameCounts(observed, expected, DecisionsOf(c), claim);
 }
 
 }  // namespace rasterproof::props

@@ -18,10 +18,6 @@
 
 namespace rasterproof::props {
 
-/// The subject's counts for a scene, from zero.
-CoverageCounts Drawn(Subject& subject, const Scene& scene, const Profile& profile,
-                     const DrawOptions& options);
-
 /// Asks for the counts of a scene, from zero, by facing.
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 /// The same of triangle t alone, of a scene that several draws share.
@@ -62,10 +58,6 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
 ///
 /// Domain:     a case that outlives what is returned.
 Asked CompareWithTheModel(const Case& c);
-
-/// Holds if the subject draws the variation as it draws the case itself, culling and scissor off.
-Verdict SameAsUnvaried(Subject& subject, const Case& c, const Case& variation,
-                       const std::string& claim);
 
 }  // namespace rasterproof::props
 

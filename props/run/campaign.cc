@@ -11,9 +11,9 @@
 
 #include "core/error.h"
 #include "props/domains/domain.h"
-#include "props/run/batching.h"
 #include "props/run/budget.h"
 #include "props/run/counterexample.h"
+#include "props/run/look_ahead.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
 #include "props/run/trial.h"
@@ -49,7 +49,7 @@ class Campaign {
         property_(property),
         options_(options),
         pace_(options.pace != nullptr ? *options.pace : own_pace_),
-        is_outside_(BatchingOf(subject) != nullptr),
+        is_outside_(subject.SharesCalls()),
         budget_(subject, options),
         tally_(subject, property, options.seed) {}
 
@@ -135,7 +135,7 @@ class Campaign {
 
   std::vector<Trial> TryAll(std::span<const Case> cases) {
     if (cases.size() == 1) return {TryCase(subject_, property_, cases.front())};
-    return RunCasesInBatches(subject_, *BatchingOf(subject_), property_, cases, options_.stop);
+    return TryTogether(subject_, property_, cases, options_.stop);
   }
 
   PropertyResult TooSlow(const Case& c, const Verdict& verdict) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "props/run/batching.h"
+#include "props/run/look_ahead.h"
 #include "props/shrink/shrink.h"
 
 namespace rasterproof::props {
@@ -135,8 +135,7 @@ Counterexample InCompany(Subject& subject, const Property& property, const Failu
   };
   if (MayGoOn(budget)) {
     budget.GiveSubjectAll();
-    const std::vector<Trial> again =
-        RunCasesInBatches(subject, *BatchingOf(subject), property, failure.company, options.stop);
+    const std::vector<Trial> again = TryTogether(subject, property, failure.company, options.stop);
     if (std::ranges::none_of(again, is_violated) && std::ranges::none_of(again, is_inconclusive) &&
         MayGoOn(budget)) {
       return NotDeterministic(c, seen, alone);

@@ -30,6 +30,7 @@ class FacingSubject final : public Subject {
   const WeightEvaluator* Weights() const override { return subject_->Weights(); }
 
   Subject& Whole() override { return subject_->Whole(); }
+  bool SharesCalls() const override { return subject_->SharesCalls(); }
   void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
     subject_->SetDeadline(deadline);
   }

@@ -28,6 +28,7 @@ class GuardedSubject final : public Subject {
   Drawing Show(const DrawJob& job) override;
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
   Subject& Whole() override;
+  bool SharesCalls() const override { return subject_.SharesCalls(); }
   void SetDeadline(std::chrono::steady_clock::time_point deadline) override;
   const EdgeEvaluator* Edges() const override;
   const WeightEvaluator* Weights() const override;

@@ -134,7 +134,7 @@ void CaseInHand::Blame(Subject& subject) {
   }
 }
 
-Trial TryAsked(Subject& subject, const Property& property, const Case& c) {
+Trial TryCase(Subject& subject, const Property& property, const Case& c) {
   const Description description = DescriptionOf(subject);
   CaseInHand hand(property, c, description);
   Subject& rasterizer = subject.Whole();

@@ -64,12 +64,6 @@ class CaseInHand {
   std::optional<Trial> trial_;
 };
 
-/// Runs a property that asks on the case, one check after the other.
-///
-/// Returns:    as TryCase.
-/// Error:      JudgingFault.
-Trial TryAsked(Subject& subject, const Property& property, const Case& c);
-
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_RUN_JUDGE_H_

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <memory>
 #include <utility>
 
-#include "core/error.h"
 #include "model/transform.h"
 
 namespace rasterproof::props {
@@ -56,63 +52,6 @@ SubjectInfo SeenInfo(SubjectInfo info) {
   return info;
 }
 
-// Takes window-space scenes made of a clip-space scene's transformed vertices, and draws those.
-class SeenSubject final : public Subject {
- public:
-  SeenSubject(Subject& subject, const Scene& clip, const Scene& window)
-      : subject_(subject), info_(SeenInfo(subject.Info())), clip_(clip), window_(window) {
-    for (std::size_t k = 0; k < clip.vertices.size(); ++k) {
-      clip_of_.emplace(PlaceOf(window.vertices[k]), clip.vertices[k]);
-    }
-  }
-  const SubjectInfo& Info() const override { return info_; }
-
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    subject_.Draw(InClipSpace(scene), options, counts);
-  }
-  Drawing Show(const DrawJob& job) override {
-    DrawJob clip(InClipSpace(SceneOf(job)), job.options, job.samples);
-    clip.wants = job.wants;
-    return subject_.Show(clip);
-  }
-  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
-    subject_.SetDeadline(deadline);
-  }
-  Subject& Whole() override {
-    if (&subject_.Whole() == &subject_) return *this;
-    if (!whole_) whole_ = std::make_unique<SeenSubject>(subject_.Whole(), clip_, window_);
-    return *whole_;
-  }
-
- private:
-  Scene InClipSpace(const Scene& scene) const {
-    if (scene.width != clip_.width || scene.height != clip_.height) {
-      throw InputError("subject " + info_.name,
-                       "a viewport takes vertices elsewhere on this target",
-                       "choose another property");
-    }
-    Scene clip = scene;
-    clip.clip_space = true;
-    clip.precision = clip_.precision;
-    for (Vertex& v : clip.vertices) {
-      const auto found = clip_of_.find(PlaceOf(v));
-      if (found == clip_of_.end()) {
-        throw InputError("subject " + info_.name, "its transform takes no vertex to this place",
-                         "choose another property");
-      }
-      v = found->second;
-    }
-    return clip;
-  }
-
-  Subject& subject_;
-  SubjectInfo info_;
-  const Scene& clip_;
-  const Scene& window_;
-  std::map<Place, Vertex> clip_of_;
-  std::unique_ptr<SeenSubject> whole_;
-};
-
 }  // namespace
 
 SubjectInfo AsSeenByRecipes(const SubjectInfo& info) {
@@ -145,14 +84,6 @@ Case SeenCase(const Case& c) {
   seen.scene = ToWindow(c.scene, *c.profile.transform);
   seen.profile.transform.reset();
   return seen;
-}
-
-Verdict CheckSeen(Subject& subject, const Case& c,
-                  const std::function<Verdict(Subject&, const Case&)>& check) {
-  if (!c.profile.transform || !c.scene.clip_space) return check(subject, c);
-  const Case seen = SeenCase(c);
-  SeenSubject window_subject(subject, c.scene, seen.scene);
-  return check(window_subject, seen);
 }
 
 }  // namespace rasterproof::props

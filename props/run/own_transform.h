@@ -6,12 +6,9 @@
 #ifndef RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 #define RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 
-#include <functional>
-
 #include "core/case.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "core/verdict.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 
@@ -33,14 +30,6 @@ Case PutBehindTransform(Case window, const SubjectInfo& info, BitSource& bits);
 /// The case as properties see it: after the profile's transform, if it has one and the scene is in
 /// clip space.
 Case SeenCase(const Case& c);
-
-/// Calls `check` with the case seen through the profile's transform, and with a subject that draws
-/// what is made of the seen case's vertices.
-///
-/// Error:      InputError from a draw of anything else (a translated scene, another size of target:
-///             no clip-space vertex need be taken there).
-Verdict CheckSeen(Subject& subject, const Case& c,
-                  const std::function<Verdict(Subject&, const Case&)>& check);
 
 }  // namespace rasterproof::props
 

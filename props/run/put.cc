@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "core/subject_errors.h"
 #include "core/target_size.h"
-#include "props/run/batching.h"
 #include "props/run/parts.h"
 
 namespace rasterproof::props {
@@ -101,7 +100,7 @@ class Putting {
  public:
   Putting(Subject& subject, std::span<const Request> requests)
       : subject_(subject),
-        is_outside_(BatchingOf(subject) != nullptr),
+        is_outside_(subject.SharesCalls()),
         requests_(requests),
         answers_(requests.size()),
         not_given_(requests.size()) {}

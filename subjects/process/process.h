@@ -58,6 +58,7 @@ class ProcessSubject final : public Subject {
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
   /// Error:      of its calls: as Draw.
   const EdgeEvaluator* Edges() const override;
+  bool SharesCalls() const override { return true; }
   void SetDeadline(Clock::time_point deadline) override;
 
  private:

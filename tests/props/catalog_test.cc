@@ -412,7 +412,7 @@ TEST(Fairness, AT_JunctionIsExpectedToCrackAsTheOracleSays) {
   c.scene.vertices = {{0, 0}, {8, 3}, {4, 1.25}, {0, 8}, {8, 0}};
   c.scene.triangles = {{0, 3, 1}, {0, 2, 4}, {2, 1, 4}};
   const auto subject = subjects::MakeBuiltin("spans-exact");
-  EXPECT_EQ(FindProperty("SignedCoverageEqualsTheWindingNumber")->check(*subject, c).outcome,
+  EXPECT_EQ(RunCase(*subject, *FindProperty("SignedCoverageEqualsTheWindingNumber"), c).outcome,
             Outcome::kHolds);
 }
 

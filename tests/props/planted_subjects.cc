@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "exact/coverage.h"
+#include "props/judging/redraw.h"
+#include "props/run/campaign.h"
 
 namespace rasterproof::props::testing {
 namespace {
@@ -126,20 +128,26 @@ PlantedSubject Throwing(const SubjectInfo& info) {
           }};
 }
 
-Verdict CoverageIsTheModels(Subject& subject, const Case& c) {
-  if (!Takes(subject.Info(), c.scene)) return Verdict::NotApplicable("not a scene it takes");
-  if (!WithinLimits(c.scene, c.profile)) return Verdict{};
-  const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
-  CoverageCounts observed(c.scene.width, c.scene.height, c.profile.lattice.samples());
-  subject.Draw(c.scene, c.options, observed);
-  const CoverageDifference difference = Compare(observed, expected);
-  if (difference.wrong == 0) return Verdict::Held(difference.samples);
-  const int pixel = static_cast<int>(difference.first_wrong);
-  return Verdict::Violated(
-      difference.samples, "wrong sample",
-      Witness{
-          .x = pixel % c.scene.width, .y = pixel / c.scene.width, .observed = {}, .expected = {}});
+namespace {
+
+Asked AskForTheModel(const Case& c, const Description& /*subject*/) {
+  if (!WithinLimits(c.scene, c.profile)) return {};
+  Questions questions;
+  questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
+  return OneCheck(std::move(questions), [&c](const Answers& answers) {
+    const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+    const CoverageDifference difference = Compare(answers.draws[0]->counts, expected);
+    if (difference.wrong == 0) return Verdict::Held(difference.samples);
+    const int pixel = static_cast<int>(difference.first_wrong);
+    return Verdict::Violated(difference.samples, "wrong sample",
+                             Witness{.x = pixel % c.scene.width,
+                                     .y = pixel / c.scene.width,
+                                     .observed = {},
+                                     .expected = {}});
+  });
 }
+
+}  // namespace
 
 Property ModelProperty(std::span<const std::string_view> domains) {
   return {.name = "CoverageIsTheModels",
@@ -148,7 +156,12 @@ Property ModelProperty(std::span<const std::string_view> domains) {
           .precondition = "within limits",
           .tolerance = "none: exact",
           .domains = domains,
-          .check = CoverageIsTheModels};
+          .gate = {.space = Space::kEither, .promise = Promise::kNone, .beyond_limits = true},
+          .ask = AskForTheModel};
+}
+
+Verdict CoverageIsTheModels(Subject& subject, const Case& c) {
+  return RunCase(subject, ModelProperty({}), c);
 }
 
 }  // namespace rasterproof::props::testing

@@ -23,6 +23,13 @@ class PlantedSubject final : public Subject {
 
   PlantedSubject(SubjectInfo info, DrawFunction draw)
       : info_(std::move(info)), draw_(std::move(draw)) {}
+  /// The same as a subject from outside: cases are drawn together.
+  static PlantedSubject Outside(SubjectInfo info, DrawFunction draw) {
+    PlantedSubject subject(std::move(info), std::move(draw));
+    subject.shares_calls_ = true;
+    return subject;
+  }
+  bool SharesCalls() const override { return shares_calls_; }
   const SubjectInfo& Info() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     draw_(scene, options, counts);
@@ -31,6 +38,7 @@ class PlantedSubject final : public Subject {
  private:
   SubjectInfo info_;
   DrawFunction draw_;
+  bool shares_calls_ = false;
 };
 
 SubjectInfo RealInfo(Precision input = Precision::kFloat32);
@@ -52,8 +60,9 @@ PlantedSubject LosesLarge(const SubjectInfo& info, double side);
 PlantedSubject Throwing(const SubjectInfo& info);
 
 /// Claims that the subject's counts are the model's.
-Verdict CoverageIsTheModels(Subject& subject, const Case& c);
 Property ModelProperty(std::span<const std::string_view> domains);
+/// What it says of the case.
+Verdict CoverageIsTheModels(Subject& subject, const Case& c);
 
 }  // namespace rasterproof::props::testing
 

@@ -21,7 +21,7 @@
 #include "core/error.h"
 #include "core/subject_errors.h"
 #include "exact/coverage.h"
-#include "props/run/batching.h"
+#include "props/judging/redraw.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
 #include "props/run/tally.h"
@@ -52,19 +52,21 @@ bool Says(const std::string& text, std::string_view words) {
 
 // ---- faults of ours -----------------------------------------------------------------------------
 
-Property Throwing(Verdict (*check)(Subject&, const Case&)) {
+Property Throwing(Asked (*ask)(const Case&, const Description&)) {
   Property property = ModelProperty(kDomains);
-  property.check = check;
+  property.ask = ask;
   return property;
 }
 
-Verdict OracleFails(Subject& subject, const Case& c) {
-  CoverageCounts counts(c.scene.width, c.scene.height);
-  subject.Draw(c.scene, c.options, counts);
-  throw std::domain_error("a rational must be finite");
+Asked OracleFails(const Case& c, const Description& /*subject*/) {
+  Questions questions;
+  questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
+  return OneCheck(std::move(questions), [](const Answers&) -> Verdict {
+    throw std::domain_error("a rational must be finite");
+  });
 }
 
-Verdict MemoryRunsOut(Subject& /*subject*/, const Case& /*c*/) { throw std::bad_alloc(); }
+Asked MemoryRunsOut(const Case& /*c*/, const Description& /*subject*/) { throw std::bad_alloc(); }
 
 std::string FaultOf(Subject& subject, const Property& property) {
   try {
@@ -81,7 +83,7 @@ TEST(AFaultOfOurs, IsNeverTheSubjects) {
   EXPECT_TRUE(Says(said, "CoverageIsTheModels on uniform-subpixel:0@1")) << said;
   EXPECT_TRUE(Says(said, "a rational must be finite")) << said;
   EXPECT_NE(FaultOf(subject, Throwing(MemoryRunsOut)), "");
-  BatchingSubject outside(std::make_unique<PlantedSubject>(RealInfo(), DrawRight));
+  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), DrawRight);
   EXPECT_NE(FaultOf(outside, Throwing(OracleFails)), "");
   EXPECT_NE(FaultOf(outside, Throwing(MemoryRunsOut)), "");
 }
@@ -98,7 +100,7 @@ TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {
     throw std::logic_error("negative column");
   };
   PlantedSubject subject(RealInfo(), throws);
-  BatchingSubject outside(std::make_unique<PlantedSubject>(RealInfo(), throws));
+  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), throws);
   for (Subject* const each : {static_cast<Subject*>(&subject), static_cast<Subject*>(&outside)}) {
     const Trial trial = TryCase(*each, ModelProperty(kDomains), SomeCase());
     EXPECT_EQ(trial.verdict.outcome, Outcome::kViolated);
@@ -149,7 +151,7 @@ PlantedSubject::DrawFunction RefusingUnless(std::function<bool(const Scene&)> ta
 }
 
 PropertyResult RunOutside(PlantedSubject::DrawFunction draw, const CampaignOptions& options) {
-  BatchingSubject outside(std::make_unique<PlantedSubject>(RealInfo(), std::move(draw)));
+  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), std::move(draw));
   return RunCampaign(outside, ModelProperty(kDomains), options);
 }
 
@@ -308,6 +310,7 @@ class Timed final : public Subject {
     take_(scene, time_);
     DrawRight(scene, options, counts);
   }
+  bool SharesCalls() const override { return true; }
   void SetDeadline(Clock::time_point deadline) override { time_.deadline = deadline; }
 
  private:
@@ -317,7 +320,7 @@ class Timed final : public Subject {
 };
 
 PropertyResult RunTimed(Time& time, Timed::Take take, CampaignOptions options) {
-  BatchingSubject outside(std::make_unique<Timed>(time, std::move(take)));
+  Timed outside(time, std::move(take));
   options.now = [&time] { return time.now; };
   return RunCampaign(outside, ModelProperty(kDomains), options);
 }

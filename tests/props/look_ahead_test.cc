@@ -1,18 +1,16 @@
 // Draws in batches give the verdicts of draws one by one.
-#include "props/run/batching.h"
+#include "props/run/look_ahead.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
 #include "core/profile.h"
 #include "core/subject_errors.h"
 #include "exact/coverage.h"
@@ -32,6 +30,7 @@ class Called final : public Subject {
  public:
   explicit Called(SubjectInfo info, Profile drawn) : info_(std::move(info)), drawn_(drawn) {}
   const SubjectInfo& Info() const override { return info_; }
+  bool SharesCalls() const override { return true; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     ++draws;
     if (breaks_left_of < 0) {
@@ -65,10 +64,10 @@ class Called final : public Subject {
   Profile drawn_;
 };
 
-// The subject as one from outside: `called` behind a ledger, its facings told.
+// The subject as one from outside, its facings told.
 struct Outside {
   explicit Outside(std::unique_ptr<Called> subject) : called(*subject) {
-    whole = WithFacings(std::make_unique<BatchingSubject>(std::move(subject)));
+    whole = WithFacings(std::move(subject));
   }
   Called& called;
   std::unique_ptr<Subject> whole;
@@ -98,8 +97,7 @@ bool HasADomain(const Property& property, const SubjectInfo& info) {
 // Runs the cases both ways, up to the first violated one.
 void ExpectTheSameVerdicts(Outside outside, const Property& property, std::uint64_t n) {
   const std::vector<Case> cases = SomeCases(outside.whole->Info(), property, n);
-  const std::vector<Trial> batched =
-      RunCasesInBatches(*outside.whole, *BatchingOf(*outside.whole), property, cases);
+  const std::vector<Trial> batched = TryTogether(*outside.whole, property, cases);
   ASSERT_FALSE(batched.empty());
   for (std::size_t k = 0; k < batched.size(); ++k) {
     const Verdict alone = RunCase(*outside.whole, property, cases[k]);
@@ -135,7 +133,7 @@ TEST(Batches, PutTheDrawsOfManyCasesIntoOneCall) {
   const Property& property = *FindProperty("CoverageEqualsTheModel");
   const Outside outside = Make(CoverageKind::kFacingCounts, false);
   const std::vector<Case> cases = SomeCases(outside.whole->Info(), property, 20);
-  RunCasesInBatches(*outside.whole, *BatchingOf(*outside.whole), property, cases);
+  TryTogether(*outside.whole, property, cases);
   EXPECT_EQ(outside.called.calls, (std::vector<std::size_t>{10, 9}));
   EXPECT_EQ(outside.called.draws, 19U);  // both-ends:0@1 lies beyond the limit, and is not asked
 }
@@ -171,37 +169,6 @@ TEST(Batches, LeaveCallsThatMustFollowEachOtherAlone) {
   options.cases = 64;
   RunCampaign(*outside.whole, *FindProperty("EqualDrawsGiveEqualCounts"), options);
   EXPECT_TRUE(outside.called.calls.empty());
-}
-
-DrawJob NotANumber() {
-  Scene scene;
-  scene.vertices = {{std::numeric_limits<double>::quiet_NaN(), 0}, {1, 0}, {0, 1}};
-  scene.triangles = {{0, 1, 2}};
-  return {scene, {}, 1};
-}
-
-TEST(Ledgers, TakeEqualBitsForOneDrawWhereTheyRecord) {
-  DrawLedger ledger;
-  BatchingSubject subject(testing::RealInfo());
-  subject.Follow(ledger, OnMiss::kCoverNothing);
-  EXPECT_EQ(subject.Show(NotANumber()).counts, CoverageCounts(1, 1));
-  subject.Show(NotANumber());
-  DrawJob other = NotANumber();
-  other.options.tile = 4;
-  subject.Show(other);
-  EXPECT_EQ(ledger.jobs.size(), 2U);
-}
-
-TEST(Ledgers, RefuseWhatTheyLackWhereTheyAnswer) {
-  DrawLedger ledger;
-  ledger.jobs = {NotANumber()};
-  ledger.outcomes.resize(1);
-  ledger.outcomes[0].drawing.counts = CoverageCounts(1, 1);
-  ledger.outcomes[0].drawing.counts.front = {7};
-  BatchingSubject subject(testing::RealInfo());
-  subject.Follow(ledger, OnMiss::kRefuse);
-  EXPECT_EQ(subject.Show(NotANumber()).counts.front[0], 7U);
-  EXPECT_THROW(subject.Show({}), InputError);
 }
 
 }  // namespace

@@ -60,8 +60,7 @@ enum rasterproof_input {
 /* rasterproof_target.wants is read: weights and depths that it does not name are NULL. */
 #define RASTERPROOF_TAKES_WANTS 64u
 
-/* What is looked at of a draw beside which samples are covered, as bits of rasterproof_target.wants.
- */
+/* What is looked at of a draw beside its coverage, as bits of rasterproof_target.wants. */
 #define RASTERPROOF_WANTS_IDS 1u
 #define RASTERPROOF_WANTS_WEIGHTS 2u
 #define RASTERPROOF_WANTS_DEPTHS 4u
@@ -104,8 +103,8 @@ typedef struct rasterproof_target {
   uint32_t* back; /* NULL unless the coverage is FACING_COUNTS */
   /* NULL unless the coverage is WINNERS or FRAGMENTS. Full of -1, which says that nothing won. */
   int32_t* winners;
-  /* NULL unless the coverage is FRAGMENTS; see TAKES_WANTS. weights + 3 * k belongs to sample k: the barycentric
-   * coordinates of the sample, for the winner's three vertices. */
+  /* NULL unless the coverage is FRAGMENTS; see RASTERPROOF_TAKES_WANTS. weights + 3 * k belongs to
+   * sample k: the barycentric coordinates of the sample, for the winner's three vertices. */
   double* weights;
   double* depths; /* the winner's z at the sample; the z of vertices asked about lie in [0, 1] */
   /* RASTERPROOF_WANTS_...: what is there and not named need not be written. */

@@ -15,9 +15,9 @@ namespace rasterproof::tool {
 /// nothing), coverage (facing-counts, counts, mask, winning-id or fragments), wins (last-drawn or
 /// first-drawn), weights-of (given or snapped), weight-error and depth-error (absolute), shows
 /// (edges, walks), edge-error and walk-error (exact, or as in EdgeClaims), takes (any of window,
-/// clip, culling, scissor, tiles, threads, batches), protocol (the version that it speaks,
-/// subjects/process/protocol.h; 1 if it says nothing), profile (a preset, or a profile file's JSON on
-/// the one line). Lines that begin with # are comments.
+/// clip, culling, scissor, tiles, threads, batches), protocol (the version that it speaks, see
+/// subjects/process/protocol.h; 1 if it says nothing), profile (a preset, or a profile file's JSON
+/// on the one line). Lines that begin with # are comments.
 struct Description {
   SubjectInfo info;
   std::string command;

@@ -18,8 +18,8 @@
 // words that come over the pipe no more often than they save something:
 //     same       in place of VERTICES: those of the request before; no lines of vertices follow
 //     wants=...  not all that the program shows. coverage: the answer is `counts ID`, 1 where
-//                anything won the sample. ids: it is `ids ID`. ids,barycentrics or ids,depths: it is
-//                `fragments ID`, and behind each index come W0 W1 W2 alone, or DEPTH alone.
+//                anything won the sample. ids: it is `ids ID`. ids,barycentrics or ids,depths: it
+//                is `fragments ID`, and behind each index come W0 W1 W2 alone, or DEPTH alone.
 // The first request of a call has vertices of its own. What a program says in version 1 is the same
 // in version 2.
 //

@@ -416,17 +416,26 @@ class Batches(unittest.TestCase):
                    "--property", MODEL, "--cases", "64")  # fmt: skip
         self.assertEqual(done.returncode, 1, done.stderr)
 
-    def test_a_program_may_take_batches(self):
+    def check(self, description, *arguments):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "mine.subject")
             with open(path, "w", encoding="utf-8") as file:
-                file.write("command tests/tool/batches.py\ncoverage counts\n"
-                           "takes window batches\n")  # fmt: skip
-            done = run("check", "--subject", path, "--property", MODEL, "--cases", "6",
-                       "--property", "BatchDrawsLikeSingleCalls")  # fmt: skip
+                file.write(description)
+            done = run("check", "--subject", path, "--property", MODEL, *arguments)
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
-        self.assertEqual(held(done.stdout.decode()), 2, done.stdout)
-        self.assertIn(b"it was told a batch ", done.stderr)
+        return done.stdout.decode().replace(path, "mine.subject"), done.stderr.decode()
+
+    def test_a_program_may_take_batches(self):
+        text, errors = self.check("command tests/tool/batches.py\ntakes window batches\n",
+                                  "--cases", "6", "--property", "BatchDrawsLikeSingleCalls")
+        self.assertEqual(held(text), 2, text)
+        self.assertIn("it was told a batch ", errors)
+
+    def test_a_program_may_be_sent_vertices_once(self):
+        every, once = (self.check(f"command tests/tool/same_vertices.py\nprotocol {version}\n",
+                                  "--cases", "10") for version in (1, 2))  # fmt: skip
+        self.assertEqual(every[0], once[0])
+        self.assertEqual(["told the same" in errors for _, errors in (every, once)], [False, True])
 
 
 class BadNames(unittest.TestCase):
@@ -471,6 +480,7 @@ class BadNames(unittest.TestCase):
                 ("command true\ncoverage fragments\ndepth-error much\n", "much"),
                 ("command true\ncoverage winning-id\nwins all\n", "first-drawn"),
                 ("command true\ntakes tiles\n", "neither window nor clip"),
+                ("command true\nprotocol 3\n", "does not speak version '3' of the protocol"),
                 ("command true\ninput fixed 12 signed\n", "line 2: the fixed-point format is not"),
                 ("command true\ninput fixed 32.4 signed\n", "N from 1 to 31"),
                 ("command true\ninput fixed 12.4\n", "whether the fixed-point format is signed"),

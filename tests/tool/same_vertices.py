@@ -1,0 +1,20 @@
+#!/usr/bin/env python3
+"""A program that speaks version 2: the example, which speaks version 1, behind one that does."""
+import os
+import subprocess
+import sys
+
+EXAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../kit/examples/program.py")
+
+with subprocess.Popen([EXAMPLE], stdin=subprocess.PIPE) as child:
+    vertices = []
+    for line in sys.stdin.buffer:
+        words = line.split()
+        if words[6] == b"same":
+            print("it was told the same vertices", file=sys.stderr, flush=True)
+            words[6] = str(len(vertices)).encode()
+        else:
+            vertices = [sys.stdin.buffer.readline() for _ in range(int(words[6]))]
+        triangles = [sys.stdin.buffer.readline() for _ in range(int(words[7]))]
+        child.stdin.writelines([b" ".join(words) + b"\n", *vertices, *triangles])
+        child.stdin.flush()

@@ -1,5 +1,6 @@
 #include "model/snap.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -86,11 +87,12 @@ std::vector<double> GridPointsWithin(double x, const Snap& snap, double toleranc
   if (below.form == SnapForm::kFloat32Difference) below.form = SnapForm::kExactDifference;
   const double step = std::ldexp(1.0, -snap.bits);
   const double first = SnapCoordinate(x, below);
-  std::vector<double> points;
+  std::vector<double> points{own};  // a float32 difference may have taken it far from x
   for (int k = -1; k <= 2; ++k) {
     const double point = first + k * step;
-    if (point == own || !LieFurtherApart(point, x, tolerance * step)) points.push_back(point);
+    if (point != own && !LieFurtherApart(point, x, tolerance * step)) points.push_back(point);
   }
+  std::ranges::sort(points);
   return points;
 }
 

@@ -12,15 +12,17 @@ namespace rasterproof {
 ///
 /// Domain:     any double; 0 <= snap.bits <= kMaxSubpixelBits, or kNone (returns x itself).
 /// Error:      none: the result is the exact grid point that the rule names (of a difference: for
-///             |x| < 2^36; beyond, c + snapped is rounded to double). Infinity and NaN come back
-///             unchanged; the result of a tiny negative x is +0.
+///             |x| < 2^34; beyond, x - c or c + snapped may be no double, and the result is one
+///             beside it). Infinity and NaN come back unchanged; the result of a tiny negative x
+///             is +0.
 double SnapCoordinate(double x, const Snap& snap);
 
 /// Returns the grid points of `snap` at most `tolerance` steps from x, in ascending order, and with
 /// them the one that x rounds to.
 ///
-/// Domain:     as SnapCoordinate; 0 <= tolerance <= 1.
-/// Returns:    x alone if the snap is none, x is not finite, or |x| >= 2^36.
+/// Domain:     as SnapCoordinate, exact where that is; 0 <= tolerance <= 1.
+/// Returns:    the one that x rounds to alone if the snap is none, x is not finite, or
+///             |x| >= 2^36.
 std::vector<double> GridPointsWithin(double x, const Snap& snap, double tolerance);
 
 }  // namespace rasterproof

@@ -111,6 +111,14 @@ TEST(SnapTest, AToleranceLeavesTheGridPointsNearby) {
   EXPECT_EQ(GridPointsWithin(0.3, Snap{}, 1), (Points{0.3}));
 }
 
+// Float32 takes x - 1/256 to x here, and the snap sixteen steps away from x.
+TEST(SnapTest, AToleranceKeepsThePointOfADifferenceThatRoundsFarOff) {
+  using Points = std::vector<double>;
+  constexpr double kFar = 0x1p20 + 1;
+  const Snap snap{12, SnapRule::kNearestEven, SnapForm::kFloat32Difference, 0x1p-8};
+  EXPECT_EQ(GridPointsWithin(kFar, snap, 0.6), (Points{kFar, kFar + 0x1p-8}));
+}
+
 // A distance that only its rounding brings down to the tolerance is beyond it.
 TEST(SnapTest, AToleranceEndsWhereItSays) {
   using Points = std::vector<double>;

@@ -69,12 +69,12 @@ class LayersTest(unittest.TestCase):
         self.expect("exact/backend_cgal.cc", "#include <CGAL/Epick.h>")
         self.expect("exact/coverage.cc", "#include <CGAL/Epick.h>", "cgal is not for this file")
         self.expect("props/rapidcheck/gen.cc", "#include <rapidcheck.h>")
-        self.expect("props/catalog/sum.cc", "#include <rapidcheck.h>", "rapidcheck is not")
+        self.expect("props/judging/sum.cc", "#include <rapidcheck.h>", "rapidcheck is not")
         self.expect("tool/main.cc", '#include "CLI/CLI.hpp"')
         self.expect("report/page.cc", '#include "CLI/CLI.hpp"', "cli11 is not for this file")
 
     def test_rapidcheck_stays_behind_its_folder(self):
-        self.expect("props/catalog/sum.cc", '#include "props/rapidcheck/gen.h"', "is not for")
+        self.expect("props/judging/sum.cc", '#include "props/rapidcheck/gen.h"', "is not for")
         self.expect("fuzz/edge.cc", '#include "props/rapidcheck/gen.h"', "is not for this file")
 
     def test_what_is_unknown_is_a_violation(self):

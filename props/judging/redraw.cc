@@ -26,25 +26,28 @@ std::uint64_t PixelsBetween(double low, double high, int size) {
   return last < first ? 0 : static_cast<std::uint64_t>(last - first) + 1;
 }
 
+DrawJob JobOf(std::shared_ptr<const Scene> scene, const Profile& profile,
+              const DrawOptions& options) {
+  DrawJob job(std::move(scene), options, profile.lattice.samples());
+  job.wants = kCoverageAndIds;
+  return job;
+}
+
 }  // namespace
 
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
-  DrawJob job(scene, options, profile.lattice.samples());
-  job.wants = kCoverageAndIds;
-  return {std::move(job), Parts::kFacings};
+  return {JobOf(std::make_shared<const Scene>(scene), profile, options), Parts::kFacings};
 }
 
 DrawQuestion CountsOfOne(const std::shared_ptr<const Scene>& scene, std::size_t t,
                          const Profile& profile, const DrawOptions& options) {
-  DrawQuestion question{{scene, options, profile.lattice.samples()}, Parts::kFacings};
-  question.job.triangles = {{scene->triangles[t]}};
-  return question;
+  DrawJob job = JobOf(scene, profile, options);
+  job.triangles = {{scene->triangles[t]}};
+  return {std::move(job), Parts::kFacings};
 }
 
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options) {
-  DrawJob job(scene, options, profile.lattice.samples());
-  job.wants = kCoverageAndIds;
-  return {std::move(job), Parts::kWhole};
+  return {JobOf(std::make_shared<const Scene>(scene), profile, options), Parts::kWhole};
 }
 
 Check BaseDraw(DrawQuestion question) {

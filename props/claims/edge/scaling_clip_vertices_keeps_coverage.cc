@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 #include "core/profile.h"
 #include "core/scene.h"
@@ -47,13 +46,11 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   if (!scaled || !WithinLimits(*scaled, c.profile)) {
     return NothingAsked("a scaled vertex is not exact or beyond the limit");
   }
-  Questions questions;
-  questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
-  questions.draws.push_back(CountsOf(*scaled, c.profile, WholeTarget(c)));
-  return OneCheck(std::move(questions), [&c](const Answers& answers) {
-    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c),
-                      "that of the unscaled vertices");
-  });
+  Case variation = c;
+  variation.scene = *scaled;
+  Asked asked;
+  asked.checks.push_back(VariationCheck(c, variation, "that of the unscaled vertices"));
+  return asked;
 }
 
 }  // namespace

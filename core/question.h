@@ -71,7 +71,7 @@ struct Questions {
 enum class Stop : std::uint8_t {
   kNone,
   kRefused,    ///< the subject does not draw this scene
-  kCantBePut,  ///< it can't be given it: its own transform takes no vertex there, or it is too large
+  kCantBePut,  ///< it can't be given it: its own transform takes no vertex there; too large
   kBrokeDown,  ///< it crashed, threw or answered what is no answer: a finding
   kHung,       ///< it broke down by giving no answer at all
   kTooSlow,    ///< it took longer than it may

@@ -24,9 +24,9 @@ struct MeshView {
 /// winding number. Window space, or clip space: a mesh in front of the eye, or one that lies around
 /// it.
 ///
-/// Precondition (else nothing is asked): no triangle is folded against the others, in any legal model,
-/// and no winding number exceeds 1 in size. Then all areas have one sign, so the count *is* the
-/// size of the signed coverage, and that is the winding number.
+/// Precondition (else nothing is asked): no triangle is folded against the others, in any legal
+/// model, and no winding number exceeds 1 in size. Then all areas have one sign, so the count *is*
+/// the size of the signed coverage, and that is the winding number.
 ///
 /// Shared ties: where the profile lets every triangle have the samples on its edges (overdraw
 /// allowed, the inclusive fill rule), a sample inside must be covered at least once, and away from

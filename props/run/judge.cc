@@ -118,9 +118,13 @@ void CaseInHand::Take(Answers answers) {
 void CaseInHand::Blame(Subject& subject) {
   const bool is_said = trial_->verdict.outcome != Outcome::kViolated || trial_->broke_down;
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
-  const Asked round = WorkedOut(property_, given_, [&] {
-    return property_.blame(judged_.value, violation_, judged_.subject);
-  });
+  Asked round;
+  try {
+    round = WorkedOut(property_, given_,
+                      [&] { return property_.blame(judged_.value, violation_, judged_.subject); });
+  } catch (const InputError&) {
+    return;  // the oracle decides nothing of less of the case: nobody is named
+  }
   for (const Check& check : round.checks) {
     const Request request{&judged_, &check, &drawn_};
     const Answers answers = PutOne(subject, request);

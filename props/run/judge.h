@@ -31,13 +31,17 @@ class CaseInHand {
   CaseInHand& operator=(const CaseInHand&) = delete;
 
   bool IsDone() const { return trial_.has_value(); }
-  /// The next check. Domain: not done.
+  /// The next check.
+  ///
+  /// Domain:     not done.
   Request Next() const;
   /// Judges the next check.
   ///
   /// Error:      JudgingFault.
   void Take(Answers answers);
-  /// What came of it. Domain: done.
+  /// What came of it.
+  ///
+  /// Domain:     done.
   const Trial& Result() const { return *trial_; }
 
   /// Finds out who is to blame for the violation that was found, and writes it into the verdict.

@@ -487,17 +487,5 @@ TEST(ARunThatIsStopped, BlamesNoSubjectForWhatWasStoppedWithIt) {
   EXPECT_EQ(RunInside(killed, options).outcome, Outcome::kInconclusive);
 }
 
-// ---- what is added up ---------------------------------------------------------------------------
-
-TEST(Samples, ThatAreNotJudgedAreAddedUp) {
-  PlantedSubject subject(RealInfo(), DrawRight);
-  const Property property = Throwing([](Subject&, const Case&) {
-    Verdict verdict = Verdict::Held(1);
-    verdict.not_judged = 3;
-    return verdict;
-  });
-  EXPECT_EQ(RunCampaign(subject, property, {.cases = 20}).not_judged, 60U);
-}
-
 }  // namespace
 }  // namespace rasterproof::props

@@ -388,7 +388,6 @@ class Batches(unittest.TestCase):
         def results(name):
             status, text = self.verdicts(name)
             return status, re.sub(r"shown_\w+|[0-9.]+ m?s\b", "", text)
-
         self.assertEqual(results("FACING_COUNTS"), results("NO_BATCHES"))
         self.assertEqual(results("BATCH_REFUSED"), results("NO_BATCHES"))
 

@@ -1,0 +1,167 @@
+// Claims ask, and judge answers: without a subject, by a gate that is data, up to the first violation.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/evaluators.h"
+#include "core/question.h"
+#include "core/subject_info.h"
+#include "exact/coverage.h"
+#include "props/judging/gate.h"
+#include "props/judging/redraw.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+#include "props/run/property_domains.h"
+#include "subjects/builtin/builtin.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+Case OneTriangle() {
+  Case c;
+  c.scene.width = 8;
+  c.scene.height = 8;
+  c.scene.vertices = {{0.5, 0.5}, {7.5, 1.5}, {2.5, 6.5}};
+  c.scene.triangles = {{0, 1, 2}};
+  return c;
+}
+
+// ---- judging without a subject ------------------------------------------------------------------
+
+struct Judged {
+  std::size_t asked = 0;
+  Verdict as_answered;
+  Verdict one_sign_turned;
+};
+
+// The claim about signs, judged by the values of a method and by the same with one sign turned.
+Judged SignsOf(const std::string& method) {
+  const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(method);
+  const Description description{subject->Info(), subject->Edges(), nullptr};
+  const Case c = OneTriangle();
+  const Asked asked = FindProperty("EdgeSignIsRightOutsideItsBand")->ask(c, description);
+  const Check& check = asked.checks.front();
+  Answers answers;
+  for (const EdgeQuestion& q : check.questions.edges) {
+    answers.edges.push_back(subject->Edges()->Value(q.a, q.b, q.p));
+  }
+  Judged judged{answers.edges.size(), check.judge(answers), {}};
+  for (double& value : answers.edges) {
+    if (value <= 1) continue;
+    value = -value;
+    break;
+  }
+  judged.one_sign_turned = check.judge(answers);
+  return judged;
+}
+
+TEST(AJudgement, NeedsAnswersAndNoSubject) {
+  const Judged judged = SignsOf("f32-direct");
+  EXPECT_GT(judged.asked, 10U);
+  EXPECT_EQ(judged.as_answered.outcome, Outcome::kHolds) << judged.as_answered.message;
+  EXPECT_EQ(judged.one_sign_turned.outcome, Outcome::kViolated);
+}
+
+// ---- the gate -----------------------------------------------------------------------------------
+
+TEST(TheGate, LetsNoCaseThroughThatItRefusesTheSubject) {
+  std::size_t refused = 0;
+  for (const std::string& name : subjects::BuiltinNames()) {
+    const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(name);
+    const Description description{subject->Info(), subject->Edges(), subject->Weights()};
+    for (const Property& property : Catalog()) {
+      if (!DoesNotApply(property.gate, description)) continue;
+      ++refused;
+      if (DomainsFor(subject->Info(), property).empty()) continue;
+      for (std::uint64_t i = 0; i < 3; ++i) {
+        const Case c = DrawCase(subject->Info(), property, kDefaultSeed, i);
+        EXPECT_EQ(RunCase(*subject, property, c).outcome, Outcome::kNotApplicable)
+            << name << " " << property.name << " " << c.origin;
+      }
+    }
+  }
+  EXPECT_GT(refused, 100U);
+}
+
+TEST(TheGate, IsToldInWords) {
+  EXPECT_EQ(WordsOf(FindProperty("CoverageEqualsTheModel")->gate),
+            "contract sample-exact; window space; coordinates within the limits");
+  for (const Property& property : Catalog()) {
+    if (property.name != "DrawStaysInsideItsTarget") {
+      EXPECT_FALSE(WordsOf(property.gate).empty()) << property.name;
+    }
+  }
+}
+
+// ---- the runner ---------------------------------------------------------------------------------
+
+Property WithChecks(Asked (*ask)(const Case&, const Description&)) {
+  Property property = testing::ModelProperty({});
+  property.ask = ask;
+  return property;
+}
+
+Check OneDraw(const Case& c, Verdict verdict) {
+  Check check;
+  check.questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
+  check.judge = [verdict = std::move(verdict)](const Answers&) { return verdict; };
+  return check;
+}
+
+TEST(Checks, AreJudgedInOrderUpToTheFirstViolatedOne) {
+  int draws = 0;
+  testing::PlantedSubject subject(
+      testing::RealInfo(), [&](const Scene&, const DrawOptions&, CoverageCounts&) { ++draws; });
+  const Property property = WithChecks([](const Case& c, const Description&) {
+    Asked asked;
+    asked.checks = {OneDraw(c, Verdict::Held(3)), OneDraw(c, Verdict::Violated(2, "wrong", {})),
+                    OneDraw(c, Verdict::Held(100))};
+    return asked;
+  });
+  const Verdict verdict = RunCase(subject, property, OneTriangle());
+  EXPECT_EQ(verdict.outcome, Outcome::kViolated);
+  EXPECT_EQ(verdict.message, "wrong");
+  EXPECT_EQ(verdict.exercised, 5U);
+  EXPECT_EQ(draws, 2);
+}
+
+TEST(Checks, ReadTheDrawsThatTheyNameAsBases) {
+  testing::PlantedSubject subject = testing::Faultless(testing::RealInfo());
+  const Property property = WithChecks([](const Case& c, const Description&) {
+    Asked asked;
+    asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, c.options)));
+    Check second = OneDraw(c, {});
+    second.bases = {0};
+    second.judge = [](const Answers& answers) {
+      if (answers.draws.size() != 2) return Verdict::Violated(1, "no base", {});
+      return SameCounts(answers.draws[0]->counts, answers.draws[1]->counts, 7, "the base");
+    };
+    asked.checks.push_back(std::move(second));
+    return asked;
+  });
+  const Verdict verdict = RunCase(subject, property, OneTriangle());
+  EXPECT_EQ(verdict.outcome, Outcome::kHolds) << verdict.message;
+  EXPECT_EQ(verdict.exercised, 7U);
+}
+
+TEST(Samples, ThatAreNotJudgedAreAddedUp) {
+  testing::PlantedSubject subject = testing::Faultless(testing::RealInfo());
+  Property property = testing::ModelProperty(FindProperty("CoverageEqualsTheModel")->domains);
+  property.ask = [](const Case&, const Description&) {
+    return OneCheck({}, [](const Answers&) {
+      Verdict verdict = Verdict::Held(1);
+      verdict.not_judged = 3;
+      return verdict;
+    });
+  };
+  EXPECT_EQ(RunCampaign(subject, property, {.cases = 20}).not_judged, 60U);
+}
+
+}  // namespace
+}  // namespace rasterproof::props

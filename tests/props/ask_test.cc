@@ -1,4 +1,4 @@
-// Claims ask, and judge answers: without a subject, by a gate that is data, up to the first violation.
+// Claims ask, and judge answers: without a subject, by a gate that is data, lazily.
 #include <gtest/gtest.h>
 
 #include <cstddef>

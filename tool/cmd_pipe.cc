@@ -93,7 +93,12 @@ class Asking final : public FarEnd {
 
 std::string_view NextLine(std::size_t /*most_bytes*/) {
   static std::string line;
-  if (std::getline(std::cin, line)) return line;
+  if (!std::getline(std::cin, line)) line.clear();  // no answer: see RequireAllAnswers
+  return line;
+}
+
+void RequireAllAnswers() {
+  if (!std::cin.fail()) return;
   throw InputError("standard input", "it ends before every request was answered",
                    "give ver the same options as gen, and flush what the program says");
 }
@@ -108,7 +113,6 @@ class Answering final : public FarEnd {
       try {
         outcomes[k].drawing = subjects::ReadAnswer(++id_, jobs[k], info(), NextLine);
       } catch (const std::exception&) {
-        if (std::cin.eof()) throw;
         outcomes[k].error = std::current_exception();
       }
     }
@@ -244,6 +248,7 @@ int RunVer(const PipeOptions& options) {
       props::CaseInHand hand(property, c, description);
       if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
       AllAnswers all = PutAll(answering, hand);
+      RequireAllAnswers();
       if (IsAnyRefused(all)) {
         ++tally.refused;
         continue;

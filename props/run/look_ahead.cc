@@ -19,6 +19,12 @@ bool EndsTheBatch(Outcome outcome) {
   return outcome == Outcome::kViolated || outcome == Outcome::kInconclusive;
 }
 
+bool BrokeDown(const std::vector<Answers>& answers) {
+  return std::ranges::any_of(answers, [](const Answers& each) {
+    return each.stop != Stop::kNone && each.stop != Stop::kRefused && each.stop != Stop::kCantBePut;
+  });
+}
+
 // Every other turn one half of the cases is drawn while the other is judged.
 class Together {
  public:
@@ -42,8 +48,11 @@ class Together {
     Begin(halves[1]);
     while (!is_stopped_) {
       const std::vector<Answers> answers = drawing.Wait();
+      // Behind a breakdown most draws would be in vain, and might each cost a time limit.
+      const bool judges_first = BrokeDown(answers);
+      if (judges_first) Judge(drawing.asked, answers);
       Drawing next = Launch(halves[(turn + 1) % 2]);
-      Judge(drawing.asked, answers);
+      if (!judges_first) Judge(drawing.asked, answers);
       const bool is_done = next.asked.empty();
       drawing = is_done ? Launch(halves[turn % 2]) : std::move(next);
       if (is_done && drawing.asked.empty()) break;

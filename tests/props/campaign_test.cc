@@ -150,14 +150,15 @@ TEST(Campaign, ContainsASubjectThatThrows) {
 TEST(Campaign, ThatExercisesNothingIsNoPass) {
   auto subject = testing::Faultless(RealInfo());
   Property property = ModelProperty(kDomains);
-  property.check = [](Subject&, const Case&) { return Verdict::Held(0); };
+  property.ask = [](const Case&, const Description&) { return Asked{}; };
   const PropertyResult idle = RunCampaign(subject, property, {.cases = 20});
   EXPECT_EQ(idle.outcome, Outcome::kNotExercised);
   EXPECT_EQ(idle.cases, 20U);
   EXPECT_EQ(idle.cases_exercised, 0U);
   EXPECT_FALSE(idle.message.empty());
   EXPECT_EQ(RunCampaign(subject, property, {.cases = 0}).outcome, Outcome::kNotExercised);
-  property.check = [](Subject&, const Case&) { return Verdict::NotApplicable("no such promise"); };
+  constexpr static ProfileRule kNever{[](const Profile&) { return false; }, "", "no such promise"};
+  property.gate.rules = {&kNever, 1};
   const PropertyResult inapplicable = RunCampaign(subject, property, {.cases = 20});
   EXPECT_EQ(inapplicable.outcome, Outcome::kNotApplicable);
   EXPECT_EQ(inapplicable.message, "no such promise");

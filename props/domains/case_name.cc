@@ -14,12 +14,13 @@ namespace {
 std::string Place(std::string_view text) { return "case '" + std::string(text) + "'"; }
 
 // `what` is "index" or "seed".
-std::uint64_t ParseNumber(std::string_view digits, std::string_view what, std::string_view name) {
+std::uint64_t ParseNumber(std::string_view text, std::string_view what, std::string_view name) {
+  const std::string digits(text);
   std::uint64_t number = 0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, number);
   if (error == std::errc{} && stop == end && std::to_string(number) == digits) return number;
-  throw InputError(Place(name), "'" + std::string(digits) + "' is no " + std::string(what),
+  throw InputError(Place(name), "'" + digits + "' is no " + std::string(what),
                    "give a whole number of 0 to 2^64 - 1, in digits and without leading zeros");
 }
 

@@ -52,7 +52,7 @@ class SpareMemory {
     return open;
   }
   void Give(std::byte* open, std::size_t open_bytes) {
-    constexpr std::size_t kMostBytes = std::size_t{1} << 26;
+    constexpr std::size_t kMostBytes = std::size_t{1} << 24;
     if (bytes_ + open_bytes > kMostBytes) return Unmap(open, open_bytes);
     spare_.emplace(open_bytes, open);
     bytes_ += open_bytes;

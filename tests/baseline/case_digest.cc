@@ -1,0 +1,139 @@
+#include "tests/baseline/case_digest.h"
+
+#include "core/fill_rule.h"
+#include "core/profile.h"
+#include "core/sample_lattice.h"
+#include "core/snap.h"
+
+namespace rasterproof::baseline {
+namespace {
+
+// Structured bindings name every member: a new one does not compile until it is added.
+
+void Add(const Vertex& v, Digest& digest) {
+  const auto& [x, y, z, w] = v;
+  digest.Number(x).Number(y).Number(z).Number(w);
+}
+
+void Add(const Snap& snap, Digest& digest) {
+  const auto& [bits, rule, form, origin] = snap;
+  digest.Integer(bits).Integer(static_cast<int>(rule)).Integer(static_cast<int>(form));
+  digest.Number(origin);
+}
+
+void Add(const SampleLattice& lattice, Digest& digest) {
+  digest.Word(lattice.locations.size());
+  for (const Point2& at : lattice.locations) digest.Number(at.x).Number(at.y);
+}
+
+void Add(const FillRule& rule, Digest& digest) {
+  const auto& [sign_x, sign_y, y_first, inclusive, exclusive] = rule;
+  digest.Integer(sign_x).Integer(sign_y).Integer(y_first).Integer(inclusive).Integer(exclusive);
+}
+
+void Add(const Transform& transform, Digest& digest) {
+  const auto& [precision, division, viewport, flips_y] = transform;
+  digest.Integer(static_cast<int>(precision)).Integer(static_cast<int>(division));
+  digest.Integer(static_cast<int>(viewport)).Integer(flips_y);
+}
+
+void Add(const FixedInput& fixed, Digest& digest) {
+  const auto& [integer_bits, fraction_bits, is_signed, wraps] = fixed;
+  digest.Integer(integer_bits).Integer(fraction_bits).Integer(is_signed).Integer(wraps);
+}
+
+void Add(const MaxExtent& extent, Digest& digest) {
+  const auto& [width, height] = extent;
+  digest.Number(width).Number(height);
+}
+
+void Add(const WindowBox& box, Digest& digest) {
+  const auto& [x0, y0, x1, y1] = box;
+  digest.Number(x0).Number(y0).Number(x1).Number(y1);
+}
+
+void Add(const TargetModel& model, Digest& digest) {
+  const auto& [max_width, max_height, snap, lattice, fill_rule] = model;
+  digest.Integer(max_width).Integer(max_height);
+  Add(snap, digest);
+  Add(lattice, digest);
+  Add(fill_rule, digest);
+}
+
+template <class T>
+void AddIfAny(const std::optional<T>& value, Digest& digest) {
+  digest.Integer(value.has_value());
+  if (value) Add(*value, digest);
+}
+
+void Add(const Profile& profile, Digest& digest) {
+  const auto& [name, snap, crossing, lattice, y_axis, fill_rule, contract, freedom, transform,
+               coordinate_limit, zero_area, infinite_vertex, overdraw, targets, fixed, max_extent,
+               no_clip] = profile;
+  static_cast<void>(name);
+  Add(snap, digest);
+  Add(crossing, digest);
+  Add(lattice, digest);
+  digest.Integer(static_cast<int>(y_axis));
+  Add(fill_rule, digest);
+  digest.Integer(static_cast<int>(contract));
+  digest.Number(freedom.snap_tolerance).Integer(freedom.any_tie_rule);
+  AddIfAny(transform, digest);
+  digest.Number(coordinate_limit).Integer(static_cast<int>(zero_area));
+  digest.Integer(static_cast<int>(infinite_vertex)).Integer(overdraw);
+  digest.Word(targets.size());
+  for (const TargetModel& model : targets) Add(model, digest);
+  AddIfAny(fixed, digest);
+  AddIfAny(max_extent, digest);
+  AddIfAny(no_clip, digest);
+}
+
+void AddTarget(const Scene& scene, Digest& digest) {
+  digest.Integer(scene.width).Integer(scene.height).Integer(scene.clip_space);
+  digest.Integer(static_cast<int>(scene.precision)).Word(scene.triangles.size());
+}
+
+}  // namespace
+
+void Add(const DrawOptions& options, Digest& digest) {
+  const auto& [cull, scissor, tile, threads] = options;
+  digest.Integer(static_cast<int>(cull)).Integer(tile).Integer(threads);
+  digest.Integer(scissor.has_value());
+  if (!scissor) return;
+  const auto& [x0, y0, x1, y1] = *scissor;
+  digest.Integer(x0).Integer(y0).Integer(x1).Integer(y1);
+}
+
+void Add(const Scene& scene, Digest& digest) {
+  const auto& [name, width, height, precision, clip_space, vertices, triangles] = scene;
+  static_cast<void>(name);
+  AddTarget(scene, digest);
+  digest.Word(vertices.size());
+  for (const Vertex& v : vertices) Add(v, digest);
+  for (const Triangle& t : triangles) digest.Integer(t[0]).Integer(t[1]).Integer(t[2]);
+}
+
+void AddDrawn(const Scene& scene, Digest& digest) {
+  AddTarget(scene, digest);
+  for (const Triangle& t : scene.triangles) {
+    for (const Vertex& v : Corners(scene, t)) Add(v, digest);
+  }
+}
+
+void Add(const CoverageCounts& counts, Digest& digest) {
+  digest.Integer(counts.width).Integer(counts.height).Integer(counts.samples);
+  for (const std::uint32_t n : counts.front) digest.Word(n);
+  for (const std::uint32_t n : counts.back) digest.Word(n);
+}
+
+std::uint64_t CaseDigest(const Case& c) {
+  const auto& [scene, profile, options, origin] = c;
+  static_cast<void>(origin);
+  Digest digest;
+  Add(scene, digest);
+  Add(profile, digest);
+  Add(options, digest);
+  return digest.value();
+}
+
+}  // namespace rasterproof::baseline

@@ -1,0 +1,166 @@
+#include "tests/baseline/recording.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/drawing.h"
+#include "core/evaluators.h"
+#include "tests/baseline/case_digest.h"
+
+namespace rasterproof::baseline {
+namespace {
+
+using Points3 = std::array<Point2, 3>;
+using Numbers3 = std::array<double, 3>;
+
+void AddPoint(Point2 p, Digest& digest) { digest.Number(p.x).Number(p.y); }
+
+void AddPoints(const Points3& points, Digest& digest) {
+  for (const Point2& p : points) AddPoint(p, digest);
+}
+
+void AddQuery(int form, const Points3& v, Point2 p, Digest& digest) {
+  digest.Integer(form);
+  AddPoints(v, digest);
+  AddPoint(p, digest);
+}
+
+class RecordingEdges final : public EdgeEvaluator {
+ public:
+  RecordingEdges(const EdgeEvaluator& edges, Record& record) : edges_(edges), record_(record) {}
+
+  double Value(Point2 a, Point2 b, Point2 p) const override {
+    AddPoints({a, b, p}, record_.edges.Next());
+    return edges_.Value(a, b, p);
+  }
+  double ErrorBound(Point2 a, Point2 b, Point2 p) const override {
+    return edges_.ErrorBound(a, b, p);
+  }
+  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+    Digest& digest = record_.walks.Next();
+    AddPoints({a, b, p}, digest);
+    digest.Integer(step.along_y).Integer(step.sign).Integer(step.length).Integer(steps);
+    return edges_.Walk(a, b, p, step, steps);
+  }
+  std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                      int steps) const override {
+    return edges_.WalkErrorBounds(a, b, p, step, steps);
+  }
+
+ private:
+  const EdgeEvaluator& edges_;
+  Record& record_;
+};
+
+class RecordingWeights final : public WeightEvaluator {
+ public:
+  RecordingWeights(const WeightEvaluator& weights, Record& record)
+      : weights_(weights), record_(record) {}
+
+  Numbers3 Weights(BarycentricForm form, const Points3& v, Point2 p) const override {
+    AddQuery(static_cast<int>(form), v, p, record_.weights.Next());
+    return weights_.Weights(form, v, p);
+  }
+  Numbers3 WeightErrorBounds(BarycentricForm form, const Points3& v, Point2 p) const override {
+    return weights_.WeightErrorBounds(form, v, p);
+  }
+  double SumErrorBound(BarycentricForm form, const Points3& v, Point2 p) const override {
+    return weights_.SumErrorBound(form, v, p);
+  }
+  double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
+                     const Numbers3& attribute, Point2 p) const override {
+    Digest& digest = record_.interpolations.Next().Integer(static_cast<int>(form));
+    for (std::size_t i = 0; i < 3; ++i) {
+      AddPoint(v[i].at, digest);
+      digest.Number(v[i].w).Number(attribute[i]);
+    }
+    AddPoint(p, digest);
+    return weights_.Interpolate(form, v, attribute, p);
+  }
+  double InterpolationErrorBound(InterpolationForm form, const std::array<Corner, 3>& v,
+                                 const Numbers3& attribute, Point2 p) const override {
+    return weights_.InterpolationErrorBound(form, v, attribute, p);
+  }
+  Numbers3 EdgeDistances(WireframeForm form, const Points3& v, Point2 p) const override {
+    AddQuery(static_cast<int>(form), v, p, record_.distances.Next());
+    return weights_.EdgeDistances(form, v, p);
+  }
+
+ private:
+  const WeightEvaluator& weights_;
+  Record& record_;
+};
+
+class RecordingSubject final : public Subject {
+ public:
+  RecordingSubject(std::unique_ptr<Subject> subject, Record& record)
+      : subject_(std::move(subject)), record_(record) {
+    if (subject_->Edges() != nullptr) edges_.emplace(*subject_->Edges(), record);
+    if (subject_->Weights() != nullptr) weights_.emplace(*subject_->Weights(), record);
+  }
+
+  const SubjectInfo& Info() const override { return subject_->Info(); }
+  const EdgeEvaluator* Edges() const override { return edges_ ? &*edges_ : nullptr; }
+  const WeightEvaluator* Weights() const override { return weights_ ? &*weights_ : nullptr; }
+  bool SharesCalls() const override { return subject_->SharesCalls(); }
+  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
+    subject_->SetDeadline(deadline);
+  }
+
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    RecordCall(Call::kDraw, 1);
+    RecordDraw(scene, options, counts.samples);
+    const auto is_drawn = [](std::uint32_t n) { return n != 0; };
+    if (std::ranges::any_of(counts.front, is_drawn) || std::ranges::any_of(counts.back, is_drawn)) {
+      Add(counts, record_.draws.digest);
+    }
+    subject_->Draw(scene, options, counts);
+  }
+  Drawing Show(const DrawJob& job) override {
+    RecordCall(Call::kShow, 1);
+    RecordDraw(SceneOf(job), job.options, job.samples);
+    return subject_->Show(job);
+  }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    std::vector<DrawOutcome> outcomes = subject_->DrawMany(jobs);
+    // Behind a breakdown none is drawn.
+    RecordCall(Call::kDrawMany, outcomes.size());
+    for (const DrawJob& job : jobs.first(std::min(jobs.size(), outcomes.size()))) {
+      RecordDraw(SceneOf(job), job.options, job.samples);
+    }
+    return outcomes;
+  }
+
+ private:
+  enum class Call : std::uint8_t { kDraw, kShow, kDrawMany };
+
+  void RecordCall(Call call, std::size_t jobs) {
+    record_.calls.Next().Integer(static_cast<int>(call)).Word(jobs);
+  }
+  void RecordDraw(const Scene& scene, const DrawOptions& options, int samples) {
+    Add(scene, record_.calls.digest);
+    Digest& digest = record_.draws.Next().Integer(samples);
+    AddDrawn(scene, digest);
+    Add(options, digest);
+  }
+
+  std::unique_ptr<Subject> subject_;
+  Record& record_;
+  std::optional<RecordingEdges> edges_;
+  std::optional<RecordingWeights> weights_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> Recording(std::unique_ptr<Subject> subject, Record& record) {
+  return std::make_unique<RecordingSubject>(std::move(subject), record);
+}
+
+}  // namespace rasterproof::baseline

@@ -10,9 +10,12 @@
 #include <vector>
 
 #include "core/error.h"
+#include "props/domains/case_name.h"
 #include "props/domains/domain.h"
+#include "props/judging/gate.h"
 #include "props/run/budget.h"
 #include "props/run/counterexample.h"
+#include "props/run/judged_case.h"
 #include "props/run/look_ahead.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
@@ -62,6 +65,9 @@ class Campaign {
 
  private:
   PropertyResult RunBlocks() {
+    if (const auto why = DoesNotApply(property_.gate, AsJudged(DescriptionOf(subject_)))) {
+      return tally_.NotApplicable(*why);
+    }
     if (tally_.domains().empty()) return tally_.Concluded();
     for (std::uint64_t done = 0; done < options_.cases;) {
       const Block block = DrawBlock(done);
@@ -81,13 +87,16 @@ class Campaign {
     return !is_outside_ || property_.is_about_sequence || pace_.is_slow || pace_.hangs;
   }
 
+  CaseName NameOf(std::uint64_t index) const {
+    return NameOfCase(tally_.domains(), FirstIndex(property_.name), options_.seed, index);
+  }
+
   Block DrawBlock(std::uint64_t done) const {
     const std::size_t most = GoOneByOne() && !pace_.is_slow ? 1 : kCasesInABlock;
     std::vector<std::pair<std::uint64_t, Case>> drawn;
     for (std::uint64_t n = done; n < std::min<std::uint64_t>(done + most, options_.cases); ++n) {
       const std::uint64_t index = options_.first_case + n;
-      drawn.emplace_back(
-          index, DrawCase(subject_.Info(), NameOfCase(tally_.domains(), options_.seed, index)));
+      drawn.emplace_back(index, DrawCase(subject_.Info(), NameOf(index)));
     }
     if (pace_.is_slow) {
       const auto size_and_number = [](const auto& entry) {
@@ -172,11 +181,11 @@ Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t s
     throw InputError(std::string(property.name), "the subject takes scenes of none of its domains",
                      "choose another property or subject");
   }
-  return DrawCase(info, NameOfCase(domains, seed, number));
+  return DrawCase(info, NameOfCase(domains, FirstIndex(property.name), seed, number));
 }
 
 Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
-  return TryCase(subject, property, c).verdict;
+  return TryCase(subject, property, c, Blaming::kWhoItWas).verdict;
 }
 
 PropertyResult RunCampaign(Subject& subject, const Property& property,

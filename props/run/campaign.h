@@ -53,8 +53,9 @@ struct CampaignOptions {
 /// kHolds         some case put the claim to the test, and none failed.
 /// kNotExercised  none did. Also if a near-edge domain gave no sample on or within 256 lattice
 ///                steps of an edge in all its cases (four at least): a dead generator is no pass.
-/// kNotApplicable the property does not apply to the subject. Domains that the subject can't take
-///                are left out and named in the message.
+/// kNotApplicable the property does not apply to the subject, as its gate says before any case is
+///                drawn, or to none of the cases. Domains that the subject can't take are left out
+///                and named in the message.
 /// kInconclusive  a case was too slow to judge; the counterexample does not fail again, and then
 ///                the message has both answers; the subject refused more than kMostRefusedShare of
 ///                the cases; or the run was stopped. The message says which, and what was
@@ -72,7 +73,7 @@ Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t s
 
 /// Runs one property on one given case (replay, saved failures, worst-case files).
 ///
-/// Returns:    the verdict of TryCase().
+/// Returns:    the verdict of TryCase(); a violation names the triangle that causes it.
 Verdict RunCase(Subject& subject, const Property& property, const Case& c);
 
 }  // namespace rasterproof::props

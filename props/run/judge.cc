@@ -138,13 +138,13 @@ void CaseInHand::Blame(Subject& subject) {
   }
 }
 
-Trial TryCase(Subject& subject, const Property& property, const Case& c) {
+Trial TryCase(Subject& subject, const Property& property, const Case& c, Blaming blaming) {
   const Description description = DescriptionOf(subject);
   CaseInHand hand(property, c, description);
   Subject& rasterizer = subject.Whole();
   WorkedOut(property, c, [&] {
     while (!hand.IsDone()) hand.Take(PutOne(rasterizer, hand.Next()));
-    hand.Blame(rasterizer);
+    if (blaming == Blaming::kWhoItWas) hand.Blame(rasterizer);
   });
   return hand.Result();
 }

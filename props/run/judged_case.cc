@@ -20,6 +20,14 @@ Description DescriptionOf(Subject& subject) {
   return description;
 }
 
+Description AsJudged(Description subject) {
+  if (!OwnsTransform(subject.info)) return subject;
+  subject.info = AsSeenByRecipes(subject.info);
+  subject.edges = nullptr;
+  subject.weights = nullptr;
+  return subject;
+}
+
 PlacesOfTransform::Place PlacesOfTransform::PlaceOf(const Vertex& v) {
   return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
 }
@@ -60,9 +68,7 @@ JudgedCase Judged(const Case& given, const Description& subject, bool judges_deg
   Case& c = judged.value;
   if (given.profile.transform && given.scene.clip_space) {
     c = SeenCase(given);
-    judged.subject.info = AsSeenByRecipes(subject.info);
-    judged.subject.edges = nullptr;
-    judged.subject.weights = nullptr;
+    judged.subject = AsJudged(subject);
     judged.places.emplace(given.scene, c.scene);
   }
   c.profile = ForTarget(c.profile, c.scene.width, c.scene.height);

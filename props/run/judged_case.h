@@ -23,6 +23,10 @@ namespace rasterproof::props {
 /// Domain:     a subject that outlives what is returned.
 Description DescriptionOf(Subject& subject);
 
+/// The subject as claims about the cases that it is given see it: behind a transform of its own, a
+/// taker of window space without edge values and weights.
+Description AsJudged(Description subject);
+
 /// The places that a subject's own transform takes the vertices of a scene to.
 class PlacesOfTransform {
  public:

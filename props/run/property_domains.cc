@@ -54,13 +54,24 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
   return left_out;
 }
 
-CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t seed,
-                    std::uint64_t number) {
+// FNV-1a, 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/
+std::uint64_t FirstIndex(std::string_view claim) {
+  constexpr std::uint64_t kWindows = 10'000;
+  constexpr std::uint64_t kWindow = 1000;
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char letter : claim) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
+  }
+  return hash % kWindows * kWindow;
+}
+
+CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t first,
+                    std::uint64_t seed, std::uint64_t number) {
   const std::uint64_t round = number / domains.size();
   const auto place = domains.begin() + static_cast<std::ptrdiff_t>(number % domains.size());
   const auto times = static_cast<std::uint64_t>(std::ranges::count(domains, *place));
   const auto before = static_cast<std::uint64_t>(std::count(domains.begin(), place, *place));
-  return {std::string((*place)->name), round * times + before, seed};
+  return {std::string((*place)->name), first + round * times + before, seed};
 }
 
 Case DrawCase(const SubjectInfo& info, const CaseName& name) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/case.h"
@@ -22,12 +23,19 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
 /// Names the domains that DomainsFor leaves out, and why; empty if it leaves none out.
 std::string LeftOutDomains(const SubjectInfo& info, const Property& property);
 
+/// The first index of the claim's cases in every domain: claims that draw from one domain see
+/// different cases, so that one rare scene among the first of a domain is not all that they see or
+/// miss together.
+///
+/// Returns:    a multiple of 1000 below 10^7, by the claim's name alone.
+std::uint64_t FirstIndex(std::string_view claim);
+
 /// The name of what a run over these domains (at least one) takes as its case `number`: of domain
-/// number % n, the next one that the run has not had of it. Worked out from `number` alone, so that
-/// shards and replays agree, and different for different numbers, however often a domain stands
-/// there.
-CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t seed,
-                    std::uint64_t number);
+/// number % n, the next one from `first` on that the run has not had of it. Worked out from
+/// `number` alone, so that shards and replays agree, and different for different numbers, however
+/// often a domain stands there.
+CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t first,
+                    std::uint64_t seed, std::uint64_t number);
 
 /// The case of that name for the subject. Its origin is the name.
 ///

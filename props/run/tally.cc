@@ -85,6 +85,13 @@ PropertyResult Tally::Concluded() const {
   return result;
 }
 
+PropertyResult Tally::NotApplicable(const std::string& why) const {
+  PropertyResult result = result_;
+  result.outcome = Outcome::kNotApplicable;
+  result.message = why;
+  return result;
+}
+
 PropertyResult Tally::Inconclusive(const std::string& why) const {
   PropertyResult result = result_;
   result.outcome = Outcome::kInconclusive;

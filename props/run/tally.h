@@ -37,6 +37,8 @@ class Tally {
   /// The result of a run in which nothing was violated. Not a pass if nothing was exercised, if a
   /// near-edge domain gave nothing near an edge, or if the subject refused too much.
   PropertyResult Concluded() const;
+  /// The result of a run that does not begin.
+  PropertyResult NotApplicable(const std::string& why) const;
   /// The result of a run that ended with a case that could not be judged.
   PropertyResult Inconclusive(const std::string& why) const;
   /// The result of a run that was stopped before anything was violated.

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_RUN_TRIAL_H_
 #define RASTERPROOF_PROPS_RUN_TRIAL_H_
 
+#include <cstdint>
 #include <stdexcept>
 
 #include "core/case.h"
@@ -27,13 +28,17 @@ class JudgingFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Whether a violation is traced to the triangle that causes it, which takes more draws.
+enum class Blaming : std::uint8_t { kNobody, kWhoItWas };
+
 /// Runs the property on the case.
 ///
 /// Returns:    what the property says; kRefused if the subject refused a scene of it, kViolated if
 ///             it broke down over one, kInconclusive if it took longer than it may, and
 ///             kNotApplicable if the oracle can't decide the case (any other InputError).
 /// Error:      JudgingFault.
-Trial TryCase(Subject& subject, const Property& property, const Case& c);
+Trial TryCase(Subject& subject, const Property& property, const Case& c,
+              Blaming blaming = Blaming::kNobody);
 
 }  // namespace rasterproof::props
 

@@ -106,9 +106,19 @@ TEST(CaseNames, StandForTheSameWhateverDomainsAreBeside) {
   // And they are the first six of each domain.
   for (const std::string_view domain : some) {
     for (std::uint64_t i = 0; i < 6; ++i) {
-      EXPECT_TRUE(few.contains(ToText({std::string(domain), i, kSeed}))) << domain << i;
+      const std::uint64_t index = FirstIndex(ModelProperty(some).name) + i;
+      EXPECT_TRUE(few.contains(ToText({std::string(domain), index, kSeed}))) << domain << i;
     }
   }
+}
+
+TEST(CaseNames, OfClaimsThatShareADomainDiffer) {
+  std::set<std::uint64_t> firsts;
+  for (const Property& property : Catalog()) {
+    EXPECT_TRUE(firsts.insert(FirstIndex(property.name)).second) << property.name;
+  }
+  const std::vector<const Domain*> domains = DomainsOf({"near-edge"});
+  EXPECT_EQ(NameOfCase(domains, 4000, kSeed, 17), (CaseName{"near-edge", 4017, kSeed}));
 }
 
 TEST(CaseNames, DifferInWhatTheyStandFor) {
@@ -125,7 +135,7 @@ TEST(CaseNames, OfADomainThatStandsThereOftenAreEachTakenOnce) {
       DomainsOf({"near-edge", "folds", "folds", "fans", "folds"});
   std::map<std::string, std::set<std::uint64_t>> indices;
   for (std::uint64_t i = 0; i < 5 * 7; ++i) {
-    const CaseName name = NameOfCase(domains, kSeed, i);
+    const CaseName name = NameOfCase(domains, 0, kSeed, i);
     EXPECT_EQ(name.domain, domains[i % 5]->name);
     EXPECT_TRUE(indices[name.domain].insert(name.index).second) << ToText(name);
   }

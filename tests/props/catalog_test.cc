@@ -128,9 +128,12 @@ struct Exercise {
   int exercised = 0;
   std::map<std::string, int> by_domain;
 };
+// `cases` of them; up to four times as many if a domain puts none to the test.
 Exercise ExerciseOf(Subject& subject, const Property& property, int cases) {
   Exercise exercise;
-  for (int i = 0; i < cases; ++i) {
+  const auto is_never = [](const auto& domain) { return domain.second == 0; };
+  for (int i = 0; i < 4 * cases; ++i) {
+    if (i >= cases && std::ranges::none_of(exercise.by_domain, is_never)) break;
     const Case c = DrawCase(subject.Info(), property, kSeed, static_cast<std::uint64_t>(i));
     const Verdict verdict = RunCase(subject, property, c);
     ++exercise.cases;

@@ -80,7 +80,7 @@ std::string FaultOf(Subject& subject, const Property& property) {
 TEST(AFaultOfOurs, IsNeverTheSubjects) {
   PlantedSubject subject(RealInfo(), DrawRight);
   const std::string said = FaultOf(subject, Throwing(OracleFails));
-  EXPECT_TRUE(Says(said, "CoverageIsTheModels on uniform-subpixel:0@1")) << said;
+  EXPECT_TRUE(Says(said, "CoverageIsTheModels on uniform-subpixel:4140000@1")) << said;
   EXPECT_TRUE(Says(said, "a rational must be finite")) << said;
   EXPECT_NE(FaultOf(subject, Throwing(MemoryRunsOut)), "");
   PlantedSubject outside = PlantedSubject::Outside(RealInfo(), DrawRight);
@@ -249,7 +249,7 @@ TEST(AnAnswerThatChanges, IsOneInABatchThatNoBatchRepeats) {
   };
   const PropertyResult result = RunOutside(wrong_once, {.cases = 64});
   EXPECT_EQ(result.outcome, Outcome::kInconclusive) << result.message;
-  EXPECT_EQ(result.failing_case, "uniform-subpixel:1@1");
+  EXPECT_EQ(result.failing_case, "uniform-subpixel:4140001@1");
 }
 
 TEST(AnAnswerThatChanges, IsViolatedIfTheCaseThatFailedFirstFailsAgain) {
@@ -334,7 +334,7 @@ TEST(ASlowSubject, IsNeverViolatedForIt) {
   const PropertyResult result = RunTimed(time, slow_over_the_50th, {.cases = 120});
   EXPECT_EQ(result.outcome, Outcome::kInconclusive);
   EXPECT_EQ(result.cases, 50U);
-  EXPECT_TRUE(Says(result.message, "fans:16@1: no answer within 10 s; --time-limit"))
+  EXPECT_TRUE(Says(result.message, "fans:4140016@1: no answer within 10 s; --time-limit"))
       << result.message;
   EXPECT_TRUE(Says(result.message, "nothing violated so far, exercised in 49 of 50 cases"))
       << result.message;

@@ -74,7 +74,7 @@ std::vector<Planted> AllPlanted() {
        testing::WithProfile(real, [](Profile& p) { p.snap.bits = 12; }), 60},
       {"float32 edge functions", testing::NaiveFloat32(real), 120},
       {"float64 edge functions", testing::NaiveFloat64(real), 300},
-      {"loses triangles of 2048 pixels", testing::LosesLarge(real, 2048), 60},
+      {"loses triangles of 2048 pixels", testing::LosesLarge(real, 2048), 300},
       {"throws left of the target", testing::Throwing(real), 30},
   };
 }
@@ -163,6 +163,22 @@ TEST(Campaign, ThatExercisesNothingIsNoPass) {
   const PropertyResult inapplicable = RunCampaign(subject, property, {.cases = 20});
   EXPECT_EQ(inapplicable.outcome, Outcome::kNotApplicable);
   EXPECT_EQ(inapplicable.message, "no such promise");
+  EXPECT_EQ(inapplicable.cases, 0U);  // none was drawn for nothing
+}
+
+int blamings = 0;  // a property's functions hold no state
+
+TEST(Campaign, BlamesOnceOnTheSmallestCase) {
+  auto subject = testing::DropsLastColumn(RealInfo());
+  Property property = ModelProperty(kDomains);
+  property.blame = [](const Case&, const Verdict&, const Description&) {
+    ++blamings;
+    return Asked{};
+  };
+  blamings = 0;
+  const PropertyResult result = RunCampaign(subject, property, {.cases = 30});
+  EXPECT_EQ(result.outcome, Outcome::kViolated);
+  EXPECT_EQ(blamings, 1);
 }
 
 TEST(Campaign, WithADeadNearEdgeDomainIsNoPass) {

@@ -51,7 +51,8 @@ inline constexpr auto kCoverage =
                                      "degenerate",        "long-walk",
                                      "size-ladder",       "t-junctions",
                                      "range-ends",        "tiny-ends",
-                                     "sub-pixel",         "far-negative-corners"});
+                                     "sub-pixel",         "far-negative-corners",
+                                     "least-areas",       "rows-and-columns"});
 
 // The same, what only the model can tell, and enough samples to find what goes wrong once in a
 // million.

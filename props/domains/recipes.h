@@ -38,6 +38,8 @@ Case MixedMagnitude(BitSource& bits, const SubjectInfo& info);
 Case GuardBand(BitSource& bits, const SubjectInfo& info);
 
 // recipes_range.cc
+Case LeastAreas(BitSource& bits, const SubjectInfo& info);
+Case RowsAndColumns(BitSource& bits, const SubjectInfo& info);
 Case RangeEnds(BitSource& bits, const SubjectInfo& info);
 Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info);
 Case TinyEnds(BitSource& bits, const SubjectInfo& info);

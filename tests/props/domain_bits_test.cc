@@ -163,9 +163,11 @@ constexpr auto kGolden = std::to_array<Golden>({
     {51, "extent-ends", 0x4b825be7a150b730},
     {52, "no-clip-ends", 0xf29edd887529558a},
     {53, "target-ends", 0x6c2cc600d67e26bf},
+    {54, "least-areas", 0xd1209486a3b9d6eb},
+    {55, "rows-and-columns", 0xc30d7c15af224857},
 });
 
-constexpr std::uint64_t kGoldenExamples = 0x785e8977061d8e56;
+constexpr std::uint64_t kGoldenExamples = 0x9927c84d9660da5c;
 
 std::string LineOf(const Domain& domain, std::uint64_t hash) {
   std::ostringstream line;

@@ -52,9 +52,8 @@ struct Property {
   std::string_view name;  ///< the claim: "SharedEdgeSamplesAreCoveredOnce"
   std::string_view
       group;  ///< "edge", "incremental", "barycentric", "coverage", "wireframe", "extremes"
-  std::string_view clause;        ///< what it enforces, with its source
-  std::string_view precondition;  ///< when it applies, in words; the function checks it
-  std::string_view tolerance;     ///< the named, proven bound, or "none: exact"
+  std::string_view clause;     ///< what it enforces, with its source
+  std::string_view tolerance;  ///< the named, proven bound, or "none: exact"
   /// Names of the domains whose cases put this claim to the test.
   std::span<const std::string_view> domains;
   /// True if the claim is about calls that follow each other: no others may come in between.

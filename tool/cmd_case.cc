@@ -81,7 +81,6 @@ const props::Property& ClaimOf(const LoadedCase& loaded) {
   static const props::Property plain{.name = "coverage",
                                      .group = "coverage",
                                      .clause = "the counts are those of the model",
-                                     .precondition = "a scene that the oracle decides",
                                      .tolerance = "none: exact",
                                      .domains = {},
                                      .gate = {.space = props::Space::kEither,

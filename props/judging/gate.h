@@ -77,7 +77,16 @@ struct Gate {
   /// True for what is not claimed where a coordinate wraps.
   bool unwrapped = false;
   std::span<const ProfileRule> rules = {};
+  /// What of a case that is let through the claim is about, in words, where that is less than all:
+  /// "two triangles or more". Its `ask` sees to it.
+  std::string_view where = {};
 };
+
+/// The gate of a claim that is about less of a case.
+constexpr Gate Where(Gate gate, std::string_view where) {
+  gate.where = where;
+  return gate;
+}
 
 /// Returns why the claim does not apply to the subject, whatever the case, or nothing if it may.
 ///
@@ -95,7 +104,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 ///                 profile's no-clip rectangle.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c);
 
-/// The gate in words, as docs/mathematics.md and `rasterproof list` print it.
+/// What DoesNotApply and Refusal ask for, in words, and `where`: as docs/mathematics.md and
+/// `rasterproof list` print it.
 std::string WordsOf(const Gate& gate);
 
 /// The case's drawing options without culling and scissor.

@@ -13,7 +13,6 @@ constinit const Property kCoverageEqualsTheModel{
     .clause =
         "A sample is covered if it is inside, or on a top or left edge (D3D11.3 functional "
         "specification 3.4.2.1 (top-left rule); the profile names the rule).",
-    .precondition = "contract sample-exact; coordinates within the limit; window space",
     .tolerance = kExact,
     .domains = kModelCoverage,
     .gate = {.judges_overdraw = true},

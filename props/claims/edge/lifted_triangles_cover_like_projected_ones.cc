@@ -77,12 +77,9 @@ constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
     .clause =
         "N_ij . (p, 1) with N_ij = V_j x V_i is w_i w_j E of the projected edge (Olano and "
         "Greer, Graphics Hardware 1997).",
-    .precondition =
-        "contract sample-exact; coordinates within the limit; the subject takes clip "
-        "space; the lifted coordinates are exact",
     .tolerance = kExact,
     .domains = kClipSpace,
-    .gate = {.space = Space::kClip},
+    .gate = {.space = Space::kClip, .where = "the lifted coordinates are exact"},
     .ask = Ask,
 };
 

@@ -141,10 +141,9 @@ void CaseInHand::Blame(Subject& subject) {
 Trial TryCase(Subject& subject, const Property& property, const Case& c) {
   const Description description = DescriptionOf(subject);
   CaseInHand hand(property, c, description);
-  Subject& rasterizer = subject.Whole();
   WorkedOut(property, c, [&] {
-    while (!hand.IsDone()) hand.Take(PutOne(rasterizer, hand.Next()));
-    hand.Blame(rasterizer);
+    while (!hand.IsDone()) hand.Take(PutOne(subject, hand.Next()));
+    hand.Blame(subject);
   });
   return hand.Result();
 }

@@ -15,12 +15,10 @@
 namespace rasterproof::props {
 
 Description DescriptionOf(Subject& subject) {
-  Description description{subject.Info(), subject.Edges(), subject.Weights()};
-  description.info.coverage = subject.Whole().Info().coverage;
-  return description;
+  return {subject.Info(), subject.Edges(), subject.Weights()};
 }
 
-PlacesOfTransform::Place PlacesOfTransform::PlaceOf(const Vertex& v) {
+PlacesOfTransform::PlaceBits PlacesOfTransform::PlaceOf(const Vertex& v) {
   return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
 }
 

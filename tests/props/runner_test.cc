@@ -112,7 +112,7 @@ TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {
 // Edge values that throw.
 class ThrowingEdges final : public Subject, public EdgeEvaluator {
  public:
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     DrawRight(scene, options, counts);
   }
@@ -305,7 +305,7 @@ class Timed final : public Subject {
  public:
   using Take = std::function<void(const Scene&, Time&)>;
   Timed(Time& time, Take take) : time_(time), take_(std::move(take)) {}
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     take_(scene, time_);
     DrawRight(scene, options, counts);

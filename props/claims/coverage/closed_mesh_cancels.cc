@@ -62,6 +62,7 @@ constinit const Property kClosedMeshCancels{
              .any_model = true,
              .judges_clipped = true,
              .rules = kSignedCoverageRules,
+             .asks_oracle = true,
              .where = "every edge is walked as often each way; in clip space in front of the eye; "
                       "facings told, or no legal choice turns a triangle there"},
     .ask = Ask,

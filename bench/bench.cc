@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "exact/coverage.h"
+#include "props/run/facings.h"
 
 namespace rasterproof::bench {
 namespace {
@@ -82,7 +83,7 @@ void BenchFamily(const Family& family, std::span<Subject* const> subjects,
       const Profile& own = takers[k]->Info().profile;
       CoverageCounts counts(family.scene.width, family.scene.height, own.lattice.samples());
       const double start = ThreadSeconds();
-      takers[k]->Draw(family.scene, {}, counts);
+      props::DrawByFacing(*takers[k], family.scene, {}, counts);
       seconds[k].push_back(ThreadSeconds() - start);
       if (repetition != 0) continue;
       found[k].against_own = Compare(counts, truths.Of(own));

@@ -23,7 +23,7 @@ enum class Parts : std::uint8_t {
 struct DrawQuestion {
   DrawJob job;
   Parts parts = Parts::kFacings;
-  /// Every count before the draw. Other than 0 only where the target is the subject's own memory.
+  /// Every count before the draw. What a subject outside this process draws is added to it.
   std::uint32_t fill = 0;
   /// Into the target that the draw before it left.
   bool onto_the_last = false;

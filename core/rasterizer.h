@@ -82,7 +82,7 @@ class RasterizerSubject final : public Subject {
       info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
     }
   }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     if constexpr (ShowsDrawings<R>) {
       counts += Show({scene, options, counts.samples}).counts;

@@ -3,7 +3,9 @@
 #define RASTERPROOF_CORE_SUBJECT_H_
 
 #include <chrono>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/coverage.h"
@@ -22,7 +24,12 @@ class Subject {
  public:
   virtual ~Subject() = default;
 
-  virtual const SubjectInfo& Info() const = 0;
+  /// What it says of itself.
+  virtual const SubjectInfo& OwnInfo() const = 0;
+  /// What it is judged as: what it says of itself, unless somebody else said otherwise.
+  const SubjectInfo& Info() const { return judged_as_ ? *judged_as_ : OwnInfo(); }
+  /// From here on it is judged as this. It draws as before.
+  void JudgeAs(SubjectInfo info) { judged_as_ = std::move(info); }
   /// Adds the coverage of every triangle of the scene to `counts`.
   ///
   /// Domain:     a scene that Takes() accepts; counts of the scene's and the profile's shape.
@@ -42,15 +49,15 @@ class Subject {
   virtual std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs);
   /// True if many draws in one call cost less than each in a call of its own: of a process.
   virtual bool SharesCalls() const { return false; }
-  /// The subject whose calls each go to the rasterizer as they are. Another one than this where
-  /// this splits a scene, to tell facings or overlaps that the rasterizer does not tell.
-  virtual Subject& Whole() { return *this; }
   /// Draws that are not done by then may end with SubjectTooSlow. What runs in this process can't
   /// be stopped, and pays no heed.
   virtual void SetDeadline(std::chrono::steady_clock::time_point /*deadline*/) {}
   /// Optional capabilities; nullptr where the subject has none.
   virtual const EdgeEvaluator* Edges() const { return nullptr; }
   virtual const WeightEvaluator* Weights() const { return nullptr; }
+
+ private:
+  std::optional<SubjectInfo> judged_as_;
 };
 
 }  // namespace rasterproof

@@ -40,6 +40,9 @@ inline Asked NothingAsked(std::string why) {
   return {{}, {Outcome::kNotExercised, 0, 0, std::move(why), std::nullopt}};
 }
 
+/// Nothing is asked: what the claim asks the oracle about is not decided, and why.
+inline Asked NotDecided(const std::string& why) { return {{}, Verdict::NotApplicable(why)}; }
+
 /// Everything is asked and judged at once.
 inline Asked OneCheck(Questions questions, std::function<Verdict(const Answers&)> judge) {
   Asked asked;
@@ -52,9 +55,8 @@ struct Property {
   std::string_view name;  ///< the claim: "SharedEdgeSamplesAreCoveredOnce"
   std::string_view
       group;  ///< "edge", "incremental", "barycentric", "coverage", "wireframe", "extremes"
-  std::string_view clause;        ///< what it enforces, with its source
-  std::string_view precondition;  ///< when it applies, in words; the function checks it
-  std::string_view tolerance;     ///< the named, proven bound, or "none: exact"
+  std::string_view clause;     ///< what it enforces, with its source
+  std::string_view tolerance;  ///< the named, proven bound, or "none: exact"
   /// Names of the domains whose cases put this claim to the test.
   std::span<const std::string_view> domains;
   /// True if the claim is about calls that follow each other: no others may come in between.

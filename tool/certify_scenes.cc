@@ -42,7 +42,7 @@ std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
 
 // Empty unless drawing the scene would take for ever.
 std::string WhyTooLarge(Subject& subject, const Scene& scene) {
-  const SubjectInfo& info = subject.Whole().Info();  // as the rasterizer itself is
+  const SubjectInfo& info = subject.Info();
   const bool by_triangle = info.coverage == CoverageKind::kMask || ShowsWinners(info);
   if (!by_triangle) return "";
   const std::uint64_t samples =

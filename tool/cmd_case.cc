@@ -81,12 +81,12 @@ const props::Property& ClaimOf(const LoadedCase& loaded) {
   static const props::Property plain{.name = "coverage",
                                      .group = "coverage",
                                      .clause = "the counts are those of the model",
-                                     .precondition = "a scene that the oracle decides",
                                      .tolerance = "none: exact",
                                      .domains = {},
                                      .gate = {.space = props::Space::kEither,
                                               .promise = props::Promise::kNone,
-                                              .beyond_limits = true},
+                                              .beyond_limits = true,
+                                              .asks_oracle = true},
                                      .ask = AskForTheModel};
   return loaded.property != nullptr ? *loaded.property : plain;
 }

@@ -9,6 +9,7 @@
 #include "props/infer/infer.h"
 #include "report/json_writer.h"
 #include "tool/commands.h"
+#include "tool/interrupt.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -122,6 +123,7 @@ int RunInfer(const InferOptions& options) {
   props::InferOptions choice;
   choice.seed = options.seed;
   const props::Inference inference = props::Infer(*subject, choice);
+  if (Interrupted()) return InterruptStatus();
   const SubjectInfo& info = subject->Info();
   std::string text = fmt::format("{}: {} models, {} draws, {:.2f} s\n", info.name, inference.models,
                                  inference.experiments, inference.seconds);

@@ -32,8 +32,8 @@ std::string ListProperties() {
   std::string text = "properties\n";
   for (const props::Property& property : props::Catalog()) {
     text += fmt::format("  {} ({})\n    enforces: {}\n    applies:  {}\n    limit:    {}\n",
-                        property.name, property.group, property.clause, property.precondition,
-                        property.tolerance);
+                        property.name, property.group, property.clause,
+                        props::WordsOf(property.gate), property.tolerance);
   }
   return text;
 }

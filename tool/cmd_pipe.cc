@@ -51,7 +51,7 @@ SubjectInfo InfoOf(const PipeOptions& options) {
 class FarEnd : public Subject {
  public:
   explicit FarEnd(const SubjectInfo& info) : info_(info) {}
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     counts += Show({scene, options, counts.samples}).counts;
   }
@@ -130,7 +130,7 @@ class Shown final : public Subject {
   Shown(const SubjectInfo& info, CoverageCounts counts) : info_(info), counts_(std::move(counts)) {
     info_.coverage = CoverageKind::kFacingCounts;
   }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& /*scene*/, const DrawOptions& /*options*/,
             CoverageCounts& counts) override {
     if (counts.size() == counts_.size()) counts += counts_;

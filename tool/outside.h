@@ -39,7 +39,7 @@ bool NamesWhatToRun(std::string_view name);
 bool IsOutside(std::string_view name);
 
 /// The subject of that name in a process of its own, or nullptr if it is none of the above. Facings
-/// that it does not tell are the caller's to work out (props::WithFacings).
+/// that it does not tell are the caller's to work out (props::DrawByFacing).
 ///
 /// Error:      InputError if the library or the file is not what it should be.
 std::unique_ptr<Subject> MakeOutside(const std::string& name);

@@ -55,7 +55,7 @@ class OracleSubject final : public Subject {
     info_.takes_clip = true;
     info_.claims_exact = true;
   }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     const CoverageCounts drawn = exact::Coverage(scene, info_.profile, options, decider_);
     for (std::size_t k = 0; k < drawn.size(); ++k) {
@@ -69,39 +69,18 @@ class OracleSubject final : public Subject {
   exact::Decider decider_;
 };
 
-// A subject judged by a profile that is not its own.
-class JudgedSubject final : public Subject {
- public:
-  JudgedSubject(std::unique_ptr<Subject> subject, const Profile& profile)
-      : subject_(std::move(subject)), info_(subject_->Info()) {
-    // What it claims, it claims of its own profile.
-    info_.claims_exact = info_.claims_exact && SameModel(info_.profile, profile);
-    // What it can be given is no matter of judgement.
-    const std::optional<FixedInput> fixed = info_.profile.fixed;
-    info_.profile = profile;
-    if (!profile.fixed) info_.profile.fixed = fixed;
-    info_.profile.name = io::ProfileName(info_.profile);
-  }
-  const SubjectInfo& Info() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    subject_->Draw(scene, options, counts);
-  }
-  Drawing Show(const DrawJob& job) override { return subject_->Show(job); }
-  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
-    return subject_->DrawMany(jobs);
-  }
-  Subject& Whole() override { return subject_->Whole(); }
-  bool SharesCalls() const override { return subject_->SharesCalls(); }
-  void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
-    subject_->SetDeadline(deadline);
-  }
-  const EdgeEvaluator* Edges() const override { return subject_->Edges(); }
-  const WeightEvaluator* Weights() const override { return subject_->Weights(); }
-
- private:
-  std::unique_ptr<Subject> subject_;
-  SubjectInfo info_;
-};
+// From here on the subject is judged by a profile that is not its own.
+void JudgeBy(const Profile& profile, Subject& subject) {
+  SubjectInfo info = subject.Info();
+  // What it claims, it claims of its own profile.
+  info.claims_exact = info.claims_exact && SameModel(info.profile, profile);
+  // What it can be given is no matter of judgement.
+  const std::optional<FixedInput> fixed = info.profile.fixed;
+  info.profile = profile;
+  if (!profile.fixed) info.profile.fixed = fixed;
+  info.profile.name = io::ProfileName(info.profile);
+  subject.JudgeAs(std::move(info));
+}
 
 // How many letters must be put in, taken out or exchanged (Levenshtein), capitals or not.
 std::size_t Distance(std::string_view a, std::string_view b) {
@@ -223,9 +202,8 @@ std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& p
         fmt::format("{}choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
                     Suggestion(name, SubjectNames()), fmt::join(SubjectNames(), ", ")));
   }
-  // Facings last: they are worked out by the profile that the subject is judged by.
-  if (!profile.empty()) subject = std::make_unique<JudgedSubject>(std::move(subject), named);
-  return props::WithFacings(std::move(subject));
+  if (!profile.empty()) JudgeBy(named, *subject);
+  return subject;
 }
 
 const props::Property& RequireProperty(const std::string& name) {
@@ -285,7 +263,7 @@ CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& opt
   const int samples = subject.Info().profile.lattice.samples();
   RequireTargetSize("scene", scene.width, scene.height, samples);
   CoverageCounts counts(scene.width, scene.height, samples);
-  subject.Draw(scene, options, counts);
+  props::DrawByFacing(subject, scene, options, counts);
   return counts;
 }
 

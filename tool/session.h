@@ -71,7 +71,7 @@ std::string SubjectOption(const std::string& name);
 /// The command that runs the verb on the choice's case, quoted for a shell.
 std::string CommandFor(std::string_view verb, const CaseChoice& choice);
 
-/// Draws the scene on fresh counts of the subject's shape.
+/// Draws the scene on fresh counts of the subject's shape, by facing.
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options = {});
 
 /// The same, or nothing if the subject breaks down over it; then `reason` says how.

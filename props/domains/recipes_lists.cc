@@ -16,13 +16,13 @@ namespace {
 constexpr std::array<int, 6> kStrides{8, 16, 64, 256, 256, 1024};
 
 // A triangle's corners with the indices of their vertices: a corner that stays keeps its index.
-struct Corner {
+struct ListedCorner {
   Point2 at;
   std::int32_t index = 0;
 };
-using TriangleCorners = std::array<Corner, 3>;
+using TriangleCorners = std::array<ListedCorner, 3>;
 
-Corner Placed(Sketch& sketch, Point2 p) { return {p, sketch.Add(p)}; }
+ListedCorner Placed(Sketch& sketch, Point2 p) { return {p, sketch.Add(p)}; }
 
 Point2 Far(Sketch& sketch) {
   const int most = std::max(5, std::ilogb(sketch.Range()));
@@ -32,7 +32,7 @@ Point2 Far(Sketch& sketch) {
 }
 
 // One coordinate of a corner anew.
-void ChangeCoordinate(Sketch& sketch, Corner& corner) {
+void ChangeCoordinate(Sketch& sketch, ListedCorner& corner) {
   const bool along_y = sketch.bits().Chance(128);
   Point2 p = corner.at;
   (along_y ? p.y : p.x) = sketch.Coordinate(along_y ? sketch.height() : sketch.width(), along_y);
@@ -48,7 +48,7 @@ void Write(Sketch& sketch, const TriangleCorners& v) {
 Case NearRepeats(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   TriangleCorners v;
-  for (Corner& corner : v) corner = Placed(sketch, sketch.Place());
+  for (ListedCorner& corner : v) corner = Placed(sketch, sketch.Place());
   Write(sketch, v);
   const std::int64_t more = bits.Int(1, 7);
   for (std::int64_t n = 0; n < more; ++n) {

@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <string>
 #include <utility>
 
-#include "core/error.h"
-#include "core/subject_errors.h"
+#include "core/question.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "props/infer/declarations.h"
 #include "props/infer/locate.h"
 #include "props/infer/race.h"
-#include "props/run/guarded.h"
 #include "props/shrink/shrink.h"
 
 namespace rasterproof::props {
@@ -37,8 +34,8 @@ bool Differs(const Observer& observer, const Case& c, const CoverageCounts& seen
 Case Shrunken(Observer& observer, const Case& c) {
   constexpr std::uint64_t kBudget = 600;
   const auto differs = [&](const Case& candidate) {
-    return candidate.options == DrawOptions{} && !candidate.scene.clip_space &&
-           candidate.scene.precision == c.scene.precision &&
+    return !observer.HasBrokenOff() && candidate.options == DrawOptions{} &&
+           !candidate.scene.clip_space && candidate.scene.precision == c.scene.precision &&
            WithinLimits(candidate.scene, candidate.profile) &&
            IsUnclipped(candidate.scene, candidate.profile) &&
            Differs(observer, candidate, observer.Draw(candidate.scene));
@@ -49,6 +46,7 @@ Case Shrunken(Observer& observer, const Case& c) {
 void NameNearest(Observer& observer, const ModelSpace& space, Race& race, int checks,
                  Inference& inference) {
   race.Check(checks);
+  if (observer.HasBrokenOff()) return;
   Model nearest;
   inference.nearest = race.Nearest(&nearest);
   // The profile's limit is the subject's own: what is beyond it is no witness.
@@ -89,6 +87,7 @@ bool ConcludeWithoutFacings(Observer& observer, const ModelSpace& space,
   observer.SetFacing(FacingReport::kNotTold);
   Race race(observer, space, options.seed);
   RunRace(race, options);
+  if (observer.HasBrokenOff()) return true;
   if (race.left().empty()) {
     observer.SetFacing(inference.facing);
     return false;
@@ -100,15 +99,17 @@ bool ConcludeWithoutFacings(Observer& observer, const ModelSpace& space,
 }
 
 void FindModels(Observer& observer, const InferOptions& options, Inference& inference) {
-  inference.message = TooLittleRoom(observer.info().profile);
+  inference.message = TooLittleRoom(observer.info());
   inference.is_inconclusive = !inference.message.empty();
   if (inference.is_inconclusive) return;
   const Location location = Locate(observer);
+  if (observer.HasBrokenOff()) return;
   inference.facing = observer.facing();
   const ModelSpace space(location.y_axis, location.lattices, observer.declared());
   inference.models = space.models().size();
   Race race(observer, space, options.seed);
   RunRace(race, options);
+  if (observer.HasBrokenOff()) return;
   if (location.complaint.empty()) {
     if (!race.left().empty()) return Conclude(observer, space, race, inference);
     if (ConcludeWithoutFacings(observer, space, options, inference)) return;
@@ -119,6 +120,21 @@ void FindModels(Observer& observer, const InferOptions& options, Inference& infe
   NameNearest(observer, space, race, options.checks, inference);
 }
 
+// What was found so far rests on draws that came; what it was about to show does not.
+void BreakOff(const Observer& observer, Inference& inference) {
+  inference.remaining.clear();
+  inference.against_declared.reset();
+  inference.witness.reset();
+  inference.is_inconclusive =
+      observer.stop() == Stop::kTooSlow || observer.stop() == Stop::kDeadline;
+  if (inference.is_inconclusive) {
+    inference.message = "the subject was too slow to judge: " + observer.why();
+    return;
+  }
+  inference.message = "the subject broke off: " + observer.why();
+  inference.witness = CaseOf(observer.last_scene(), observer.info().profile);
+}
+
 }  // namespace
 
 bool Inference::Agrees() const {
@@ -127,22 +143,10 @@ bool Inference::Agrees() const {
 
 Inference Infer(Subject& subject, const InferOptions& options) {
   const Clock::time_point start = Clock::now();
-  GuardedSubject guarded(subject);
-  Observer observer(guarded);
+  Observer observer(subject);
   Inference inference;
-  const auto broke_off = [&](const std::exception& error) {
-    inference.remaining.clear();
-    inference.message = std::string("the subject broke off: ") + error.what();
-    inference.witness = CaseOf(observer.last_scene(), subject.Info().profile);
-  };
-  // What else is thrown is a fault of ours, or a subject that is too slow to be judged.
-  try {
-    FindModels(observer, options, inference);
-  } catch (const InputError& error) {
-    broke_off(error);
-  } catch (const SubjectFault& error) {
-    broke_off(error);
-  }
+  FindModels(observer, options, inference);
+  if (observer.HasBrokenOff()) BreakOff(observer, inference);
   inference.experiments = observer.draws();
   inference.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return inference;

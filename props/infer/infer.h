@@ -55,7 +55,8 @@ struct Inference {
   std::optional<Case> against_declared;
   double seconds = 0;
 
-  /// True if what is declared left no room for experiments: the message says why.
+  /// True if what is declared left no room for experiments, or the subject was too slow: the
+  /// message says which, and why.
   bool is_inconclusive = false;
 
   bool Fits() const { return !remaining.empty(); }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/transform.h"
 #include "model/drop.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
@@ -75,7 +76,7 @@ int Probe(Observer& observer, bool along_y, YAxis y_axis, int s) {
   return last - kLastColumnOfZero;
 }
 
-struct Place {
+struct SampleReading {
   int x;
   int y;
 };
@@ -87,13 +88,13 @@ int FloorInPixels(int place) {
 // What (seen.x, seen.y) may stand for. The samples of a row lie at i + x: the last one that the
 // edge covers comes floor(x) columns earlier, and if x is whole one column later or not as the tie
 // rule has it. A grid that is half a pixel off seems to move places out of their pixel.
-std::vector<Place> PlacesSeenAs(Place seen) {
-  std::vector<Place> places;
+std::vector<SampleReading> PlacesSeenAs(SampleReading seen) {
+  std::vector<SampleReading> places;
   for (const int whole_x : {0, -1, 1}) {
     for (const int whole_y : {0, -1, 1}) {
       for (const int dx : {0, 1}) {
         for (const int dy : {0, 1}) {
-          const Place place{seen.x + whole_y - dx, seen.y + whole_x - dy};
+          const SampleReading place{seen.x + whole_y - dx, seen.y + whole_x - dy};
           if (FloorInPixels(place.x) != whole_x || FloorInPixels(place.y) != whole_y) continue;
           if (dx == 1 && place.y % kPerPixel != 0) continue;
           if (dy == 1 && place.x % kPerPixel != 0) continue;
@@ -105,17 +106,19 @@ std::vector<Place> PlacesSeenAs(Place seen) {
   return places;
 }
 
-bool IsInPixel(Place p) { return p.x >= 0 && p.x < kPerPixel && p.y >= 0 && p.y < kPerPixel; }
+bool IsInPixel(SampleReading p) {
+  return p.x >= 0 && p.x < kPerPixel && p.y >= 0 && p.y < kPerPixel;
+}
 
-Point2 InPixels(Place p) {
+Point2 InPixels(SampleReading p) {
   return {static_cast<double>(p.x) / kPerPixel, static_cast<double>(p.y) / kPerPixel};
 }
 
-void AddCandidate(std::vector<LatticeCandidate>& candidates, const std::vector<Place>& places,
-                  int shift) {
+void AddCandidate(std::vector<LatticeCandidate>& candidates,
+                  const std::vector<SampleReading>& places, int shift) {
   LatticeCandidate candidate{.lattice = {{}}, .half_off = shift != 0};
-  for (const Place& p : places) {
-    const Place moved{p.x + shift, p.y + shift};
+  for (const SampleReading& p : places) {
+    const SampleReading moved{p.x + shift, p.y + shift};
     if (!IsInPixel(moved)) return;
     candidate.lattice.locations.push_back(InPixels(moved));
   }
@@ -123,27 +126,34 @@ void AddCandidate(std::vector<LatticeCandidate>& candidates, const std::vector<P
 }
 
 // One sample's readings are all followed up; of several samples each is taken at its first.
-std::vector<LatticeCandidate> CandidatesFor(const std::vector<Place>& seen) {
-  std::vector<std::vector<Place>> readings;
+std::vector<LatticeCandidate> CandidatesFor(const std::vector<SampleReading>& seen) {
+  std::vector<std::vector<SampleReading>> readings;
   if (seen.size() == 1) {
-    for (const Place& place : PlacesSeenAs(seen.front())) readings.push_back({place});
+    for (const SampleReading& place : PlacesSeenAs(seen.front())) readings.push_back({place});
   } else {
     readings.emplace_back();
-    for (const Place& p : seen) {
-      const std::vector<Place> places = PlacesSeenAs(p);
+    for (const SampleReading& p : seen) {
+      const std::vector<SampleReading> places = PlacesSeenAs(p);
       readings.back().push_back(places.empty() ? p : places.front());
     }
   }
   std::vector<LatticeCandidate> candidates;
   for (const int shift : {0, kPerPixel / 2, -kPerPixel / 2}) {
-    for (const std::vector<Place>& places : readings) AddCandidate(candidates, places, shift);
+    for (const std::vector<SampleReading>& places : readings)
+      AddCandidate(candidates, places, shift);
   }
   return candidates;
 }
 
 }  // namespace
 
-std::string TooLittleRoom(const Profile& declared) {
+std::string TooLittleRoom(const SubjectInfo& info) {
+  const Profile& declared = info.profile;
+  const auto& transform = declared.transform;
+  if (!info.takes_window && transform && transform->viewport != ViewportForm::kNone) {
+    return "its viewport takes no vertex to most of the places that infer looks at; infer a "
+           "variant that takes window space, or whose viewport is none";
+  }
   if (!declared.crossing.IsNone()) {
     return "it rounds where edges cross rows, as declared: on a grid that holds the samples that "
            "cannot be told from samples that lie elsewhere";
@@ -199,7 +209,7 @@ Location Locate(Observer& observer) {
     location.complaint = "a triangle covers other samples when its vertices turn the other way";
     location.complaint_scene = front_scene;
   }
-  std::vector<Place> seen;
+  std::vector<SampleReading> seen;
   for (int s = 0; s < observer.info().profile.lattice.samples(); ++s) {
     const int x = Probe(observer, false, location.y_axis, s);
     seen.push_back({x, Probe(observer, true, location.y_axis, s)});

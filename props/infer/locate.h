@@ -21,7 +21,7 @@ struct Location {
 };
 
 /// Why what is declared leaves no room for the experiments that Locate needs; empty if it does.
-std::string TooLittleRoom(const Profile& declared);
+std::string TooLittleRoom(const SubjectInfo& info);
 
 /// Draws four scenes and tells the observer what facings mean.
 Location Locate(Observer& observer);

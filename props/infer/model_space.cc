@@ -117,13 +117,13 @@ const CoverageCounts& Prediction::ByRule(Drawn& drawn, const Model& model,
 Prediction::Drawn& Prediction::On(const Model& model) {
   Scene snapped = scene_;
   snapped.precision = Precision::kFloat64;
-  Place place{{}, model.lattice};
+  Placed placed{{}, model.lattice};
   for (Vertex& v : snapped.vertices) {
     v.x = SnapCoordinate(v.x, model.snap);
     v.y = SnapCoordinate(v.y, model.snap);
-    place.coordinates.insert(place.coordinates.end(), {v.x, v.y});
+    placed.coordinates.insert(placed.coordinates.end(), {v.x, v.y});
   }
-  const auto [found, is_new] = drawn_.try_emplace(std::move(place));
+  const auto [found, is_new] = drawn_.try_emplace(std::move(placed));
   Drawn& drawn = found->second;
   if (!is_new) return drawn;
   drawn.snapped = std::move(snapped);

@@ -77,10 +77,10 @@ class Prediction {
   bool Parts(const Model& a, const Model& b);
 
  private:
-  struct Place {
+  struct Placed {
     std::vector<double> coordinates;
     std::uint8_t lattice;
-    friend auto operator<=>(const Place&, const Place&) = default;
+    friend auto operator<=>(const Placed&, const Placed&) = default;
   };
   struct Drawn {
     Scene snapped;
@@ -105,7 +105,7 @@ class Prediction {
   const Scene& scene_;
   const ModelSpace& space_;
   FacingReport facing_;
-  std::map<Place, Drawn> drawn_;
+  std::map<Placed, Drawn> drawn_;
 };
 
 }  // namespace rasterproof::props

@@ -5,41 +5,55 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.h"
 #include "model/snap_scene.h"
+#include "model/target_model.h"
 #include "props/domains/input_lattice.h"
+#include "props/judging/redraw.h"
+#include "props/property.h"
+#include "props/run/put.h"
 
 namespace rasterproof::props {
 
-DrawJob Observer::JobOf(const Scene& scene) const {
-  const int samples = info().profile.lattice.samples();
-  if (info().takes_window) return {scene, {}, samples};
-  const auto& transform = info().profile.transform;
-  if (transform && transform->viewport != ViewportForm::kNone) {
-    throw InputError("subject " + info().name,
-                     "its viewport takes no vertex to most of the places that infer looks at",
-                     "infer a variant that takes window space, or whose viewport is none");
+Observer::Observer(Subject& subject)
+    : subject_(subject),
+      judged_{{}, DescriptionOf(subject), subject.Info().profile, {}, {}, {}},
+      declared_(ForTarget(subject.Info().profile, kSmallTarget, kSmallTarget)) {}
+
+Scene Observer::AsGiven(const Scene& scene) const {
+  Scene given = scene;
+  given.clip_space = !info().takes_window;  // w is 1 already
+  return given;
+}
+
+std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes) {
+  std::vector<CoverageCounts> seen;
+  if (HasBrokenOff()) return seen;
+  std::vector<Check> checks(scenes.size());
+  std::vector<Request> requests;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    checks[k].questions.draws = {CountsOf(AsGiven(scenes[k]), info().profile, {})};
+    requests.push_back({&judged_, &checks[k], nullptr});
   }
-  Scene clip = scene;
-  clip.clip_space = true;  // w is 1 already
-  return {std::move(clip), {}, samples};
+  for (Answers& answers : Put(subject_, requests)) {
+    ++draws_;
+    last_scene_ = scenes[seen.size()];
+    stop_ = answers.stop;
+    why_ = std::move(answers.why);
+    if (HasBrokenOff()) break;
+    seen.push_back(answers.draws.front()->counts);
+  }
+  return seen;
 }
 
 CoverageCounts Observer::Raw(const Scene& scene) {
-  ++draws_;
-  last_scene_ = scene;
-  return subject_.Show(JobOf(scene)).counts;
+  std::vector<CoverageCounts> seen = Ask({&scene, 1});
+  if (!seen.empty()) return std::move(seen.front());
+  return {scene.width, scene.height, info().profile.lattice.samples()};
 }
 
 std::vector<CoverageCounts> Observer::Draw(std::span<const Scene> scenes) {
-  std::vector<DrawJob> jobs;
-  for (const Scene& scene : scenes) jobs.push_back(JobOf(scene));
   std::vector<CoverageCounts> counts;
-  for (const DrawOutcome& outcome : subject_.DrawMany(jobs)) {
-    ++draws_;
-    last_scene_ = scenes[counts.size()];
-    counts.push_back(Normal(outcome.Get().counts));
-  }
+  for (CoverageCounts& seen : Ask(scenes)) counts.push_back(Normal(std::move(seen)));
   return counts;
 }
 

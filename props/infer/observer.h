@@ -5,15 +5,16 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/coverage.h"
-#include "core/drawing.h"
 #include "core/profile.h"
+#include "core/question.h"
 #include "core/scene.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "model/target_model.h"
+#include "props/run/judged_case.h"
 
 namespace rasterproof::props {
 
@@ -27,28 +28,26 @@ enum class FacingReport : std::uint8_t {
 /// A target of so many pixels a side has the model that all experiments are about.
 inline constexpr int kSmallTarget = 8;
 
-/// Draws scenes with a subject.
+/// Draws scenes with a subject, until it breaks off: from then on every target stays empty, and
+/// nothing that is made of it counts.
 class Observer {
  public:
-  explicit Observer(Subject& subject)
-      : subject_(subject),
-        declared_(ForTarget(subject.Info().profile, kSmallTarget, kSmallTarget)) {}
+  explicit Observer(Subject& subject);
 
   /// The subject's counts for a window-space scene, as they come.
   CoverageCounts Raw(const Scene& scene);
   /// The same in the form in which Expected() puts an exact draw: facings as on screen, or all in
   /// front.
   CoverageCounts Draw(const Scene& scene) { return Normal(Raw(scene)); }
-  /// The counts of several scenes, in as few calls as the subject can do with.
+  /// The counts of several scenes, in as few calls as the subject can do with. Fewer if it breaks
+  /// off.
   std::vector<CoverageCounts> Draw(std::span<const Scene> scenes);
   CoverageCounts Expected(CoverageCounts exact) const;
 
   void SetFacing(FacingReport facing) { facing_ = facing; }
   FacingReport facing() const { return facing_; }
   /// Whether the subject tells facings itself, and none need be worked out.
-  bool TellsFacings() const {
-    return subject_.Whole().Info().coverage == CoverageKind::kFacingCounts;
-  }
+  bool TellsFacings() const { return info().coverage == CoverageKind::kFacingCounts; }
   const SubjectInfo& info() const { return subject_.Info(); }
   /// The declared profile, as it is on the small targets of all experiments.
   const Profile& declared() const { return declared_; }
@@ -59,16 +58,25 @@ class Observer {
   std::uint64_t draws() const { return draws_; }
   /// What the subject was asked last.
   const Scene& last_scene() const { return last_scene_; }
+  bool HasBrokenOff() const { return stop_ != Stop::kNone; }
+  /// How it broke off, and why in words.
+  Stop stop() const { return stop_; }
+  const std::string& why() const { return why_; }
 
  private:
-  DrawJob JobOf(const Scene& scene) const;
+  // In the space that the subject takes.
+  Scene AsGiven(const Scene& scene) const;
+  std::vector<CoverageCounts> Ask(std::span<const Scene> scenes);
   CoverageCounts Normal(CoverageCounts counts) const;
 
   Subject& subject_;
+  JudgedCase judged_;  ///< whose draws are asked for
   Profile declared_;
   FacingReport facing_ = FacingReport::kNotTold;
   std::uint64_t draws_ = 0;
   Scene last_scene_;
+  Stop stop_ = Stop::kNone;
+  std::string why_;
 };
 
 /// Adds the back counts to the front ones.

@@ -54,7 +54,7 @@ bool Race::SplitPair(const Model& a, const Model& b, int tries) {
 
 void Race::SplitAtRandom() {
   int failures = 0;
-  while (left_.size() > 1 && failures < kFailuresInARow) {
+  while (left_.size() > 1 && failures < kFailuresInARow && !observer_.HasBrokenOff()) {
     PhiloxSource bits(seed_, drawn_++);
     const auto last = static_cast<std::int64_t>(left_.size()) - 1;
     const auto i = static_cast<std::size_t>(bits.Int(0, last - 1));
@@ -70,7 +70,7 @@ void Race::Split() {
   // Models that agree with the first one agree with each other as far as anyone looked.
   std::size_t k = 1;
   Model first = left_.empty() ? Model{} : left_.front();
-  while (k < left_.size()) {
+  while (k < left_.size() && !observer_.HasBrokenOff()) {
     const Model other = left_[k];
     if (SplitPair(first, other, kTriesForEachPair)) {
       // The list is shorter and perhaps led by another model: every pair is looked at again.
@@ -86,7 +86,7 @@ void Race::Check(int count) {
   SubjectInfo info = observer_.info();
   constexpr double kFarthest = 0x1p13;
   const double limit = std::min(info.profile.coordinate_limit, kFarthest);
-  while (count > 0) {
+  while (count > 0 && !observer_.HasBrokenOff()) {
     // As if the subject were what is left of the race: cases aim at its grid and its samples.
     if (!left_.empty()) info.profile = space_.ProfileOf(left_.front());
     info.profile.coordinate_limit = limit;

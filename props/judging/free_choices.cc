@@ -66,11 +66,8 @@ Span Widened(Span span, double slack) { return {span.low - slack, span.high + sl
 
 Span WindowSpan(double unwrapped, const Profile& profile, const Reach& reach) {
   const double x = profile.fixed ? Wrapped(unwrapped, *profile.fixed) : unwrapped;
-  const double own = SnapCoordinate(x, profile.snap);
   const std::vector<double> points = GridPointsWithin(x, profile.snap, reach.tolerance);
-  const double low = points.empty() ? own : std::min(own, points.front());
-  const double high = points.empty() ? own : std::max(own, points.back());
-  return Widened({low, high, x}, reach.slack);
+  return Widened({points.front(), points.back(), x}, reach.slack);
 }
 
 // Nothing if x / w has no place on the grid.

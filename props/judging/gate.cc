@@ -7,8 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "exact/coverage.h"
 #include "model/snap_scene.h"
 
 namespace rasterproof::props {
@@ -93,6 +95,11 @@ std::optional<std::string> ContractDoesNotPromise(const Profile& profile, const 
       break;
   }
   return "the profile's contract promises nothing about coverage";
+}
+
+// Of clip space no profile with such a rectangle says anything.
+bool MayBeClipped(const Gate& gate) {
+  return gate.judges_clipped || gate.promise == Promise::kNone || gate.space == Space::kClip;
 }
 
 // Weights belong to the vertices as given or to their grid points, which a profile may leave free.
@@ -219,27 +226,38 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   if (gate.unwrapped && !IsUnwrapped(c.scene, c.profile)) {
     return NotExercised("a coordinate wraps");
   }
-  if (gate.beyond_limits) return std::nullopt;
-  if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
-  const bool may_be_clipped = gate.judges_clipped || gate.promise == Promise::kNone;
-  if (!may_be_clipped && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
-    return NotExercised("a triangle leaves the profile's no-clip rectangle");
+  if (!gate.beyond_limits) {
+    if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
+    if (!MayBeClipped(gate) && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
+      return NotExercised("a triangle leaves the profile's no-clip rectangle");
+    }
   }
-  return std::nullopt;
+  if (!gate.asks_oracle) return std::nullopt;
+  const std::optional<InputError> why = exact::WhyNotDecided(c.scene, c.profile);
+  return why ? std::optional(Verdict::NotApplicable(why->what())) : std::nullopt;
 }
 
 std::string WordsOf(const Gate& gate) {
   std::string words;
   Add(words, WantedBy(gate.shows).words);
-  const bool rules_say_it = std::ranges::any_of(
-      gate.rules, [](const ProfileRule& rule) { return rule.words.starts_with("contract"); });
-  if (!rules_say_it) Add(words, PromiseWords(gate.promise));
+  const auto is_said = [&](std::string_view start) {
+    return std::ranges::any_of(
+        gate.rules, [&](const ProfileRule& rule) { return rule.words.starts_with(start); });
+  };
+  if (!is_said("contract")) Add(words, PromiseWords(gate.promise));
+  if (gate.promise == Promise::kSampleExact && !gate.any_model) {
+    Add(words, "no grid points or tie rule left free");
+    if (!gate.judges_overdraw && !is_said(kCountsTies.words)) Add(words, kCountsTies.words);
+  }
   for (const ProfileRule& rule : gate.rules) Add(words, rule.words);
   if (gate.space == Space::kWindow) Add(words, "window space");
   if (gate.space == Space::kClip) Add(words, "clip space");
   if (!gate.beyond_limits) Add(words, "coordinates within the limits");
   if (gate.unwrapped) Add(words, "no coordinate wraps");
-  return words;
+  if (!gate.beyond_limits && !MayBeClipped(gate)) Add(words, "no corner outside no_clip");
+  if (gate.asks_oracle) Add(words, "a scene that the oracle decides");
+  Add(words, gate.where);
+  return words.empty() ? "every scene that the subject takes" : words;
 }
 
 DrawOptions WholeTarget(const Case& c) {

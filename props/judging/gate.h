@@ -77,7 +77,18 @@ struct Gate {
   /// True for what is not claimed where a coordinate wraps.
   bool unwrapped = false;
   std::span<const ProfileRule> rules = {};
+  /// True for what is judged by what the oracle says of the case's scene.
+  bool asks_oracle = false;
+  /// What of a case that is let through the claim is about, in words, where that is less than all:
+  /// "two triangles or more". Its `ask` sees to it.
+  std::string_view where = {};
 };
+
+/// The gate of a claim that is about less of a case.
+constexpr Gate Where(Gate gate, std::string_view where) {
+  gate.where = where;
+  return gate;
+}
 
 /// Returns why the claim does not apply to the subject, whatever the case, or nothing if it may.
 ///
@@ -87,7 +98,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 
 /// Returns the verdict to give instead of judging, or nothing if the claim may be judged.
 ///
-/// Not applicable: as DoesNotApply, or the subject does not take scenes of this kind or precision.
+/// Not applicable: as DoesNotApply; the subject does not take scenes of this kind or precision; or
+///                 the oracle is asked and does not decide the scene.
 /// Not exercised:  the case is of the other space; it culls or has a scissor, which the subject
 ///                 does not take; it is of clip space, under a snapped profile, and not wholly in
 ///                 front of the eye; the profile has keys that speak of window space alone; a
@@ -95,7 +107,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 ///                 profile's no-clip rectangle.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c);
 
-/// The gate in words, as docs/mathematics.md and `rasterproof list` print it.
+/// What DoesNotApply and Refusal ask for, in words, and `where`: as docs/mathematics.md and
+/// `rasterproof list` print it.
 std::string WordsOf(const Gate& gate);
 
 /// The case's drawing options without culling and scissor.

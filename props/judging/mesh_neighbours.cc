@@ -29,7 +29,7 @@ int FacingOf(const Scene& placed, std::size_t t) {
   return exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])});
 }
 
-struct Side {
+struct SideOfTriangle {
   std::size_t triangle = 0;
   int edge = 0;
 };
@@ -39,7 +39,7 @@ struct Side {
 std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit) {
   const Scene keyed = Keyed(c);
   const Scene placed = PlacedScene(c);
-  std::map<DirectedEdge, Side> owner;
+  std::map<DirectedEdge, SideOfTriangle> owner;
   std::vector<Neighbours> pairs;
   for (std::size_t t = 0; t < keyed.triangles.size(); ++t) {
     const std::array<Vertex, 3> v = Corners(keyed, keyed.triangles[t]);
@@ -49,7 +49,7 @@ std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit) {
     for (int i = 0; i < 3; ++i) {
       const Vertex& a = EdgeStart(v, i);
       const Vertex& b = EdgeEnd(v, i);
-      owner.emplace(Key(a, b), Side{t, i});
+      owner.emplace(Key(a, b), SideOfTriangle{t, i});
       const auto other = owner.find(Key(b, a));
       if (other == owner.end() || other->second.triangle == t) continue;
       if (FacingOf(placed, other->second.triangle) != facing) continue;

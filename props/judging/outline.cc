@@ -78,7 +78,7 @@ void Outline::Add(const Scene& scene, const BoundaryEdge& edge, double moved) {
 
 bool Outline::IsNear(Point2 p) const {
   return std::ranges::any_of(
-      edges_, [&](const Edge& edge) { return edge.seen.Distance(p) <= edge.margin; });
+      edges_, [&](const SeenEdge& edge) { return edge.seen.Distance(p) <= edge.margin; });
 }
 
 }  // namespace rasterproof::props

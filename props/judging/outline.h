@@ -37,14 +37,14 @@ class Outline {
   bool IsEmpty() const { return edges_.empty(); }
 
  private:
-  struct Edge {
+  struct SeenEdge {
     VisibleEdge seen;
     double margin = 0;
   };
 
   void Add(const Scene& scene, const BoundaryEdge& edge, double moved);
 
-  std::vector<Edge> edges_;
+  std::vector<SeenEdge> edges_;
   double largest_ = 0;  ///< window coordinate
 };
 

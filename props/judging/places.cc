@@ -33,9 +33,9 @@ double Crossing(double a_along, double a_across, double b_along, double b_across
   return a_along + part * (b_along - a_along);
 }
 
-class Collector {
+class PlaceCollector {
  public:
-  explicit Collector(const Case& c) : case_(c) {}
+  explicit PlaceCollector(const Case& c) : case_(c) {}
 
   void Add(int x, int row, int sample) {
     if (x < 0 || row < 0 || x >= case_.scene.width || row >= case_.scene.height) return;
@@ -131,7 +131,7 @@ std::vector<CornersPlace> SomeTriangles(const Case& c, int limit) {
 
 std::vector<SamplePlace> SamplesNearEdges(const Case& c, const std::array<Point2, 3>& v,
                                           int per_edge) {
-  Collector collector(c);
+  PlaceCollector collector(c);
   for (int i = 0; i < 3; ++i) collector.AddNear(EdgeStart(v, i), EdgeEnd(v, i), per_edge);
   collector.AddCorners();
   return collector.Take();

@@ -95,7 +95,7 @@ class OpenParts {
 };
 
 // What is judged of a mesh, and what is expected there.
-struct PlanarMesh {
+struct JudgedMesh {
   Case c;
   MeshView view;
   OpenParts open;
@@ -105,7 +105,7 @@ struct PlanarMesh {
 
 class MeshJudge {
  public:
-  explicit MeshJudge(const PlanarMesh& mesh) : mesh_(mesh) {}
+  explicit MeshJudge(const JudgedMesh& mesh) : mesh_(mesh) {}
 
   Verdict Of(const CoverageCounts& counts) {
     for (int row = 0; row < counts.height; ++row) {
@@ -151,7 +151,7 @@ class MeshJudge {
     return verdict;
   }
 
-  const PlanarMesh& mesh_;
+  const JudgedMesh& mesh_;
   std::uint64_t exercised_ = 0;
   std::uint64_t not_judged_ = 0;
 };
@@ -169,7 +169,7 @@ Asked CompareWithItsWinding(Case c, MeshView view) {
   SharedTies ties(c);
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
-  auto mesh = std::make_shared<const PlanarMesh>(PlanarMesh{
+  auto mesh = std::make_shared<const JudgedMesh>(JudgedMesh{
       std::move(c), std::move(view), std::move(open), std::move(winding), std::move(ties)});
   return OneCheck(std::move(questions), [mesh = std::move(mesh)](const Answers& answers) {
     return MeshJudge(*mesh).Of(answers.draws[0]->counts);

@@ -23,26 +23,26 @@ constexpr double kAround = 64;  // pixels
 constexpr double kClipError = 0x1p-48;
 
 // A vertex of the visible part, and the size of what it was computed from.
-struct Corner {
+struct ClipCorner {
   double x = 0;
   double y = 0;
   double w = 0;
   double size = 0;
 };
 
-using Plane = std::function<double(const Corner&)>;
+using Plane = std::function<double(const ClipCorner&)>;
 
-Corner Between(const Corner& a, const Corner& b, double at_a, double at_b) {
+ClipCorner Between(const ClipCorner& a, const ClipCorner& b, double at_a, double at_b) {
   const double part = at_a / (at_a - at_b);
   const auto mix = [part](double from, double to) { return from + part * (to - from); };
   return {mix(a.x, b.x), mix(a.y, b.y), mix(a.w, b.w), std::max(a.size, b.size)};
 }
 
-std::vector<Corner> CutBy(const std::vector<Corner>& polygon, const Plane& inside) {
-  std::vector<Corner> cut;
+std::vector<ClipCorner> CutBy(const std::vector<ClipCorner>& polygon, const Plane& inside) {
+  std::vector<ClipCorner> cut;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner& a = polygon[i];
-    const Corner& b = polygon[(i + 1) % polygon.size()];
+    const ClipCorner& a = polygon[i];
+    const ClipCorner& b = polygon[(i + 1) % polygon.size()];
     const double at_a = inside(a);
     const double at_b = inside(b);
     if (at_a >= 0) cut.push_back(a);
@@ -53,24 +53,24 @@ std::vector<Corner> CutBy(const std::vector<Corner>& polygon, const Plane& insid
 
 // The part of the triangle that is seen on the target and kAround beside it. The four planes meet
 // in the eye, so nothing behind it is left.
-std::vector<Corner> SeenPart(const std::array<Vertex, 3>& v, const Scene& scene) {
-  std::vector<Corner> part;
+std::vector<ClipCorner> SeenPart(const std::array<Vertex, 3>& v, const Scene& scene) {
+  std::vector<ClipCorner> part;
   for (const Vertex& p : v) {
     part.push_back({p.x, p.y, p.w, std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.w)})});
   }
   const std::array<Plane, 4> planes{
-      [](const Corner& p) { return p.x + kAround * p.w; },
-      [](const Corner& p) { return p.y + kAround * p.w; },
-      [&](const Corner& p) { return (scene.width + kAround) * p.w - p.x; },
-      [&](const Corner& p) { return (scene.height + kAround) * p.w - p.y; }};
+      [](const ClipCorner& p) { return p.x + kAround * p.w; },
+      [](const ClipCorner& p) { return p.y + kAround * p.w; },
+      [&](const ClipCorner& p) { return (scene.width + kAround) * p.w - p.x; },
+      [&](const ClipCorner& p) { return (scene.height + kAround) * p.w - p.y; }};
   for (const Plane& plane : planes) part = CutBy(part, plane);
   return part;
 }
 
 // Nothing if a corner's place is not known to a small part of the reach.
-std::optional<std::vector<Point2>> Projected(const std::vector<Corner>& part, double reach) {
+std::optional<std::vector<Point2>> Projected(const std::vector<ClipCorner>& part, double reach) {
   std::vector<Point2> places;
-  for (const Corner& p : part) {
+  for (const ClipCorner& p : part) {
     const double error =
         kClipError * p.size / p.w * (1 + std::fabs(p.x / p.w) + std::fabs(p.y / p.w));
     if (!(p.w > 0) || !(error <= reach / 8)) return std::nullopt;
@@ -131,7 +131,7 @@ ThinTriangles::ThinTriangles(const Case& c, double reach) : reach_(reach) {
   for (const Triangle& t : c.scene.triangles) {
     const std::array<Vertex, 3> v = Corners(c.scene, t);
     if (!std::ranges::all_of(v, IsFinite)) continue;
-    const std::vector<Corner> seen = SeenPart(v, c.scene);
+    const std::vector<ClipCorner> seen = SeenPart(v, c.scene);
     if (seen.empty()) continue;
     std::optional<std::vector<Point2>> places = Projected(seen, reach);
     everywhere_ = everywhere_ || !places;

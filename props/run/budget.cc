@@ -5,7 +5,7 @@
 namespace rasterproof::props {
 
 Budget::Budget(Subject& subject, const CampaignOptions& options)
-    : subject_(subject.Whole()), options_(options) {
+    : subject_(subject), options_(options) {
   if (options.seconds > 0) end_ = In(options.seconds);
   GiveSubjectAll();
 }

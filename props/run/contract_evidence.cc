@@ -26,7 +26,7 @@ class ModelSubject final : public Subject {
   explicit ModelSubject(SubjectInfo info) : info_(std::move(info)) {
     info_.coverage = CoverageKind::kFacingCounts;
   }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     counts += exact::Coverage(scene, info_.profile, options);
   }

@@ -1,23 +1,22 @@
-// Facings for subjects that do not tell them apart, and counts for those that only give a mask.
+// Counts by facing of any subject, also of those that tell no facings or only give a mask.
 #ifndef RASTERPROOF_PROPS_RUN_FACINGS_H_
 #define RASTERPROOF_PROPS_RUN_FACINGS_H_
 
-#include <memory>
-
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/scene.h"
 #include "core/subject.h"
 
 namespace rasterproof::props {
 
-/// Returns a subject of CoverageKind::kFacingCounts that draws by the given one.
+/// Adds the coverage of every triangle of the scene to `counts`, by facing: what a subject of
+/// CoverageKind::kFacingCounts draws itself, and of any other the sum of the draws of the parts
+/// (FacingParts) that the profile makes of the scene by which the subject is judged.
 ///
-/// kCounts: triangles that face one way by the canonical model of the subject's profile (in clip
-/// space by their quotients on its grid) are drawn in one call, in their order, those that face the
-/// other way in another. kMask, kWinners, kFragments: every triangle is drawn by itself, so that
-/// overlaps show. A triangle of no area counts as front: it should cover nothing. Where the profile
-/// leaves other models legal the facing is a guess: see TellsFacings and OpenTriangles
-/// (props/judging/free_choices.h). What only a whole mesh in one call would show is seen by the
-/// properties that draw by Subject::Whole().
-std::unique_ptr<Subject> WithFacings(std::unique_ptr<Subject> subject);
+/// Domain:     as Subject::Draw.
+/// Error:      as Subject::Draw.
+void DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& options,
+                  CoverageCounts& counts);
 
 }  // namespace rasterproof::props
 

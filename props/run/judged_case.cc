@@ -15,9 +15,7 @@
 namespace rasterproof::props {
 
 Description DescriptionOf(Subject& subject) {
-  Description description{subject.Info(), subject.Edges(), subject.Weights()};
-  description.info.coverage = subject.Whole().Info().coverage;
-  return description;
+  return {subject.Info(), subject.Edges(), subject.Weights()};
 }
 
 Description AsJudged(Description subject) {
@@ -28,7 +26,7 @@ Description AsJudged(Description subject) {
   return subject;
 }
 
-PlacesOfTransform::Place PlacesOfTransform::PlaceOf(const Vertex& v) {
+PlacesOfTransform::PlaceBits PlacesOfTransform::PlaceOf(const Vertex& v) {
   return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
 }
 

@@ -42,14 +42,14 @@ class PlacesOfTransform {
 
  private:
   // A place by its bits: NaN is a place as well, and -0 is not +0.
-  using Place = std::array<std::uint64_t, 2>;
-  static Place PlaceOf(const Vertex& v);
+  using PlaceBits = std::array<std::uint64_t, 2>;
+  static PlaceBits PlaceOf(const Vertex& v);
   bool IsOfTheTarget(const Scene& window) const;
 
   int width_;
   int height_;
   Precision precision_;
-  std::map<Place, Vertex> clip_of_;
+  std::map<PlaceBits, Vertex> clip_of_;
 };
 
 /// A case under the model of its target's size; in window space behind a transform of the

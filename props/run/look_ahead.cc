@@ -30,7 +30,7 @@ class Together {
  public:
   Together(Subject& subject, const Property& property, std::span<const Case> cases,
            const std::function<bool()>& stop)
-      : rasterizer_(subject.Whole()),
+      : subject_(subject),
         property_(property),
         cases_(cases),
         stop_(stop),
@@ -44,14 +44,14 @@ class Together {
         {{0, half}, {half, cases_.size()}}};
     Begin(halves[0]);
     std::size_t turn = 0;
-    Drawing drawing = Launch(halves[0]);
+    InFlight drawing = Launch(halves[0]);
     Begin(halves[1]);
     while (!is_stopped_) {
       const std::vector<Answers> answers = drawing.Wait();
       // Behind a breakdown most draws would be in vain, and might each cost a time limit.
       const bool judges_first = BrokeDown(answers);
       if (judges_first) Judge(drawing.asked, answers);
-      Drawing next = Launch(halves[(turn + 1) % 2]);
+      InFlight next = Launch(halves[(turn + 1) % 2]);
       if (!judges_first) Judge(drawing.asked, answers);
       const bool is_done = next.asked.empty();
       drawing = is_done ? Launch(halves[turn % 2]) : std::move(next);
@@ -64,7 +64,7 @@ class Together {
 
  private:
   // What is being drawn.
-  struct Drawing {
+  struct InFlight {
     std::vector<std::size_t> asked;
     std::future<std::vector<Answers>> answers;
 
@@ -83,8 +83,8 @@ class Together {
     }
   }
 
-  Drawing Launch(std::pair<std::size_t, std::size_t> part) {
-    Drawing drawing;
+  InFlight Launch(std::pair<std::size_t, std::size_t> part) {
+    InFlight drawing;
     std::vector<Request> requests;
     for (std::size_t k = part.first; k < std::min(part.second, end_) && !IsStopped(); ++k) {
       if (hands_[k] == nullptr || hands_[k]->IsDone()) continue;
@@ -93,7 +93,7 @@ class Together {
     }
     if (requests.empty()) return drawing;
     drawing.answers = std::async(std::launch::async, [this, requests = std::move(requests)] {
-      return Put(rasterizer_, requests);
+      return Put(subject_, requests);
     });
     return drawing;
   }
@@ -119,7 +119,7 @@ class Together {
     return done;
   }
 
-  Subject& rasterizer_;
+  Subject& subject_;
   const Property& property_;
   std::span<const Case> cases_;
   const std::function<bool()>& stop_;

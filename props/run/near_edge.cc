@@ -27,7 +27,7 @@ struct LongPoint {
 };
 
 // An edge as a float sees it, and as the oracle does.
-struct Edge {
+struct ProjectedEdge {
   LongPoint a;
   LongPoint b;
   Vertex exact_a;
@@ -83,12 +83,12 @@ class Counter {
     for (std::size_t e = 0; e < 3; ++e) {
       const Vertex& a = v[(e + 1) % 3];
       const Vertex& b = v[(e + 2) % 3];
-      const Edge edge{Projected(a), Projected(b), a, b, projected};
+      const ProjectedEdge edge{Projected(a), Projected(b), a, b, projected};
       for (int s = 0; s < profile_.lattice.samples(); ++s) CountEdge(edge, s);
     }
   }
 
-  void CountEdge(const Edge& edge, int s) {
+  void CountEdge(const ProjectedEdge& edge, int s) {
     const long double dx = edge.b.x - edge.a.x;
     const long double dy = edge.b.y - edge.a.y;
     const bool steep = std::fabs(dy) >= std::fabs(dx);  // then walk down the rows
@@ -108,7 +108,7 @@ class Counter {
   }
 
   // The two samples of one row or column between which the edge passes.
-  void CountLine(const Edge& edge, int s, bool steep, int line) {
+  void CountLine(const ProjectedEdge& edge, int s, bool steep, int line) {
     const Point2 location = profile_.lattice.locations[static_cast<std::size_t>(s)];
     const long double along = line + (steep ? location.y : location.x);
     const long double offset = steep ? location.x : location.y;
@@ -129,7 +129,7 @@ class Counter {
     }
   }
 
-  void CountPair(const Edge& edge, Point2 p, long double distance, long double error,
+  void CountPair(const ProjectedEdge& edge, Point2 p, long double distance, long double error,
                  double coordinate) {
     ++counts_.samples;
     if (distance <= error && edge.Through(p)) {

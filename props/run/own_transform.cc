@@ -15,9 +15,9 @@ namespace rasterproof::props {
 namespace {
 
 // A place by its bits: NaN is a place as well, and -0 is not +0.
-using Place = std::array<std::uint64_t, 2>;
+using PlaceBits = std::array<std::uint64_t, 2>;
 
-Place PlaceOf(const Vertex& v) {
+PlaceBits PlaceOf(const Vertex& v) {
   return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
 }
 
@@ -61,7 +61,7 @@ SubjectInfo AsSeenByRecipes(const SubjectInfo& info) {
 Case PutBehindTransform(Case window, const SubjectInfo& info, BitSource& bits) {
   if (!OwnsTransform(info)) return window;
   Scene& scene = window.scene;
-  std::map<Place, Vertex> clip_of;
+  std::map<PlaceBits, Vertex> clip_of;
   for (Vertex& v : scene.vertices) {
     const auto [found, is_new] = clip_of.try_emplace(PlaceOf(v));
     if (is_new) {

@@ -64,18 +64,18 @@ void ClampScissor(Case& c, int dx, int dy) {
   r.y1 = std::clamp(r.y1 - dy, r.y0, c.scene.height);
 }
 
-enum class Side { kLeft, kTop, kRight, kBottom };
+enum class CropSide { kLeft, kTop, kRight, kBottom };
 
-bool TryCrop(Attempts& attempts, Side side, int pixels) {
+bool TryCrop(Attempts& attempts, CropSide side, int pixels) {
   Case c = attempts.Current();
-  const bool across = side == Side::kLeft || side == Side::kRight;
+  const bool across = side == CropSide::kLeft || side == CropSide::kRight;
   int& extent = across ? c.scene.width : c.scene.height;
   if (pixels <= 0 || pixels >= extent) return false;
   extent -= pixels;
   // With y up the first row in window space is the last one of the buffer; vertices need not move
   // to lose rows of large y, whichever way they are stored.
-  const int dx = side == Side::kLeft ? pixels : 0;
-  const int dy = side == Side::kTop ? pixels : 0;
+  const int dx = side == CropSide::kLeft ? pixels : 0;
+  const int dy = side == CropSide::kTop ? pixels : 0;
   if ((dx != 0 || dy != 0) && !MoveWholePixels(c.scene, dx, dy)) return false;
   ClampScissor(c, dx, dy);
   return attempts.Try(std::move(c));
@@ -132,8 +132,9 @@ void MergeVertices(Attempts& attempts) {
 }
 
 void CropTarget(Attempts& attempts) {
-  for (const Side side : {Side::kRight, Side::kBottom, Side::kLeft, Side::kTop}) {
-    const bool across = side == Side::kLeft || side == Side::kRight;
+  for (const CropSide side :
+       {CropSide::kRight, CropSide::kBottom, CropSide::kLeft, CropSide::kTop}) {
+    const bool across = side == CropSide::kLeft || side == CropSide::kRight;
     const Scene& scene = attempts.Current().scene;
     for (int pixels = (across ? scene.width : scene.height) - 1; pixels >= 1; pixels /= 2) {
       while (!attempts.Exhausted() && TryCrop(attempts, side, pixels)) {

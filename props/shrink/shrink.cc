@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t kMostCollectedTriangles = std::size_t{1} << 20;
 
 // Collects what the passes propose and accepts none of it.
-class Collector final : public Attempts {
+class CollectingAttempts final : public Attempts {
  public:
-  explicit Collector(const Case& c) : current_(c) {}
+  explicit CollectingAttempts(const Case& c) : current_(c) {}
   const Case& Current() const override { return current_; }
   bool Try(Case candidate) override {
     if (CostOf(candidate) < CostOf(current_)) {
@@ -61,7 +61,7 @@ class Greedy final : public Attempts {
 }  // namespace
 
 std::vector<Case> ShrinkCandidates(const Case& c) {
-  Collector collector(c);
+  CollectingAttempts collector(c);
   RunPasses(collector);
   return collector.Take();
 }

@@ -29,7 +29,7 @@ class BuiltinSubject final : public Subject {
     }
   }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     reference::Rasterize(scene, method_, {options, canonical_}, counts);

@@ -36,7 +36,7 @@ class FixedPoint final : public Subject {
     for (const TargetModel& model : info_.profile.targets) bits_ = std::max(bits_, model.snap.bits);
   }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
 
  private:

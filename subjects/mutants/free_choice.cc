@@ -39,7 +39,7 @@ class FreeChoice final : public Subject {
     info_.takes_clip = stages_.takes_clip;
   }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     if (stages_.coverage == CoverageKind::kFacingCounts) {

@@ -19,7 +19,7 @@ class OwnTransform final : public Subject {
     info_.takes_clip = true;
   }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     Scene window = scene;

@@ -31,7 +31,7 @@ class RealGeometry final : public Subject {
     info_.profile = stages_.profile;
   }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     for (const Triangle& t : scene.triangles) {

@@ -35,7 +35,7 @@ class Scanline final : public Subject {
     info_.takes_tiles = false;
   }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     PixelRect clip{0, 0, scene.width, scene.height};

@@ -29,7 +29,7 @@ class ShownValues final : public Subject, public EdgeEvaluator, public WeightEva
     info_.profile.contract = Contract::kNone;
   }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     reference::Rasterize(scene, method_, {options, false}, counts);
   }

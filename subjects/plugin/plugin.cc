@@ -267,7 +267,7 @@ class PluginSubject final : public Subject {
   PluginSubject(const PluginSubject&) = delete;
   PluginSubject& operator=(const PluginSubject&) = delete;
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   const EdgeEvaluator* Edges() const override { return edges_ ? &*edges_ : nullptr; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {

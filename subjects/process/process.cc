@@ -185,7 +185,7 @@ ProcessSubject::ProcessSubject(std::vector<std::string> command, SubjectInfo inf
 
 ProcessSubject::~ProcessSubject() = default;
 
-const SubjectInfo& ProcessSubject::Info() const { return info_; }
+const SubjectInfo& ProcessSubject::OwnInfo() const { return info_; }
 
 void ProcessSubject::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
   counts += Show({scene, options, counts.samples}).counts;

@@ -43,7 +43,7 @@ class ProcessSubject final : public Subject {
   ProcessSubject(std::vector<std::string> command, SubjectInfo info, ProcessLimits limits = {});
   ~ProcessSubject() override;
 
-  const SubjectInfo& Info() const override;
+  const SubjectInfo& OwnInfo() const override;
   /// Error:      SubjectFault if it died (the signal or status is told), hangs, or answered
   ///             something else; SubjectTooSlow if it took too long, the deadline came or the
   ///             command was interrupted; SubjectRefusal if it refused the scene; InputError if it

@@ -100,7 +100,7 @@ class Model final : public Subject {
     window_profile_.transform.reset();
   }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     Meet(scene);

@@ -106,7 +106,7 @@ class RecordingSubject final : public Subject {
     if (subject_->Weights() != nullptr) weights_.emplace(*subject_->Weights(), record);
   }
 
-  const SubjectInfo& Info() const override { return subject_->Info(); }
+  const SubjectInfo& OwnInfo() const override { return subject_->OwnInfo(); }
   const EdgeEvaluator* Edges() const override { return edges_ ? &*edges_ : nullptr; }
   const WeightEvaluator* Weights() const override { return weights_ ? &*weights_ : nullptr; }
   bool SharesCalls() const override { return subject_->SharesCalls(); }

@@ -22,7 +22,7 @@ class Draughtsman final : public Subject {
  public:
   explicit Draughtsman(std::string name) { info_.name = std::move(name); }
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     ++draws;
     Scene drawn = scene;

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,7 +20,7 @@ namespace {
 class Faceless final : public Subject {
  public:
   explicit Faceless(SubjectInfo info) : info_(std::move(info)) {}
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     ++draws;
     const CoverageCounts drawn = exact::Coverage(scene, info_.profile, options);
@@ -41,13 +41,12 @@ void ExpectTheModel(CoverageKind kind, YAxis y_axis, const char* domain, bool cl
   info.takes_clip = clip;
   info.profile.y_axis = y_axis;
   info.coverage = kind;
-  const std::unique_ptr<Subject> subject = WithFacings(std::make_unique<Faceless>(info));
-  EXPECT_EQ(subject->Info().coverage, CoverageKind::kFacingCounts);
+  Faceless subject(info);
   for (std::uint64_t index = 0; index < 40; ++index) {
     PhiloxSource bits(1, index);
     const Case c = FindDomain(domain)->draw(bits, info);
     CoverageCounts counts(c.scene.width, c.scene.height, c.profile.lattice.samples());
-    subject->Draw(c.scene, c.options, counts);
+    DrawByFacing(subject, c.scene, c.options, counts);
     EXPECT_EQ(counts, exact::Coverage(c.scene, c.profile, c.options)) << domain << " " << index;
   }
 }
@@ -64,17 +63,32 @@ TEST(Facings, OfCountsAndMasksAreThoseOfTheModel) {
 TEST(Facings, TakeOneDrawForAMeshThatFacesOneWay) {
   SubjectInfo info = testing::RealInfo();
   info.coverage = CoverageKind::kCounts;
-  auto faceless = std::make_unique<Faceless>(info);
-  const Faceless& seen = *faceless;
-  const std::unique_ptr<Subject> subject = WithFacings(std::move(faceless));
+  Faceless subject(info);
   Scene scene;
   scene.width = scene.height = 4;
   scene.vertices = {{0, 0}, {0, 4}, {4, 4}, {4, 0}};
   scene.triangles = {{0, 1, 2}, {0, 2, 3}};
   CoverageCounts counts(4, 4);
-  subject->Draw(scene, {}, counts);
-  EXPECT_EQ(seen.draws, 1);
+  DrawByFacing(subject, scene, {}, counts);
+  EXPECT_EQ(subject.draws, 1);
   EXPECT_EQ(counts, exact::Coverage(scene, info.profile));
+}
+
+TEST(Facings, AreThoseOfTheProfileThatTheSubjectIsJudgedBy) {
+  SubjectInfo info = testing::RealInfo();
+  info.coverage = CoverageKind::kCounts;
+  Faceless subject(info);
+  Scene scene;
+  scene.width = scene.height = 4;
+  scene.vertices = {{0, 0}, {0, 4}, {4, 4}};
+  scene.triangles = {{0, 1, 2}};
+  info.profile.y_axis = YAxis::kUp;
+  subject.JudgeAs(info);
+  CoverageCounts counts(4, 4);
+  DrawByFacing(subject, scene, {}, counts);
+  EXPECT_EQ(subject.OwnInfo().profile.y_axis, YAxis::kDown);
+  EXPECT_EQ(std::ranges::count(counts.front, 0U), 16);
+  EXPECT_NE(std::ranges::count(counts.back, 0U), 16);
 }
 
 }  // namespace

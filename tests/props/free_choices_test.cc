@@ -26,7 +26,6 @@
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "props/run/facings.h"
 #include "tests/props/planted_subjects.h"
 
 namespace rasterproof::props {
@@ -51,7 +50,7 @@ using Place = std::function<Point2(Point2 at, std::int32_t indices)>;
 class Placing final : public Subject {
  public:
   Placing(SubjectInfo info, Place place) : info_(std::move(info)), place_(std::move(place)) {}
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     Profile placed = info_.profile;
     placed.snap = {};
@@ -120,22 +119,22 @@ TEST(FreeChoices, CountsOfTheModelHoldInClipSpaceWhereSnappingTurnsTheTriangle) 
   scene.clip_space = true;
   scene.vertices = {{0, 0.5, 0, 1}, {16, 0x1.0147aep-1, 0, 1}, {8, 0x1.00c49cp-1, 0, 1}};
   scene.triangles = {{0, 1, 2}};
-  const std::unique_ptr<Subject> subject = WithFacings(std::make_unique<testing::PlantedSubject>(
+  testing::PlantedSubject subject(
       info, [info](const Scene& drawn, const DrawOptions& options, CoverageCounts& counts) {
         const CoverageCounts model = exact::Coverage(drawn, info.profile, options);
         for (std::size_t k = 0; k < model.size(); ++k) counts.front[k] += model.Count(k);
-      }));
-  const Verdict verdict = Judged("ClipSpaceCoverageEqualsTheModel", *subject, scene);
+      });
+  const Verdict verdict = Judged("ClipSpaceCoverageEqualsTheModel", subject, scene);
   EXPECT_EQ(verdict.outcome, Outcome::kHolds) << verdict.message;
 }
 
 TEST(FreeChoices, AClosedMeshThatALegalChoiceTurnsIsNotJudgedWithoutFacings) {
   SubjectInfo info = FreeInfo(8, 0.6);
   info.coverage = CoverageKind::kCounts;
-  const auto subject = WithFacings(std::make_unique<Placing>(info, UpFrom42Of(0x1p-8)));
+  Placing subject(info, UpFrom42Of(0x1p-8));
   const Scene scene = ClosedSliver();
-  EXPECT_EQ(Judged("OneLegalModelExplainsTheMesh", *subject, scene).outcome, Outcome::kHolds);
-  const Verdict verdict = Judged("ClosedMeshCancels", *subject, scene);
+  EXPECT_EQ(Judged("OneLegalModelExplainsTheMesh", subject, scene).outcome, Outcome::kHolds);
+  const Verdict verdict = Judged("ClosedMeshCancels", subject, scene);
   EXPECT_EQ(verdict.outcome, Outcome::kNotExercised) << verdict.message;
   EXPECT_GT(verdict.not_judged, 0U);
 }

@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "core/fill_rule.h"
+#include "core/subject_errors.h"
+#include "core/transform.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "props/infer/directed.h"
@@ -337,6 +339,56 @@ TEST(Infer, NoModelFitsASubjectThatThrowsOrCulls) {
   const Inference culled = Infer(culling);
   EXPECT_FALSE(culled.Fits());
   EXPECT_NE(culled.message.find("turn the other way"), std::string::npos) << culled.message;
+}
+
+// Breaks off at the n-th draw.
+PlantedSubject EndsAt(int n, void (*end)(), int& draws) {
+  const Profile model = Snapped(8, SnapRule::kHalfUp);
+  SubjectInfo info = RealInfo();
+  info.profile = model;
+  return {info,
+          [=, &draws](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+            if (++draws == n) end();
+            AddTo(counts, exact::Coverage(scene, model, options));
+          }};
+}
+
+TEST(Infer, AsksASubjectThatBrokeOffNoMoreAndSaysHowItEnded) {
+  for (const int n : {1, 3, 20, 100}) {
+    int draws = 0;
+    PlantedSubject subject = EndsAt(n, [] { throw SubjectFault("it crashed"); }, draws);
+    const Inference inference = Infer(subject);
+    EXPECT_EQ(draws, n);
+    EXPECT_EQ(inference.experiments, static_cast<std::uint64_t>(n));
+    EXPECT_EQ(inference.message, "the subject broke off: it crashed");
+    EXPECT_FALSE(inference.Fits());
+    EXPECT_FALSE(inference.is_inconclusive);
+    EXPECT_TRUE(inference.witness.has_value());
+    EXPECT_FALSE(inference.against_declared.has_value());
+  }
+}
+
+TEST(Infer, IsInconclusiveWhereTheSubjectIsTooSlow) {
+  int draws = 0;
+  PlantedSubject subject = EndsAt(20, [] { throw SubjectTooSlow("it takes a minute"); }, draws);
+  const Inference inference = Infer(subject);
+  EXPECT_EQ(draws, 20);
+  EXPECT_TRUE(inference.is_inconclusive);
+  EXPECT_NE(inference.message.find("it takes a minute"), std::string::npos) << inference.message;
+  EXPECT_FALSE(inference.witness.has_value());
+}
+
+TEST(Infer, IsInconclusiveWhereAViewportTakesNoVertexToThePlacesOfItsProbes) {
+  int draws = 0;
+  PlantedSubject subject = EndsAt(0, [] {}, draws);
+  SubjectInfo info = subject.Info();
+  info.takes_window = false;
+  info.takes_clip = true;
+  info.profile.transform = {.viewport = ViewportForm::kMultiplyAdd};
+  subject.JudgeAs(info);
+  const Inference inference = Infer(subject);
+  EXPECT_TRUE(inference.is_inconclusive);
+  EXPECT_EQ(inference.experiments, 0U);
 }
 
 TEST(Infer, IsTheSameEveryTime) {

@@ -16,7 +16,6 @@
 #include "exact/coverage.h"
 #include "props/domains/domain.h"
 #include "props/run/campaign.h"
-#include "props/run/facings.h"
 #include "tests/props/planted_subjects.h"
 #include "tests/share.h"
 
@@ -29,7 +28,7 @@ constexpr std::uint64_t kSeed = 1;
 class Called final : public Subject {
  public:
   explicit Called(SubjectInfo info, Profile drawn) : info_(std::move(info)), drawn_(drawn) {}
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   bool SharesCalls() const override { return true; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     ++draws;
@@ -64,11 +63,8 @@ class Called final : public Subject {
   Profile drawn_;
 };
 
-// The subject as one from outside, its facings told.
 struct Outside {
-  explicit Outside(std::unique_ptr<Called> subject) : called(*subject) {
-    whole = WithFacings(std::move(subject));
-  }
+  explicit Outside(std::unique_ptr<Called> called_) : called(*called_), whole(std::move(called_)) {}
   Called& called;
   std::unique_ptr<Subject> whole;
 };

@@ -22,7 +22,7 @@ class NoNumbers final : public Subject {
   NoNumbers(double weight, double depth) : weight_(weight), depth_(depth) {
     info_.coverage = CoverageKind::kFragments;
   }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     counts += exact::Coverage(scene, Profile{}, options);
   }

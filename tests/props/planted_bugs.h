@@ -52,7 +52,7 @@ class PlantedSubject final : public Subject, public EdgeEvaluator, public Weight
  public:
   PlantedSubject(std::unique_ptr<Subject> sound, Bug bug);
 
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
   Drawing Show(const DrawJob& job) override;
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;

@@ -153,7 +153,6 @@ Property ModelProperty(std::span<const std::string_view> domains) {
   return {.name = "CoverageIsTheModels",
           .group = "coverage",
           .clause = "the counts are those of the canonical model",
-          .precondition = "within limits",
           .tolerance = "none: exact",
           .domains = domains,
           .gate = {.space = Space::kEither, .promise = Promise::kNone, .beyond_limits = true},

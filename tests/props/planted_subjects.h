@@ -30,7 +30,7 @@ class PlantedSubject final : public Subject {
     return subject;
   }
   bool SharesCalls() const override { return shares_calls_; }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     draw_(scene, options, counts);
   }

@@ -69,7 +69,7 @@ void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
 class Recording final : public Subject {
  public:
   explicit Recording(const SubjectInfo& info, const Profile& drawn) : info_(info), drawn_(drawn) {}
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     within_limits_ = within_limits_ && WithinLimits(scene, info_.profile);
     AddTo(counts, exact::Coverage(scene, drawn_, options));

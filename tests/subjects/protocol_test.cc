@@ -392,7 +392,7 @@ TEST(Protocol, TakesABatchAsOneCall) {
 
 class Speaker final : public Subject {
  public:
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions&, CoverageCounts& counts) override {
     if (scene.width == 1) throw InputError("place", "too\nsmall", "more");
     if (scene.width == 2) throw SubjectFault("it broke");
@@ -419,7 +419,7 @@ TEST(Serve, AnswersRefusesAndConfesses) {
 class Short final : public Subject {
  public:
   explicit Short(CoverageKind kind) { info_.coverage = kind; }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene&, const DrawOptions&, CoverageCounts&) override {}
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     return Subject::DrawMany(jobs.first(jobs.size() - 1));

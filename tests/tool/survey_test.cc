@@ -34,7 +34,7 @@ Profile Model(int bits, SnapRule rule) {
 class ModelSubject final : public Subject {
  public:
   explicit ModelSubject(const Profile& model) : model_(model) { info_.input = Precision::kFloat64; }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     counts = exact::Coverage(scene, model_, options);
   }

@@ -40,9 +40,13 @@ double Since(Clock::time_point begun) {
 subjects::LoadedPlugin Load(const std::string& path) {
   if (!path.ends_with(kDescriptionEnding)) return subjects::LoadPlugin(path);
   OutsideLimits() = {.seconds = kStallSeconds, .bytes = 0};  // as for a library
-  std::unique_ptr<Subject> subject = props::WithFacings(MakeOutside(path));
+  std::unique_ptr<Subject> subject = MakeOutside(path);
   std::string profile = io::ProfileToJson(subject->Info().profile);
   return {std::move(subject), std::move(profile)};
+}
+
+bool ShowsOverlaps(CoverageKind coverage) {
+  return coverage == CoverageKind::kFacingCounts || coverage == CoverageKind::kCounts;
 }
 
 // The oracle computes in the process that the library is loaded into, and in its threads.
@@ -53,11 +57,16 @@ void RequireHonest() {
   }
 }
 
-// The subject's counts of a scene, and the time it took.
+// The subject's counts of a scene, and the time it took. Who gives no counts is asked triangle by
+// triangle, so that overlaps show; who does, in one call, whose order and company may matter.
 CoverageCounts Drawn(Subject& subject, const Scene& scene, double& seconds) {
   CoverageCounts counts(scene.width, scene.height);
   const Clock::time_point begun = Clock::now();
-  subject.Draw(scene, {}, counts);
+  if (ShowsOverlaps(subject.Info().coverage)) {
+    subject.Draw(scene, {}, counts);
+  } else {
+    props::DrawByFacing(subject, scene, {}, counts);
+  }
   seconds += Since(begun);
   RequireHonest();
   return counts;

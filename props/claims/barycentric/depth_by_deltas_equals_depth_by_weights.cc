@@ -66,10 +66,12 @@ constinit const Property kDepthByDeltasEqualsDepthByWeights{
     .clause =
         "z0 + l1 (z1 - z0) + l2 (z2 - z0) is l0 z0 + l1 z1 + l2 z2 because the weights sum "
         "to one.",
-    .precondition = kWeightValues,
     .tolerance = "the sum of both proven InterpolationErrorBounds",
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

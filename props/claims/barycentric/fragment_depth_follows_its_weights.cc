@@ -52,10 +52,12 @@ constinit const Property kFragmentDepthFollowsItsWeights{
     .clause =
         "z = a z_a + b z_b + c z_c (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon "
         "Rasterization).",
-    .precondition = kFragmentValues,
     .tolerance = "the depth's and the weights' tolerances, the latter times the vertices' depths",
     .domains = kWeights,
-    .gate = {.shows = Shows::kFragments, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kFragments,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

@@ -39,12 +39,12 @@ constinit const Property kFragmentDepthStaysInTheHull{
     .name = "FragmentDepthStaysInTheHull",
     .group = "barycentric",
     .clause = "Inside, a depth is a convex combination of the vertices' depths.",
-    .precondition =
-        "the subject shows fragments; window space within the limits; samples in the "
-        "closed triangle of the vertices that it names",
     .tolerance = kDepthTolerance,
     .domains = kWeights,
-    .gate = {.shows = Shows::kFragments, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kFragments,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = "samples in the closed triangle of the vertices that it names"},
     .ask = Ask,
 };
 

@@ -49,12 +49,14 @@ constinit const Property kFragmentWeightsStayWithinTheirError{
     .clause =
         "lambda_i is the signed area of the part opposite vertex i over that of the whole "
         "(OpenGL 4.6 section 14.6.1), by the vertices that the subject names.",
-    .precondition = kFragmentValues,
     .tolerance =
         "the declared weight error; none declared: the forward bound of the "
         "five-operation quotient, which grows with the triangle's conditioning",
     .domains = kWeights,
-    .gate = {.shows = Shows::kFragments, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kFragments,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

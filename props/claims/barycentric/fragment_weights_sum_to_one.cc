@@ -49,10 +49,12 @@ constinit const Property kFragmentWeightsSumToOne{
     .group = "barycentric",
     .clause =
         "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
-    .precondition = kFragmentValues,
     .tolerance = "the sum of the three tolerances of FragmentWeightsStayWithinTheirError",
     .domains = kWeights,
-    .gate = {.shows = Shows::kFragments, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kFragments,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

@@ -47,12 +47,12 @@ constinit const Property kInterpolatedValuesStayInTheHull{
     .name = "InterpolatedValuesStayInTheHull",
     .group = "barycentric",
     .clause = "Inside, an interpolated value is a convex combination of the vertices' values.",
-    .precondition =
-        "the subject shows weights and claims a finite bound there; window space within the "
-        "limits, area not zero; sample in the closed triangle; every w positive",
     .tolerance = kInterpolationBound,
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = "area not zero; samples in the closed triangle; every w positive"},
     .ask = Ask,
 };
 

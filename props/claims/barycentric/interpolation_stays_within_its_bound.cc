@@ -27,10 +27,12 @@ constinit const Property kInterpolationStaysWithinItsBound{
     .clause =
         "z = a z_a + b z_b + c z_c for depth and other affine quantities (OpenGL 4.6 "
         "section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
-    .precondition = kWeightValues,
     .tolerance = kInterpolationBound,
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

@@ -20,12 +20,12 @@ constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
     .clause =
         "f = (sum a f_a / w_a) / (sum a / w_a) (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, "
         "Basic Polygon Rasterization; Heckbert and Moreton 1991).",
-    .precondition =
-        "the subject shows weights and claims a finite bound there; window space "
-        "within the limits, area not zero; every w positive",
     .tolerance = kInterpolationBound,
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = "area not zero; every w positive"},
     .ask = Ask,
 };
 

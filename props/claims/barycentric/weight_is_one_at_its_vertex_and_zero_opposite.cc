@@ -69,12 +69,12 @@ constinit const Property kWeightIsOneAtItsVertexAndZeroOpposite{
     .name = "WeightIsOneAtItsVertexAndZeroOpposite",
     .group = "barycentric",
     .clause = "lambda_i is 1 at vertex i and 0 on the opposite edge.",
-    .precondition =
-        "the subject shows weights and claims a finite bound there; window space within the "
-        "limits, area not zero; at vertices and at samples exactly on an edge line",
     .tolerance = kWeightBounds,
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = "area not zero; at vertices and at samples exactly on an edge line"},
     .ask = Ask,
 };
 

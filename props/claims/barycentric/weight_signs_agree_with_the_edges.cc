@@ -55,10 +55,12 @@ constinit const Property kWeightSignsAgreeWithTheEdges{
     .clause =
         "a, b, c lie in [0, 1] inside the triangle (OpenGL 4.6 section 14.6.1 and Vulkan "
         "1.3, Basic Polygon Rasterization), and one of them is negative outside.",
-    .precondition = kWeightValues,
     .tolerance = "the subject's proven WeightErrorBounds; where they are 0, none: exact",
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

@@ -16,8 +16,9 @@
 namespace rasterproof::props {
 namespace {
 
-using Order = std::array<std::size_t, 3>;
-constexpr std::array<Order, 5> kOrders{{{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+using CornerOrder = std::array<std::size_t, 3>;
+constexpr std::array<CornerOrder, 5> kOrders{
+    {{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 
 using Triple = std::array<double, 3>;
 
@@ -82,10 +83,12 @@ constinit const Property kWeightsFollowTheirVertices{
     .name = "WeightsFollowTheirVertices",
     .group = "barycentric",
     .clause = "A weight belongs to its vertex, in whatever order the vertices are told.",
-    .precondition = kWeightValues,
     .tolerance = "the sum of both proven WeightErrorBounds",
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

@@ -74,10 +74,12 @@ constinit const Property kWeightsReproduceThePoint{
     .clause =
         "p = a p_a + b p_b + c p_c (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon "
         "Rasterization).",
-    .precondition = kWeightValues,
     .tolerance = "sum of bound_i |v_i|",
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

@@ -51,12 +51,12 @@ constinit const Property kWeightsStayWithinTheirBound{
     .clause =
         "lambda_i is the signed area of the part opposite vertex i over that of the whole "
         "(OpenGL 4.6 section 14.6.1, the weights a, b, c).",
-    .precondition =
-        "the subject shows weights and claims a finite bound there; window space "
-        "within the limits, area not zero; unsigned areas: closed triangle only",
     .tolerance = kWeightBounds,
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = "area not zero; unsigned areas: closed triangle only"},
     .ask = Ask,
 };
 

@@ -72,10 +72,12 @@ constinit const Property kWeightsSumToOne{
     .group = "barycentric",
     .clause =
         "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
-    .precondition = kWeightValues,
     .tolerance = "the subject's proven SumErrorBound",
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
     .ask = Ask,
 };
 

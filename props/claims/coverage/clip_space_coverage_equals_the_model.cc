@@ -13,11 +13,12 @@ constinit const Property kClipSpaceCoverageEqualsTheModel{
     .clause =
         "A clip-space triangle covers what the ray through the sample meets in front of the "
         "eye (Olano and Greer 1997).",
-    .precondition =
-        "contract sample-exact; coordinates within the limit; clip space; no near clipping",
     .tolerance = kExact,
     .domains = kClipSpace,
-    .gate = {.space = Space::kClip, .judges_overdraw = true},
+    .gate = {.space = Space::kClip,
+             .judges_overdraw = true,
+             .asks_oracle = true,
+             .where = "no near clipping"},
     .ask = [](const Case& c, const Description&) { return CompareWithTheModel(c); },
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },

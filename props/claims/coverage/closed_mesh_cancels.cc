@@ -55,17 +55,16 @@ constinit const Property kClosedMeshCancels{
     .name = "ClosedMeshCancels",
     .group = "coverage",
     .clause = "A closed surface has no boundary: what it shows of its front it shows of its back.",
-    .precondition =
-        "contract sample-exact or closed; coordinates within the limit; every edge is walked as "
-        "often each way; in clip space in front of the eye; facings told, or no legal "
-        "choice turns a triangle there",
     .tolerance = kExact,
     .domains = kClosed,
     .gate = {.space = Space::kEither,
              .promise = Promise::kClosed,
              .any_model = true,
              .judges_clipped = true,
-             .rules = kSignedCoverageRules},
+             .rules = kSignedCoverageRules,
+             .asks_oracle = true,
+             .where = "every edge is walked as often each way; in clip space in front of the eye; "
+                      "facings told, or no legal choice turns a triangle there"},
     .ask = Ask,
 };
 

@@ -57,16 +57,14 @@ constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
     .name = "ClosedSurfaceAroundTheEyeIsSeenEquallyOften",
     .group = "coverage",
     .clause = "A closed surface winds equally often around the eye in every direction.",
-    .precondition =
-        "contract sample-exact or closed; coordinates within the limit; clip space "
-        "without snapping; "
-        "a closed surface that does not pass through the eye",
     .tolerance = kExact,
     .domains = kClosedClip,
     .gate = {.space = Space::kClip,
              .promise = Promise::kClosed,
              .any_model = true,
-             .rules = kRules},
+             .rules = kRules,
+             .asks_oracle = true,
+             .where = "a closed surface that does not pass through the eye"},
     .ask = Ask,
 };
 

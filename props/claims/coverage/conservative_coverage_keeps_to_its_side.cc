@@ -88,10 +88,12 @@ constinit const Property kConservativeCoverageKeepsToItsSide{
     .clause =
         "Conservative coverage strays to one side only: an overestimate leaves no covered "
         "sample out, an underestimate adds none.",
-    .precondition = "contract conservative over or under; coordinates within the limit",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .gate = {.space = Space::kEither, .promise = Promise::kAny, .rules = kRules},
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kAny,
+             .rules = kRules,
+             .asks_oracle = true},
     .ask = Ask,
 };
 

@@ -13,10 +13,9 @@ constinit const Property kCoverageEqualsTheModel{
     .clause =
         "A sample is covered if it is inside, or on a top or left edge (D3D11.3 functional "
         "specification 3.4.2.1 (top-left rule); the profile names the rule).",
-    .precondition = "contract sample-exact; coordinates within the limit; window space",
     .tolerance = kExact,
     .domains = kModelCoverage,
-    .gate = {.judges_overdraw = true},
+    .gate = {.judges_overdraw = true, .asks_oracle = true},
     .ask = [](const Case& c, const Description&) { return CompareWithTheModel(c); },
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },

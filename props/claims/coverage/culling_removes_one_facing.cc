@@ -37,7 +37,6 @@ constinit const Property kCullingRemovesOneFacing{
     .clause =
         "Culling discards triangles of one facing (Vulkan 1.3, Basic Polygon Rasterization) "
         "and changes no other.",
-    .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither, .shows = Shows::kCulling},

@@ -44,10 +44,9 @@ constinit const Property kDegenerateTrianglesCoverNothing{
     .clause =
         "A triangle of zero area after snapping produces nothing (D3D11.3 functional "
         "specification, rasterizer; the profile says so).",
-    .precondition = "contract sample-exact; coordinates within the limit; triangles of zero area",
     .tolerance = kExact,
     .domains = kDegenerate,
-    .gate = {.space = Space::kEither, .rules = kRules},
+    .gate = {.space = Space::kEither, .rules = kRules, .where = "triangles of zero area"},
     .ask = Ask,
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },

@@ -31,7 +31,6 @@ constinit const Property kDuplicatedVerticesKeepCoverage{
     .name = "DuplicatedVerticesKeepCoverage",
     .group = "coverage",
     .clause = "Vertices are positions: equal bits cover alike, shared by an index or not.",
-    .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kMeshes,
     .gate = {.space = Space::kEither},

@@ -21,13 +21,18 @@ constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
         "Polygons on either side of a common edge produce exactly one fragment for a sample "
         "on it (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization); at "
         "a shared vertex D3D11.3 functional specification 3.4.2.1 (top-left rule).",
-    .precondition = kEmbeddedMeshes,
     .tolerance = kExact,
     .domains = kMeshesAnySpace,
-    .gate = {.space = Space::kEither,
-             .promise = Promise::kWatertight,
-             .judges_clipped = true,
-             .rules = kPlanarMeshRules},
+    .gate =
+        {.space = Space::kEither,
+         .promise = Promise::kWatertight,
+         .judges_clipped = true,
+         .rules = kPlanarMeshRules,
+         .asks_oracle = true,
+         .where =
+             "shared ties: at least once, away from edges once; the snapped mesh has one facing, "
+             "in clip space as seen from the eye, and does not overlap itself; where vertices may "
+             "move away from the outline and from triangles that a legal choice turns"},
     .ask = Ask,
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },

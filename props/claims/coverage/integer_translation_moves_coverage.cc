@@ -88,12 +88,10 @@ constinit const Property kIntegerTranslationMovesCoverage{
     .clause =
         "Moving a scene by whole pixels moves its image (OpenGL 4.6 section 14.2, "
         "Invariance; Vulkan does not promise it by itself, a sample-exact model does).",
-    .precondition =
-        "contract sample-exact; coordinates within the limit; window space; the moved "
-        "coordinates are exact, of the input format and within the limit",
     .tolerance = kExact,
     .domains = kOnTheLattice,
-    .gate = {.unwrapped = true},
+    .gate = {.unwrapped = true,
+             .where = "the moved coordinates are exact, of the input format and within the limit"},
     .ask = Ask,
 };
 

@@ -39,13 +39,16 @@ constinit const Property kNeighboursAreClippedAlike{
     .clause =
         "A shared edge is clipped alike for both of its triangles: no gap opens and nothing "
         "doubles where they leave the target.",
-    .precondition = kClippedNeighbours,
     .tolerance = kExact,
     .domains = kClipped,
     .gate = {.space = Space::kEither,
              .promise = Promise::kWatertight,
              .judges_clipped = true,
-             .rules = kPlanarMeshRules},
+             .rules = kPlanarMeshRules,
+             .asks_oracle = true,
+             .where = "shared ties: at least once; an edge shared in opposite directions by "
+                      "triangles of one facing of which one leaves the target or passes behind the "
+                      "eye; samples to which no other edge of theirs is nearer"},
     .ask = Ask,
 };
 

@@ -30,27 +30,27 @@ constexpr std::size_t kMostTriangles = 32;
 constexpr std::size_t kBefore = 256;
 
 // The triangles of one call, by their place in the case.
-using Order = std::vector<std::size_t>;
+using CallOrder = std::vector<std::size_t>;
 
 // The mesh, so many times over; and behind so many repetitions of its first triangle.
-std::array<Order, 2> OrdersOf(std::size_t count, std::size_t times) {
-  Order plain;
+std::array<CallOrder, 2> OrdersOf(std::size_t count, std::size_t times) {
+  CallOrder plain;
   for (std::size_t n = 0; n < times * count; ++n) plain.push_back(n % count);
-  Order late(kBefore, 0);
+  CallOrder late(kBefore, 0);
   late.insert(late.end(), plain.begin(), plain.end());
   return {plain, late};
 }
 
 // A call for each order, and then one for each triangle.
-Questions WholesAndSingles(const Case& c, std::span<const Order> orders, std::size_t count) {
+Questions WholesAndSingles(const Case& c, std::span<const CallOrder> orders, std::size_t count) {
   const DrawQuestion question = WholeCallOf(c.scene, c.profile, c.options);
   Questions questions;
-  const auto ask = [&](const Order& order) {
+  const auto ask = [&](const CallOrder& order) {
     questions.draws.push_back(question);
     std::vector<Triangle>& triangles = questions.draws.back().job.triangles.emplace();
     for (const std::size_t t : order) triangles.push_back(c.scene.triangles[t]);
   };
-  for (const Order& order : orders) ask(order);
+  for (const CallOrder& order : orders) ask(order);
   for (std::size_t t = 0; t < count; ++t) ask({t});
   return questions;
 }
@@ -62,7 +62,7 @@ void AddAlone(const CoverageCounts& alone, bool is_mask, CoverageCounts& sum) {
 }
 
 // Whether a drawing in one call is what its triangles' own add up to.
-Verdict LikeItsTriangles(const SubjectInfo& info, const Drawing& mesh, const Order& order,
+Verdict LikeItsTriangles(const SubjectInfo& info, const Drawing& mesh, const CallOrder& order,
                          std::span<const std::shared_ptr<const Drawing>> alone,
                          std::uint64_t decisions) {
   if (ShowsWinners(info)) {
@@ -83,7 +83,7 @@ Asked Ask(const Case& c, const Description& subject) {
   // Winners: twice, so that something always lies on top.
   const std::size_t times = ShowsWinners(subject.info) ? 2 : 1;
   const auto count = std::min(c.scene.triangles.size(), kMostTriangles);
-  std::array<Order, 2> orders = OrdersOf(count, times);
+  std::array<CallOrder, 2> orders = OrdersOf(count, times);
   Questions questions = WholesAndSingles(c, orders, count);
   return OneCheck(
       std::move(questions), [&c, &subject, orders = std::move(orders)](const Answers& answers) {
@@ -110,10 +110,9 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
     .clause =
         "A mesh is its triangles: what one call with all of them gives, also behind 256 "
         "others, is what calls with each alone add up to.",
-    .precondition = "contract sample-exact; coordinates within the limit; two triangles or more",
     .tolerance = kExact,
     .domains = kMeshes,
-    .gate = {.space = Space::kEither, .any_model = true},
+    .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},
     .ask = Ask,
 };
 

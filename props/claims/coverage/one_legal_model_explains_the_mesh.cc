@@ -168,12 +168,13 @@ constinit const Property kOneLegalModelExplainsTheMesh{
         "A vertex has one position for all triangles that use it, and a sample on an edge "
         "one owner: D3D11.3 functional specification 3.4.1 (snapping within 0.6 ulp) and "
         "3.4.2.1.",
-    .precondition =
-        "contract sample-exact; the profile leaves grid points or the tie rule free; "
-        "window space; coordinates within the limit",
     .tolerance = "the profile's own freedom, jointly for all triangles",
     .domains = kFreeSnaps,
-    .gate = {.space = Space::kEither, .any_model = true, .rules = kRules},
+    .gate = {.space = Space::kEither,
+             .any_model = true,
+             .rules = kRules,
+             .asks_oracle = true,
+             .where = "window space"},
     .ask = Ask,
 };
 

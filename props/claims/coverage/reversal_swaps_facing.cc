@@ -31,7 +31,6 @@ constinit const Property kReversalSwapsFacing{
     .name = "ReversalSwapsFacing",
     .group = "coverage",
     .clause = "Winding decides facing, never coverage.",
-    .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither},

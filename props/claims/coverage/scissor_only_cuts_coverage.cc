@@ -58,7 +58,6 @@ constinit const Property kScissorOnlyCutsCoverage{
     .clause =
         "The scissor test discards samples outside its rectangle and changes nothing else "
         "(Vulkan 1.3, Scissor Test).",
-    .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither, .shows = Shows::kScissor, .any_model = true},

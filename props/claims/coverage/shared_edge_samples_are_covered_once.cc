@@ -21,13 +21,15 @@ constinit const Property kSharedEdgeSamplesAreCoveredOnce{
         "Exactly one of two polygons on either side of a common edge with identical "
         "endpoints owns a sample on it (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic "
         "Polygon Rasterization).",
-    .precondition = kSharedEdges,
     .tolerance = kExact,
     .domains = kMeshesAnySpace,
     .gate = {.space = Space::kEither,
              .promise = Promise::kWatertight,
              .judges_clipped = true,
-             .rules = kPlanarMeshRules},
+             .rules = kPlanarMeshRules,
+             .asks_oracle = true,
+             .where = "shared ties: at least once; two triangles of one facing with an edge in "
+                      "opposite directions; samples to which no other edge of theirs is nearer"},
     .ask = Ask,
 };
 

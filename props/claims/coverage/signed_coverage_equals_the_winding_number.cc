@@ -34,10 +34,12 @@ constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .clause =
         "Front minus back is the winding number of the boundary: every interior edge is "
         "walked once each way, and its two triangles decide it alike.",
-    .precondition = "contract sample-exact; coordinates within the limit; a consistent fill rule",
     .tolerance = kExact,
     .domains = kAnyMesh,
-    .gate = {.space = Space::kEither, .judges_clipped = true, .rules = kSignedCoverageRules},
+    .gate = {.space = Space::kEither,
+             .judges_clipped = true,
+             .rules = kSignedCoverageRules,
+             .asks_oracle = true},
     .ask = Ask,
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },

@@ -29,10 +29,9 @@ constinit const Property kTriangleOrderKeepsCoverage{
     .name = "TriangleOrderKeepsCoverage",
     .group = "coverage",
     .clause = "Coverage of a triangle depends on no other triangle.",
-    .precondition = "contract sample-exact; coordinates within the limit; two triangles or more",
     .tolerance = kExact,
     .domains = kMeshes,
-    .gate = {.space = Space::kEither, .any_model = true},
+    .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},
     .ask = Ask,
 };
 

@@ -26,7 +26,6 @@ constinit const Property kVertexRotationKeepsCoverage{
     .name = "VertexRotationKeepsCoverage",
     .group = "coverage",
     .clause = "A triangle is the same from whichever vertex it is told.",
-    .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither},

@@ -78,7 +78,6 @@ constinit const Property kCyclicRotationKeepsTheArea{
     .name = "CyclicRotationKeepsTheArea",
     .group = "edge",
     .clause = "Twice the signed area is E(v0, v1; v2) from whichever vertex it is told.",
-    .precondition = kEdgeValues,
     .tolerance = kBothBounds,
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,

@@ -42,7 +42,6 @@ constinit const Property kEdgeErrorStaysWithinItsBound{
     .clause =
         "An edge value is (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x), up to a proven "
         "rounding error (Shewchuk 1997; Ozaki et al., BIT 2016).",
-    .precondition = kEdgeValues,
     .tolerance = "the subject's proven ErrorBound",
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,

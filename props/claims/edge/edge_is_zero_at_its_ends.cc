@@ -52,7 +52,6 @@ constinit const Property kEdgeIsZeroAtItsEnds{
     .name = "EdgeIsZeroAtItsEnds",
     .group = "edge",
     .clause = "An edge line passes through its ends: E(a, b; a) = E(a, b; b) = 0.",
-    .precondition = kEdgeValues,
     .tolerance = kOwnBound,
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,

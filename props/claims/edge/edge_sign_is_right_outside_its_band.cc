@@ -49,7 +49,6 @@ constinit const Property kEdgeSignIsRightOutsideItsBand{
     .clause =
         "The sign of the edge function says on which side of an edge a sample lies (Pineda, "
         "SIGGRAPH 1988, section 3).",
-    .precondition = kEdgeValues,
     .tolerance = kOwnBound,
     .domains = kNearEdges,
     .gate = kAsksEdgeValues,

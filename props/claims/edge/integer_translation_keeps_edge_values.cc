@@ -27,13 +27,11 @@ constinit const Property kIntegerTranslationKeepsEdgeValues{
     .name = "IntegerTranslationKeepsEdgeValues",
     .group = "edge",
     .clause = "E depends on differences of positions only.",
-    .precondition =
-        "the subject shows edge values and claims a finite bound there; window space "
-        "within the limits; the moved coordinates are exact, of the input format, on "
-        "the subpixel grid and within the limit",
     .tolerance = kBothBounds,
     .domains = kOnTheLattice,
-    .gate = kAsksEdgeValues,
+    .gate = Where(kAsksEdgeValues,
+                  "the moved coordinates are exact, of the input format, on the subpixel grid and "
+                  "within the limit"),
     .ask = Ask,
 };
 

@@ -59,6 +59,9 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   if (!WithinLimits(projected.scene, c.profile) || !lifted || !WithinLimits(*lifted, c.profile)) {
     return NothingAsked("the projected scene is beyond the limits");
   }
+  if (const auto why = exact::WhyNotDecided(projected.scene, projected.profile)) {
+    return NotDecided(why->what());
+  }
   Questions questions;
   questions.draws.push_back(CountsOf(*lifted, c.profile, WholeTarget(c)));
   return OneCheck(std::move(questions), [projected = std::move(projected)](const Answers& answers) {
@@ -77,12 +80,9 @@ constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
     .clause =
         "N_ij . (p, 1) with N_ij = V_j x V_i is w_i w_j E of the projected edge (Olano and "
         "Greer, Graphics Hardware 1997).",
-    .precondition =
-        "contract sample-exact; coordinates within the limit; the subject takes clip "
-        "space; the lifted coordinates are exact",
     .tolerance = kExact,
     .domains = kClipSpace,
-    .gate = {.space = Space::kClip},
+    .gate = {.space = Space::kClip, .where = "the lifted coordinates are exact"},
     .ask = Ask,
 };
 

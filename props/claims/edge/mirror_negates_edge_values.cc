@@ -27,13 +27,11 @@ constinit const Property kMirrorNegatesEdgeValues{
     .clause =
         "A mirror reverses orientation: E changes sign when an axis is turned over or the "
         "axes are exchanged.",
-    .precondition =
-        "the subject shows edge values and claims a finite bound there; window space "
-        "within the limits; the mirrored coordinates are of the input format, on the "
-        "subpixel grid and within the limit",
     .tolerance = kBothBounds,
     .domains = kOnTheLattice,
-    .gate = kAsksEdgeValues,
+    .gate = Where(kAsksEdgeValues,
+                  "the mirrored coordinates are of the input format, on the subpixel grid and "
+                  "within the limit"),
     .ask = Ask,
 };
 

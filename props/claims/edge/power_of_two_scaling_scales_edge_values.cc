@@ -26,13 +26,11 @@ constinit const Property kPowerOfTwoScalingScalesEdgeValues{
     .name = "PowerOfTwoScalingScalesEdgeValues",
     .group = "edge",
     .clause = "E is homogeneous of degree two in the positions.",
-    .precondition =
-        "the subject shows edge values and claims a finite bound there; window space "
-        "within the limits; the scaled coordinates are exact, of the input format, on "
-        "the subpixel grid and within the limit",
     .tolerance = "the sum of both proven ErrorBounds, scaled",
     .domains = kOnTheLattice,
-    .gate = kAsksEdgeValues,
+    .gate = Where(kAsksEdgeValues,
+                  "the scaled coordinates are exact, of the input format, on the subpixel grid and "
+                  "within the limit"),
     .ask = Ask,
 };
 

@@ -69,7 +69,6 @@ constinit const Property kReversedEdgeChangesSign{
     .group = "edge",
     .clause =
         "E(b, a; p) = -E(a, b; p): the determinant changes sign with the exchange of its ends.",
-    .precondition = kEdgeValues,
     .tolerance = "the sum of both proven ErrorBounds; where both are 0, none: exact",
     .domains = kNearEdges,
     .gate = kAsksEdgeValues,

@@ -61,12 +61,9 @@ constinit const Property kScalingClipVerticesKeepsCoverage{
     .clause =
         "A homogeneous edge needs no division: multiplying a clip-space vertex by a "
         "positive number changes no sign (McCool, Wales and Moule, Graphics Hardware 2001).",
-    .precondition =
-        "contract sample-exact; coordinates within the limit; the subject takes clip "
-        "space; the scaled coordinates are exact",
     .tolerance = kExact,
     .domains = kClipSpace,
-    .gate = {.space = Space::kClip},
+    .gate = {.space = Space::kClip, .where = "the scaled coordinates are exact"},
     .ask = Ask,
 };
 

@@ -75,14 +75,14 @@ constinit const Property kBadTrianglesPoisonNoOthers{
     .name = "BadTrianglesPoisonNoOthers",
     .group = "extremes",
     .clause = "A triangle that covers nothing leaves the coverage of the others alone.",
-    .precondition = "contract sample-exact; the other triangles finite and within the limit",
     .tolerance = kExact,
     .domains = kExtremes,
     .gate = {.space = Space::kEither,
              .promise = Promise::kNone,
              .judges_degenerates = true,
              .beyond_limits = true,
-             .rules = kRules},
+             .rules = kRules,
+             .where = "the other triangles finite and within the limit"},
     .ask = Ask,
 };
 

@@ -98,9 +98,6 @@ constinit const Property kBatchDrawsLikeSingleCalls{
     .name = "BatchDrawsLikeSingleCalls",
     .group = "extremes",
     .clause = "Scenes that share a call have nothing to do with each other.",
-    .precondition =
-        "the subject takes batches; any contract but none; coordinates within the "
-        "limit",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .is_about_sequence = true,

@@ -102,7 +102,6 @@ constinit const Property kDrawStaysInsideItsTarget{
     .clause =
         "Writes outside the scissor and the target never happen, and a draw comes back, "
         "whatever the input.",
-    .precondition = "the subject takes the scene",
     .tolerance = kExact,
     .domains = kExtremes,
     .gate = {.space = Space::kEither,

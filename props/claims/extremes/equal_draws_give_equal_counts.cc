@@ -31,7 +31,6 @@ constinit const Property kEqualDrawsGiveEqualCounts{
     .name = "EqualDrawsGiveEqualCounts",
     .group = "extremes",
     .clause = "Equal calls give equal counts, and counts are added to.",
-    .precondition = "any contract but none; coordinates within the limit",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .is_about_sequence = true,

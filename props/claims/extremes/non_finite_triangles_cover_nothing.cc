@@ -86,16 +86,14 @@ constinit const Property kNonFiniteTrianglesCoverNothing{
     .clause =
         "A triangle with NaN or infinity in x, y or w covers nothing (the profile says so; "
         "D3D11.3 drops NaN).",
-    .precondition =
-        "contract sample-exact; a vertex that is NaN, or infinite where the profile "
-        "says what it covers",
     .tolerance = kExact,
     .domains = kNonFinite,
     .gate = {.space = Space::kEither,
              .promise = Promise::kNone,
              .judges_degenerates = true,
              .beyond_limits = true,
-             .rules = kRules},
+             .rules = kRules,
+             .where = "a vertex that is NaN, or infinite where the profile says what it covers"},
     .ask = Ask,
     .blame = Blame,
 };

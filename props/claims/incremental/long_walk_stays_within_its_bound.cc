@@ -21,7 +21,6 @@ constinit const Property kLongWalkStaysWithinItsBound{
     .clause =
         "A walk over 16384 samples, the largest target of current APIs, drifts by a proven "
         "bound at most.",
-    .precondition = kEdgeValues,
     .tolerance = kWalkBounds,
     .domains = kLongWalks,
     .gate = kAsksSteps,

@@ -57,7 +57,6 @@ constinit const Property kTargetWidthKeepsCoverage{
     .name = "TargetWidthKeepsCoverage",
     .group = "incremental",
     .clause = "Coverage depends on the sample and the triangle, not on the size of the target.",
-    .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither},

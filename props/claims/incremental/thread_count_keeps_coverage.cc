@@ -33,9 +33,6 @@ constinit const Property kThreadCountKeepsCoverage{
     .name = "ThreadCountKeepsCoverage",
     .group = "incremental",
     .clause = "Sharing the work among threads is not observable.",
-    .precondition =
-        "contract sample-exact; coordinates within the limit; the subject takes a "
-        "number of threads",
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither, .shows = Shows::kThreads, .any_model = true},

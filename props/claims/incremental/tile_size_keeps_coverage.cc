@@ -39,7 +39,6 @@ constinit const Property kTileSizeKeepsCoverage{
     .clause =
         "How a rasterizer walks its target is not observable: D3D11.3 functional "
         "specification 3.4.2.1 (top-left rule) decides by the sample's position alone.",
-    .precondition = kSampleExactOnly,
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither, .shows = Shows::kTiles, .any_model = true},

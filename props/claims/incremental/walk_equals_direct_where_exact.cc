@@ -60,12 +60,9 @@ constinit const Property kWalkEqualsDirectWhereExact{
     .clause =
         "Incremental equals direct evaluation wherever the arithmetic is exact (Pineda, "
         "SIGGRAPH 1988, section 3.2).",
-    .precondition =
-        "the subject shows edge values and claims a finite bound there; window space "
-        "within the limits; both claimed bounds are 0",
     .tolerance = kExact,
     .domains = kOnTheLattice,
-    .gate = kAsksSteps,
+    .gate = Where(kAsksSteps, "both stated bounds are 0"),
     .ask = Ask,
 };
 

@@ -21,7 +21,6 @@ constinit const Property kWalkStaysWithinItsBound{
     .clause =
         "E(x + L, y) = E + L dY, E(x, y + L) = E - L dX and their opposites (Pineda, "
         "SIGGRAPH 1988, section 3.2): each step adds its rounding.",
-    .precondition = kEdgeValues,
     .tolerance = kWalkBounds,
     .domains = kMagnitudes,
     .gate = kAsksSteps,

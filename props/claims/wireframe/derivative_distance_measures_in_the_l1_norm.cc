@@ -40,10 +40,12 @@ constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
     .clause =
         "lambda_i / fwidth(lambda_i) with fwidth = |d/dx| + |d/dy| (GLSL 4.60 section "
         "8.14.1) is |E_i| / (|dX| + |dY|).",
-    .precondition = kInTheTriangle,
     .tolerance = kWireframeBound,
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kInTheTriangle},
     .ask = Ask,
 };
 

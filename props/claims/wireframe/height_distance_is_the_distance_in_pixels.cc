@@ -31,10 +31,12 @@ constinit const Property kHeightDistanceIsTheDistanceInPixels{
     .name = "HeightDistanceIsTheDistanceInPixels",
     .group = "wireframe",
     .clause = "lambda_i times the height over edge i is the distance to edge i.",
-    .precondition = kInTheTriangle,
     .tolerance = kWireframeBound,
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kInTheTriangle},
     .ask = Ask,
 };
 

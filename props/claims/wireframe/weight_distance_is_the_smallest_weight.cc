@@ -28,10 +28,12 @@ constinit const Property kWeightDistanceIsTheSmallestWeight{
     .name = "WeightDistanceIsTheSmallestWeight",
     .group = "wireframe",
     .clause = "The weight-space test lambda_i <= W draws lines of W heights, not of W pixels.",
-    .precondition = kInTheTriangle,
     .tolerance = kWireframeBound,
     .domains = kWeights,
-    .gate = {.shows = Shows::kBarycentrics, .promise = Promise::kNone, .unwrapped = true},
+    .gate = {.shows = Shows::kBarycentrics,
+             .promise = Promise::kNone,
+             .unwrapped = true,
+             .where = kInTheTriangle},
     .ask = Ask,
 };
 

@@ -113,6 +113,7 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
     .precondition = "contract sample-exact; coordinates within the limit; two triangles or more",
     .tolerance = kExact,
     .domains = kMeshes,
+    .takes_long = true,
     .gate = {.space = Space::kEither, .any_model = true},
     .ask = Ask,
 };

@@ -24,6 +24,7 @@ constinit const Property kLongWalkStaysWithinItsBound{
     .precondition = kEdgeValues,
     .tolerance = kWalkBounds,
     .domains = kLongWalks,
+    .takes_long = true,
     .gate = kAsksSteps,
     .ask = Ask,
 };

@@ -16,6 +16,7 @@
 #include "tool/evidence.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
+#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -76,6 +77,7 @@ void Certification::TestProperty(Subject& subject, const props::Property& proper
   campaign.cases = options_.campaign.cases;
   campaign.seconds = options_.campaign.seconds;
   campaign.time_limit = TimeLimitOf(subject);
+  if (IsOutside(info_.name)) campaign.afresh = [&] { return MakeSubject(info_.name); };
   campaign.stop = &Interrupted;
   campaign.pace = &pace_;
   PropertyResult result = props::RunCampaign(subject, property, campaign);

@@ -177,6 +177,9 @@ PropertyResult Campaign(Subject& subject, const props::Property& property,
   campaign.cases = options.campaign.cases;
   campaign.seconds = options.campaign.seconds;
   campaign.time_limit = TimeLimitOf(subject);
+  if (IsOutside(subject.Info().name)) {
+    campaign.afresh = [&] { return MakeSubject(subject.Info().name, options.profile); };
+  }
   campaign.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
   campaign.shrinking = [&](std::uint64_t evaluations) {
     if (evaluations == 0) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 
 #include "core/case.h"
 #include "core/result.h"
@@ -50,6 +51,9 @@ struct CampaignOptions {
   std::function<bool()> stop = {};
   /// Read and kept up to date, if there is one: for runs of several properties on one subject.
   Pace* pace = nullptr;
+  /// Makes the subject anew, in a process of its own: what failed is judged again by one that has
+  /// drawn nothing else, as whoever replays it will. Empty: by the subject itself.
+  std::function<std::unique_ptr<Subject>()> afresh = {};
   /// The clock, for tests. Empty: std::chrono::steady_clock.
   std::function<std::chrono::steady_clock::time_point()> now = {};
 };

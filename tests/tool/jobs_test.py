@@ -21,6 +21,11 @@ def run(*arguments):
                           check=False)  # fmt: skip
 
 
+def content(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
 def plugin(name):
     return ("--plugin", os.path.join(FAULTY, f"{name}.so"))
 
@@ -46,7 +51,7 @@ class Check(unittest.TestCase):
         self.assertGreater(text.count("\nviolated "), 1, text)
 
     def test_a_mutant(self):
-        text = self.same("--subject", "mutant:snap-truncates", "--cases", "24", status=1)
+        text = self.same("--subject", "mutant:box-left", "--cases", "24", status=1)
         self.assertIn("replay: ", text)
 
     def test_a_plugin_of_every_kind(self):
@@ -72,8 +77,7 @@ class Check(unittest.TestCase):
                 run("check", "--subject", "textbook", "--cases", "24", "--save", folder,
                     "--jobs", str(n))  # fmt: skip
                 names = sorted(os.listdir(folder))
-                kept.append([(name, open(os.path.join(folder, name), "rb").read())
-                             for name in names])  # fmt: skip
+                kept.append([(name, content(os.path.join(folder, name))) for name in names])
         self.assertGreater(len(kept[0]), 1)
         self.assertEqual(kept[0], kept[1])
         self.assertEqual(kept[0], kept[2])
@@ -85,8 +89,8 @@ class Check(unittest.TestCase):
                            "--cases", "64", "--batch", str(batch), "--jobs", str(n))  # fmt: skip
                 self.assertIn(done.returncode, (1, 4), done.stderr)
                 text = done.stdout.decode()
-                self.assertRegex(text, "depends on other scenes|is not deterministic|now and then")
-                self.assertRegex(text, "first violated: .*; then holds|fail only now and then")
+                self.assertRegex(text, "depends on other scenes|is not deterministic")
+                self.assertRegex(text, "first violated: .*; then (holds|not exercised)")
 
     def test_a_leak_between_the_scenes_of_a_call_is_told_with_both_answers(self):
         text = run("check", *plugin("shown_BATCH_LEAK"), "--property", MODEL,
@@ -126,10 +130,9 @@ class Certify(unittest.TestCase):
                 path = os.path.join(folder, name, "certificate.json")
                 if not os.path.exists(path):
                     continue
-                with open(path, encoding="utf-8") as file:
-                    text = file.read().replace(folder, "FOLDER")
+                text = content(path).replace(folder, "FOLDER")
                 text = re.sub(r'"seconds": [-+.e0-9]+', '"seconds": 0', text)
-                told[name] = re.sub(r'"command": "[^"]*"', "", text, count=1)
+                told[name] = re.sub(r'"command": "[^"]*"', '"command": ""', text, count=1)
             return told
 
     def test_certificates_are_the_same_but_for_times(self):
@@ -138,7 +141,7 @@ class Certify(unittest.TestCase):
         one = self.certificates(1, *arguments)
         self.assertEqual(len(one), 3)
         for text in one.values():
-            self.assertGreater(json.loads(text.replace("{,", "{"))["oracle_tiers"]["filter"], 0)
+            self.assertGreater(json.loads(text)["oracle_tiers"]["filter"], 0)
         for n in JOBS[1:]:
             self.assertEqual(self.certificates(n, *arguments), one)
 

@@ -61,6 +61,8 @@ struct Property {
   std::span<const std::string_view> domains;
   /// True if the claim is about calls that follow each other: no others may come in between.
   bool is_about_sequence = false;
+  /// True if it takes as long as many others: where several run at once it is begun before them.
+  bool takes_long = false;
   Gate gate = {};
   /// The checks of a case that the gate lets through, in the order in which they are judged, up to
   /// the first violated one. The case is as the claim sees it: in window space behind a transform

@@ -1,8 +1,9 @@
 // One subject's certificate.
 #include "tool/certify.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -27,25 +28,10 @@ bool Stands(const PropertyResult& result) {
          result.verdict->outcome == Outcome::kViolated;
 }
 
-void TestProperties(Subject& subject, const CertifyOptions& options,
-                    report::Certificate& certificate) {
-  props::Pace pace;
-  for (const props::Property& property : props::Catalog()) {
-    props::CampaignOptions campaign;
-    campaign.seed = options.campaign.seed;
-    campaign.cases = options.campaign.cases;
-    campaign.seconds = options.campaign.seconds;
-    campaign.time_limit = TimeLimitOf(subject);
-    campaign.stop = &Interrupted;
-    campaign.pace = &pace;
-    PropertyResult result = props::RunCampaign(subject, property, campaign);
-    certificate.interrupted = Interrupted();
-    if (!certificate.interrupted || Stands(result)) certificate.tested.push_back(std::move(result));
-    if (certificate.interrupted) return;
-  }
-  const props::ContractEvidence evidence =
-      props::EvidenceOfContract(subject.Info(), certificate.tested);
-  if (!evidence.is_exercised) certificate.contract_untested = evidence.why;
+void Add(report::Certificate& whole, const report::Certificate& part) {
+  whole.tested.insert(whole.tested.end(), part.tested.begin(), part.tested.end());
+  whole.measured.insert(whole.measured.end(), part.measured.begin(), part.measured.end());
+  whole.replay.insert(part.replay.begin(), part.replay.end());
 }
 
 std::map<std::string, std::string> DescribeEnvironment() {
@@ -59,20 +45,71 @@ std::map<std::string, std::string> DescribeEnvironment() {
 
 }  // namespace
 
-report::Certificate CertifySubject(const std::string& name, const CertifyOptions& options,
-                                   MeasuredScenes& scenes) {
+Certification::Certification(SubjectInfo info, const CertifyOptions& options,
+                             MeasuredScenes& scenes)
+    : info_(std::move(info)),
+      options_(options),
+      scenes_(scenes),
+      parts_(props::Catalog().size() + scenes.size()) {}
+
+bool Certification::TakesLong(std::size_t part) const {
+  return part >= props::Catalog().size() || props::Catalog()[part].takes_long;
+}
+
+void Certification::Do(std::size_t part, Subject& subject) {
+  Part& mine = parts_[part];
+  mine.is_begun = true;
   const exact::TierScope scope;
-  const std::unique_ptr<Subject> subject = MakeSubject(name);
+  const std::size_t claims = props::Catalog().size();
+  if (part < claims) {
+    TestProperty(subject, props::Catalog()[part], mine.found);
+  } else {
+    MeasureOne(subject, *scenes_[part - claims], mine.found);
+  }
+  mine.tiers = scope.Counts();
+  mine.is_done = true;
+}
+
+void Certification::TestProperty(Subject& subject, const props::Property& property,
+                                 report::Certificate& certificate) {
+  props::CampaignOptions campaign;
+  campaign.seed = options_.campaign.seed;
+  campaign.cases = options_.campaign.cases;
+  campaign.seconds = options_.campaign.seconds;
+  campaign.time_limit = TimeLimitOf(subject);
+  if (IsOutside(info_.name)) campaign.afresh = [&] { return MakeSubject(info_.name); };
+  campaign.stop = &Interrupted;
+  campaign.pace = &pace_;
+  PropertyResult result = props::RunCampaign(subject, property, campaign);
+  certificate.interrupted = Interrupted();
+  if (!certificate.interrupted || Stands(result)) certificate.tested.push_back(std::move(result));
+}
+
+bool Certification::IsBegun() const { return std::ranges::any_of(parts_, &Part::is_begun); }
+
+bool Certification::IsDone() const { return std::ranges::all_of(parts_, &Part::is_done); }
+
+report::Certificate Certification::Result() const {
   report::Certificate certificate;
   certificate.tool_version = RASTERPROOF_VERSION;
-  certificate.subject = subject->Info();
-  certificate.command = options.command;
+  certificate.subject = info_;
+  certificate.command = options_.command;
   certificate.environment = DescribeEnvironment();
-  certificate.seed = options.campaign.seed;
-  certificate.proved = ProvedOf(certificate.subject);
-  TestProperties(*subject, options, certificate);
-  MeasureScenes(*subject, scenes, certificate);
-  const exact::TierCounts tiers = scope.Counts();
+  certificate.seed = options_.campaign.seed;
+  certificate.proved = ProvedOf(info_);
+  exact::TierCounts tiers;
+  const auto add = [&](const Part& part) {
+    certificate.interrupted = certificate.interrupted || part.found.interrupted || !part.is_done;
+    Add(certificate, part.found);
+    tiers += part.tiers;
+  };
+  const auto scenes = parts_.begin() + static_cast<std::ptrdiff_t>(props::Catalog().size());
+  std::for_each(parts_.begin(), scenes, add);
+  if (!certificate.interrupted) {
+    const props::ContractEvidence evidence = props::EvidenceOfContract(info_, certificate.tested);
+    if (!evidence.is_exercised) certificate.contract_untested = evidence.why;
+  }
+  std::for_each(scenes, parts_.end(), add);
   certificate.oracle_tiers = {{"filter", tiers.filter},
                               {"stable", tiers.stable},
                               {"exact", tiers.exact},

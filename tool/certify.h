@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_TOOL_CERTIFY_H_
 #define RASTERPROOF_TOOL_CERTIFY_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <list>
 #include <memory>
@@ -13,8 +14,11 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "exact/edge.h"
 #include "io/scene_set.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
 #include "report/certificate.h"
 #include "report/page.h"
 #include "tool/commands.h"
@@ -68,13 +72,46 @@ using MeasuredScenes = std::vector<std::unique_ptr<MeasuredScene>>;
 /// Error:      InputError if there is no set, or a file of it can't be read.
 MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress);
 
-/// Draws every scene of the set; what the subject breaks down over, refuses, or takes too long over
+/// Draws a scene of the set; what the subject breaks down over, refuses, or takes too long over
 /// goes to the certificate too.
-void MeasureScenes(Subject& subject, MeasuredScenes& scenes, report::Certificate& certificate);
+void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate);
 
-/// Runs every property and measures every scene; fills the certificate of one subject.
-report::Certificate CertifySubject(const std::string& name, const CertifyOptions& options,
-                                   MeasuredScenes& scenes);
+/// One subject's certificate, in parts: every property, then every scene.
+class Certification {
+ public:
+  /// Domain:     options and scenes that outlive this.
+  Certification(SubjectInfo info, const CertifyOptions& options, MeasuredScenes& scenes);
+
+  std::size_t size() const { return parts_.size(); }
+  bool TakesLong(std::size_t part) const;
+  /// Does a part of the work; other threads may do others at once, with subjects of their own.
+  void Do(std::size_t part, Subject& subject);
+  /// Whether a part was begun.
+  bool IsBegun() const;
+  /// Whether every part was done.
+  bool IsDone() const;
+  /// What came of the parts, in their order. Interrupted if one was, or was never done.
+  ///
+  /// Domain:     nobody works on it.
+  report::Certificate Result() const;
+
+ private:
+  struct Part {
+    report::Certificate found;  ///< only what this part found
+    exact::TierCounts tiers;
+    bool is_begun = false;
+    bool is_done = false;
+  };
+
+  void TestProperty(Subject& subject, const props::Property& property,
+                    report::Certificate& certificate);
+
+  SubjectInfo info_;
+  const CertifyOptions& options_;
+  MeasuredScenes& scenes_;
+  props::Pace pace_;
+  std::vector<Part> parts_;
+};
 
 /// Why the counts of the scene's samples are not promised by the profile; empty if they are.
 std::string WhyNotPromised(const Scene& scene, const Profile& profile);

@@ -201,23 +201,19 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
   return scenes;
 }
 
-void MeasureScenes(Subject& subject, MeasuredScenes& scenes, report::Certificate& certificate) {
+void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate) {
   const Profile real = *PresetProfile("real");
   const SubjectInfo& info = subject.Info();
-  for (const std::unique_ptr<MeasuredScene>& measured : scenes) {
-    if (Interrupted()) certificate.interrupted = true;
-    if (certificate.interrupted) return;
-    const Attempt attempt = TryToDraw(subject, measured->scene());
-    if (Interrupted() && !attempt.counts) continue;  // whatever came of it, the interrupt did it
-    if (attempt.outcome == Outcome::kViolated || attempt.outcome == Outcome::kInconclusive) {
-      certificate.tested.push_back(AsResult(info, *measured, attempt));
-      certificate.replay[certificate.tested.back().property] =
-          measured->CommandThatShows(info.name);
-    }
-    certificate.measured.push_back(Measure(info, *measured, info.profile, attempt));
-    if (!SameModel(info.profile, real) && info.profile.lattice == real.lattice) {
-      certificate.measured.push_back(Measure(info, *measured, real, attempt));
-    }
+  const Attempt attempt = TryToDraw(subject, measured.scene());
+  certificate.interrupted = Interrupted();
+  if (Interrupted() && !attempt.counts) return;  // whatever came of it, the interrupt did it
+  if (attempt.outcome == Outcome::kViolated || attempt.outcome == Outcome::kInconclusive) {
+    certificate.tested.push_back(AsResult(info, measured, attempt));
+    certificate.replay[certificate.tested.back().property] = measured.CommandThatShows(info.name);
+  }
+  certificate.measured.push_back(Measure(info, measured, info.profile, attempt));
+  if (!SameModel(info.profile, real) && info.profile.lattice == real.lattice) {
+    certificate.measured.push_back(Measure(info, measured, real, attempt));
   }
 }
 

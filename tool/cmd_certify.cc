@@ -3,15 +3,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <exception>
-#include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/error.h"
+#include "core/subject_info.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
@@ -28,42 +26,54 @@
 #include "tool/progress.h"
 #include "tool/session.h"
 #include "tool/shell.h"
+#include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
 
-// Certifies the subjects on every core; the order of the result is that of the names. Subjects that
-// an interrupt kept from being begun are left out; so is the one that met `failure`, and those
-// behind it.
-std::vector<report::Certificate> CertifyAll(const std::vector<std::string>& names,
+// A part of a subject's certificate.
+struct Task {
+  std::size_t subject;
+  std::size_t part;
+};
+
+// Certifies the subjects, in parts that the workers share; the order of the result is that of the
+// subjects. Those that an interrupt kept from being begun are left out; so is the one that met
+// `failure`, and those behind it.
+std::vector<report::Certificate> CertifyAll(const std::vector<SubjectInfo>& subjects,
                                             const CertifyOptions& options, MeasuredScenes& scenes,
                                             Progress& progress, std::exception_ptr& failure) {
-  std::vector<std::optional<report::Certificate>> begun(names.size());
-  std::atomic<std::size_t> next = 0;
+  std::deque<Certification> all;
+  std::vector<Task> tasks;
+  std::vector<std::size_t> order;
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    const Certification& one = all.emplace_back(subjects[s], options, scenes);
+    const auto takes_long = [&](std::size_t part) { return one.TakesLong(part); };
+    for (const std::size_t part : OrderOfWork(options.jobs, one.size(), takes_long)) {
+      order.push_back(tasks.size() + part);
+    }
+    for (std::size_t part = 0; part < one.size(); ++part) tasks.push_back({s, part});
+  }
+  Crew crew(options.jobs, [&](std::size_t s) { return MakeSubject(subjects[s].name); });
   std::atomic<std::size_t> done = 0;
-  std::mutex failure_mutex;
-  progress.Stage("certifying subjects", names.size());
-  const auto work = [&] {
-    for (std::size_t k = next++; k < names.size() && !Interrupted(); k = next++) {
+  progress.Stage("certifying: claims and scenes", tasks.size());
+  try {
+    ShareWork(options.jobs, order, [&](std::size_t worker, std::size_t k) {
+      const auto [subject, part] = tasks[k];
       try {
-        begun[k] = CertifySubject(names[k], options, scenes);
+        if (!Interrupted()) all[subject].Do(part, crew.Of(worker, subject));
       } catch (...) {
-        const std::lock_guard lock(failure_mutex);
-        if (!Interrupted()) failure = std::current_exception();  // else it was not begun
-        next = names.size();
+        if (!Interrupted()) throw;  // else it was not begun
       }
       progress.Done(++done);
-    }
-  };
-  std::vector<std::thread> threads;
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  for (unsigned t = 0; t < std::min<std::size_t>(cores, names.size()); ++t) {
-    threads.emplace_back(work);
+    });
+  } catch (...) {  // thrown again once what is known is written
+    failure = std::current_exception();
   }
-  for (std::thread& thread : threads) thread.join();
   std::vector<report::Certificate> certificates;
-  for (std::optional<report::Certificate>& certificate : begun) {
-    if (certificate) certificates.push_back(*std::move(certificate));
+  for (const Certification& one : all) {
+    if (failure && !one.IsDone()) break;
+    if (one.IsBegun()) certificates.push_back(one.Result());
   }
   return certificates;
 }
@@ -155,14 +165,13 @@ int ExitStatus(const std::vector<report::Certificate>& certificates, bool survey
 }
 
 // Each once, in order; misspelt names are found before any work.
-std::vector<std::string> SubjectsOf(const CertifyOptions& options) {
-  std::vector<std::string> names;
+std::vector<SubjectInfo> SubjectsOf(const CertifyOptions& options) {
+  std::vector<SubjectInfo> subjects;
   for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
-    if (std::ranges::find(names, name) != names.end()) continue;
-    SayOfPreset(MakeSubject(name)->Info().profile);
-    names.push_back(name);
+    if (std::ranges::find(subjects, name, &SubjectInfo::name) != subjects.end()) continue;
+    SayOfPreset(subjects.emplace_back(MakeSubject(name)->Info()).profile);
   }
-  return names;
+  return subjects;
 }
 
 std::string Summary(const std::vector<report::Certificate>& certificates, std::size_t asked,
@@ -183,7 +192,7 @@ std::string Summary(const std::vector<report::Certificate>& certificates, std::s
 
 int RunCertify(const CertifyOptions& options) {
   RequireHonestEnvironment();
-  const std::vector<std::string> names = SubjectsOf(options);
+  const std::vector<SubjectInfo> subjects = SubjectsOf(options);
   io::MakeFolder(options.output);
   report::Page page;
   std::exception_ptr failure;
@@ -191,7 +200,7 @@ int RunCertify(const CertifyOptions& options) {
     Progress progress;
     MeasuredScenes scenes = LoadSceneSet(options.scene_set, progress);
     page.title = "rasterproof " RASTERPROOF_VERSION;
-    page.certificates = CertifyAll(names, options, scenes, progress, failure);
+    page.certificates = CertifyAll(subjects, options, scenes, progress, failure);
     // What is known is written before anything else can go wrong.
     for (report::Certificate& certificate : page.certificates) {
       NameReplays(options.output, certificate);
@@ -202,7 +211,7 @@ int RunCertify(const CertifyOptions& options) {
   }
   const std::string path = options.output + "/report.html";
   io::WriteFile(path, report::PageToHtml(page));
-  io::WriteStandardOutput(Summary(page.certificates, names.size(), options.all) +
+  io::WriteStandardOutput(Summary(page.certificates, subjects.size(), options.all) +
                           "report: " + path + "\n");
   return ExitStatus(page.certificates, options.all);
 }

@@ -3,10 +3,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <functional>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -29,12 +34,15 @@
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
+#include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
 
-std::vector<const props::Property*> ChosenProperties(const CheckOptions& options) {
-  std::vector<const props::Property*> chosen;
+using Properties = std::vector<const props::Property*>;
+
+Properties ChosenProperties(const CheckOptions& options) {
+  Properties chosen;
   for (const std::string& name : options.properties) chosen.push_back(&RequireProperty(name));
   if (!chosen.empty()) return chosen;
   for (const props::Property& property : props::Catalog()) chosen.push_back(&property);
@@ -127,64 +135,129 @@ void SaveCounterexample(const std::string& folder, const PropertyResult& result)
                 io::CaseToJson({*result.counterexample, result.subject, result.property}));
 }
 
+// What came of one property, and what is printed of it. Nothing of one that was not begun.
+struct Share {
+  std::optional<PropertyResult> result;
+  std::string text;
+  bool is_whole = false;
+};
+
+using Ask = std::function<void(std::size_t worker, const props::Property& property, Share& share)>;
+
+// The members of the crew share the properties. If one of them throws, `error` is that, and the
+// shares end with what it found up to there.
+std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, const Ask& ask,
+                            std::exception_ptr& error) {
+  std::vector<Share> shares(properties.size());
+  const int jobs = static_cast<int>(crew.size());
+  const std::vector<std::size_t> order = OrderOfWork(
+      jobs, properties.size(), [&](std::size_t k) { return properties[k]->takes_long; });
+  try {
+    ShareWork(jobs, order, [&](std::size_t worker, std::size_t k) {
+      if (!Interrupted()) ask(worker, *properties[k], shares[k]);
+      shares[k].is_whole = true;
+    });
+  } catch (...) {  // thrown again once what was found is told
+    error = std::current_exception();
+    const auto failed = std::ranges::find(shares, false, &Share::is_whole);
+    shares.erase(std::next(failed), shares.end());
+  }
+  return shares;
+}
+
 // One property on generated cases, its progress told.
 PropertyResult Campaign(Subject& subject, const props::Property& property,
-                        const CheckOptions& options, Progress& progress, props::Pace& pace) {
+                        const CheckOptions& options, Progress& progress, std::size_t worker,
+                        props::Pace& pace) {
   const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
-  progress.Stage(stage, options.campaign.cases);
+  progress.Stage(stage, options.campaign.cases, worker);
   props::CampaignOptions campaign;
+  campaign.batch = options.batch;
   campaign.seed = options.campaign.seed;
   campaign.cases = options.campaign.cases;
   campaign.seconds = options.campaign.seconds;
   campaign.time_limit = TimeLimitOf(subject);
-  campaign.progress = [&](std::uint64_t done) { progress.Done(done); };
+  if (IsOutside(subject.Info().name)) {
+    campaign.afresh = [&] { return MakeSubject(subject.Info().name, options.profile); };
+  }
+  campaign.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
   campaign.shrinking = [&](std::uint64_t evaluations) {
-    if (evaluations == 0) progress.Stage(stage + ": shrinking what failed", campaign.shrink_budget);
-    progress.Done(evaluations);
+    if (evaluations == 0) {
+      progress.Stage(stage + ": shrinking what failed", campaign.shrink_budget, worker);
+    }
+    progress.Done(evaluations, worker);
   };
   campaign.stop = Interrupted;
   campaign.pace = &pace;
-  return props::RunCampaign(subject, property, campaign);
+  PropertyResult result = props::RunCampaign(subject, property, campaign);
+  progress.Stage("", 0, worker);
+  return result;
+}
+
+bool WasNotAsked(const PropertyResult& result) {
+  return result.outcome == Outcome::kNotApplicable && !result.counterexample;
+}
+
+// What came of a claim on generated cases, as it is printed.
+void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
+  const PropertyResult& result = *share.result;
+  if (WasNotAsked(result)) return;
+  share.text = ResultLine(result);
+  if (!result.counterexample || !result.verdict) return;
+  CaseChoice choice;
+  choice.subject = result.subject;
+  choice.property = result.property;
+  choice.profile = options.profile;
+  choice.name = result.failing_case;
+  share.text += FailureText(subject, result.property, *result.counterexample, *result.verdict,
+                            CommandFor("replay", choice), /*colour=*/false);
+  if (!options.save.empty()) SaveCounterexample(options.save, result);
 }
 
 // A run in which no claim of the contract was put to the test is no pass, whatever else holds.
-std::string ContractText(const Subject& subject, std::span<const PropertyResult> results,
+std::string ContractText(const SubjectInfo& subject, std::span<const PropertyResult> results,
                          Tally& tally) {
-  const props::ContractEvidence evidence = props::EvidenceOfContract(subject.Info(), results);
+  const props::ContractEvidence evidence = props::EvidenceOfContract(subject, results);
   if (evidence.is_exercised) return "";
   tally.Count(Outcome::kInconclusive, 0);
   return fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
-                     OutcomeName(Outcome::kInconclusive), subject.Info().name, evidence.why);
+                     OutcomeName(Outcome::kInconclusive), subject.name, evidence.why);
 }
 
-void CheckGenerated(Subject& subject, const CheckOptions& options, Progress& progress,
-                    std::string& text, Tally& tally) {
-  const std::string& name = subject.Info().name;
+// What is printed of the shares, in their order; what was found goes to `results`.
+std::string TextOf(const std::vector<Share>& shares, const std::string& subject,
+                   const std::string& of, std::vector<PropertyResult>& results, Tally& tally) {
+  std::string text;
   NotAsked not_asked;
-  props::Pace pace;
-  std::vector<PropertyResult> results;
-  for (const props::Property* property : ChosenProperties(options)) {
-    if (Interrupted()) break;
-    const PropertyResult& result =
-        results.emplace_back(Campaign(subject, *property, options, progress, pace));
+  for (const Share& share : shares) {
+    if (!share.result) continue;  // an interrupt kept it from being begun
+    const PropertyResult& result = results.emplace_back(*share.result);
     tally.Count(result.outcome, result.cases);
-    if (result.outcome == Outcome::kNotApplicable && !result.counterexample) {
-      not_asked.Add(result.message, property->name);
-      continue;
-    }
-    text += ResultLine(result);
-    if (!result.counterexample || !result.verdict) continue;
-    CaseChoice choice;
-    choice.subject = name;
-    choice.property = property->name;
-    choice.profile = options.profile;
-    choice.name = result.failing_case;
-    text += FailureText(subject, result.property, *result.counterexample, *result.verdict,
-                        CommandFor("replay", choice), /*colour=*/false);
-    if (!options.save.empty()) SaveCounterexample(options.save, result);
+    text += share.text;
+    if (WasNotAsked(result)) not_asked.Add(result.message, result.property);
   }
-  text += not_asked.Lines(name, "");
-  if (options.properties.empty() && !Interrupted()) text += ContractText(subject, results, tally);
+  return text + not_asked.Lines(subject, of);
+}
+
+void CheckGenerated(Crew& crew, const CheckOptions& options, Progress& progress, std::string& text,
+                    Tally& tally) {
+  const Properties properties = ChosenProperties(options);
+  props::Pace pace;
+  std::exception_ptr error;
+  const std::vector<Share> shares = ShareOut(
+      crew, properties,
+      [&](std::size_t worker, const props::Property& property, Share& share) {
+        Subject& subject = crew.Of(worker);
+        share.result = Campaign(subject, property, options, progress, worker, pace);
+        TellOf(subject, options, share);
+      },
+      error);
+  std::vector<PropertyResult> results;
+  text += TextOf(shares, crew.Of(0).Info().name, "", results, tally);
+  if (error) std::rethrow_exception(error);
+  if (options.properties.empty() && !Interrupted()) {
+    text += ContractText(crew.Of(0).Info(), results, tally);
+  }
 }
 
 // The cases that the user names, by files or by their own names.
@@ -203,49 +276,61 @@ Case LoadGiven(const Subject& subject, const CaseChoice& choice) {
   return given;
 }
 
-void CheckGiven(Subject& subject, const CheckOptions& options, Progress& progress,
-                std::string& text, Tally& tally) {
+// One property on one given case.
+void AskOfGiven(Subject& subject, const props::Property& property, CaseChoice choice,
+                const Case& given, const CheckOptions& options, Share& share) {
   const std::string& name = subject.Info().name;
+  const std::string& of = choice.path.empty() ? choice.name : choice.path;
+  const Verdict verdict = props::RunCase(subject, property, given);
+  PropertyResult& result = share.result.emplace();
+  result.property = property.name;
+  result.outcome = verdict.outcome;
+  result.cases = 1;
+  result.exercised = verdict.exercised;
+  result.message = verdict.message;
+  if (WasNotAsked(result)) return;
+  share.text = fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}\n",
+                           OutcomeName(verdict.outcome), name, property.name, of, verdict.exercised,
+                           NotJudgedText(verdict.not_judged), verdict.message.empty() ? "" : "; ",
+                           report::CleanText(verdict.message));
+  if (verdict.outcome != Outcome::kViolated) return;
+  choice.subject = name;
+  choice.property = property.name;
+  choice.profile = options.profile;
+  share.text += FailureText(subject, result.property, given, verdict, CommandFor("replay", choice),
+                            /*colour=*/false);
+}
+
+void CheckGiven(Crew& crew, const CheckOptions& options, Progress& progress, std::string& text,
+                Tally& tally) {
+  const std::string name = crew.Of(0).Info().name;
+  const Properties properties = ChosenProperties(options);
   std::vector<PropertyResult> results;
-  for (CaseChoice choice : GivenCases(options)) {
-    NotAsked not_asked;
-    const Case given = LoadGiven(subject, choice);
+  for (const CaseChoice& choice : GivenCases(options)) {
+    const Case given = LoadGiven(crew.Of(0), choice);
     const std::string of = choice.path.empty() ? choice.name : choice.path;
-    for (const props::Property* property : ChosenProperties(options)) {
-      if (Interrupted()) break;
-      progress.Stage(fmt::format("{} {} on {}", name, property->name, of));
-      const Verdict verdict = props::RunCase(subject, *property, given);
-      tally.Count(verdict.outcome, 1);
-      PropertyResult& result = results.emplace_back();
-      result.property = property->name;
-      result.outcome = verdict.outcome;
-      result.exercised = verdict.exercised;
-      result.message = verdict.message;
-      if (verdict.outcome == Outcome::kNotApplicable) {
-        not_asked.Add(verdict.message, property->name);
-        continue;
-      }
-      text += fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}\n",
-                          OutcomeName(verdict.outcome), name, property->name, of, verdict.exercised,
-                          NotJudgedText(verdict.not_judged), verdict.message.empty() ? "" : "; ",
-                          report::CleanText(verdict.message));
-      if (verdict.outcome != Outcome::kViolated) continue;
-      choice.subject = name;
-      choice.property = property->name;
-      choice.profile = options.profile;
-      text += FailureText(subject, std::string(property->name), given, verdict,
-                          CommandFor("replay", choice), /*colour=*/false);
-    }
-    text += not_asked.Lines(name, of + ": ");
+    std::exception_ptr error;
+    const std::vector<Share> shares = ShareOut(
+        crew, properties,
+        [&](std::size_t worker, const props::Property& property, Share& share) {
+          progress.Stage(fmt::format("{} {} on {}", name, property.name, of), 0, worker);
+          AskOfGiven(crew.Of(worker), property, choice, given, options, share);
+          progress.Stage("", 0, worker);
+        },
+        error);
+    text += TextOf(shares, name, of + ": ", results, tally);
+    if (error) std::rethrow_exception(error);
   }
-  if (options.properties.empty() && !Interrupted()) text += ContractText(subject, results, tally);
+  if (options.properties.empty() && !Interrupted()) {
+    text += ContractText(crew.Of(0).Info(), results, tally);
+  }
 }
 
 // What finds out more about a subject of the user's own that does not draw as it promises.
-std::string Hint(const Subject& subject, const Tally& tally, const std::string& profile) {
-  if (tally.Of(Outcome::kViolated) == 0 || !IsOutside(subject.Info().name)) return "";
+std::string Hint(const std::string& subject, const Tally& tally, const std::string& profile) {
+  if (tally.Of(Outcome::kViolated) == 0 || !IsOutside(subject)) return "";
   CaseChoice choice;
-  choice.subject = subject.Info().name;
+  choice.subject = subject;
   choice.profile = profile;
   return fmt::format("what profile it does follow: {}\n", CommandFor("infer", choice));
 }
@@ -262,22 +347,25 @@ int RunCheck(const CheckOptions& options) {
     SayOfPreset(subjects.back()->Info().profile);
   }
   int status = kExitHolds;
-  for (const std::unique_ptr<Subject>& subject : subjects) {
+  for (std::unique_ptr<Subject>& subject : subjects) {
     if (Interrupted()) break;
+    const std::string name = subject->Info().name;
+    Crew crew(options.jobs, [&](std::size_t) { return MakeSubject(name, options.profile); });
+    crew.Give(std::move(subject));
     std::string text;
     Tally own;
     try {
-      Progress progress;
+      Progress progress(crew.size());
       if (options.scenes.empty() && options.named.empty()) {
-        CheckGenerated(*subject, options, progress, text, own);
+        CheckGenerated(crew, options, progress, text, own);
       } else {
-        CheckGiven(*subject, options, progress, text, own);
+        CheckGiven(crew, options, progress, text, own);
       }
     } catch (...) {
       io::WriteStandardOutput(text);  // what was found before is so all the same
       throw;
     }
-    text += own.Line(subject->Info().name) + Hint(*subject, own, options.profile);
+    text += own.Line(name) + Hint(name, own, options.profile);
     status = WorseStatus(status, own.ExitStatus());
     io::WriteStandardOutput(text);
   }

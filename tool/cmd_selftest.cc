@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@
 #include "tool/progress.h"
 #include "tool/selftest.h"
 #include "tool/session.h"
+#include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -38,15 +40,38 @@ std::vector<subjects::MutantInfo> Chosen(const std::vector<std::string>& only) {
   return only.empty() ? subjects::Mutants() : chosen;
 }
 
-HuntResult HuntOne(const subjects::MutantInfo& mutant, std::uint64_t seed, std::uint64_t cases,
-                   Progress& progress) {
-  progress.Stage(fmt::format("{}, seed {}, cases", mutant.name, seed));
+// One hunt, a subject's own.
+struct Task {
+  const subjects::MutantInfo& mutant;
+  std::uint64_t seed;
+  std::uint64_t cases;
+};
+
+std::vector<Task> TasksOf(const std::vector<subjects::MutantInfo>& chosen,
+                          const SelftestOptions& options, std::uint64_t legal_cases) {
+  std::vector<Task> tasks;
+  for (const subjects::MutantInfo& mutant : chosen) {
+    if (!mutant.legal) {
+      tasks.push_back({mutant, options.seed, options.cases});
+      continue;
+    }
+    for (std::uint64_t k = 0; k < kLegalSeeds; ++k) {
+      tasks.push_back({mutant, options.seed + k, legal_cases});
+    }
+  }
+  return tasks;
+}
+
+HuntResult HuntOne(const Task& task, Progress& progress, std::size_t worker) {
+  progress.Stage(fmt::format("{}, seed {}, cases", task.mutant.name, task.seed), 0, worker);
   HuntOptions options;
-  options.seed = seed;
-  options.cases = cases;
-  options.progress = [&](std::uint64_t done) { progress.Done(done); };
-  const std::unique_ptr<Subject> subject = MakeSubject(mutant.name);
-  return {mutant, seed, HuntBug(*subject, options)};
+  options.seed = task.seed;
+  options.cases = task.cases;
+  options.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
+  const std::unique_ptr<Subject> subject = MakeSubject(task.mutant.name);
+  HuntResult result{task.mutant, task.seed, HuntBug(*subject, options)};
+  progress.Stage("", 0, worker);
+  return result;
 }
 
 }  // namespace
@@ -56,18 +81,16 @@ int RunSelftest(const SelftestOptions& options) {
   const std::vector<subjects::MutantInfo> chosen = Chosen(options.only);
   const Clock::time_point start = Clock::now();
   const std::uint64_t legal_cases = std::max<std::uint64_t>(1, options.cases / kLegalShare);
-  std::vector<HuntResult> results;
+  const std::vector<Task> tasks = TasksOf(chosen, options, legal_cases);
+  std::vector<HuntResult> results(tasks.size());
   {
-    Progress progress;
-    for (const subjects::MutantInfo& mutant : chosen) {
-      if (!mutant.legal) {
-        results.push_back(HuntOne(mutant, options.seed, options.cases, progress));
-        continue;
-      }
-      for (std::uint64_t k = 0; k < kLegalSeeds; ++k) {
-        results.push_back(HuntOne(mutant, options.seed + k, legal_cases, progress));
-      }
-    }
+    Progress progress(static_cast<std::size_t>(options.jobs));
+    // A variant runs to its end, which takes longer than to find a bug.
+    const std::vector<std::size_t> order = OrderOfWork(
+        options.jobs, tasks.size(), [&](std::size_t k) { return tasks[k].mutant.legal; });
+    ShareWork(options.jobs, order, [&](std::size_t worker, std::size_t k) {
+      results[k] = HuntOne(tasks[k], progress, worker);
+    });
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   io::WriteStandardOutput(SelftestText(results, options.cases, legal_cases, seconds));

@@ -10,7 +10,6 @@
 #include <functional>
 #include <iostream>
 #include <new>
-#include <random>
 #include <string>
 
 #include "CLI/CLI.hpp"
@@ -23,26 +22,11 @@
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/shell.h"
+#include "tool/typed_number.h"
+#include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
-
-// "random", or a number that is what it says.
-std::uint64_t ParseSeed(const std::string& text) {
-  if (text == "random") {
-    std::random_device device;
-    const std::uint64_t seed = (std::uint64_t{device()} << 32) | device();
-    Tell(fmt::format("seed {}\n", seed));
-    return seed;
-  }
-  std::size_t used = 0;
-  try {
-    const std::uint64_t seed = std::stoull(text, &used, 0);
-    if (used == text.size() && !text.starts_with('-')) return seed;
-  } catch (const std::exception&) {  // reported below, with the same words
-  }
-  throw InputError("--seed " + text, "not a seed", "give an integer of 0 to 2^64 - 1, or 'random'");
-}
 
 CLI::Validator Positive() {
   const auto check = [](const std::string& text) {
@@ -125,6 +109,21 @@ void AddCampaign(CLI::App* app, CampaignChoice& campaign) {
   app->add_option("--seconds", campaign.seconds, "Most seconds a property (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+}
+
+void AddCount(CLI::App* app, const std::string& option, const std::string& help, int most,
+              const std::function<void(int)>& take, int usual) {
+  const auto parse = [=](const std::string& text) { take(ParseCount(option, text, most)); };
+  app->add_option_function<std::string>(option, parse, help)
+      ->type_name("COUNT")
+      ->default_str(std::to_string(usual));
+}
+
+void AddJobs(CLI::App* app, int& jobs, const std::string& what) {
+  jobs = DefaultJobs();
+  AddCount(
+      app, "--jobs", what + " at once (default: as many as there are cores)", kMostJobs,
+      [&jobs](int count) { jobs = count; }, jobs);
 }
 
 constexpr std::string_view kCaseHelp = "Drawn case, by its name DOMAIN:INDEX@SEED (near-edge:17@1)";
@@ -220,6 +219,11 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_option("--save", options.save, "Folder for shrunken counterexamples");
   AddCampaign(verb, options.campaign);
+  AddJobs(verb, options.jobs, "Properties");
+  AddCount(
+      verb, "--batch", "Cases whose draws share calls, of a subject outside", kMostInABatch,
+      [](int count) { options.batch = static_cast<std::size_t>(count); },
+      static_cast<int>(options.batch));
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunCheck(options); }); }; });
 }
@@ -238,6 +242,7 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
   AddCampaign(verb, options.campaign);
+  AddJobs(verb, options.jobs, "Properties or scenes");
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });
 }
@@ -350,6 +355,7 @@ void AddSelftest(CLI::App& app, Run& run) {
       ->capture_default_str();
   verb->add_option("--only", options.only, "Mutants and legal variants (default: all)");
   verb->add_option("--json", options.json, "Result as JSON");
+  AddJobs(verb, options.jobs, "Mutants or legal variants");
   verb->callback([&run] { run = [] { return RunSelftest(options); }; });
 }
 

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_TOOL_COMMANDS_H_
 #define RASTERPROOF_TOOL_COMMANDS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -70,7 +71,9 @@ struct CheckOptions {
   std::vector<std::string> named;   ///< drawn cases, by their names; no scenes either: a campaign
   std::string profile;              ///< judge by this one instead of the subject's own
   CampaignChoice campaign;
-  std::string save;  ///< folder for counterexamples
+  std::size_t batch = 32;  ///< cases whose draws share calls
+  std::string save;        ///< folder for counterexamples
+  int jobs = 1;            ///< properties at once
 };
 int RunCheck(const CheckOptions& options);
 
@@ -81,6 +84,7 @@ struct CertifyOptions {
   std::string output = "out";
   CampaignChoice campaign;
   std::string command;  ///< the command line, for the record
+  int jobs = 1;         ///< properties or scenes at once
 };
 int RunCertify(const CertifyOptions& options);
 
@@ -171,6 +175,7 @@ struct SelftestOptions {
   std::uint64_t seed = 1;
   std::uint64_t cases = 1000;  ///< most cases a property
   std::string json;
+  int jobs = 1;  ///< mutants and variants at once
 };
 int RunSelftest(const SelftestOptions& options);
 

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "fmt/format.h"
 
@@ -28,8 +31,8 @@ void Tell(const std::string& text) noexcept {
   }
 }
 
-Progress::Progress()
-    : terminal_(isatty(STDERR_FILENO) == 1), began_(Clock::now()), thread_([this] { Loop(); }) {}
+Progress::Progress(std::size_t workers)
+    : terminal_(isatty(STDERR_FILENO) == 1), workers_(workers), thread_([this] { Loop(); }) {}
 
 Progress::~Progress() {
   {
@@ -38,26 +41,23 @@ Progress::~Progress() {
   }
   wake_.notify_all();
   thread_.join();
-  Show(/*final=*/true);
+  Wipe();
 }
 
-void Progress::Stage(const std::string& name, std::uint64_t total) {
+void Progress::Stage(const std::string& name, std::uint64_t total, std::size_t worker) {
   const std::lock_guard lock(mutex_);
-  Show(/*final=*/true);
-  stage_ = name;
-  total_ = total;
-  done_ = 0;
-  began_ = Clock::now();
+  Wipe();
+  workers_[worker] = {name, total, 0, Clock::now()};
 }
 
-void Progress::Done(std::uint64_t steps) {
+void Progress::Done(std::uint64_t steps, std::size_t worker) {
   const std::lock_guard lock(mutex_);
-  done_ = steps;
+  workers_[worker].done = steps;
 }
 
 void Progress::Say(const std::string& line) {
   const std::lock_guard lock(mutex_);
-  Show(/*final=*/true);
+  Wipe();
   Tell(line + "\n");
 }
 
@@ -69,28 +69,37 @@ void Progress::Loop() {
     } else {
       wake_.wait_for(lock, kLineInterval);
     }
-    if (!stop_ && !stage_.empty()) Show(/*final=*/false);
+    if (!stop_) Show();
   }
 }
 
 // On a terminal the bar is redrawn in place and wiped at the end; elsewhere only what lasts is
 // printed.
-void Progress::Show(bool final) {
-  if (final) {
-    if (terminal_ && !stage_.empty()) Tell("\r\033[K");
-    return;
-  }
-  const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+void Progress::Wipe() {
+  if (terminal_) Tell("\r\033[K");
+}
+
+void Progress::Show() {
+  const auto is_idle = [](const Work& work) { return work.stage.empty(); };
+  const auto idle = std::ranges::count_if(workers_, is_idle);
+  const auto others = std::ssize(workers_) - idle - 1;
+  if (others < 0) return;
+  const Work& work = *std::ranges::min_element(
+      workers_, {}, [&](const Work& each) { return std::pair(is_idle(each), each.began); });
+  const std::string more = others == 0 ? "" : fmt::format("; {} more at work", others);
+  const std::string total = work.total == 0 ? "" : std::to_string(work.total);
   if (!terminal_) {
-    Tell(fmt::format("  {}: {}{} after {:.0f} s\n", stage_, done_,
-                     total_ != 0 ? fmt::format(" of {}", total_) : "", seconds));
+    const double seconds = std::chrono::duration<double>(Clock::now() - work.began).count();
+    Tell(fmt::format("  {}: {}{} after {:.0f} s{}\n", work.stage, work.done,
+                     total.empty() ? "" : " of " + total, seconds, more));
     return;
   }
   constexpr std::uint64_t kWidth = 30;
-  const std::uint64_t filled = total_ == 0 ? 0 : std::min(kWidth, kWidth * done_ / total_);
-  Tell(fmt::format("\r\033[K{} [{}{}] {}{}", stage_, std::string(filled, '#'),
-                   std::string(kWidth - filled, '.'), done_,
-                   total_ != 0 ? fmt::format("/{}", total_) : ""));
+  const std::uint64_t filled =
+      work.total == 0 ? 0 : std::min(kWidth, kWidth * work.done / work.total);
+  Tell(fmt::format("\r\033[K{} [{}{}] {}{}{}", work.stage, std::string(filled, '#'),
+                   std::string(kWidth - filled, '.'), work.done, total.empty() ? "" : "/" + total,
+                   more));
 }
 
 }  // namespace rasterproof::tool

@@ -4,10 +4,12 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace rasterproof::tool {
 
@@ -15,31 +17,37 @@ namespace rasterproof::tool {
 void Tell(const std::string& text) noexcept;
 
 /// Says what is being done. A thread of its own repeats it, so that a long step is never silent.
+/// Of several workers it shows the one whose stage began first, and how many others there are.
 class Progress {
  public:
-  Progress();
+  explicit Progress(std::size_t workers = 1);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Begins a stage of `total` steps (0: unknown).
-  void Stage(const std::string& name, std::uint64_t total = 0);
-  void Done(std::uint64_t steps);
+  /// The worker begins a stage of `total` steps (0: unknown); without a name it does nothing.
+  void Stage(const std::string& name, std::uint64_t total = 0, std::size_t worker = 0);
+  void Done(std::uint64_t steps, std::size_t worker = 0);
   /// Prints a line of its own.
   void Say(const std::string& line);
 
  private:
+  struct Work {
+    std::string stage;
+    std::uint64_t total = 0;
+    std::uint64_t done = 0;
+    std::chrono::steady_clock::time_point began;
+  };
+
   void Loop();
-  void Show(bool final);
+  void Show();
+  void Wipe();
 
   const bool terminal_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stop_ = false;
-  std::string stage_;
-  std::uint64_t total_ = 0;
-  std::uint64_t done_ = 0;
-  std::chrono::steady_clock::time_point began_;
+  std::vector<Work> workers_;
   std::thread thread_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
+#include <optional>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -11,15 +13,16 @@ namespace {
 
 class Queue {
  public:
-  Queue(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work)
-      : count_(count), work_(work) {}
+  Queue(std::span<const std::size_t> order,
+        const std::function<void(std::size_t, std::size_t)>& work)
+      : order_(order), work_(work) {}
 
   void Serve(std::size_t worker) {
-    for (std::size_t i = Next(); i < count_; i = Next()) {
+    while (const std::optional<std::size_t> i = Next()) {
       try {
-        work_(worker, i);
-      } catch (...) {
-        Failed(i, std::current_exception());
+        work_(worker, *i);
+      } catch (...) {  // whatever it is, it is thrown again below
+        Failed(*i, std::current_exception());
       }
     }
   }
@@ -29,9 +32,13 @@ class Queue {
   }
 
  private:
-  std::size_t Next() {
+  std::optional<std::size_t> Next() {
     const std::lock_guard lock(mutex_);
-    return error_ == nullptr && next_ < count_ ? next_++ : count_;
+    while (next_ < order_.size()) {
+      const std::size_t i = order_[next_++];
+      if (error_ == nullptr || i < failed_) return i;
+    }
+    return std::nullopt;
   }
 
   void Failed(std::size_t i, std::exception_ptr error) {
@@ -41,7 +48,7 @@ class Queue {
     error_ = std::move(error);
   }
 
-  const std::size_t count_;
+  const std::span<const std::size_t> order_;
   const std::function<void(std::size_t, std::size_t)>& work_;
   std::mutex mutex_;
   std::size_t next_ = 0;
@@ -51,20 +58,47 @@ class Queue {
 
 }  // namespace
 
-int DefaultJobs() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int DefaultJobs() {
+  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, unsigned{kMostJobs}));
+}
 
-void ShareWork(int jobs, std::size_t count,
+std::vector<std::size_t> OrderOfWork(int jobs, std::size_t count,
+                                     const std::function<bool(std::size_t)>& takes_long) {
+  std::vector<std::size_t> order;
+  for (const bool is_long : {true, false}) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if ((jobs > 1 && takes_long(i)) == is_long) order.push_back(i);
+    }
+  }
+  return order;
+}
+
+void ShareWork(int jobs, std::span<const std::size_t> order,
                const std::function<void(std::size_t worker, std::size_t i)>& work) {
-  Queue queue(count, work);
-  const std::size_t workers = std::min(static_cast<std::size_t>(jobs), count);
+  Queue queue(order, work);
+  const std::size_t workers = std::min(static_cast<std::size_t>(jobs), order.size());
   {
     std::vector<std::jthread> threads;
     for (std::size_t w = 1; w < workers; ++w) {
-      threads.emplace_back([&queue, w] { queue.Serve(w); });
+      try {
+        threads.emplace_back([&queue, w] { queue.Serve(w); });
+      } catch (const std::system_error&) {
+        break;  // the machine gives no more: fewer do the same
+      }
     }
     queue.Serve(0);
   }
   queue.Rethrow();
+}
+
+Subject& Crew::Of(std::size_t worker, std::size_t subject) {
+  Member& member = members_[worker];
+  if (member.subject == nullptr || member.number != subject) {
+    member.subject = nullptr;  // its process ends before the next one begins
+    member.subject = make_(subject);
+    member.number = subject;
+  }
+  return *member.subject;
 }
 
 }  // namespace rasterproof::tool

@@ -31,6 +31,8 @@ class Budget {
   void GiveSubject(double seconds);
   /// From here on the subject has what is left of the run.
   void GiveSubjectAll();
+  /// Another one has what is left of the run.
+  void GiveAll(Subject& other) const { other.SetDeadline(end_); }
 
  private:
   Clock::time_point In(double seconds) const;

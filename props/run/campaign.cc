@@ -25,8 +25,6 @@ namespace rasterproof::props {
 namespace {
 
 constexpr std::uint64_t kCasesPerProgress = 16;
-// Cases that are run together; the draws of one block share calls.
-constexpr std::size_t kCasesInABlock = 32;
 // A subject outside that takes so long over a case is slow.
 constexpr double kSlowSeconds = 1;
 
@@ -92,7 +90,7 @@ class Campaign {
   }
 
   Block DrawBlock(std::uint64_t done) const {
-    const std::size_t most = GoOneByOne() && !pace_.is_slow ? 1 : kCasesInABlock;
+    const std::size_t most = GoOneByOne() && !pace_.is_slow ? 1 : options_.batch;
     std::vector<std::pair<std::uint64_t, Case>> drawn;
     for (std::uint64_t n = done; n < std::min<std::uint64_t>(done + most, options_.cases); ++n) {
       const std::uint64_t index = options_.first_case + n;

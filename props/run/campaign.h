@@ -2,9 +2,12 @@
 #ifndef RASTERPROOF_PROPS_RUN_CAMPAIGN_H_
 #define RASTERPROOF_PROPS_RUN_CAMPAIGN_H_
 
+#include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 
 #include "core/case.h"
 #include "core/result.h"
@@ -16,11 +19,12 @@ namespace rasterproof::props {
 
 inline constexpr std::uint64_t kDefaultSeed = 1;
 inline constexpr std::uint64_t kDefaultCases = 1000;
+inline constexpr std::size_t kDefaultBatch = 32;
 
-/// What earlier runs saw of a subject's pace.
+/// What other runs saw of a subject's pace. Threads may share it.
 struct Pace {
-  bool is_slow = false;  ///< small cases come first
-  bool hangs = false;    ///< no case gets more than one time limit in all
+  std::atomic<bool> is_slow = false;  ///< small cases come first
+  std::atomic<bool> hangs = false;    ///< no case gets more than one time limit in all
 };
 
 struct CampaignOptions {
@@ -28,6 +32,9 @@ struct CampaignOptions {
   /// Cases in all, spread evenly over the property's domains: NameOfCase says which they are.
   std::uint64_t cases = kDefaultCases;
   std::uint64_t first_case = 0;  ///< for shards and replays
+  /// Cases whose draws share calls, where the subject takes that; at least 1. What is found of a
+  /// subject whose draws depend on nothing but the scene is the same for every number.
+  std::size_t batch = kDefaultBatch;
   /// Stop after this long, within a case or while shrinking as well if the subject can be stopped;
   /// 0: no limit.
   double seconds = 0;
@@ -44,6 +51,9 @@ struct CampaignOptions {
   std::function<bool()> stop = {};
   /// Read and kept up to date, if there is one: for runs of several properties on one subject.
   Pace* pace = nullptr;
+  /// Makes the subject anew, in a process of its own: what failed is judged again by one that has
+  /// drawn nothing else, as whoever replays it will. Empty: by the subject itself.
+  std::function<std::unique_ptr<Subject>()> afresh = {};
   /// The clock, for tests. Empty: std::chrono::steady_clock.
   std::function<std::chrono::steady_clock::time_point()> now = {};
 };

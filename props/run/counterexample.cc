@@ -1,8 +1,11 @@
 #include "props/run/counterexample.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
+#include "core/error.h"
+#include "core/subject_errors.h"
 #include "props/run/look_ahead.h"
 #include "props/shrink/shrink.h"
 
@@ -35,6 +38,29 @@ Counterexample Violated(const Case& c, const Verdict& verdict) {
   return {c, verdict, Outcome::kViolated, verdict.message, 0};
 }
 
+// The subject, made anew if it can be; if not, or if the run is stopped meanwhile, as it is.
+class Afresh {
+ public:
+  Afresh(Subject& subject, const CampaignOptions& options, const Budget& budget)
+      : subject_(subject) {
+    if (!options.afresh || budget.IsStopped()) return;
+    try {
+      made_ = options.afresh();
+    } catch (const InputError&) {
+      return;
+    } catch (const SubjectTooSlow&) {
+      return;
+    }
+    budget.GiveAll(*made_);
+  }
+
+  Subject& Get() const { return made_ == nullptr ? subject_ : *made_; }
+
+ private:
+  Subject& subject_;
+  std::unique_ptr<Subject> made_;
+};
+
 // Judges smaller and smaller cases, as long as it may.
 class Shrinking {
  public:
@@ -56,7 +82,8 @@ class Shrinking {
 
   /// The case that failed in company.
   Verdict JudgeAlone(const Case& c) {
-    return hung_ ? JudgeInOneLimit(c) : TryCase(subject_, property_, c).verdict;
+    if (hung_) return JudgeInOneLimit(c);
+    return TryCase(Afresh(subject_, options_, budget_).Get(), property_, c).verdict;
   }
 
   Case Smallest(const Case& failing) {
@@ -151,11 +178,14 @@ Counterexample InCompany(Subject& subject, const Property& property, const Failu
 
 // The smallest case once more; and if that was luck, the one that failed first.
 Counterexample Confirmed(Subject& subject, const Property& property, const Case& smallest,
-                         const Verdict& seen, const Failure& failure) {
-  Counterexample found = RunOnceMore(subject, property, smallest, seen);
+                         const Verdict& seen, const Failure& failure,
+                         const CampaignOptions& options, const Budget& budget) {
+  Counterexample found =
+      RunOnceMore(Afresh(subject, options, budget).Get(), property, smallest, seen);
   const Case& failing = failure.company[failure.at];
   if (found.outcome == Outcome::kViolated || smallest == failing) return found;
-  Counterexample first = RunOnceMore(subject, property, failing, failure.trial.verdict);
+  Counterexample first =
+      RunOnceMore(Afresh(subject, options, budget).Get(), property, failing, failure.trial.verdict);
   if (first.outcome != Outcome::kViolated) return found;
   first.message += "; smaller cases fail only now and then";
   return first;
@@ -182,7 +212,10 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
   const Case& failing = failure.company[failure.at];
   Shrinking shrinking(subject, property, options, budget, failure);
   if (options.shrinking) options.shrinking(0);
-  if (failure.company.size() > 1 && MayGoOn(budget)) {
+  // Earlier draws are company as well. Whoever breaks down is on a fresh process already.
+  const bool may_be_company =
+      options.afresh && !property.is_about_sequence && !failure.trial.broke_down;
+  if ((failure.company.size() > 1 || may_be_company) && MayGoOn(budget)) {
     const Verdict alone = shrinking.JudgeAlone(failing);
     const bool could_be_judged = alone.outcome != Outcome::kInconclusive;
     if (alone.outcome != Outcome::kViolated && could_be_judged && !budget.IsStopped()) {
@@ -193,7 +226,7 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
   Counterexample found = Violated(smallest, shrinking.Last());
   // What hung once would cost a time limit each time.
   if (!shrinking.Hung() && MayGoOn(budget)) {
-    found = Confirmed(subject, property, smallest, shrinking.Last(), failure);
+    found = Confirmed(subject, property, smallest, shrinking.Last(), failure, options, budget);
   }
   found.evaluations = shrinking.evaluations();
   if (shrinking.Hung() && shrinking.hangs() > 0) {

@@ -45,7 +45,9 @@ struct Failure {
   Trial trial;
 };
 
-/// Judges the case alone, shrinks it and runs the smallest one once more.
+/// Judges the case alone, shrinks it and runs the smallest one once more. The first and the last of
+/// these are put to a subject made anew if the options make one: what a subject remembers of other
+/// draws is company as well.
 ///
 /// An evaluation gets one time limit in all, which is no time to prove that a case hangs, and
 /// shrinking ends behind kMostHangs that took it; what hung hangs again if it has no answer then.

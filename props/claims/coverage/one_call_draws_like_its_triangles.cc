@@ -112,6 +112,7 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
         "others, is what calls with each alone add up to.",
     .tolerance = kExact,
     .domains = kMeshes,
+    .takes_long = true,
     .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},
     .ask = Ask,
 };

@@ -23,6 +23,7 @@ constinit const Property kLongWalkStaysWithinItsBound{
         "bound at most.",
     .tolerance = kWalkBounds,
     .domains = kLongWalks,
+    .takes_long = true,
     .gate = kAsksSteps,
     .ask = Ask,
 };

@@ -100,12 +100,19 @@ static void show(const triangle* t, int32_t index, const int64_t e[3],
   }
 }
 
+#if defined(FAULT_EVERY_THIRD)
+static int is_third = 0;
+#endif
+
 static void draw_triangle(const triangle* t, int32_t index, const rasterproof_scene* scene,
                           const rasterproof_target* target) {
   const int32_t* cut = scene->scissor;
 #if defined(FAULT_SCISSOR)
   const int32_t whole[4] = {0, 0, scene->width, scene->height};
   cut = whole;
+#elif defined(FAULT_EVERY_THIRD)
+  const int32_t below[4] = {cut[0], cut[1] > 0 ? cut[1] : 1, cut[2], cut[3]};
+  if (is_third) cut = below;
 #endif
   for (int32_t row = cut[1]; row < cut[3]; ++row) {
     for (int32_t i = cut[0]; i < cut[2]; ++i) {
@@ -140,6 +147,10 @@ static int set_up(const rasterproof_scene* scene, size_t index, triangle* t) {
 
 static int32_t draw(void* state, const rasterproof_scene* scene, const rasterproof_target* target) {
   (void)state;
+#if defined(FAULT_EVERY_THIRD)
+  static int draws = 0;
+  is_third = ++draws % 3 == 0;
+#endif
 #if defined(FAULT_CRASHES_THIRD)
   static int calls = 0;
   if (++calls % 3 == 0) abort();

@@ -1,0 +1,42 @@
+#include "tool/typed_number.h"
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <random>
+#include <string>
+#include <system_error>
+
+#include "core/error.h"
+#include "fmt/format.h"
+#include "tool/progress.h"
+
+namespace rasterproof::tool {
+
+std::uint64_t ParseSeed(const std::string& text) {
+  if (text == "random") {
+    std::random_device device;
+    const std::uint64_t seed = (std::uint64_t{device()} << 32) | device();
+    Tell(fmt::format("seed {}\n", seed));
+    return seed;
+  }
+  std::size_t used = 0;
+  try {
+    const std::uint64_t seed = std::stoull(text, &used, 0);
+    if (used == text.size() && !text.starts_with('-')) return seed;
+  } catch (const std::exception&) {  // reported below, with the same words
+  }
+  throw InputError("--seed " + text, "not a seed", "give an integer of 0 to 2^64 - 1, or 'random'");
+}
+
+int ParseCount(const std::string& option, const std::string& text, int most) {
+  int count = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, count);
+  if (error == std::errc() && at == end && count >= 1 && count <= most) return count;
+  throw InputError(fmt::format("{} {}", option, text), "not a count that it takes",
+                   fmt::format("give an integer of 1 to {}", most));
+}
+
+}  // namespace rasterproof::tool

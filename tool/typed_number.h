@@ -1,0 +1,24 @@
+// Numbers as they are typed on a command line.
+#ifndef RASTERPROOF_TOOL_TYPED_NUMBER_H_
+#define RASTERPROOF_TOOL_TYPED_NUMBER_H_
+
+#include <cstdint>
+#include <string>
+
+namespace rasterproof::tool {
+
+inline constexpr int kMostInABatch = 4096;
+
+/// "random" (the one taken is told), or a number that is what it says.
+///
+/// Error:      InputError.
+std::uint64_t ParseSeed(const std::string& text);
+
+/// A number of 1 to `most` for the option.
+///
+/// Error:      InputError that names the option.
+int ParseCount(const std::string& option, const std::string& text, int most);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_TYPED_NUMBER_H_

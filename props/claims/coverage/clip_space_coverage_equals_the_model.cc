@@ -18,7 +18,7 @@ constinit const Property kClipSpaceCoverageEqualsTheModel{
     .tolerance = kExact,
     .domains = kClipSpace,
     .gate = {.space = Space::kClip, .judges_overdraw = true},
-    .ask = [](const Case& c, const Description&) { return CompareWithTheModel(c); },
+    .ask = CompareWithTheModel,
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },
 };

@@ -65,6 +65,7 @@ constinit const Property kClosedMeshCancels{
              .promise = Promise::kClosed,
              .any_model = true,
              .judges_clipped = true,
+             .needs_facings = true,
              .rules = kSignedCoverageRules},
     .ask = Ask,
 };

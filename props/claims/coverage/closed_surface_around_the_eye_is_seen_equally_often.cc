@@ -66,6 +66,7 @@ constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
     .gate = {.space = Space::kClip,
              .promise = Promise::kClosed,
              .any_model = true,
+             .needs_facings = true,
              .rules = kRules},
     .ask = Ask,
 };

@@ -70,14 +70,23 @@ Check CheckAgainstBase(
   return check;
 }
 
-Check VariationCheck(const Case& c, const Case& variation, std::string claim) {
-  Check check;
-  check.questions.draws = {CountsOf(c.scene, c.profile, WholeTarget(c)),
-                           CountsOf(variation.scene, variation.profile, WholeTarget(variation))};
-  check.judge = [&c, claim = std::move(claim)](const Answers& answers) {
-    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c), claim);
-  };
-  return check;
+Asked CompareVariations(const Case& c, const std::vector<Variation>& variations) {
+  Asked asked;
+  for (const Variation& variation : variations) {
+    Check check;
+    // The case itself is drawn once, with the first of them.
+    if (asked.checks.empty()) {
+      check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, WholeTarget(c)));
+    } else {
+      check.bases = {0};
+    }
+    check.questions.draws.push_back(WholeCallOf(variation.scene, c.profile, WholeTarget(c)));
+    check.judge = [&c, claim = variation.claim](const Answers& answers) {
+      return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c), claim);
+    };
+    asked.checks.push_back(std::move(check));
+  }
+  return asked;
 }
 
 Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {

@@ -35,11 +35,17 @@ Check CheckAgainstBase(
     DrawQuestion question,
     std::function<Verdict(const CoverageCounts& observed, const CoverageCounts& base)> judge);
 
-/// Asks for the case and for a variation of it, culling and scissor off, and holds if the counts
-/// are equal: "coverage differs from `claim`".
+/// Another scene that should cover what the case covers.
+struct Variation {
+  Scene scene;
+  std::string claim;  ///< completes "coverage differs from ..."
+};
+
+/// Asks for the case and its variations, culling and scissor off, each in one call, and holds if
+/// what they show is the same.
 ///
-/// Domain:     a case that outlives the check.
-Check VariationCheck(const Case& c, const Case& variation, std::string claim);
+/// Domain:     a case that outlives what is returned.
+Asked CompareVariations(const Case& c, const std::vector<Variation>& variations);
 
 /// The case with only the named triangles of its list.
 Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles);

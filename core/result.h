@@ -53,6 +53,9 @@ struct SceneResult {
   std::string profile;
   std::uint64_t triangles = 0;
   CoverageDifference difference;
+  /// True if whether a sample is covered was compared, not how often: the subject shows no counts,
+  /// and the scene is too large to be drawn triangle by triangle.
+  bool as_shown = false;
   bool applicable = true;
   std::string message;
   double seconds = 0;

@@ -1,8 +1,11 @@
 #include "exact/coverage.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
@@ -16,6 +19,7 @@
 #include "exact/sample_scan.h"
 #include "exact/snap_clip.h"
 #include "exact/spans.h"
+#include "exact/winners.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
 
@@ -48,6 +52,33 @@ void RequireSecondOpinion(const Profile& profile, Decider decider) {
                        std::string(DeciderName(decider)),
                    "use the fast path (the subject exact), or a profile without crossing");
 }
+
+// A scene on the grid, and where its samples lie.
+struct Drawable {
+  Scene scene;
+  SampleFrame frame;
+  Cull cull;
+
+  Drawable(const Scene& given, const Profile& profile, const DrawOptions& options)
+      : scene(PlacedScene(given, profile)), frame(given, profile, options), cull(options.cull) {}
+
+  // Adds one triangle: with kFast its spans, which are not summed up yet.
+  void Draw(const Triangle& t, Decider decider, CoverageCounts& counts, SpanTarget& target) const {
+    if (frame.clip.x0 >= frame.clip.x1 || frame.clip.y0 >= frame.clip.y1) return;
+    const std::optional<std::array<Vertex, 3>> v = ScreenTriangle(scene, t, frame);
+    if (!v) return;
+    const int facing =
+        scene.clip_space ? HomogeneousFacing(*v, decider) : Facing(WindowPoints(*v), decider);
+    if (IsCulled(facing, cull)) return;
+    if (decider != Decider::kFast) {
+      ScanSamples(*v, scene.clip_space, facing, frame, decider, counts);
+    } else if (scene.clip_space) {
+      AddHomogeneousSpans(*v, facing, frame, target);
+    } else {
+      AddWindowSpans(WindowPoints(*v), facing, frame, target);
+    }
+  }
+};
 
 }  // namespace
 
@@ -85,27 +116,31 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
                         Decider decider) {
   if (const auto why = WhyNotDecided(scene, profile)) throw InputError(*why);
   RequireSecondOpinion(profile, decider);
-  const Scene snapped = PlacedScene(scene, profile);
-  const SampleFrame frame(scene, profile, options);
+  const Drawable drawable(scene, profile, options);
   CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
   SpanTarget target(counts);
-  if (frame.clip.x0 >= frame.clip.x1 || frame.clip.y0 >= frame.clip.y1) return counts;
-  for (const Triangle& t : snapped.triangles) {
-    const std::optional<std::array<Vertex, 3>> v = ScreenTriangle(snapped, t, frame);
-    if (!v) continue;
-    const int facing =
-        snapped.clip_space ? HomogeneousFacing(*v, decider) : Facing(WindowPoints(*v), decider);
-    if (IsCulled(facing, options.cull)) continue;
-    if (decider != Decider::kFast) {
-      ScanSamples(*v, snapped.clip_space, facing, frame, decider, counts);
-    } else if (snapped.clip_space) {
-      AddHomogeneousSpans(*v, facing, frame, target);
-    } else {
-      AddWindowSpans(WindowPoints(*v), facing, frame, target);
-    }
+  for (const Triangle& t : drawable.scene.triangles) {
+    drawable.Draw(t, decider, counts, target);
   }
   if (decider == Decider::kFast) target.Sum();
   return counts;
+}
+
+std::vector<std::int32_t> Winners(const Scene& scene, const Profile& profile,
+                                  const DrawOptions& options, WinnerOrder order) {
+  RequireTargetSize("oracle", scene.width, scene.height, profile.lattice.samples());
+  const Drawable drawable(scene, profile, options);
+  CoverageCounts alone(scene.width, scene.height, profile.lattice.samples());
+  SpanTarget target(alone);
+  std::vector<std::int32_t> winners(alone.size(), kNoTriangle);
+  for (std::size_t t = 0; t < drawable.scene.triangles.size(); ++t) {
+    drawable.Draw(drawable.scene.triangles[t], Decider::kFast, alone, target);
+    target.Take([&](std::size_t k) {
+      const bool wins = order == WinnerOrder::kLastDrawn || winners[k] == kNoTriangle;
+      if (wins) winners[k] = static_cast<std::int32_t>(t);
+    });
+  }
+  return winners;
 }
 
 }  // namespace rasterproof::exact

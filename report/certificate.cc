@@ -102,6 +102,7 @@ void WriteMeasured(JsonWriter& json, const Certificate& certificate, const Scene
   json.Key("message").Text(result.message.empty() ? why : result.message);
   json.Key("triangles").Integer(result.triangles);
   if (result.applicable) {
+    json.Key("as_shown").Bool(result.as_shown);
     json.Key("samples").Integer(result.difference.samples);
     json.Key("covered").Integer(result.difference.covered);
     json.Key("wrong").Integer(result.difference.wrong);

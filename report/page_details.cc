@@ -88,8 +88,10 @@ std::string MeasuredList(const Certificate& certificate) {
     const std::string why = WhyNotJudged(certificate, result);
     const std::string what =
         result.applicable
-            ? fmt::format("{} of {} samples {}{}{}", Grouped(d.wrong), Grouped(d.samples),
-                          why.empty() ? "wrong" : "differ", why.empty() ? "" : "; ", Escaped(why))
+            ? fmt::format("{} of {} samples {}{}{}{}", Grouped(d.wrong), Grouped(d.samples),
+                          why.empty() ? "wrong" : "differ",
+                          result.as_shown ? "; covered or not: it shows no counts" : "",
+                          why.empty() ? "" : "; ", Escaped(why))
             : Escaped(why);
     html += fmt::format("<li>{} against {} <span class=\"why\">{}</span></li>\n",
                         Escaped(result.scene), Escaped(result.profile), what);

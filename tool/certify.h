@@ -26,10 +26,6 @@
 
 namespace rasterproof::tool {
 
-/// A subject that shows no counts is drawn one triangle at a time, each draw as large as the
-/// target. Scenes of more triangles times samples than this are not drawn by it.
-inline constexpr std::uint64_t kMostSamplesByTriangle = std::uint64_t{1} << 28;
-
 /// A scene of the set, loaded once, with the oracle's counts per profile, computed once.
 class MeasuredScene {
  public:

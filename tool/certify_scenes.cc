@@ -1,6 +1,5 @@
 // The scenes of a certificate: found, loaded, drawn by the subject, compared with the oracle.
 #include <chrono>
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "fmt/ranges.h"
 #include "io/scene_set.h"
 #include "model/snap_scene.h"
+#include "props/judging/as_shown.h"
 #include "props/judging/flat_triangles.h"
 #include "props/property.h"
 #include "tool/certify.h"
@@ -40,26 +40,13 @@ std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
                             : "the scene is float64";
 }
 
-// Empty unless drawing the scene would take for ever.
-std::string WhyTooLarge(Subject& subject, const Scene& scene) {
-  const SubjectInfo& info = subject.Info();
-  const bool by_triangle = info.coverage == CoverageKind::kMask || ShowsWinners(info);
-  if (!by_triangle) return "";
-  const std::uint64_t samples =
-      CoverageCounts::Size(scene.width, scene.height, info.profile.lattice.samples());
-  if (scene.triangles.size() <= kMostSamplesByTriangle / samples) return "";
-  return fmt::format(
-      "not judged: too large to draw triangle by triangle, as a subject without counts is: {} "
-      "triangles times {} samples, and at most {} in all",
-      scene.triangles.size(), samples, kMostSamplesByTriangle);
-}
-
 // What came of drawing a scene: counts, or why there are none.
 struct Attempt {
   std::optional<CoverageCounts> counts;
   Outcome outcome = Outcome::kNotApplicable;  ///< of no counts; kViolated or kInconclusive are told
   std::string reason;
   double seconds = 0;
+  bool as_shown = false;  ///< the counts say whether a sample is covered, not how often
 };
 
 Attempt TryToDraw(Subject& subject, const Scene& scene) {
@@ -68,8 +55,7 @@ Attempt TryToDraw(Subject& subject, const Scene& scene) {
     attempt.reason = WhyNotTaken(subject.Info(), scene);
     return attempt;
   }
-  attempt.reason = WhyTooLarge(subject, scene);
-  if (!attempt.reason.empty()) return attempt;
+  attempt.as_shown = props::IsJudgedAsShown(subject.Whole().Info(), scene);
   const auto start = Clock::now();
   try {
     attempt.counts = Draw(subject, scene);
@@ -97,11 +83,13 @@ SceneResult Measure(const SubjectInfo& info, MeasuredScene& measured, const Prof
   result.profile = profile.name;
   result.triangles = measured.scene().triangles.size();
   result.seconds = attempt.seconds;
+  result.as_shown = attempt.as_shown;
   result.applicable = attempt.counts.has_value();
   result.message = attempt.reason;
   if (!result.applicable) return result;
   try {
-    result.difference = Compare(*attempt.counts, measured.Truth(profile));
+    const CoverageCounts& truth = measured.Truth(profile);
+    result.difference = Compare(*attempt.counts, result.as_shown ? props::AsShown(truth) : truth);
   } catch (const InputError& error) {
     result.applicable = false;
     result.message = error.what();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "exact/coverage.h"
@@ -14,6 +15,7 @@
 #include "io/image.h"
 #include "io/output.h"
 #include "props/codec/codec.h"
+#include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
@@ -43,11 +45,13 @@ std::string WhyObservedOnly(const SubjectInfo& info, const Case& c) {
 }
 
 // Without a property the claim is the plainest one: the counts are the model's.
-Verdict CompareWithModel(const CoverageCounts& observed, const SubjectInfo& info, const Case& c) {
-  const CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+Verdict CompareWithModel(const CoverageCounts& observed, const props::Description& subject,
+                         const Case& c) {
+  CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+  if (props::IsJudgedAsShown(subject, c)) expected = props::AsShown(std::move(expected));
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(difference.samples);
-  if (const std::string why = WhyObservedOnly(info, c); !why.empty()) {
+  if (const std::string why = WhyObservedOnly(subject.info, c); !why.empty()) {
     return {Outcome::kNotExercised, 0, 0,
             fmt::format("{} of {} samples differ from the canonical model: {}", difference.wrong,
                         difference.samples, why),
@@ -72,7 +76,7 @@ props::Asked AskForTheModel(const Case& c, const props::Description& subject) {
   Questions questions;
   questions.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
   return props::OneCheck(std::move(questions), [&c, &subject](const Answers& answers) {
-    return CompareWithModel(answers.draws[0]->counts, subject.info, c);
+    return CompareWithModel(answers.draws[0]->counts, subject, c);
   });
 }
 

@@ -33,8 +33,8 @@ int RunDiff(const DiffOptions& options) {
   }
   // Facings that it does not tell are worked out by the profile that it is compared by.
   if (!options.profile.empty()) subject = MakeSubject(options.subject, options.profile);
-  const CoverageCounts observed = Draw(*subject, scene);
-  const CoverageCounts expected = Draw(*against, scene);
+  const CoverageCounts observed = ShownBy(*against, scene, Draw(*subject, scene));
+  const CoverageCounts expected = ShownBy(*subject, scene, Draw(*against, scene));
   const CoverageDifference difference = Compare(observed, expected);
   std::string text =
       fmt::format("samples {}\ncovered {}\nwrong {}\ngaps {}\noverlaps {}\n", difference.samples,

@@ -20,8 +20,8 @@ io::Image PaintCoverage(const RenderOptions& options, const Scene& scene) {
   RequireTakes(*subject, scene, options.scene.path);
   const CoverageCounts observed = Draw(*subject, scene);
   if (options.mode == "coverage") return report::PaintCounts(observed);
-  return report::PaintDifference(observed,
-                                 Draw(*MakeOracle("exact", subject->Info().profile), scene));
+  const std::unique_ptr<Subject> oracle = MakeOracle("exact", subject->Info().profile);
+  return report::PaintDifference(observed, ShownBy(*subject, scene, Draw(*oracle, scene)));
 }
 
 io::Image PaintFragments(const RenderOptions& options, const Scene& scene) {

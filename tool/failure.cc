@@ -145,7 +145,8 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
     explanation.expected = verdict.compared->expected;
     explanation.observed = verdict.compared->observed;
   } else {
-    explanation.expected = exact::Coverage(c.scene, c.profile, c.options);
+    explanation.expected =
+        ShownBy(subject, c.scene, exact::Coverage(c.scene, c.profile, c.options));
     std::string failure;  // is told by the verdict; the picture then shows that nothing was drawn
     explanation.observed = DrawUnlessItFails(subject, c.scene, c.options, failure).value_or(none);
   }

@@ -26,6 +26,7 @@
 #include "io/scene_file.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
+#include "props/judging/as_shown.h"
 #include "props/run/facings.h"
 #include "props/run/property_domains.h"
 #include "subjects/builtin/builtin.h"
@@ -265,6 +266,11 @@ CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& opt
   CoverageCounts counts(scene.width, scene.height, samples);
   props::DrawByFacing(subject, scene, options, counts);
   return counts;
+}
+
+CoverageCounts ShownBy(Subject& subject, const Scene& scene, CoverageCounts counts) {
+  const bool as_shown = props::IsJudgedAsShown(subject.Whole().Info(), scene);
+  return as_shown ? props::AsShown(std::move(counts)) : counts;
 }
 
 std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& scene,

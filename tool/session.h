@@ -74,7 +74,11 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice);
 /// Draws the scene on fresh counts of the subject's shape, by facing.
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options = {});
 
-/// The same, or nothing if the subject breaks down over it; then `reason` says how.
+/// What a draw of the scene by the subject can show of these counts: whether a sample is covered
+/// where the draw is judged as it is shown (props/judging/as_shown.h), else all of it.
+CoverageCounts ShownBy(Subject& subject, const Scene& scene, CoverageCounts counts);
+
+/// Draws, or gives nothing if the subject breaks down over it; then `reason` says how.
 std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& scene,
                                                 const DrawOptions& options, std::string& reason);
 

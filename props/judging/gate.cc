@@ -12,6 +12,7 @@
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
+#include "props/judging/as_shown.h"
 
 namespace rasterproof::props {
 namespace {
@@ -66,7 +67,9 @@ Wanted WantedBy(Shows shows) {
   return {[](const D&) { return true; }, "", ""};
 }
 
-Verdict NotExercised(const char* why) { return {Outcome::kNotExercised, 0, 0, why, std::nullopt}; }
+Verdict NotExercised(std::string_view why) {
+  return {Outcome::kNotExercised, 0, 0, std::string(why), std::nullopt};
+}
 
 bool LeavesAChoice(const Profile& profile, const Gate& gate) {
   return !profile.freedom.IsNone() || (profile.overdraw && !gate.judges_overdraw);
@@ -225,6 +228,9 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   if (std::optional<Verdict> refusal = CannotDraw(gate, subject.info, c)) return refusal;
   if (gate.unwrapped && !IsUnwrapped(c.scene, c.profile)) {
     return NotExercised("a coordinate wraps");
+  }
+  if (gate.needs_facings && IsJudgedAsShown(subject, c)) {
+    return NotExercised(kJudgedAsShown);
   }
   if (!gate.beyond_limits) {
     if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;

@@ -76,6 +76,9 @@ struct Gate {
   bool beyond_limits = false;
   /// True for what is not claimed where a coordinate wraps.
   bool unwrapped = false;
+  /// True for what counts by facing alone can show: a mesh that is judged as the subject shows it
+  /// has none (judging/as_shown.h).
+  bool needs_facings = false;
   std::span<const ProfileRule> rules = {};
   /// True for what is judged by what the oracle says of the case's scene.
   bool asks_oracle = false;
@@ -104,7 +107,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 ///                 does not take; it is of clip space, under a snapped profile, and not wholly in
 ///                 front of the eye; the profile has keys that speak of window space alone; a
 ///                 coordinate is beyond the profile's limit, or wraps; a triangle leaves the
-///                 profile's no-clip rectangle.
+///                 profile's no-clip rectangle; the claim needs facings, and the mesh is judged as
+///                 it is shown.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c);
 
 /// What DoesNotApply and Refusal ask for, in words, and `where`: as docs/mathematics.md and

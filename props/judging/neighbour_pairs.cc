@@ -69,7 +69,8 @@ void NamePair(const Neighbours& pair, Verdict& verdict) {
 
 }  // namespace
 
-Asked CompareNeighbours(const Case& c, const std::function<bool(const Neighbours&)>& takes) {
+Asked CompareNeighbours(const Case& c, const Description& subject,
+                        const std::function<bool(const Neighbours&)>& takes) {
   Asked asked;
   const Scene placed = PlacedScene(c);
   for (const Neighbours& pair : SharedEdges(c, kPairs)) {
@@ -79,7 +80,7 @@ Asked CompareNeighbours(const Case& c, const std::function<bool(const Neighbours
                              },
                              true};
     Asked alone = CompareWithItsWinding(OnlyTriangles(c, {pair.first, pair.second}),
-                                        std::move(beside_the_edge));
+                                        std::move(beside_the_edge), subject);
     for (Check& check : alone.checks) {
       check.judge = [pair, judge = std::move(check.judge)](const Answers& answers) {
         Verdict verdict = judge(answers);

@@ -18,7 +18,8 @@ namespace rasterproof::props {
 ///
 /// `takes` chooses among the pairs. Either space; triangle and edge of the witness are those of the
 /// case, and the edge is the one nearest to the witness's sample.
-Asked CompareNeighbours(const Case& c, const std::function<bool(const Neighbours&)>& takes);
+Asked CompareNeighbours(const Case& c, const Description& subject,
+                        const std::function<bool(const Neighbours&)>& takes);
 
 }  // namespace rasterproof::props
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
+#include "props/judging/as_shown.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_model.h"
 #include "props/judging/outline.h"
@@ -158,7 +160,7 @@ class MeshJudge {
 
 }  // namespace
 
-Asked CompareWithItsWinding(Case c, MeshView view) {
+Asked CompareWithItsWinding(Case c, MeshView view, const Description& subject) {
   OpenParts open(c, view);
   if (open.IsFolded()) return NothingAsked("the snapped mesh is folded");
   if (open.IsFlat()) return NothingAsked("the mesh has triangles in a plane with the eye");
@@ -167,12 +169,15 @@ Asked CompareWithItsWinding(Case c, MeshView view) {
     return NothingAsked("the mesh overlaps itself");
   }
   SharedTies ties(c);
+  const bool as_shown = IsJudgedAsShown(subject, c);
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
   auto mesh = std::make_shared<const JudgedMesh>(JudgedMesh{
       std::move(c), std::move(view), std::move(open), std::move(winding), std::move(ties)});
-  return OneCheck(std::move(questions), [mesh = std::move(mesh)](const Answers& answers) {
-    return MeshJudge(*mesh).Of(answers.draws[0]->counts);
+  return OneCheck(std::move(questions), [mesh = std::move(mesh), as_shown](const Answers& answers) {
+    Verdict verdict = MeshJudge(*mesh).Of(answers.draws[0]->counts);
+    if (!as_shown || verdict.outcome == Outcome::kViolated) return verdict;
+    return Verdict{Outcome::kNotExercised, 0, 0, std::string(kJudgedAsShown), std::nullopt};
   });
 }
 

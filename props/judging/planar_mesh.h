@@ -38,7 +38,10 @@ struct MeshView {
 /// samples that a triangle can cover which a legal choice turns over or flattens; all others are:
 /// what covers them has one facing in every legal model, so that the argument above holds. They are
 /// counted as not judged.
-Asked CompareWithItsWinding(Case c, MeshView view);
+///
+/// A mesh that is judged as it is shown (judging/as_shown.h) can fail, by a gap or by what is
+/// covered outside, but never holds: how often a sample is covered does not show.
+Asked CompareWithItsWinding(Case c, MeshView view, const Description& subject);
 
 /// What the profile must say of meshes that cover each sample inside.
 inline constexpr std::array kPlanarMeshRules{kClosesEdges};

@@ -13,6 +13,7 @@
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
+#include "props/judging/as_shown.h"
 #include "props/judging/gate.h"
 #include "props/judging/witness.h"
 
@@ -69,14 +70,23 @@ Check CheckAgainstBase(
   return check;
 }
 
-Check VariationCheck(const Case& c, const Case& variation, std::string claim) {
-  Check check;
-  check.questions.draws = {CountsOf(c.scene, c.profile, WholeTarget(c)),
-                           CountsOf(variation.scene, variation.profile, WholeTarget(variation))};
-  check.judge = [&c, claim = std::move(claim)](const Answers& answers) {
-    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c), claim);
-  };
-  return check;
+Asked CompareVariations(const Case& c, const std::vector<Variation>& variations) {
+  Asked asked;
+  for (const Variation& variation : variations) {
+    Check check;
+    // The case itself is drawn once, with the first of them.
+    if (asked.checks.empty()) {
+      check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, WholeTarget(c)));
+    } else {
+      check.bases = {0};
+    }
+    check.questions.draws.push_back(WholeCallOf(variation.scene, c.profile, WholeTarget(c)));
+    check.judge = [&c, claim = variation.claim](const Answers& answers) {
+      return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c), claim);
+    };
+    asked.checks.push_back(std::move(check));
+  }
+  return asked;
 }
 
 Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {
@@ -129,11 +139,13 @@ namespace {
 
 // What the profile's overdraw leaves open is taken as it was drawn: on an edge, anything from what
 // the fill rule gives to every triangle that has it.
-void AcceptOverdraw(const Case& c, const CoverageCounts& observed, CoverageCounts& expected) {
+void AcceptOverdraw(const Case& c, bool as_shown, const CoverageCounts& observed,
+                    CoverageCounts& expected) {
   Profile inclusive = ForTarget(c.profile, c.scene.width, c.scene.height);
   inclusive.targets.clear();
   inclusive.fill_rule = {.inclusive = true};
-  const CoverageCounts most = exact::Coverage(c.scene, inclusive, c.options);
+  CoverageCounts most = exact::Coverage(c.scene, inclusive, c.options);
+  if (as_shown) most = AsShown(std::move(most));
   for (std::size_t k = 0; k < expected.size(); ++k) {
     expected.front[k] = std::clamp(observed.front[k], expected.front[k], most.front[k]);
     expected.back[k] = std::clamp(observed.back[k], expected.back[k], most.back[k]);
@@ -142,14 +154,16 @@ void AcceptOverdraw(const Case& c, const CoverageCounts& observed, CoverageCount
 
 }  // namespace
 
-Asked CompareWithTheModel(const Case& c) {
+Asked CompareWithTheModel(const Case& c, const Description& subject) {
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
-  return OneCheck(std::move(questions), [&c](const Answers& answers) {
+  const bool as_shown = IsJudgedAsShown(subject, c);
+  return OneCheck(std::move(questions), [&c, as_shown](const Answers& answers) {
     const CoverageCounts& observed = answers.draws[0]->counts;
     CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+    if (as_shown) expected = AsShown(std::move(expected));
     if (c.profile.overdraw && c.profile.fill_rule.IsConsistent()) {
-      AcceptOverdraw(c, observed, expected);
+      AcceptOverdraw(c, as_shown, observed, expected);
     }
     return SameCounts(observed, expected, DecisionsOf(c), "the model's");
   });

@@ -18,12 +18,14 @@
 
 namespace rasterproof::props {
 
-/// Asks for the counts of a scene, from zero, by facing.
+/// Asks for the counts of a scene, from zero, by facing: what claims about counts compare with an
+/// oracle.
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 /// The same of triangle t alone, of a scene that several draws share.
 DrawQuestion CountsOfOne(const std::shared_ptr<const Scene>& scene, std::size_t t,
                          const Profile& profile, const DrawOptions& options);
-/// Asks for the coverage and the ids that one call shows of a scene.
+/// Asks for the coverage and the ids that one call shows of a scene: what claims compare draws by.
+/// Made of parts, a mesh would be the same triangles alone in whatever order.
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 
 /// A draw that later checks compare with: nothing is judged. Its drawing is number 0 of the case.
@@ -33,11 +35,17 @@ Check CheckAgainstBase(
     DrawQuestion question,
     std::function<Verdict(const CoverageCounts& observed, const CoverageCounts& base)> judge);
 
-/// Asks for the case and for a variation of it, culling and scissor off, and holds if the counts
-/// are equal: "coverage differs from `claim`".
+/// Another scene that should cover what the case covers.
+struct Variation {
+  Scene scene;
+  std::string claim;  ///< completes "coverage differs from ..."
+};
+
+/// Asks for the case and its variations, culling and scissor off, each in one call, and holds if
+/// what they show is the same.
 ///
-/// Domain:     a case that outlives the check.
-Check VariationCheck(const Case& c, const Case& variation, std::string claim);
+/// Domain:     a case that outlives what is returned.
+Asked CompareVariations(const Case& c, const std::vector<Variation>& variations);
 
 /// The case with only the named triangles of its list.
 Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles);
@@ -54,10 +62,11 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
                    std::uint64_t exercised, const std::string& claim);
 
 /// Asks for the case as its options say. Holds if the counts are those of the profile's canonical
-/// model, or what is left of them where the profile allows overdraw.
+/// model, or what is left of them where the profile allows overdraw; of a mesh that is judged as it
+/// is shown, if what is covered is what the model covers.
 ///
-/// Domain:     a case that outlives what is returned.
-Asked CompareWithTheModel(const Case& c);
+/// Domain:     a case and a description that outlive what is returned.
+Asked CompareWithTheModel(const Case& c, const Description& subject);
 
 }  // namespace rasterproof::props
 

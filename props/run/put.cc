@@ -62,7 +62,7 @@ struct Share {
   std::size_t request = 0;
   std::size_t draw = 0;  ///< among the request's own
   Part part;
-  bool is_whole = false;
+  bool is_whole = false;  ///< all that is shown is taken over; else the counts are added
 };
 
 class Putting {
@@ -152,12 +152,10 @@ class Putting {
       const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, draws[d].job, not_given_[r]);
       if (!job) return;
       drawings_.push_back(std::make_shared<Drawing>());
-      if (draws[d].parts == Parts::kFacings) {
-        drawings_.back()->counts = Filled(draws[d].fill, *job);
-      }
+      const bool is_added = draws[d].parts == Parts::kFacings || draws[d].fill != 0;
+      if (is_added) drawings_.back()->counts = Filled(draws[d].fill, *job);
       for (Part& part : PartsOf(r, draws[d], *job)) {
-        shares_.push_back(
-            {r, drawings_.size() - 1, std::move(part), draws[d].parts == Parts::kWhole});
+        shares_.push_back({r, drawings_.size() - 1, std::move(part), !is_added});
       }
       owners_.push_back(r);
     }

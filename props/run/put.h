@@ -27,8 +27,9 @@ struct Request {
 /// A draw of kFacings is made of parts where the subject tells no facings: of one that counts, the
 /// triangles that face one way by the canonical model of the profile that it is judged by (in clip
 /// space by their quotients on its grid) in one call, the others in another; else every triangle by
-/// itself, so that overlaps show. A triangle of no area counts as front: it should cover nothing.
-/// Where the profile leaves other models legal the facing is a guess (judging/free_choices.h).
+/// itself, so that overlaps show, unless the mesh is too large for that (judging/as_shown.h). A
+/// triangle of no area counts as front: it should cover nothing. Where the profile leaves other
+/// models legal the facing is a guess (judging/free_choices.h).
 ///
 /// Domain:     checks whose draws may share a call: more than one only if the company of each is
 ///             kAny and none draws onto the last target.

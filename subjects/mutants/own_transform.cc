@@ -1,13 +1,24 @@
 #include "subjects/mutants/own_transform.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "core/coverage.h"
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/placing.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
+
+// Exact: grid points within the profile's limit have 24 bits.
+double EdgeValue(Point2 a, Point2 b, Point2 p) {
+  return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
+}
 
 class OwnTransform final : public Subject {
  public:
@@ -17,11 +28,46 @@ class OwnTransform final : public Subject {
     info_.profile.transform = stages_.promised;
     info_.takes_window = false;
     info_.takes_clip = true;
+    if (!stages_.shows_fragments) return;
+    info_.coverage = CoverageKind::kFragments;
+    info_.fragments = {.weights_of = WeightsOf::kSnapped,
+                       .weight_error = kWeightError,
+                       .depth_error = kDepthError};
   }
 
   const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    if (!stages_.shows_fragments) {
+      base_->Draw(InTheWindow(scene), options, counts);
+      return;
+    }
+    counts += Show(DrawJob(scene, options, counts.samples)).counts;
+  }
+
+  Drawing Show(const DrawJob& job) override {
+    if (!stages_.shows_fragments) return Subject::Show(job);
+    const Scene window = InTheWindow(SceneOf(job));
+    Drawing drawing;
+    drawing.counts = CoverageCounts(window.width, window.height, job.samples);
+    const std::size_t size = drawing.counts.size();
+    drawing.winners.assign(size, kNoTriangle);
+    drawing.weights.resize(size);
+    drawing.depths.resize(size);
+    for (std::size_t t = 0; t < window.triangles.size(); ++t) {
+      Scene one = window;
+      one.triangles = {window.triangles[t]};
+      CoverageCounts alone(window.width, window.height, job.samples);
+      base_->Draw(one, job.options, alone);
+      for (std::size_t k = 0; k < size; ++k) {
+        if (alone.Count(k) != 0) Win(window, t, k, drawing);
+      }
+    }
+    return drawing;
+  }
+
+ private:
+  Scene InTheWindow(const Scene& scene) const {
     Scene window = scene;
     window.clip_space = false;
     for (Vertex& v : window.vertices) {
@@ -30,10 +76,28 @@ class OwnTransform final : public Subject {
       const Point2 p = has_place ? stages_.to_window(v, scene) : Point2{kNowhere, kNowhere};
       v = {p.x, p.y, v.z, 1};
     }
-    base_->Draw(window, options, counts);
+    return window;
   }
 
- private:
+  void Win(const Scene& window, std::size_t t, std::size_t k, Drawing& drawing) const {
+    const std::array<Vertex, 3> v = Corners(window, window.triangles[t]);
+    std::array<Point2, 3> at{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i] = {SnapToGrid(v[i].x, info_.profile.snap), SnapToGrid(v[i].y, info_.profile.snap)};
+    }
+    const auto width = static_cast<std::size_t>(window.width);
+    const Point2 p{static_cast<double>(k % width) + 0.5, static_cast<double>(k / width) + 0.5};
+    const double area = EdgeValue(at[0], at[1], at[2]);
+    drawing.counts.front[k] = 1;
+    drawing.winners[k] = static_cast<std::int32_t>(t);
+    drawing.depths[k] = stages_.depth_error;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double weight = EdgeValue(at[(i + 1) % 3], at[(i + 2) % 3], p) / area;
+      drawing.weights[k][i] = weight;
+      drawing.depths[k] += weight * v[i].z;
+    }
+  }
+
   std::unique_ptr<Subject> base_;
   SubjectInfo info_;
   TransformStages stages_;

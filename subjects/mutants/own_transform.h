@@ -17,7 +17,15 @@ namespace rasterproof::subjects::mutants {
 struct TransformStages {
   Transform promised;
   std::function<Point2(const Vertex& clip, const Scene& scene)> to_window;
+  /// True if it shows fragments, of the vertices on the grid; else it tells facings.
+  bool shows_fragments = false;
+  /// What the interpolated depths are off.
+  double depth_error = 0;
 };
+
+/// What the subject says of the fragments that it shows: weights and depths in double, of integers.
+inline constexpr double kWeightError = 0x1p-46;
+inline constexpr double kDepthError = 0x1p-44;
 
 /// The fixed-point rasterizer behind a transform. A vertex that is not finite or not in front of
 /// the eye has no place: its triangles are not drawn.

@@ -58,6 +58,12 @@ Point2 InDouble(const Vertex& v, const Scene& scene) {
 }
 
 constexpr Transform kQuotients{};
+
+// Depths are given: no draw of its own changes them.
+TransformStages ShownAsFragments(double depth_error) {
+  return {kQuotients, Quotients, true, depth_error};
+}
+
 constexpr Transform kMultiplyAdd{.viewport = ViewportForm::kMultiplyAdd, .flips_y = true};
 
 }  // namespace
@@ -101,6 +107,8 @@ std::vector<Planted> TransformMutants() {
                        }}},
       {"transform-in-double", "float64 where float32 is promised", "",
        TransformStages{Transform{.viewport = ViewportForm::kMultiplyAdd}, InDouble}},
+      {"transform-depth-off", "depths are off by a quarter more than is said of them", "",
+       ShownAsFragments(1.25 * kDepthError)},
   };
 }
 
@@ -120,6 +128,9 @@ std::vector<Planted> TransformVariants() {
        TransformStages{
            Transform{.precision = Precision::kFloat64, .viewport = ViewportForm::kMultiplyAdd},
            InDouble}},
+      {"transform-fragments",
+       "x is divided by w in float32, and fragments are shown, as far off as is said", "",
+       ShownAsFragments(0.75 * kDepthError)},
   };
 }
 

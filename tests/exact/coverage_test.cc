@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "core/fill_rule.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "exact/winners.h"
 
 namespace rasterproof::exact {
 namespace {
@@ -288,6 +291,50 @@ TEST(Covers, AsksOnePointUnderTheRule) {
   EXPECT_EQ(Facing(v), -Facing(reversed));
   EXPECT_EQ(Facing(v), -1) << "right, then down: clockwise on screen";
   EXPECT_FALSE(Covers({{{0, 0}, {1, 1}, {2, 2}}}, {1, 1}, {.inclusive = true}));
+}
+
+// The last or first triangle that covers a sample, by the coverage of each alone.
+std::vector<std::int32_t> WinnersOneByOne(const Scene& scene, const Profile& profile,
+                                          const DrawOptions& options, WinnerOrder order) {
+  std::vector<std::int32_t> winners;
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    Scene one = scene;
+    one.triangles = {scene.triangles[t]};
+    const CoverageCounts alone = Coverage(one, profile, options);
+    winners.resize(alone.size(), kNoTriangle);
+    for (std::size_t k = 0; k < alone.size(); ++k) {
+      const bool wins = order == WinnerOrder::kLastDrawn || winners[k] == kNoTriangle;
+      if (alone.Count(k) != 0 && wins) winners[k] = static_cast<std::int32_t>(t);
+    }
+  }
+  return winners;
+}
+
+TEST(Winners, AreTheLastOrTheFirstOfTheTrianglesThatCoverASample) {
+  Scene scene = MakeScene(9, 7, {}, {});
+  std::mt19937_64 bits(7);
+  for (int k = 0; k < 60; ++k) {
+    const auto coordinate = [&] { return static_cast<double>(bits() % 40) / 4; };
+    scene.vertices.push_back({coordinate(), coordinate(), 0, 1 + static_cast<double>(k % 3)});
+  }
+  for (std::int32_t t = 0; t < 20; ++t) scene.triangles.push_back({t, t + 20, t + 40});
+  Profile four;
+  four.lattice.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+  four.y_axis = YAxis::kUp;
+  for (const bool clip_space : {false, true}) {
+    scene.clip_space = clip_space;
+    for (const WinnerOrder order : {WinnerOrder::kLastDrawn, WinnerOrder::kFirstDrawn}) {
+      for (const Cull cull : {Cull::kNone, Cull::kBack}) {
+        for (const Profile& profile : {Profile{}, four}) {
+          DrawOptions options;
+          options.cull = cull;
+          options.scissor = PixelRect{1, 1, 8, 7};
+          EXPECT_EQ(Winners(scene, profile, options, order),
+                    WinnersOneByOne(scene, profile, options, order));
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

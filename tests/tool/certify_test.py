@@ -148,13 +148,32 @@ class Outside(Certify):
         self.assertEqual([scene["applicable"] for scene in certificate["measured"]
                           if scene["profile"] == "real"], [False, False])  # fmt: skip
 
-    def test_a_subject_without_counts_is_not_drawn_for_ever(self):
-        done = self.certify("--plugin", f"{FAULTY}/shown_MASK.so", "--cases", "1",
-                            scenes=("map", "duplicates"))  # fmt: skip
-        self.assertIn(b"scene map: not judged: too large to draw triangle by triangle", done.stdout)
+    def own_scenes(self):
         (certificate,) = self.certificates()
-        drawn = [scene["scene"] for scene in certificate["measured"] if scene["applicable"]]
-        self.assertEqual(set(drawn), {"duplicates"})
+        return {scene["scene"]: scene for scene in certificate["measured"]
+                if scene["profile"] == certificate["subject"]["profile"]["name"]}  # fmt: skip
+
+    def test_a_large_scene_is_judged_as_a_subject_without_counts_shows_it(self):
+        for kind in ("MASK", "WINNERS"):
+            with self.subTest(kind=kind):
+                shutil.rmtree(self.out, ignore_errors=True)
+                self.certify("--plugin", f"{FAULTY}/shown_{kind}.so", "--cases", "1",
+                             scenes=("map", "duplicates"))  # fmt: skip
+                scenes = self.own_scenes()
+                self.assertEqual({name: scene["as_shown"] for name, scene in scenes.items()},
+                                 {"map": True, "duplicates": False})
+                for scene in scenes.values():
+                    self.assertTrue(scene["judged"], scene)
+                    self.assertEqual(scene["wrong"], 0, scene)
+
+    def test_one_wrong_sample_of_a_large_scene_is_found_whatever_is_shown(self):
+        for kind in ("MASK", "WINNERS"):
+            with self.subTest(kind=kind):
+                shutil.rmtree(self.out, ignore_errors=True)
+                done = self.certify("--plugin", f"{FAULTY}/shown_ONE_SAMPLE_{kind}.so",
+                                    "--cases", "1", scenes=("map",))  # fmt: skip
+                self.agreed(done, "violated")
+                self.assertEqual(self.own_scenes()["map"]["wrong"], 1)
 
     def test_of_several_subjects_the_worst_one_tells(self):
         refuses = ("--plugin", f"{FAULTY}/faulty_REFUSES.so", "--cases", "2")

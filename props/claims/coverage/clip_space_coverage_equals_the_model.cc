@@ -19,7 +19,7 @@ constinit const Property kClipSpaceCoverageEqualsTheModel{
              .judges_overdraw = true,
              .asks_oracle = true,
              .where = "no near clipping"},
-    .ask = [](const Case& c, const Description&) { return CompareWithTheModel(c); },
+    .ask = CompareWithTheModel,
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },
 };

@@ -61,6 +61,7 @@ constinit const Property kClosedMeshCancels{
              .promise = Promise::kClosed,
              .any_model = true,
              .judges_clipped = true,
+             .needs_facings = true,
              .rules = kSignedCoverageRules,
              .asks_oracle = true,
              .where = "every edge is walked as often each way; in clip space in front of the eye; "

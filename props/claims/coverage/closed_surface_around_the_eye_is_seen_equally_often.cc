@@ -62,6 +62,7 @@ constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
     .gate = {.space = Space::kClip,
              .promise = Promise::kClosed,
              .any_model = true,
+             .needs_facings = true,
              .rules = kRules,
              .asks_oracle = true,
              .where = "a closed surface that does not pass through the eye"},

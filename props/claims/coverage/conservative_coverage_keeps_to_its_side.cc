@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "core/coverage.h"
 #include "core/profile.h"
@@ -15,6 +16,7 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
+#include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 
@@ -32,9 +34,10 @@ constexpr std::array kRules{ProfileRule{IsConservative, "contract conservative o
                                         "the profile's contract is not conservative"}};
 
 // Which way a subject may stray decides what fails; a facing that strays is not looked at.
-Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed) {
+Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed, bool as_shown = false) {
   const bool over = c.profile.contract == Contract::kConservativeOver;
-  const CoverageCounts expected = exact::Coverage(c.scene, c.profile, WholeTarget(c));
+  CoverageCounts expected = exact::Coverage(c.scene, c.profile, WholeTarget(c));
+  if (as_shown) expected = AsShown(std::move(expected));
   std::uint64_t exercised = 0;
   for (std::size_t k = 0; k < expected.size(); ++k) {
     const std::uint32_t truth = expected.Count(k);
@@ -60,23 +63,23 @@ Check OfOneTriangle(const Case& c, const std::shared_ptr<const Scene>& scene, st
   return check;
 }
 
-Check OfTheMesh(const Case& c) {
+Check OfTheMesh(const Case& c, const Description& subject) {
   Check check;
   check.questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
-  check.judge = [&c](const Answers& answers) {
-    return KeepsToItsSide(c, answers.draws[0]->counts);
+  check.judge = [&c, as_shown = IsJudgedAsShown(subject, c)](const Answers& answers) {
+    return KeepsToItsSide(c, answers.draws[0]->counts, as_shown);
   };
   return check;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const Case& c, const Description& subject) {
   Asked asked;
   const auto scene = std::make_shared<const Scene>(c.scene);
   // One triangle's excess must not make up for another's lack.
   for (std::size_t t = 0; t < std::min(kMostSingles, c.scene.triangles.size()); ++t) {
     asked.checks.push_back(OfOneTriangle(c, scene, t));
   }
-  asked.checks.push_back(OfTheMesh(c));
+  asked.checks.push_back(OfTheMesh(c, subject));
   return asked;
 }
 

@@ -16,7 +16,7 @@ constinit const Property kCoverageEqualsTheModel{
     .tolerance = kExact,
     .domains = kModelCoverage,
     .gate = {.judges_overdraw = true, .asks_oracle = true},
-    .ask = [](const Case& c, const Description&) { return CompareWithTheModel(c); },
+    .ask = CompareWithTheModel,
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },
 };

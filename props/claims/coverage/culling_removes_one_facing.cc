@@ -1,32 +1,64 @@
 // Culling a facing removes its counts and keeps the others.
 #include <algorithm>
+#include <utility>
 
 #include "core/coverage.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
+#include "props/judging/free_choices.h"
 #include "props/judging/redraw.h"
+#include "props/judging/sides.h"
 
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+const char* WhatIsLeft(Cull cull) {
+  return cull == Cull::kFront ? "the back counts alone" : "the front counts alone";
+}
+
+// Of a subject that tells facings: what is left of its own counts.
+Asked AgainstItsFacings(const Case& c) {
   DrawOptions options = WholeTarget(c);
   Asked asked;
-  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, options)));
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   for (const Cull cull : {Cull::kFront, Cull::kBack}) {
     options.cull = cull;
     asked.checks.push_back(CheckAgainstBase(
-        CountsOf(c.scene, c.profile, options),
+        WholeCallOf(c.scene, c.profile, options),
         [&c, cull](const CoverageCounts& observed, const CoverageCounts& whole) {
-          const bool is_front = cull == Cull::kFront;
           CoverageCounts expected = whole;
-          std::ranges::fill(is_front ? expected.front : expected.back, 0U);
-          return SameCounts(observed, expected, DecisionsOf(c),
-                            is_front ? "the back counts alone" : "the front counts alone");
+          std::ranges::fill(cull == Cull::kFront ? expected.front : expected.back, 0U);
+          return SameCounts(observed, expected, DecisionsOf(c), WhatIsLeft(cull));
         }));
   }
   return asked;
+}
+
+// Of one that tells none: what it shows of the triangles that face the other way alone, by the one
+// model that is legal.
+Asked AgainstTheOtherSide(const Case& c) {
+  Asked asked;
+  Sides sides = SidesOf(c.scene, c.scene.triangles, c.profile);
+  for (const Cull cull : {Cull::kFront, Cull::kBack}) {
+    DrawOptions options = WholeTarget(c);
+    Check check;
+    check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, options));
+    check.questions.draws.back().job.triangles =
+        std::move(cull == Cull::kFront ? sides.back : sides.front);
+    options.cull = cull;
+    check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, options));
+    check.judge = [&c, cull](const Answers& answers) {
+      return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c),
+                        WhatIsLeft(cull));
+    };
+    asked.checks.push_back(std::move(check));
+  }
+  return asked;
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  return TellsFacings(subject) ? AgainstItsFacings(c) : AgainstTheOtherSide(c);
 }
 
 }  // namespace

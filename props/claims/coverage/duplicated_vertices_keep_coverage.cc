@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
@@ -11,18 +12,16 @@ namespace rasterproof::props {
 namespace {
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
-  Case unindexed = c;
-  unindexed.scene.vertices.clear();
-  for (Triangle& t : unindexed.scene.triangles) {
+  Scene unindexed = c.scene;
+  unindexed.vertices.clear();
+  for (Triangle& t : unindexed.triangles) {
     for (std::int32_t& index : t) {
       const Vertex& vertex = c.scene.vertices[static_cast<std::size_t>(index)];
-      index = static_cast<std::int32_t>(unindexed.scene.vertices.size());
-      unindexed.scene.vertices.push_back(vertex);
+      index = static_cast<std::int32_t>(unindexed.vertices.size());
+      unindexed.vertices.push_back(vertex);
     }
   }
-  Asked asked;
-  asked.checks.push_back(VariationCheck(c, unindexed, "that of the indexed triangles"));
-  return asked;
+  return CompareVariations(c, {{unindexed, "that of the indexed triangles"}});
 }
 
 }  // namespace

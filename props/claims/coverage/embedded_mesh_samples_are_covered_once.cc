@@ -10,7 +10,9 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& /*subject*/) { return CompareWithItsWinding(c, {}); }
+Asked Ask(const Case& c, const Description& subject) {
+  return CompareWithItsWinding(c, {}, subject);
+}
 
 }  // namespace
 

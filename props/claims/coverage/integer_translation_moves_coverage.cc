@@ -62,12 +62,12 @@ CoverageCounts MovedCounts(const CoverageCounts& counts, int dx, int dy) {
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
   Asked asked;
-  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, WholeTarget(c))));
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const auto& [dx, dy] : kShifts) {
     const std::optional<Scene> moved = Moved(c, dx, dy);
     if (!moved) continue;
     asked.checks.push_back(CheckAgainstBase(
-        CountsOf(*moved, c.profile, WholeTarget(c)),
+        WholeCallOf(*moved, c.profile, WholeTarget(c)),
         [&c, x = dx, y = dy](const CoverageCounts& observed, const CoverageCounts& still) {
           const int rows = c.profile.y_axis == YAxis::kDown ? y : -y;
           // There and back: the samples that the target shows both before and after the move.

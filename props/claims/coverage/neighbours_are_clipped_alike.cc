@@ -25,8 +25,8 @@ bool LeavesTarget(const Scene& scene, std::size_t triangle) {
                              [&](const Vertex& v) { return IsSeenOutside(v, scene); });
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
-  return CompareNeighbours(c, [&](const Neighbours& pair) {
+Asked Ask(const Case& c, const Description& subject) {
+  return CompareNeighbours(c, subject, [&](const Neighbours& pair) {
     return LeavesTarget(c.scene, pair.first) || LeavesTarget(c.scene, pair.second);
   });
 }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/coverage.h"
@@ -18,6 +19,7 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
+#include "props/judging/as_shown.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/model_search.h"
 #include "props/judging/redraw.h"
@@ -71,8 +73,8 @@ std::string NeedsText(const Case& c, const ModelSearch& search,
   return text;
 }
 
-Asked NotJudged(const Case& c, const char* why) {
-  Asked asked = NothingAsked(why);
+Asked NotJudged(const Case& c, std::string_view why) {
+  Asked asked = NothingAsked(std::string(why));
   asked.otherwise.not_judged = DecisionsOf(c);
   return asked;
 }
@@ -148,11 +150,12 @@ Check OfAllTogether(const Case& c) {
   return check;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const Case& c, const Description& subject) {
   if (c.scene.clip_space) return NotJudged(c, "models are searched in window space alone");
   if (!IsUnclippedInEveryModel(c)) {
     return NotJudged(c, "a legal choice leaves the profile's no-clip rectangle");
   }
+  if (IsJudgedAsShown(subject, LookedAt(c))) return NotJudged(c, kJudgedAsShown);
   Asked asked;
   asked.checks.push_back(OfEachAlone(c));
   asked.checks.push_back(OfAllTogether(c));

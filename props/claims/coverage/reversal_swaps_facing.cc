@@ -5,24 +5,26 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
+#include "props/judging/free_choices.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const Case& c, const Description& subject) {
   Scene reversed = c.scene;
   for (Triangle& t : reversed.triangles) t = {t[0], t[2], t[1]};
   Questions questions;
   for (const Scene* const scene : {&c.scene, &std::as_const(reversed)}) {
-    questions.draws.push_back(CountsOf(*scene, c.profile, WholeTarget(c)));
+    questions.draws.push_back(WholeCallOf(*scene, c.profile, WholeTarget(c)));
   }
-  return OneCheck(std::move(questions), [&c](const Answers& answers) {
-    CoverageCounts expected = answers.draws[0]->counts;
-    std::swap(expected.front, expected.back);
-    return SameCounts(answers.draws[1]->counts, expected, DecisionsOf(c),
-                      "the unreversed triangles', facing swapped,");
-  });
+  return OneCheck(std::move(questions),
+                  [&c, swaps = TellsFacings(subject)](const Answers& answers) {
+                    CoverageCounts expected = answers.draws[0]->counts;
+                    if (swaps) std::swap(expected.front, expected.back);
+                    return SameCounts(answers.draws[1]->counts, expected, DecisionsOf(c),
+                                      "the unreversed triangles', facing swapped,");
+                  });
 }
 
 }  // namespace

@@ -37,11 +37,11 @@ CoverageCounts Cut(const CoverageCounts& whole, const PixelRect& rect) {
 Asked Ask(const Case& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
   Asked asked;
-  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, options)));
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   for (const PixelRect& rect : Scissors(c.scene)) {
     options.scissor = rect;
     asked.checks.push_back(
-        CheckAgainstBase(CountsOf(c.scene, c.profile, options),
+        CheckAgainstBase(WholeCallOf(c.scene, c.profile, options),
                          [&c, rect](const CoverageCounts& observed, const CoverageCounts& whole) {
                            return SameCounts(observed, Cut(whole, rect), DecisionsOf(c),
                                              "the scissored part of the whole");

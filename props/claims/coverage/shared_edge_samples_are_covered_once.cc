@@ -8,8 +8,8 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
-  return CompareNeighbours(c, [](const Neighbours&) { return true; });
+Asked Ask(const Case& c, const Description& subject) {
+  return CompareNeighbours(c, subject, [](const Neighbours&) { return true; });
 }
 
 }  // namespace

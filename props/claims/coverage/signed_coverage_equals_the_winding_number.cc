@@ -38,6 +38,7 @@ constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .domains = kAnyMesh,
     .gate = {.space = Space::kEither,
              .judges_clipped = true,
+             .needs_facings = true,
              .rules = kSignedCoverageRules,
              .asks_oracle = true},
     .ask = Ask,

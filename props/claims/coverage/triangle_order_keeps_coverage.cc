@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
@@ -12,15 +13,14 @@ namespace {
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
   if (c.scene.triangles.size() < 2) return NothingAsked("one triangle has one order");
-  Asked asked;
-  Case reordered = c;
-  std::ranges::reverse(reordered.scene.triangles);
-  asked.checks.push_back(VariationCheck(c, reordered, "that in the order given"));
+  constexpr const char* kInTheOrderGiven = "that in the order given";
+  Scene reversed = c.scene;
+  std::ranges::reverse(reversed.triangles);
   // A rotation by half, too: a subject that looks at its neighbour in the list sees another one.
-  const auto half = static_cast<std::ptrdiff_t>(reordered.scene.triangles.size() / 2);
-  std::ranges::rotate(reordered.scene.triangles, reordered.scene.triangles.begin() + half);
-  asked.checks.push_back(VariationCheck(c, reordered, "that in the order given"));
-  return asked;
+  Scene turned = reversed;
+  const auto half = static_cast<std::ptrdiff_t>(turned.triangles.size() / 2);
+  std::ranges::rotate(turned.triangles, turned.triangles.begin() + half);
+  return CompareVariations(c, {{reversed, kInTheOrderGiven}, {turned, kInTheOrderGiven}});
 }
 
 }  // namespace

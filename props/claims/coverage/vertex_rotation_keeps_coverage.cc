@@ -1,6 +1,8 @@
 // Rotating a triangle's vertex list changes no count.
 #include <string>
+#include <vector>
 
+#include "core/scene.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
@@ -10,14 +12,14 @@ namespace rasterproof::props {
 namespace {
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
-  Asked asked;
-  Case rotated = c;
+  std::vector<Variation> rotations;
+  Scene rotated = c.scene;
   for (int turn = 1; turn < 3; ++turn) {
-    for (Triangle& t : rotated.scene.triangles) t = {t[1], t[2], t[0]};
-    asked.checks.push_back(VariationCheck(
-        c, rotated, "the unrotated triangles' after " + std::to_string(turn) + " rotation(s)"));
+    for (Triangle& t : rotated.triangles) t = {t[1], t[2], t[0]};
+    rotations.push_back(
+        {rotated, "the unrotated triangles' after " + std::to_string(turn) + " rotation(s)"});
   }
-  return asked;
+  return CompareVariations(c, rotations);
 }
 
 }  // namespace

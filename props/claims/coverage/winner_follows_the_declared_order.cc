@@ -4,7 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "exact/coverage.h"
+#include "core/scene.h"
+#include "exact/winners.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
@@ -17,17 +18,6 @@ namespace {
 // The mesh is drawn over itself until so many triangles are: more than a byte can number.
 constexpr std::size_t kFewestDrawn = 300;
 
-// Which samples each triangle covers by the model, for a list that repeats the case's.
-std::vector<std::vector<bool>> CoveredByEach(const Case& c, std::size_t drawn) {
-  std::vector<std::vector<bool>> covered;
-  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
-    covered.push_back(
-        CoveredSamples(exact::Coverage(OnlyTriangles(c, {t}).scene, c.profile, c.options)));
-  }
-  for (std::size_t t = 0; covered.size() < drawn; ++t) covered.push_back(covered[t]);
-  return covered;
-}
-
 Asked Ask(const Case& c, const Description& subject) {
   if (c.scene.triangles.empty()) return {};
   DrawQuestion question = WholeCallOf(c.scene, c.profile, c.options);
@@ -35,18 +25,22 @@ Asked Ask(const Case& c, const Description& subject) {
   while (repeated.size() < kFewestDrawn) {
     repeated.insert(repeated.end(), c.scene.triangles.begin(), c.scene.triangles.end());
   }
-  const std::size_t drawn = repeated.size();
+  Scene drawn = c.scene;
+  drawn.triangles = repeated;
   Questions questions;
   questions.draws.push_back(std::move(question));
-  return OneCheck(std::move(questions), [&c, &subject, drawn](const Answers& answers) {
-    Verdict verdict = SameWinners(
-        *answers.draws[0], WinnersOf(CoveredByEach(c, drawn), subject.info.fragments.order),
-        c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
-    if (verdict.outcome == Outcome::kViolated) {
-      verdict.message += " (the scene drawn over itself, " + std::to_string(drawn) + " triangles)";
-    }
-    return verdict;
-  });
+  return OneCheck(
+      std::move(questions), [&c, &subject, drawn = std::move(drawn)](const Answers& answers) {
+        Verdict verdict =
+            SameWinners(*answers.draws[0],
+                        exact::Winners(drawn, c.profile, c.options, subject.info.fragments.order),
+                        c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
+        if (verdict.outcome == Outcome::kViolated) {
+          verdict.message += " (the scene drawn over itself, " +
+                             std::to_string(drawn.triangles.size()) + " triangles)";
+        }
+        return verdict;
+      });
 }
 
 }  // namespace

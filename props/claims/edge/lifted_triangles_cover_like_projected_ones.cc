@@ -15,6 +15,7 @@
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
+#include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
 
 namespace rasterproof::props {
@@ -52,7 +53,7 @@ std::optional<Scene> Lifted(const Scene& window) {
   return clip;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const Case& c, const Description& subject) {
   Case projected = c;
   projected.scene = ProjectedScene(c.scene);
   const std::optional<Scene> lifted = Lifted(projected.scene);
@@ -64,12 +65,15 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   }
   Questions questions;
   questions.draws.push_back(CountsOf(*lifted, c.profile, WholeTarget(c)));
-  return OneCheck(std::move(questions), [projected = std::move(projected)](const Answers& answers) {
-    const CoverageCounts expected =
-        exact::Coverage(projected.scene, projected.profile, WholeTarget(projected));
-    return SameCounts(answers.draws[0]->counts, expected, DecisionsOf(projected),
-                      "that of the projected triangles");
-  });
+  const bool as_shown = IsJudgedAsShown(subject, c);
+  return OneCheck(std::move(questions),
+                  [projected = std::move(projected), as_shown](const Answers& answers) {
+                    CoverageCounts expected =
+                        exact::Coverage(projected.scene, projected.profile, WholeTarget(projected));
+                    if (as_shown) expected = AsShown(std::move(expected));
+                    return SameCounts(answers.draws[0]->counts, expected, DecisionsOf(projected),
+                                      "that of the projected triangles");
+                  });
 }
 
 }  // namespace

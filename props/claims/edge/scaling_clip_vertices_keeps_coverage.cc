@@ -46,11 +46,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   if (!scaled || !WithinLimits(*scaled, c.profile)) {
     return NothingAsked("a scaled vertex is not exact or beyond the limit");
   }
-  Case variation = c;
-  variation.scene = *scaled;
-  Asked asked;
-  asked.checks.push_back(VariationCheck(c, variation, "that of the unscaled vertices"));
-  return asked;
+  return CompareVariations(c, {{*scaled, "that of the unscaled vertices"}});
 }
 
 }  // namespace

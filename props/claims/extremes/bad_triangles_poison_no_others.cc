@@ -61,7 +61,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   std::erase_if(good.scene.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
   Questions questions;
   for (const Scene& scene : {good.scene, Poisoned(good.scene, c.profile)}) {
-    questions.draws.push_back(CountsOf(scene, c.profile, WholeTarget(c)));
+    questions.draws.push_back(WholeCallOf(scene, c.profile, WholeTarget(c)));
   }
   return OneCheck(std::move(questions), [decisions = DecisionsOf(good)](const Answers& answers) {
     return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, decisions,

@@ -67,7 +67,7 @@ Check GuardedDraw(const Case& c, const Scene& scene, const PixelRect& rect) {
   const PixelRect whole{0, 0, scene.width, scene.height};
   if (rect != whole) options.scissor = rect;
   Check check;
-  check.questions.draws.push_back(CountsOf(scene, c.profile, options));
+  check.questions.draws.push_back(WholeCallOf(scene, c.profile, options));
   check.questions.draws.back().fill = kGuard;
   check.judge = [&c, whole, rect](const Answers& answers) {
     CoverageCounts before(whole.x1, whole.y1, c.profile.lattice.samples());

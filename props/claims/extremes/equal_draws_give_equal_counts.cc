@@ -14,7 +14,7 @@ namespace {
 Asked Ask(const Case& c, const Description& /*subject*/) {
   Questions questions;
   questions.company = Company::kInOrderAlone;
-  const DrawQuestion once = CountsOf(c.scene, c.profile, c.options);
+  const DrawQuestion once = WholeCallOf(c.scene, c.profile, c.options);
   questions.draws = {once, once};
   questions.draws.back().onto_the_last = true;
   return OneCheck(std::move(questions), [&c](const Answers& answers) {

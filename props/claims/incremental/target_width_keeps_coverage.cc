@@ -36,13 +36,13 @@ bool IsJudged(const Case& c, int width) {
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
   Asked asked;
-  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, WholeTarget(c))));
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const int width : {c.scene.width + 1, 2 * c.scene.width + 7}) {
     if (!IsJudged(c, width)) continue;
     Scene wider = c.scene;
     wider.width = width;
     asked.checks.push_back(CheckAgainstBase(
-        CountsOf(wider, c.profile, WholeTarget(c)),
+        WholeCallOf(wider, c.profile, WholeTarget(c)),
         [&c, width](const CoverageCounts& observed, const CoverageCounts& base) {
           return SameCounts(LeftPart(observed, c.scene.width), base, DecisionsOf(c),
                             "the narrower target's when " + std::to_string(width) + " pixels wide");

@@ -14,11 +14,11 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
   options.threads = 1;
   Asked asked;
-  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, options)));
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   for (const int threads : {2, 3, 8}) {
     options.threads = threads;
     asked.checks.push_back(CheckAgainstBase(
-        CountsOf(c.scene, c.profile, options),
+        WholeCallOf(c.scene, c.profile, options),
         [&c, threads](const CoverageCounts& observed, const CoverageCounts& base) {
           return SameCounts(observed, base, DecisionsOf(c),
                             "one thread's with " + std::to_string(threads) + " threads");

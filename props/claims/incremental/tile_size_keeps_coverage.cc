@@ -18,11 +18,11 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
   options.tile = 0;
   Asked asked;
-  asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, options)));
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   for (const int tile : kTiles) {
     options.tile = tile;
     asked.checks.push_back(CheckAgainstBase(
-        CountsOf(c.scene, c.profile, options),
+        WholeCallOf(c.scene, c.profile, options),
         [&c, tile](const CoverageCounts& observed, const CoverageCounts& base) {
           return SameCounts(observed, base, DecisionsOf(c),
                             "the subject's own with tiles of " + std::to_string(tile) + " pixels");

@@ -145,6 +145,18 @@ static int set_up(const rasterproof_scene* scene, size_t index, triangle* t) {
   return area != 0;
 }
 
+#if defined(FAULT_ONE_SAMPLE)
+/* One sample of a large mesh: covered if it is not, and the other way round. */
+static void turn_middle(const rasterproof_scene* scene, const rasterproof_target* target) {
+  const size_t at = (size_t)(scene->height / 2) * target->stride + (size_t)(scene->width / 2);
+  if (KIND == RASTERPROOF_MASK) {
+    target->front[at] = target->front[at] == 0;
+  } else {
+    target->winners[at] = target->winners[at] < 0 ? 0 : -1;
+  }
+}
+#endif
+
 static int32_t draw(void* state, const rasterproof_scene* scene, const rasterproof_target* target) {
   (void)state;
 #if defined(FAULT_EVERY_THIRD)
@@ -166,6 +178,9 @@ static int32_t draw(void* state, const rasterproof_scene* scene, const rasterpro
     if (!set_up(scene, n, &t) || is_culled(&t, scene)) continue;
     draw_triangle(&t, (int32_t)n, scene, target);
   }
+#if defined(FAULT_ONE_SAMPLE)
+  if (count > 1000) turn_middle(scene, target);
+#endif
   return 0;
 }
 

@@ -1,0 +1,40 @@
+// Meshes that are too large to be drawn triangle by triangle.
+#ifndef RASTERPROOF_PROPS_JUDGING_AS_SHOWN_H_
+#define RASTERPROOF_PROPS_JUDGING_AS_SHOWN_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "core/case.h"
+#include "core/coverage.h"
+#include "core/scene.h"
+#include "core/subject_info.h"
+#include "props/judging/gate.h"
+
+namespace rasterproof::props {
+
+/// A subject that shows no counts is drawn one triangle at a time, so that overlaps show, each draw
+/// as large as the target. So many samples in all take seconds: 1024 x 1024 samples of 256
+/// triangles. The triangles of a scanned model on a full target would take hours.
+inline constexpr std::uint64_t kMostSamplesByTriangle = std::uint64_t{1} << 28;
+
+/// Whether a draw of so many triangles on so many samples is judged as one call shows it: whether a
+/// sample is covered, not how often, and not by which facing.
+///
+/// Returns:    false for subjects that count, whatever the size.
+bool IsJudgedAsShown(CoverageKind coverage, std::size_t triangles, std::uint64_t samples);
+bool IsJudgedAsShown(const SubjectInfo& info, const Scene& scene);
+bool IsJudgedAsShown(const Description& subject, const Case& c);
+
+/// What one call that shows no counts shows of these: 1 in `front` where anything covers.
+CoverageCounts AsShown(CoverageCounts counts);
+
+/// Why a claim about counts or facings says nothing of such a mesh.
+inline constexpr std::string_view kJudgedAsShown =
+    "the mesh is too large to be drawn triangle by triangle: of one call with all of it, this "
+    "subject shows no counts and no facings";
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_AS_SHOWN_H_

@@ -1,0 +1,106 @@
+// Questions are put in as few calls as may be, and what breaks down ends its own case.
+#include "props/run/put.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/subject_errors.h"
+#include "props/judging/redraw.h"
+#include "props/run/judge.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+// As many samples as a call holds: beside such a draw there is room for no other.
+constexpr int kSide = 1024;
+
+// Draws nothing, counts its calls, and breaks down over a scene of so many vertices.
+class Empty final : public Subject {
+ public:
+  const SubjectInfo& Info() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions&, CoverageCounts&) override {
+    if (scene.vertices.size() == breaks_over) throw SubjectFault("it crashed");
+  }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    calls.push_back(jobs.size());
+    return Subject::DrawMany(jobs);
+  }
+
+  std::size_t breaks_over = 0;
+  std::vector<std::size_t> calls;
+
+ private:
+  SubjectInfo info_ = testing::RealInfo();
+};
+
+Case Blank(int width, int height, std::size_t vertices) {
+  Case c;
+  c.profile = testing::RealInfo().profile;
+  c.scene.width = width;
+  c.scene.height = height;
+  c.scene.vertices.resize(vertices);
+  return c;
+}
+
+// Some checks of a case, and the requests that put them.
+class Requests {
+ public:
+  explicit Requests(Subject& subject)
+      : judged_(Judged(Blank(8, 8, 3), DescriptionOf(subject), false)) {}
+  void Add(const std::vector<Case>& draws) {
+    Check& check = *checks_.emplace_back(std::make_unique<Check>());
+    for (const Case& c : draws) {
+      check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, c.options));
+    }
+    requests_.push_back({&judged_, &check, &drawn_});
+  }
+  std::vector<Answers> PutTo(Subject& subject) const { return Put(subject, requests_); }
+
+ private:
+  JudgedCase judged_;
+  std::vector<std::shared_ptr<const Drawing>> drawn_;
+  std::vector<std::unique_ptr<Check>> checks_;
+  std::vector<Request> requests_;
+};
+
+TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
+  Empty subject;
+  Requests requests(subject);
+  requests.Add({Blank(8, 8, 3), Blank(kMaxTargetSide, kMaxTargetSide, 3)});
+  EXPECT_EQ(requests.PutTo(subject)[0].stop, Stop::kCantBePut);
+  subject.breaks_over = 3;
+  const Answers crashed = requests.PutTo(subject)[0];
+  EXPECT_EQ(crashed.stop, Stop::kBrokeDown);
+  EXPECT_EQ(crashed.why, "it crashed");
+  EXPECT_TRUE(crashed.draws.empty());
+}
+
+TEST(Questions, BehindABreakdownAtTheEndOfACallAreNotPut) {
+  Empty subject;
+  Requests requests(subject);
+  for (const std::size_t vertices : {3U, 4U, 5U}) {
+    requests.Add({Blank(8, 8, 1), Blank(8, 8, vertices), Blank(kSide, kSide, 2)});
+  }
+  EXPECT_EQ(requests.PutTo(subject).size(), 3U);
+  const std::vector<std::size_t> by_size{2, 1, 2, 1, 2, 1};
+  EXPECT_EQ(subject.calls, by_size);
+  subject.calls.clear();
+  subject.breaks_over = 4;  // the last job of the third call
+  const std::vector<Answers> answers = requests.PutTo(subject);
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].stop, Stop::kNone);
+  EXPECT_EQ(answers[0].draws.size(), 3U);
+  EXPECT_EQ(answers[1].stop, Stop::kBrokeDown);
+  EXPECT_EQ(subject.calls, (std::vector<std::size_t>{2, 1, 2}));
+}
+
+}  // namespace
+}  // namespace rasterproof::props

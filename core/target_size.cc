@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "core/error.h"
 #include "core/sample_lattice.h"
 #include "core/scene.h"
 
@@ -14,14 +13,19 @@ bool IsTargetSize(int width, int height, int samples) {
          std::int64_t{width} * height * samples <= kMaxTargetSamples;
 }
 
+std::optional<InputError> TargetSizeError(const std::string& place, int width, int height,
+                                          int samples) {
+  if (IsTargetSize(width, height, samples)) return std::nullopt;
+  return InputError(place,
+                    "a target of " + std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels of " + std::to_string(samples) + " samples is out of range",
+                    "give sides of 1 to " + std::to_string(kMaxTargetSide) + ", 1 to " +
+                        std::to_string(kMaxSamplesPerPixel) + " samples a pixel and at most " +
+                        std::to_string(kMaxTargetSamples) + " samples in all");
+}
+
 void RequireTargetSize(const std::string& place, int width, int height, int samples) {
-  if (IsTargetSize(width, height, samples)) return;
-  throw InputError(place,
-                   "a target of " + std::to_string(width) + " x " + std::to_string(height) +
-                       " pixels of " + std::to_string(samples) + " samples is out of range",
-                   "give sides of 1 to " + std::to_string(kMaxTargetSide) + ", 1 to " +
-                       std::to_string(kMaxSamplesPerPixel) + " samples a pixel and at most " +
-                       std::to_string(kMaxTargetSamples) + " samples in all");
+  if (const auto error = TargetSizeError(place, width, height, samples)) throw InputError(*error);
 }
 
 }  // namespace rasterproof

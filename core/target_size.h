@@ -2,7 +2,10 @@
 #ifndef RASTERPROOF_CORE_TARGET_SIZE_H_
 #define RASTERPROOF_CORE_TARGET_SIZE_H_
 
+#include <optional>
 #include <string>
+
+#include "core/error.h"
 
 namespace rasterproof {
 
@@ -10,7 +13,11 @@ namespace rasterproof {
 /// and kMaxTargetSamples at most in all.
 bool IsTargetSize(int width, int height, int samples);
 
-/// Error:      InputError that names `place` unless IsTargetSize().
+/// Nothing if IsTargetSize(), else the error that names `place`.
+std::optional<InputError> TargetSizeError(const std::string& place, int width, int height,
+                                          int samples);
+
+/// Error:      TargetSizeError().
 void RequireTargetSize(const std::string& place, int width, int height, int samples);
 
 }  // namespace rasterproof

@@ -30,16 +30,13 @@ bool IsCulled(int facing, Cull cull) {
   return facing == 0 || (facing > 0 && cull == Cull::kFront) || (facing < 0 && cull == Cull::kBack);
 }
 
+bool SnapsOn(const Scene& target, const Profile& profile) {
+  return !ForTarget(profile, target.width, target.height).snap.IsNone();
+}
+
 Scene PlacedScene(const Scene& scene, const Profile& profile) {
   if (!IsHomogeneous(scene, profile)) return SnapScene(scene, profile);
-  if (!PlacesClipSpace(profile)) {
-    throw InputError(
-        "profile \"" + profile.name + "\"",
-        "its fixed-point input, largest extent or rounded crossings are of window space",
-        "give vertices [x, y]");
-  }
-  const bool snaps = !ForTarget(profile, scene.width, scene.height).snap.IsNone();
-  return snaps ? SnapClipScene(scene, profile) : scene;
+  return SnapsOn(scene, profile) ? SnapClipScene(scene, profile) : scene;
 }
 
 // Where an edge crosses a row is worked out by the fast path alone: a second opinion that is the
@@ -68,9 +65,25 @@ bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule, Deci
   return true;
 }
 
+std::optional<InputError> WhyNotDecided(const Scene& scene, const Profile& profile) {
+  const int samples = profile.lattice.samples();
+  if (auto error = TargetSizeError("oracle", scene.width, scene.height, samples)) return error;
+  if (IsHomogeneous(scene, profile) && !PlacesClipSpace(profile)) {
+    return InputError(
+        "profile \"" + profile.name + "\"",
+        "its fixed-point input, largest extent or rounded crossings are of window space",
+        "give vertices [x, y]");
+  }
+  if (IsHomogeneous(scene, profile) && SnapsOn(scene, profile)) {
+    if (auto error = SnapClipError(scene, profile)) return error;
+  }
+  const bool is_one_model = profile.targets.empty();
+  return LocationError(is_one_model ? profile : ForTarget(profile, scene.width, scene.height));
+}
+
 CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options,
                         Decider decider) {
-  RequireTargetSize("oracle", scene.width, scene.height, profile.lattice.samples());
+  if (const auto why = WhyNotDecided(scene, profile)) throw InputError(*why);
   RequireSecondOpinion(profile, decider);
   const Scene snapped = PlacedScene(scene, profile);
   const SampleFrame frame(scene, profile, options);

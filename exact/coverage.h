@@ -3,9 +3,11 @@
 #define RASTERPROOF_EXACT_COVERAGE_H_
 
 #include <array>
+#include <optional>
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
+#include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
@@ -24,11 +26,16 @@ namespace rasterproof::exact {
 ///             positive (snapping follows the division, and what clipping does is not the
 ///             profile's to say), and |x / w| and |y / w| below 2^(50 - bits). A profile with
 ///             rounded crossings: window space, and kFast, which alone decides them.
-/// Error:      none; throws InputError where the domain is left.
+/// Error:      none; throws WhyNotDecided() where the domain is left.
 /// Cost:       kFast: spans, about one integer decision per edge and row. The other deciders: one
 ///             sign per edge and sample of the triangle's box, for cross-checking.
 CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options = {},
                         Decider decider = Decider::kFast);
+
+/// Why the oracle does not decide what the scene counts under the profile: the scene is none of
+/// Coverage()'s domain, or a sample location no fraction that it takes. Nothing if it does, and
+/// then neither Coverage() by kFast throws, nor ShapeOf(), nor SnapClipScene() where it applies.
+std::optional<InputError> WhyNotDecided(const Scene& scene, const Profile& profile);
 
 /// Returns whether the triangle (window space, already snapped, finite) covers the point p under
 /// the rule; either winding.

@@ -21,6 +21,14 @@ bool IsLocation(double c) {
 
 }  // namespace
 
+std::optional<InputError> LocationError(const Profile& profile) {
+  const auto is_location = [](const Point2& l) { return IsLocation(l.x) && IsLocation(l.y); };
+  if (std::ranges::all_of(profile.lattice.locations, is_location)) return std::nullopt;
+  return InputError("profile \"" + profile.name + "\"",
+                    "a sample location is not a multiple of 2^-20 in [0, 1)",
+                    "state the locations as fractions of a pixel on a power-of-two grid");
+}
+
 SampleFrame::SampleFrame(const Scene& scene, const Profile& own, const DrawOptions& options)
     : clip{0, 0, scene.width, scene.height}, y_up(own.y_axis == YAxis::kUp) {
   std::optional<Profile> resolved;
@@ -28,12 +36,8 @@ SampleFrame::SampleFrame(const Scene& scene, const Profile& own, const DrawOptio
       own.targets.empty() ? own : resolved.emplace(ForTarget(own, scene.width, scene.height));
   rule = profile.fill_rule;
   crossing = profile.crossing;
+  if (const auto error = LocationError(profile)) throw InputError(*error);
   for (const Point2& l : profile.lattice.locations) {
-    if (!IsLocation(l.x) || !IsLocation(l.y)) {
-      throw InputError("profile \"" + profile.name + "\"",
-                       "a sample location is not a multiple of 2^-20 in [0, 1)",
-                       "state the locations as fractions of a pixel on a power-of-two grid");
-    }
     offsets.push_back(y_up ? Point2{l.x, -(scene.height - 1) - l.y} : l);
   }
   if (options.scissor) {

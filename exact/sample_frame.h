@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/draw_options.h"
+#include "core/error.h"
 #include "core/fill_rule.h"
 #include "core/profile.h"
 #include "core/scene.h"
@@ -27,8 +28,7 @@ struct SampleFrame {
   bool y_up = false;
 
   /// Of the profile: what it says of targets of the scene's size.
-  /// Error: InputError if a location is not a multiple of 2^-20 in [0, 1), as then pixel + location
-  ///        could round.
+  /// Error: LocationError().
   SampleFrame(const Scene& scene, const Profile& profile, const DrawOptions& options);
 
   Point2 At(int i, int row, std::size_t s) const { return {i + offsets[s].x, row + offsets[s].y}; }
@@ -36,6 +36,10 @@ struct SampleFrame {
   Point2 ToScreen(Point2 p) const { return y_up ? Point2{p.x, -p.y} : p; }
   Vertex ToScreen(const Vertex& v) const { return y_up ? Vertex{v.x, -v.y, v.z, v.w} : v; }
 };
+
+/// The error that a location of the profile is no multiple of 2^-20 in [0, 1), as then pixel +
+/// location could round. Nothing if all are.
+std::optional<InputError> LocationError(const Profile& profile);
 
 /// The scene's triangle in screen axes, or nothing if an x, y or w is not finite.
 std::optional<std::array<Vertex, 3>> ScreenTriangle(const Scene& scene, const Triangle& t,

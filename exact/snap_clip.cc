@@ -1,8 +1,10 @@
 #include "exact/snap_clip.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -20,14 +22,22 @@ namespace {
 // Grid steps beyond which the halves and quarters below would no longer be doubles.
 constexpr double kMostSteps = 0x1p50;
 
+bool HasGridPoint(double x, double w, const Snap& snap) {
+  return std::fabs(std::ldexp(x / w, snap.bits)) < kMostSteps;
+}
+
+InputError QuotientError() {
+  return {"vertex", "its snapped position x / w does not fit 51 bits",
+          "clip the scene, or use a profile without snapping"};
+}
+
+bool IsDrawn(const std::array<Vertex, 3>& v) { return std::ranges::all_of(v, IsFinite); }
+
 }  // namespace
 
 double SnapQuotient(double x, double w, const Snap& snap) {
   const double steps = std::ldexp(x / w, snap.bits);
-  if (!(std::fabs(steps) < kMostSteps)) {
-    throw InputError("vertex", "its snapped position x / w does not fit 51 bits",
-                     "clip the scene, or use a profile without snapping");
-  }
+  if (!HasGridPoint(x, w, snap)) throw QuotientError();
   // Every rule changes its answer only at multiples of half a step. The quotient is off by at most
   // 2^-53 of itself: if no such multiple is that near, the truth lies on the same side of it.
   const double boundary = std::nearbyint(2 * steps) / 2;
@@ -43,8 +53,7 @@ double SnapQuotient(double x, double w, const Snap& snap) {
 
 std::optional<double> TrySnapQuotient(double x, double w, const Snap& snap) {
   const bool has_place = std::isfinite(x) && std::isfinite(w) && w > 0 && !snap.IsNone() &&
-                         snap.form == SnapForm::kCoordinate &&
-                         std::fabs(std::ldexp(x / w, snap.bits)) < kMostSteps;
+                         snap.form == SnapForm::kCoordinate && HasGridPoint(x, w, snap);
   return has_place ? std::optional(SnapQuotient(x, w, snap)) : std::nullopt;
 }
 
@@ -59,28 +68,40 @@ std::optional<int> SnappedClipFacing(const std::array<Vertex, 3>& v, const Snap&
   return Facing(at);
 }
 
-Scene SnapClipScene(const Scene& scene, const Profile& own) {
+std::optional<InputError> SnapClipError(const Scene& scene, const Profile& own) {
   const Profile profile = ForTarget(own, scene.width, scene.height);
   if (profile.snap.form != SnapForm::kCoordinate) {
-    throw InputError("profile \"" + profile.name + "\"",
-                     "its snap form says nothing of the quotient x / w",
-                     "give window-space vertices, or a profile that snaps coordinates");
+    return InputError("profile \"" + profile.name + "\"",
+                      "its snap form says nothing of the quotient x / w",
+                      "give window-space vertices, or a profile that snaps coordinates");
   }
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
+    if (!IsDrawn(v)) continue;
+    if (!std::ranges::all_of(v, [](const Vertex& corner) { return corner.w > 0; })) {
+      return InputError("triangles[" + std::to_string(t) + "]",
+                        "a vertex with w <= 0 has no position to snap",
+                        "use a profile without snapping, or clip the scene in front of the eye");
+    }
+    for (const auto& [x, y, z, w] : v) {
+      if (!HasGridPoint(x, w, profile.snap) || !HasGridPoint(y, w, profile.snap)) {
+        return QuotientError();
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Scene SnapClipScene(const Scene& scene, const Profile& own) {
+  if (const auto error = SnapClipError(scene, own)) throw InputError(*error);
+  const Profile profile = ForTarget(own, scene.width, scene.height);
   Scene snapped = scene;
   snapped.precision = Precision::kFloat64;
   snapped.clip_space = false;
   std::vector<bool> used(scene.vertices.size(), false);
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
-    if (!IsFinite(v[0]) || !IsFinite(v[1]) || !IsFinite(v[2])) continue;
-    for (unsigned k = 0; k < 3; ++k) {
-      if (v[k].w <= 0) {
-        throw InputError("triangles[" + std::to_string(t) + "]",
-                         "a vertex with w <= 0 has no position to snap",
-                         "use a profile without snapping, or clip the scene in front of the eye");
-      }
-      used[static_cast<std::size_t>(scene.triangles[t][k])] = true;
-    }
+  for (const Triangle& t : scene.triangles) {
+    if (!IsDrawn(Corners(scene, t))) continue;
+    for (const std::int32_t index : t) used[static_cast<std::size_t>(index)] = true;
   }
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < scene.vertices.size(); ++k) {

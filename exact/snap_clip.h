@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/snap.h"
@@ -27,10 +28,17 @@ std::optional<double> TrySnapQuotient(double x, double w, const Snap& snap);
 /// Domain:     clip space.
 std::optional<int> SnappedClipFacing(const std::array<Vertex, 3>& v, const Snap& snap);
 
+/// Why the vertices of a clip-space scene have no places on the profile's grid: a finite triangle
+/// has a w <= 0 or a quotient beyond SnapQuotient's domain, or the profile snaps differences, which
+/// are of window coordinates. Nothing if they have.
+///
+/// Domain:     clip space, a profile that snaps.
+std::optional<InputError> SnapClipError(const Scene& scene, const Profile& profile);
+
 /// Returns the window-space scene of the snapped vertices.
 ///
-/// Domain:     clip space, a profile that snaps. Throws InputError if a finite triangle has a w <=
-///             0, or the profile snaps differences: they are of window coordinates.
+/// Domain:     clip space, a profile that snaps.
+/// Error:      SnapClipError().
 Scene SnapClipScene(const Scene& scene, const Profile& profile);
 
 }  // namespace rasterproof::exact

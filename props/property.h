@@ -40,6 +40,9 @@ inline Asked NothingAsked(std::string why) {
   return {{}, {Outcome::kNotExercised, 0, 0, std::move(why), std::nullopt}};
 }
 
+/// Nothing is asked: what the claim asks the oracle about is not decided, and why.
+inline Asked NotDecided(const std::string& why) { return {{}, Verdict::NotApplicable(why)}; }
+
 /// Everything is asked and judged at once.
 inline Asked OneCheck(Questions questions, std::function<Verdict(const Answers&)> judge) {
   Asked asked;

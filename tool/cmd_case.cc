@@ -85,7 +85,8 @@ const props::Property& ClaimOf(const LoadedCase& loaded) {
                                      .domains = {},
                                      .gate = {.space = props::Space::kEither,
                                               .promise = props::Promise::kNone,
-                                              .beyond_limits = true},
+                                              .beyond_limits = true,
+                                              .asks_oracle = true},
                                      .ask = AskForTheModel};
   return loaded.property != nullptr ? *loaded.property : plain;
 }

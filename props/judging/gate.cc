@@ -7,8 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "exact/coverage.h"
 #include "model/snap_scene.h"
 
 namespace rasterproof::props {
@@ -224,12 +226,15 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   if (gate.unwrapped && !IsUnwrapped(c.scene, c.profile)) {
     return NotExercised("a coordinate wraps");
   }
-  if (gate.beyond_limits) return std::nullopt;
-  if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
-  if (!MayBeClipped(gate) && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
-    return NotExercised("a triangle leaves the profile's no-clip rectangle");
+  if (!gate.beyond_limits) {
+    if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
+    if (!MayBeClipped(gate) && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
+      return NotExercised("a triangle leaves the profile's no-clip rectangle");
+    }
   }
-  return std::nullopt;
+  if (!gate.asks_oracle) return std::nullopt;
+  const std::optional<InputError> why = exact::WhyNotDecided(c.scene, c.profile);
+  return why ? std::optional(Verdict::NotApplicable(why->what())) : std::nullopt;
 }
 
 std::string WordsOf(const Gate& gate) {
@@ -250,6 +255,7 @@ std::string WordsOf(const Gate& gate) {
   if (!gate.beyond_limits) Add(words, "coordinates within the limits");
   if (gate.unwrapped) Add(words, "no coordinate wraps");
   if (!gate.beyond_limits && !MayBeClipped(gate)) Add(words, "no corner outside no_clip");
+  if (gate.asks_oracle) Add(words, "a scene that the oracle decides");
   Add(words, gate.where);
   return words.empty() ? "every scene that the subject takes" : words;
 }

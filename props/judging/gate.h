@@ -77,6 +77,8 @@ struct Gate {
   /// True for what is not claimed where a coordinate wraps.
   bool unwrapped = false;
   std::span<const ProfileRule> rules = {};
+  /// True for what is judged by what the oracle says of the case's scene.
+  bool asks_oracle = false;
   /// What of a case that is let through the claim is about, in words, where that is less than all:
   /// "two triangles or more". Its `ask` sees to it.
   std::string_view where = {};
@@ -96,7 +98,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 
 /// Returns the verdict to give instead of judging, or nothing if the claim may be judged.
 ///
-/// Not applicable: as DoesNotApply, or the subject does not take scenes of this kind or precision.
+/// Not applicable: as DoesNotApply; the subject does not take scenes of this kind or precision; or
+///                 the oracle is asked and does not decide the scene.
 /// Not exercised:  the case is of the other space; it culls or has a scissor, which the subject
 ///                 does not take; it is of clip space, under a snapped profile, and not wholly in
 ///                 front of the eye; the profile has keys that speak of window space alone; a

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/error.h"
+#include "exact/coverage.h"
 
 namespace rasterproof::props {
 namespace {
@@ -16,14 +16,12 @@ std::string PlaceOfFault(const Property& property, const Case& c) {
          (c.origin.empty() ? "scene " + c.scene.name : c.origin) + ": ";
 }
 
-// What claims and the oracle work out. The oracle says by an InputError that it decides no such
-// scene; anything else that it throws is a fault of ours.
+// What claims and the oracle work out: whatever they throw is a fault of ours. What the oracle does
+// not decide is told by the gate, before it is asked.
 template <class Work>
 auto WorkedOut(const Property& property, const Case& c, const Work& work) {
   try {
     return work();
-  } catch (const InputError&) {
-    throw;
   } catch (const JudgingFault&) {
     throw;
   } catch (const std::exception& error) {
@@ -39,19 +37,15 @@ Answers PutOne(Subject& subject, const Request& request) {
 
 CaseInHand::CaseInHand(const Property& property, const Case& c, const Description& subject)
     : property_(property), given_(c) {
-  try {
-    WorkedOut(property, c, [&] {
-      judged_ = Judged(c, subject, property.gate.judges_degenerates);
-      if (judged_.instead) return Conclude({*judged_.instead});
-      if (auto refusal = Refusal(property.gate, judged_.subject, judged_.value)) {
-        return Conclude({*std::move(refusal)});
-      }
-      asked_ = property.ask(judged_.value, judged_.subject);
-      if (asked_.checks.empty()) Conclude({asked_.otherwise});
-    });
-  } catch (const InputError& error) {
-    Conclude({Verdict::NotApplicable(error.what())});
-  }
+  WorkedOut(property, c, [&] {
+    judged_ = Judged(c, subject, property.gate.judges_degenerates);
+    if (judged_.instead) return Conclude({*judged_.instead});
+    if (auto refusal = Refusal(property.gate, judged_.subject, judged_.value)) {
+      return Conclude({*std::move(refusal)});
+    }
+    asked_ = property.ask(judged_.value, judged_.subject);
+    if (asked_.checks.empty()) Conclude({asked_.otherwise});
+  });
 }
 
 void CaseInHand::Conclude(Trial trial) {
@@ -92,20 +86,16 @@ void CaseInHand::Take(Answers answers) {
   drawn_.insert(drawn_.end(),
                 answers.draws.begin() + static_cast<std::ptrdiff_t>(check.bases.size()),
                 answers.draws.end());
-  try {
-    Verdict verdict = WorkedOut(property_, given_, [&] { return check.judge(answers); });
-    sum_.exercised += verdict.exercised;
-    sum_.not_judged += verdict.not_judged;
-    sum_.worst_ratio = std::max(sum_.worst_ratio, verdict.worst_ratio);
-    if (sum_.message.empty()) sum_.message = verdict.message;
-    if (verdict.outcome == Outcome::kViolated) {
-      verdict.exercised = sum_.exercised;
-      verdict.not_judged = sum_.not_judged;
-      violation_ = verdict;
-      return Conclude({std::move(verdict)});
-    }
-  } catch (const InputError& error) {
-    return Conclude({Verdict::NotApplicable(error.what())});
+  Verdict verdict = WorkedOut(property_, given_, [&] { return check.judge(answers); });
+  sum_.exercised += verdict.exercised;
+  sum_.not_judged += verdict.not_judged;
+  sum_.worst_ratio = std::max(sum_.worst_ratio, verdict.worst_ratio);
+  if (sum_.message.empty()) sum_.message = verdict.message;
+  if (verdict.outcome == Outcome::kViolated) {
+    verdict.exercised = sum_.exercised;
+    verdict.not_judged = sum_.not_judged;
+    violation_ = verdict;
+    return Conclude({std::move(verdict)});
   }
   if (next_ < asked_.checks.size()) return;
   if (sum_.exercised != 0) {
@@ -118,13 +108,11 @@ void CaseInHand::Take(Answers answers) {
 void CaseInHand::Blame(Subject& subject) {
   const bool is_said = trial_->verdict.outcome != Outcome::kViolated || trial_->broke_down;
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
-  Asked round;
-  try {
-    round = WorkedOut(property_, given_,
-                      [&] { return property_.blame(judged_.value, violation_, judged_.subject); });
-  } catch (const InputError&) {
-    return;  // the oracle decides nothing of less of the case: nobody is named
-  }
+  // Of a case that the oracle does not decide nobody is named.
+  if (exact::WhyNotDecided(judged_.value.scene, judged_.value.profile)) return;
+  const Asked round = WorkedOut(property_, given_, [&] {
+    return property_.blame(judged_.value, violation_, judged_.subject);
+  });
   for (const Check& check : round.checks) {
     const Request request{&judged_, &check, &drawn_};
     const Answers answers = PutOne(subject, request);

@@ -31,7 +31,7 @@ class JudgingFault : public std::runtime_error {
 ///
 /// Returns:    what the property says; kRefused if the subject refused a scene of it, kViolated if
 ///             it broke down over one, kInconclusive if it took longer than it may, and
-///             kNotApplicable if the oracle can't decide the case (any other InputError).
+///             kNotApplicable if the gate says so, or the scene can't be put to the subject.
 /// Error:      JudgingFault.
 Trial TryCase(Subject& subject, const Property& property, const Case& c);
 

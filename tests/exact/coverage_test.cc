@@ -4,7 +4,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -236,6 +239,40 @@ TEST(Coverage, RefusesSampleLocationsThatCouldRound) {
   EXPECT_THROW(Coverage(kSquareOfCentres, profile), InputError);
   profile.lattice.locations = {{0.5, 1}};
   EXPECT_THROW(Coverage(kSquareOfCentres, profile), InputError);
+}
+
+// What Coverage throws, or nothing.
+std::string ThrownBy(const Scene& scene, const Profile& profile) {
+  try {
+    Coverage(scene, profile);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(WhyNotDecided, SaysBeforehandWhatCoverageThrows) {
+  const Profile d3d11 = *PresetProfile("d3d11");
+  Scene scene = MakeScene(3, 1, {{1.5, -12, 0, 3}, {27, 1.5, 0, 3}, {1.5, 15, 0, 3}}, {{0, 1, 2}});
+  scene.clip_space = true;
+  std::vector<std::pair<Scene, Profile>> undecided{{scene, d3d11}, {scene, d3d11}, {scene, d3d11},
+                                                   {scene, d3d11}, {scene, d3d11}, {scene, d3d11}};
+  undecided[0].first.vertices[0].w = 0;
+  undecided[1].first.vertices[0] = {1e300, 0, 0, 1e-300};
+  undecided[2].second.snap.form = SnapForm::kExactDifference;
+  undecided[3].second.max_extent = MaxExtent{4, 4};
+  undecided[4].second.lattice.locations = {{1.0 / 3, 0.5}};
+  undecided[5].first.width = 0;
+  std::set<std::string> reasons;
+  for (const auto& [c, profile] : undecided) {
+    const std::optional<InputError> why = WhyNotDecided(c, profile);
+    ASSERT_TRUE(why.has_value());
+    EXPECT_EQ(why->what(), ThrownBy(c, profile));
+    reasons.insert(why->what());
+  }
+  EXPECT_EQ(reasons.size(), undecided.size());
+  EXPECT_FALSE(WhyNotDecided(scene, d3d11).has_value());
+  EXPECT_EQ(ThrownBy(scene, d3d11), "");
 }
 
 TEST(Covers, AsksOnePointUnderTheRule) {

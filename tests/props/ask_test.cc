@@ -89,10 +89,33 @@ TEST(TheGate, LetsNoCaseThroughThatItRefusesTheSubject) {
   EXPECT_GT(refused, 100U);
 }
 
+// A quotient that fits no grid point: what asks the oracle is not applicable, and draws nothing;
+// what compares draws is judged.
+TEST(TheGate, ToldByTheOracleWhatItDoesNotDecide) {
+  SubjectInfo info = testing::SnappedInfo(8);
+  info.takes_clip = true;
+  info.profile.coordinate_limit = 0x1p60;
+  int draws = 0;
+  testing::PlantedSubject subject(
+      info, [&](const Scene&, const DrawOptions&, CoverageCounts&) { ++draws; });
+  Case c = OneTriangle();
+  c.scene.clip_space = true;
+  c.scene.vertices[1].x = 0x1p50;
+  c.profile = info.profile;
+  const Verdict model = RunCase(subject, *FindProperty("ClipSpaceCoverageEqualsTheModel"), c);
+  EXPECT_EQ(model.outcome, Outcome::kNotApplicable);
+  EXPECT_NE(model.message.find("does not fit 51 bits"), std::string::npos) << model.message;
+  EXPECT_EQ(draws, 0);
+  const Verdict turned = RunCase(subject, *FindProperty("VertexRotationKeepsCoverage"), c);
+  EXPECT_EQ(turned.outcome, Outcome::kHolds) << turned.message;
+  EXPECT_NE(draws, 0);
+}
+
 TEST(TheGate, IsToldInWords) {
   EXPECT_EQ(WordsOf(FindProperty("CoverageEqualsTheModel")->gate),
             "contract sample-exact; no grid points or tie rule left free; window space; "
-            "coordinates within the limits; no corner outside no_clip");
+            "coordinates within the limits; no corner outside no_clip; a scene that the oracle "
+            "decides");
   EXPECT_EQ(WordsOf(FindProperty("DrawStaysInsideItsTarget")->gate),
             "every scene that the subject takes");
 }

@@ -66,6 +66,11 @@ Asked OracleFails(const Case& c, const Description& /*subject*/) {
   });
 }
 
+// What the oracle does not decide the gate says before it is asked.
+Asked OracleDecidesNothing(const Case& /*c*/, const Description& /*subject*/) {
+  throw InputError("scene", "the oracle decides no such thing", "give another");
+}
+
 Asked MemoryRunsOut(const Case& /*c*/, const Description& /*subject*/) { throw std::bad_alloc(); }
 
 std::string FaultOf(Subject& subject, const Property& property) {
@@ -83,6 +88,7 @@ TEST(AFaultOfOurs, IsNeverTheSubjects) {
   EXPECT_TRUE(Says(said, "CoverageIsTheModels on uniform-subpixel:0@1")) << said;
   EXPECT_TRUE(Says(said, "a rational must be finite")) << said;
   EXPECT_NE(FaultOf(subject, Throwing(MemoryRunsOut)), "");
+  EXPECT_NE(FaultOf(subject, Throwing(OracleDecidesNothing)), "");
   PlantedSubject outside = PlantedSubject::Outside(RealInfo(), DrawRight);
   EXPECT_NE(FaultOf(outside, Throwing(OracleFails)), "");
   EXPECT_NE(FaultOf(outside, Throwing(MemoryRunsOut)), "");
@@ -214,9 +220,9 @@ TEST(Refusals, AreNoFailureOfASmallerCase) {
   EXPECT_EQ(result.verdict->outcome, Outcome::kViolated);
 }
 
-TEST(Refusals, OfTheOracleAreStillNotApplicable) {
+TEST(Refusals, OfWhatCantBePutAreNotApplicable) {
   const auto draw = [](const Scene&, const DrawOptions&, CoverageCounts&) {
-    throw InputError("scene", "the oracle decides no such thing", "give another");
+    throw InputError("scene", "it takes no such thing", "give another");
   };
   EXPECT_EQ(RunInside(draw, {.cases = 9}).outcome, Outcome::kNotApplicable);
 }

@@ -7,6 +7,7 @@
 
 #include "core/coverage.h"
 #include "core/profile.h"
+#include "exact/coverage.h"
 #include "exact/winding.h"
 #include "model/snap_scene.h"
 #include "props/claims/all.h"
@@ -32,6 +33,9 @@ bool IsClosedInEveryModel(const Case& c) {
 Asked Ask(const Case& c, const Description& subject) {
   if (std::ranges::any_of(c.scene.vertices, [](const Vertex& v) { return !(v.w > 0); })) {
     return NothingAsked("the surface may wind around the eye");
+  }
+  if (!c.scene.clip_space) {  // elsewhere the scene tells, whatever it becomes on a grid
+    if (const auto why = exact::WhyNotDecided(c.scene, c.profile)) return NotDecided(why->what());
   }
   const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
   if (!IsClosedInEveryModel(c)) return NothingAsked("the mesh has a boundary");

@@ -63,6 +63,7 @@ constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
              .promise = Promise::kClosed,
              .any_model = true,
              .rules = kRules,
+             .asks_oracle = true,
              .where = "a closed surface that does not pass through the eye"},
     .ask = Ask,
 };

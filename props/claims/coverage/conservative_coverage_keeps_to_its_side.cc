@@ -90,7 +90,10 @@ constinit const Property kConservativeCoverageKeepsToItsSide{
         "sample out, an underestimate adds none.",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .gate = {.space = Space::kEither, .promise = Promise::kAny, .rules = kRules},
+    .gate = {.space = Space::kEither,
+             .promise = Promise::kAny,
+             .rules = kRules,
+             .asks_oracle = true},
     .ask = Ask,
 };
 

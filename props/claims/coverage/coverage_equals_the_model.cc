@@ -15,7 +15,7 @@ constinit const Property kCoverageEqualsTheModel{
         "specification 3.4.2.1 (top-left rule); the profile names the rule).",
     .tolerance = kExact,
     .domains = kModelCoverage,
-    .gate = {.judges_overdraw = true},
+    .gate = {.judges_overdraw = true, .asks_oracle = true},
     .ask = [](const Case& c, const Description&) { return CompareWithTheModel(c); },
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },

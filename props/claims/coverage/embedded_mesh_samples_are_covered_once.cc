@@ -28,6 +28,7 @@ constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
          .promise = Promise::kWatertight,
          .judges_clipped = true,
          .rules = kPlanarMeshRules,
+         .asks_oracle = true,
          .where =
              "shared ties: at least once, away from edges once; the snapped mesh has one facing, "
              "in clip space as seen from the eye, and does not overlap itself; where vertices may "

@@ -45,6 +45,7 @@ constinit const Property kNeighboursAreClippedAlike{
              .promise = Promise::kWatertight,
              .judges_clipped = true,
              .rules = kPlanarMeshRules,
+             .asks_oracle = true,
              .where = "shared ties: at least once; an edge shared in opposite directions by "
                       "triangles of one facing of which one leaves the target or passes behind the "
                       "eye; samples to which no other edge of theirs is nearer"},

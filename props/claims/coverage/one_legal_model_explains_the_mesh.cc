@@ -170,7 +170,11 @@ constinit const Property kOneLegalModelExplainsTheMesh{
         "3.4.2.1.",
     .tolerance = "the profile's own freedom, jointly for all triangles",
     .domains = kFreeSnaps,
-    .gate = {.space = Space::kEither, .any_model = true, .rules = kRules, .where = "window space"},
+    .gate = {.space = Space::kEither,
+             .any_model = true,
+             .rules = kRules,
+             .asks_oracle = true,
+             .where = "window space"},
     .ask = Ask,
 };
 

@@ -27,6 +27,7 @@ constinit const Property kSharedEdgeSamplesAreCoveredOnce{
              .promise = Promise::kWatertight,
              .judges_clipped = true,
              .rules = kPlanarMeshRules,
+             .asks_oracle = true,
              .where = "shared ties: at least once; two triangles of one facing with an edge in "
                       "opposite directions; samples to which no other edge of theirs is nearer"},
     .ask = Ask,

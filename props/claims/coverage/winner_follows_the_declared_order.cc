@@ -59,7 +59,7 @@ constinit const Property kWinnerFollowsTheDeclaredOrder{
         "Order): without a depth test the last one on a sample stays.",
     .tolerance = kExact,
     .domains = kAnyMesh,
-    .gate = {.space = Space::kEither, .shows = Shows::kPrimitiveIds},
+    .gate = {.space = Space::kEither, .shows = Shows::kPrimitiveIds, .asks_oracle = true},
     .ask = Ask,
 };
 

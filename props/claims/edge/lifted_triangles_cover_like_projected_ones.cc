@@ -59,6 +59,9 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   if (!WithinLimits(projected.scene, c.profile) || !lifted || !WithinLimits(*lifted, c.profile)) {
     return NothingAsked("the projected scene is beyond the limits");
   }
+  if (const auto why = exact::WhyNotDecided(projected.scene, projected.profile)) {
+    return NotDecided(why->what());
+  }
   Questions questions;
   questions.draws.push_back(CountsOf(*lifted, c.profile, WholeTarget(c)));
   return OneCheck(std::move(questions), [projected = std::move(projected)](const Answers& answers) {

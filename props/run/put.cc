@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "props/run/parts.h"
 
@@ -25,48 +23,19 @@ void End(Answers& answers, Stop stop, std::string why) {
   answers.why = std::move(why);
 }
 
-// What a subject's own call threw. A type of somebody else's may throw anything: that is its fault.
-// Memory that ran out is nobody's finding.
-void EndBy(const std::exception_ptr& error, Answers& answers) {
-  try {
-    std::rethrow_exception(error);
-  } catch (const SubjectRefusal& refusal) {
-    End(answers, Stop::kRefused, refusal.what());
-  } catch (const InputError& input) {
-    End(answers, Stop::kCantBePut, input.what());
-  } catch (const SubjectHang& hang) {
-    End(answers, Stop::kHung, hang.what());
-  } catch (const SubjectFault& fault) {
-    End(answers, Stop::kBrokeDown, fault.what());
-  } catch (const SubjectDeadline& deadline) {
-    End(answers, Stop::kDeadline, deadline.what());
-  } catch (const SubjectTooSlow& slow) {
-    End(answers, Stop::kTooSlow, slow.what());
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& other) {
-    End(answers, Stop::kBrokeDown, std::string("it threw: ") + other.what());
-  } catch (...) {
-    End(answers, Stop::kBrokeDown, "it threw something that is no std::exception");
-  }
-}
-
+// Makes a call of the subject's own. What it throws is a stop.
 template <class Call>
 void Guarded(Answers& answers, const Call& call) {
-  try {
-    call();
-  } catch (...) {
-    EndBy(std::current_exception(), answers);
-  }
+  CallEnd end = EndOf(call);
+  if (end.stop != Stop::kNone) End(answers, end.stop, std::move(end.why));
 }
 
 // A draw as the subject is given it: where its own transform takes the vertices to their places.
 // Nothing, and a stop, if it can't be.
 std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Answers& answers) {
-  try {
-    RequireTargetSize("scene", job.scene->width, job.scene->height, job.samples);
-  } catch (const InputError& error) {
-    End(answers, Stop::kCantBePut, error.what());
+  if (const auto error =
+          TargetSizeError("scene", job.scene->width, job.scene->height, job.samples)) {
+    End(answers, Stop::kCantBePut, error->what());
     return std::nullopt;
   }
   if (!judged.places) return job;
@@ -246,7 +215,7 @@ class Putting {
     Answers& answers = answers_[share.request];
     if (answers.stop != Stop::kNone) return;
     if (outcome.error != nullptr) {
-      EndBy(outcome.error, answers);
+      Guarded(answers, [&] { outcome.Get(); });
       return;
     }
     Drawing& drawing = *drawings_[share.draw];

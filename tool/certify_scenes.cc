@@ -55,7 +55,7 @@ Attempt TryToDraw(Subject& subject, const Scene& scene) {
     attempt.reason = WhyNotTaken(subject.Info(), scene);
     return attempt;
   }
-  attempt.as_shown = props::IsJudgedAsShown(subject.Whole().Info(), scene);
+  attempt.as_shown = props::IsJudgedAsShown(subject.Info(), scene);
   const auto start = Clock::now();
   try {
     attempt.counts = Draw(subject, scene);

@@ -269,7 +269,7 @@ CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& opt
 }
 
 CoverageCounts ShownBy(Subject& subject, const Scene& scene, CoverageCounts counts) {
-  const bool as_shown = props::IsJudgedAsShown(subject.Whole().Info(), scene);
+  const bool as_shown = props::IsJudgedAsShown(subject.Info(), scene);
   return as_shown ? props::AsShown(std::move(counts)) : counts;
 }
 

@@ -25,7 +25,7 @@ constexpr int kSide = 1024;
 // Draws nothing, counts its calls, and breaks down over a scene of so many vertices.
 class Empty final : public Subject {
  public:
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions&, CoverageCounts&) override {
     if (scene.vertices.size() == breaks_over) throw SubjectFault("it crashed");
   }

@@ -30,7 +30,7 @@ class ShownSubject final : public Subject {
       : info_(RealInfo()), takes_(std::move(takes)), draw_(std::move(draw)) {
     info_.coverage = kind;
   }
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     counts += Show(DrawJob(scene, options, counts.samples)).counts;
   }

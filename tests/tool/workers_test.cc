@@ -26,7 +26,7 @@ std::vector<std::size_t> Ascending(std::size_t count) {
 
 class Nothing final : public Subject {
  public:
-  const SubjectInfo& Info() const override { return info_; }
+  const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene&, const DrawOptions&, CoverageCounts&) override {}
 
  private:

@@ -95,10 +95,14 @@ TEST(AFaultOfOurs, IsNeverTheSubjects) {
 }
 
 TEST(AFaultOfOurs, IsMemoryThatRanOutInTheSubjectAsWell) {
-  PlantedSubject subject(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+  const auto runs_out = [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw std::bad_alloc();
-  });
+  };
+  PlantedSubject subject(RealInfo(), runs_out);
   EXPECT_THROW(RunCase(subject, ModelProperty(kDomains), SomeCase()), JudgingFault);
+  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), runs_out);
+  const std::string said = FaultOf(outside, ModelProperty(kDomains));
+  EXPECT_TRUE(Says(said, "CoverageIsTheModels on uniform-subpixel:4140000@1 or one of")) << said;
 }
 
 TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {

@@ -331,7 +331,12 @@ std::vector<Triangle> RequestReader::NextTriangles(std::size_t count, std::size_
 
 bool RequestReader::HasMore() {
   std::streambuf& at_hand = *in_.rdbuf();
-  while (!has_line_ && at_hand.in_avail() > 0 && at_hand.sgetc() == '\n') at_hand.sbumpc();
+  constexpr std::string_view kBlank = " \t\r\n";
+  const auto is_blank = [&] {
+    return at_hand.in_avail() > 0 &&
+           kBlank.find(static_cast<char>(at_hand.sgetc())) != std::string_view::npos;
+  };
+  while (!has_line_ && is_blank()) at_hand.sbumpc();
   return has_line_ || at_hand.in_avail() > 0;
 }
 

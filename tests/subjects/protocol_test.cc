@@ -374,6 +374,15 @@ TEST(Protocol, AsksForManyEdgeValuesAtOnce) {
   }
 }
 
+TEST(Protocol, TakesABlankLineForNoRequest) {
+  std::istringstream in("edge 1 0 0 1 0 0 1\n \t\r\n\r\nedge 2 0 0 1 0 0 2\n \r\n");
+  RequestReader reader(in);
+  EXPECT_TRUE(reader.NextEdgeRequest());
+  EXPECT_TRUE(reader.HasMore());
+  EXPECT_TRUE(reader.NextEdgeRequest());
+  EXPECT_FALSE(reader.HasMore());
+}
+
 TEST(Protocol, TakesABatchAsOneCall) {
   const DrawRequest request = SomeRequest();
   const std::vector<DrawJob> jobs(3, request.job);

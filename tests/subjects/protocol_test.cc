@@ -182,6 +182,7 @@ TEST(Protocol, AsksForWhatIsWantedOfWhatIsShownAlone) {
   EXPECT_EQ(asked(CoverageKind::kFragments, 2, kCoverageAlone), " wants=coverage\n");
   EXPECT_EQ(asked(CoverageKind::kWinners, 2, kCoverageAlone), " wants=coverage\n");
   EXPECT_EQ(asked(CoverageKind::kWinners, 2, kCoverageAndIds), "\n");
+  EXPECT_EQ(asked(CoverageKind::kWinners, 2, depths), "\n") << "it shows none, but whose they are";
   EXPECT_EQ(asked(CoverageKind::kMask, 2, kCoverageAlone), "\n");
   EXPECT_EQ(asked(CoverageKind::kFragments, 1, kCoverageAlone), "\n");
   for (const Outputs wants : {kEverything, kCoverageAndIds, kCoverageAlone}) {

@@ -99,9 +99,8 @@ void CaseInHand::Blame(Subject& subject) {
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
   // Of a case that the oracle does not decide nobody is named.
   if (exact::WhyNotDecided(judged_.value.scene, judged_.value.profile)) return;
-  const Asked round = WorkedOut(place_, [&] {
-    return property_.blame(judged_.value, violation_, judged_.subject);
-  });
+  const Asked round = WorkedOut(
+      place_, [&] { return property_.blame(judged_.value, violation_, judged_.subject); });
   for (const Check& check : round.checks) {
     const Request request{&judged_, &check, &drawn_};
     const Answers answers = PutOne(subject, request);

@@ -3,6 +3,7 @@
 #define RASTERPROOF_CORE_RASTERIZER_H_
 
 #include <concepts>
+#include <exception>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@
 #include "core/evaluators.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "core/subject_errors.h"
 #include "core/subject_info.h"
 
 namespace rasterproof {
@@ -103,10 +105,15 @@ class RasterizerSubject final : public Subject {
     if constexpr (DrawsBatches<R>) {
       std::vector<DrawJob> resolved;
       for (const DrawJob& job : jobs) resolved.push_back(Resolved(job));
+      std::vector<Drawing> drawings = rasterizer_.ShowMany(resolved);
       std::vector<DrawOutcome> outcomes;
-      for (Drawing& drawing : rasterizer_.ShowMany(resolved)) {
-        outcomes.emplace_back().drawing = std::move(drawing);
+      if (drawings.size() != jobs.size()) {
+        outcomes.emplace_back().error =
+            std::make_exception_ptr(SubjectFault("it drew " + std::to_string(drawings.size()) +
+                                                 " of " + std::to_string(jobs.size()) + " scenes"));
+        return outcomes;
       }
+      for (Drawing& drawing : drawings) outcomes.emplace_back().drawing = std::move(drawing);
       return outcomes;
     } else {
       return Subject::DrawMany(jobs);

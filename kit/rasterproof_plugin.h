@@ -60,10 +60,9 @@ enum rasterproof_input {
 /* rasterproof_target.wants is read: weights and depths that it does not name are NULL. */
 #define RASTERPROOF_TAKES_WANTS 64u
 
-/* What is looked at of a draw beside its coverage, as bits of rasterproof_target.wants. */
-#define RASTERPROOF_WANTS_IDS 1u
-#define RASTERPROOF_WANTS_WEIGHTS 2u
-#define RASTERPROOF_WANTS_DEPTHS 4u
+/* What is looked at of a draw beside its winners, as bits of rasterproof_target.wants. */
+#define RASTERPROOF_WANTS_WEIGHTS 1u
+#define RASTERPROOF_WANTS_DEPTHS 2u
 
 enum rasterproof_cull {
   RASTERPROOF_CULL_NONE = 0,
@@ -107,7 +106,8 @@ typedef struct rasterproof_target {
    * sample k: the barycentric coordinates of the sample, for the winner's three vertices. */
   double* weights;
   double* depths; /* the winner's z at the sample; the z of vertices asked about lie in [0, 1] */
-  /* RASTERPROOF_WANTS_...: what is there and not named need not be written. */
+  /* RASTERPROOF_WANTS_... Weights and depths that are there and not named need not be written.
+   * Winners are always: coverage is read off them. */
   uint32_t wants;
 } rasterproof_target;
 

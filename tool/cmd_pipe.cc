@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <span>
@@ -17,7 +18,7 @@
 #include "core/error.h"
 #include "core/question.h"
 #include "core/result.h"
-#include "core/subject_errors.h"
+#include "core/subject.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
@@ -68,7 +69,7 @@ class FarEnd : public Subject {
   SubjectInfo info_;
 };
 
-// gen's: what is asked is written down, and nothing is covered.
+// What is asked is written down, and nothing is covered.
 class Asking final : public FarEnd {
  public:
   using FarEnd::FarEnd;
@@ -118,6 +119,10 @@ class Answering final : public FarEnd {
     }
     return outcomes;
   }
+  // Reads the answers to jobs that were asked for and are not looked at.
+  void Skip(std::span<const DrawJob> jobs) {
+    for (const DrawJob& job : jobs) DrawMany({&job, 1});
+  }
   std::uint64_t answered() const { return id_; }
 
  private:
@@ -148,12 +153,29 @@ struct AllAnswers {
   Answers of_picture;
 };
 
-AllAnswers PutAll(Subject& subject, const props::CaseInHand& hand) {
+// Puts one check's questions.
+using PutOne = std::function<Answers(const props::Request&)>;
+
+Answers PutTo(Subject& subject, const props::Request& request) {
+  return std::move(props::Put(subject, {&request, 1}).front());
+}
+
+// Of a check that ends early the rest is not drawn. Here it was asked for all the same: behind a
+// fault or a refusal the answers to it are passed over, or they were taken for those to come.
+Answers PutInStep(Answering& answering, Asking& asking, const props::Request& request) {
+  PutTo(asking, request);
+  const std::vector<DrawJob> asked = asking.Asked();
+  const std::uint64_t before = answering.answered();
+  Answers answers = PutTo(answering, request);
+  answering.Skip(std::span(asked).subspan(answering.answered() - before));
+  return answers;
+}
+
+AllAnswers PutAll(const PutOne& put_one, const props::CaseInHand& hand) {
   AllAnswers all;
   const auto put = [&](const Questions& questions) {
     const props::Check check{questions, {}};
-    const props::Request request{&hand.AsJudged(), &check, nullptr};
-    return std::move(props::Put(subject, {&request, 1}).front());
+    return put_one({&hand.AsJudged(), &check, nullptr});
   };
   if (hand.IsDone()) return all;
   for (const props::Check& check : hand.Checks()) all.of_checks.push_back(put(check.questions));
@@ -220,7 +242,7 @@ int RunGen(const PipeOptions& options) {
     const Case c = props::DrawCase(info, property, options.campaign.seed, n);
     const props::CaseInHand hand(property, c, description);
     if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
-    PutAll(asking, hand);
+    PutAll([&](const props::Request& request) { return PutTo(asking, request); }, hand);
     const std::vector<DrawJob> jobs = asking.Asked();
     io::WriteStandardOutput(subjects::RequestsText(id + 1, jobs, info));
     id += jobs.size();
@@ -235,6 +257,10 @@ int RunVer(const PipeOptions& options) {
   const SubjectInfo info = InfoOf(options);
   const props::Property& property = RequireProperty(options.property);
   Answering answering(info);
+  Asking asking(info);
+  const PutOne put = [&](const props::Request& request) {
+    return PutInStep(answering, asking, request);
+  };
   const props::Description description = props::DescriptionOf(answering);
   PipeTally tally;
   std::string why_not;
@@ -247,7 +273,7 @@ int RunVer(const PipeOptions& options) {
       const Case c = props::DrawCase(info, property, options.campaign.seed, n);
       props::CaseInHand hand(property, c, description);
       if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
-      AllAnswers all = PutAll(answering, hand);
+      AllAnswers all = PutAll(put, hand);
       RequireAllAnswers();
       if (IsAnyRefused(all)) {
         ++tally.refused;

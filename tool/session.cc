@@ -58,11 +58,7 @@ class OracleSubject final : public Subject {
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    const CoverageCounts drawn = exact::Coverage(scene, info_.profile, options, decider_);
-    for (std::size_t k = 0; k < drawn.size(); ++k) {
-      counts.front[k] += drawn.front[k];
-      counts.back[k] += drawn.back[k];
-    }
+    counts += exact::Coverage(scene, info_.profile, options, decider_);
   }
 
  private:

@@ -4,9 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace rasterproof::props {
+
+// The first list, then the second.
+template <std::size_t m, std::size_t n>
+constexpr std::array<std::string_view, m + n> Both(const std::array<std::string_view, m>& first,
+                                                   const std::array<std::string_view, n>& second) {
+  std::array<std::string_view, m + n> both;
+  std::ranges::copy(second, std::ranges::copy(first, both.begin()).out);
+  return both;
+}
 
 // Names of domains, by what they are good for. A name that no domain has would be found by the
 // tests, which look every one of them up.
@@ -56,14 +66,10 @@ inline constexpr auto kCoverage =
 
 // The same, what only the model can tell, and enough samples to find what goes wrong once in a
 // million.
-inline constexpr auto kModelCoverage = [] {
-  constexpr auto kMore = std::to_array<std::string_view>(
-      {"deciding-ties", "full-targets", "wrapped-coordinates", "extent-ends", "target-ends",
-       "no-clip-ends", "near-repeats", "sparse-indices"});
-  std::array<std::string_view, kCoverage.size() + kMore.size()> domains;
-  std::ranges::copy(kMore, std::ranges::copy(kCoverage, domains.begin()).out);
-  return domains;
-}();
+inline constexpr auto kModelCoverage =
+    Both(kCoverage, std::to_array<std::string_view>(
+                        {"deciding-ties", "full-targets", "wrapped-coordinates", "extent-ends",
+                         "target-ends", "no-clip-ends", "near-repeats", "sparse-indices"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -77,13 +83,8 @@ inline constexpr auto kMeshes =
                                      "subdivisions", "covering-fans", "no-clip-ends", "folds"});
 
 // The same, and meshes in clip space.
-inline constexpr auto kMeshesAnySpace = [] {
-  constexpr auto kMore =
-      std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye"});
-  std::array<std::string_view, kMeshes.size() + kMore.size()> domains;
-  std::ranges::copy(kMore, std::ranges::copy(kMeshes, domains.begin()).out);
-  return domains;
-}();
+inline constexpr auto kMeshesAnySpace =
+    Both(kMeshes, std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye"}));
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>(

@@ -131,8 +131,6 @@ EdgeErrors EdgeErrorsAt(const WeightQuery& q, Precision precision) {
 // What the drawing shows at its k-th sample. Nothing if the winner has no area.
 std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const Scene& owners,
                                    const Case& c, const SubjectInfo& info) {
-  const auto samples = static_cast<std::size_t>(drawing.counts.samples);
-  const auto width = static_cast<std::size_t>(drawing.counts.width);
   Fragment f;
   f.query.triangle = drawing.winners[k];
   const Triangle& t = owners.triangles[static_cast<std::size_t>(f.query.triangle)];
@@ -144,8 +142,8 @@ std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const 
   if (!std::ranges::all_of(corners, IsFinite) || exact::Facing(f.query.v) == 0) {
     return std::nullopt;
   }
-  f.query.place = PlaceOf(c, static_cast<int>(k / samples % width),
-                          static_cast<int>(k / samples / width), static_cast<int>(k % samples));
+  const Witness at = WitnessAtIndex(drawing.counts, k);
+  f.query.place = PlaceOf(c, at.x, at.y, at.sample);
   f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
   f.weights = drawing.weights[k];
   f.depth = drawing.depths[k];

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/case.h"
-#include "core/subject.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "props/judging/weight_queries.h"

@@ -246,14 +246,13 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
 std::string WordsOf(const Gate& gate) {
   std::string words;
   Add(words, WantedBy(gate.shows).words);
-  const auto is_said = [&](std::string_view start) {
-    return std::ranges::any_of(
-        gate.rules, [&](const ProfileRule& rule) { return rule.words.starts_with(start); });
-  };
-  if (!is_said("contract")) Add(words, PromiseWords(gate.promise));
+  const bool is_said = std::ranges::any_of(gate.rules, &ProfileRule::names_contract);
+  if (!is_said) Add(words, PromiseWords(gate.promise));
   if (gate.promise == Promise::kSampleExact && !gate.any_model) {
     Add(words, "no grid points or tie rule left free");
-    if (!gate.judges_overdraw && !is_said(kCountsTies.words)) Add(words, kCountsTies.words);
+    const bool counts_ties = std::ranges::any_of(
+        gate.rules, [](const ProfileRule& rule) { return rule.words == kCountsTies.words; });
+    if (!gate.judges_overdraw && !counts_ties) Add(words, kCountsTies.words);
   }
   for (const ProfileRule& rule : gate.rules) Add(words, rule.words);
   if (gate.space == Space::kWindow) Add(words, "window space");

@@ -53,8 +53,9 @@ enum class Promise : std::uint8_t {
 /// Something that the profile must say.
 struct ProfileRule {
   bool (*holds)(const Profile&);
-  std::string_view words;    ///< completes "the profile ...": "owns shared edges"
-  std::string_view why_not;  ///< a sentence, for where it does not hold
+  std::string_view words;       ///< completes "the profile ...": "owns shared edges"
+  std::string_view why_not;     ///< a sentence, for where it does not hold
+  bool names_contract = false;  ///< the words say what the gate's promise would
 };
 
 /// What a claim needs before it may be judged.
@@ -96,7 +97,7 @@ constexpr Gate Where(Gate gate, std::string_view where) {
 /// Returns why the claim does not apply to the subject, whatever the case, or nothing if it may.
 ///
 /// Domain:     the profile that the subject is judged by. Where it states models by target size,
-///             what it says of the contract is asked for each case.
+///             the gate's rules are asked for each case, the contract now.
 std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject);
 
 /// Returns the verdict to give instead of judging, or nothing if the claim may be judged.
@@ -131,7 +132,7 @@ inline constexpr ProfileRule kCountsTies{[](const Profile& p) { return !p.overdr
                                          "the profile leaves it open how often an edge is drawn"};
 inline constexpr ProfileRule kSaysWhatSinglesCover{
     [](const Profile& p) { return p.contract == Contract::kSampleExact; }, "contract sample-exact",
-    "the profile's contract does not say what single triangles cover"};
+    "the profile's contract does not say what single triangles cover", true};
 
 }  // namespace rasterproof::props
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/evaluators.h"
-#include "core/subject.h"
 #include "core/verdict.h"
 #include "exact/rational.h"
 #include "props/judging/weight_queries.h"

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "core/profile.h"
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
 #include "model/snap_scene.h"

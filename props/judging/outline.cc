@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/profile.h"
 #include "core/scene.h"
 #include "model/snap_scene.h"
 #include "props/judging/free_choices.h"

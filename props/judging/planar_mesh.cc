@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "core/scene.h"
-#include "exact/coverage.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_model.h"
@@ -37,10 +35,7 @@ class SharedTies {
       edges_ = Outline::OfAllEdges(c, LegalReach(c));
       return;
     }
-    Profile inclusive = ForTarget(c.profile, c.scene.width, c.scene.height);
-    inclusive.targets.clear();
-    inclusive.fill_rule = {.inclusive = true};
-    most_ = exact::Coverage(c.scene, inclusive, WholeTarget(c));
+    most_ = CoverageUnder(c, {.inclusive = true}, WholeTarget(c));
   }
 
   bool Allow(std::uint32_t count, std::size_t index, Point2 at) const {

@@ -9,7 +9,6 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
-#include "core/target_size.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
@@ -122,6 +121,13 @@ std::uint64_t DecisionsOf(const Case& c) {
   return decisions;
 }
 
+CoverageCounts CoverageUnder(const Case& c, const FillRule& rule, const DrawOptions& options) {
+  Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  profile.targets.clear();
+  profile.fill_rule = rule;
+  return exact::Coverage(c.scene, profile, options);
+}
+
 Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                    std::uint64_t exercised, const std::string& claim) {
   const CoverageDifference difference = Compare(observed, expected);
@@ -141,10 +147,7 @@ namespace {
 // the fill rule gives to every triangle that has it.
 void AcceptOverdraw(const Case& c, bool as_shown, const CoverageCounts& observed,
                     CoverageCounts& expected) {
-  Profile inclusive = ForTarget(c.profile, c.scene.width, c.scene.height);
-  inclusive.targets.clear();
-  inclusive.fill_rule = {.inclusive = true};
-  CoverageCounts most = exact::Coverage(c.scene, inclusive, c.options);
+  CoverageCounts most = CoverageUnder(c, {.inclusive = true}, c.options);
   if (as_shown) most = AsShown(std::move(most));
   for (std::size_t k = 0; k < expected.size(); ++k) {
     expected.front[k] = std::clamp(observed.front[k], expected.front[k], most.front[k]);

@@ -12,7 +12,6 @@
 #include "core/case.h"
 #include "core/coverage.h"
 #include "core/question.h"
-#include "core/subject.h"
 #include "core/verdict.h"
 #include "props/property.h"
 
@@ -54,6 +53,9 @@ Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles);
 /// number of inside-or-outside decisions that a draw puts to the test. Clip space: every sample for
 /// each finite triangle.
 std::uint64_t DecisionsOf(const Case& c);
+
+/// What the canonical model of the case's profile counts under another fill rule.
+CoverageCounts CoverageUnder(const Case& c, const FillRule& rule, const DrawOptions& options);
 
 /// Holds if the counts are equal; else violated, with the first sample that differs.
 ///

@@ -11,7 +11,6 @@
 #include "core/case.h"
 #include "core/evaluators.h"
 #include "core/question.h"
-#include "core/subject.h"
 #include "core/verdict.h"
 #include "props/judging/edge_queries.h"
 #include "props/judging/gate.h"

@@ -107,6 +107,16 @@ std::string WeightsText(const std::array<double, 3>& weights) {
   return HexText(weights[0]) + ", " + HexText(weights[1]) + ", " + HexText(weights[2]);
 }
 
+bool AreFinite(const std::array<double, 3>& weights) {
+  return std::ranges::all_of(weights, [](double x) { return std::isfinite(x); });
+}
+
+Distance DistanceFromSumOne(const std::array<double, 3>& weights, double bound) {
+  using exact::Rational;
+  return CompareWithExact(weights[2], Rational(1) - Rational(weights[0]) - Rational(weights[1]),
+                          bound);
+}
+
 std::string_view FormName(BarycentricForm form) {
   switch (form) {
     case BarycentricForm::kVertexArea:

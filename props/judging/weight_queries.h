@@ -10,9 +10,9 @@
 
 #include "core/case.h"
 #include "core/evaluators.h"
-#include "core/subject.h"
 #include "core/verdict.h"
 #include "exact/rational.h"
+#include "props/judging/exact_comparison.h"
 #include "props/judging/places.h"
 #include "props/property.h"
 
@@ -60,6 +60,10 @@ Asked AskWeights(const std::vector<WeightQuery>& queries, const BarycentricBound
 
 /// The three weights, for a witness.
 std::string WeightsText(const std::array<double, 3>& weights);
+
+bool AreFinite(const std::array<double, 3>& weights);
+/// How far finite weights, added exactly, are from a sum of one.
+Distance DistanceFromSumOne(const std::array<double, 3>& weights, double bound);
 
 /// The exact lambda of the query.
 std::array<exact::Rational, 3> ExactWeights(const WeightQuery& q);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "props/judging/witness.h"
+
 namespace rasterproof::props {
 namespace {
 
@@ -38,14 +40,9 @@ Verdict SameWinners(const Drawing& observed, const std::vector<std::int32_t>& ex
     if (observed.winners[k] != expected[k] && wrong++ == 0) first = k;
   }
   if (wrong == 0) return Verdict::Held(exercised);
-  const auto samples = static_cast<std::size_t>(observed.counts.samples);
-  const auto width = static_cast<std::size_t>(observed.counts.width);
-  Witness witness;
+  Witness witness = WitnessAtIndex(observed.counts, first);
   witness.triangle =
       std::max(observed.winners[first], expected[first]) % static_cast<std::int32_t>(triangles);
-  witness.x = static_cast<int>(first / samples % width);
-  witness.y = static_cast<int>(first / samples / width);
-  witness.sample = static_cast<int>(first % samples);
   witness.observed = WinnerText(observed.winners[first]) + " wins";
   witness.expected = WinnerText(expected[first]) + ", by the triangles " + how;
   return Verdict::Violated(std::max<std::uint64_t>(exercised, 1),

@@ -7,7 +7,6 @@
 
 #include "core/case.h"
 #include "core/evaluators.h"
-#include "core/subject.h"
 #include "exact/rational.h"
 #include "props/judging/weight_queries.h"
 #include "props/property.h"

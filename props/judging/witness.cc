@@ -14,7 +14,6 @@
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
-#include "model/target_model.h"
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/redraw.h"
 #include "props/judging/thin_triangles.h"
@@ -43,17 +42,12 @@ struct LegalCounts {
 };
 
 LegalCounts LegalCountsOf(const Case& c, const DrawOptions& options) {
-  const auto under = [&](const FillRule& rule) {
-    Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-    profile.targets.clear();
-    profile.fill_rule = rule;
-    return exact::Coverage(c.scene, profile, options);
-  };
   const bool any_owner = c.profile.freedom.any_tie_rule;
   const bool draws_again = c.profile.overdraw || any_owner;
-  LegalCounts legal{
-      any_owner ? under({.exclusive = true}) : exact::Coverage(c.scene, c.profile, options), {}};
-  legal.most = draws_again ? under({.inclusive = true}) : legal.least;
+  LegalCounts legal{any_owner ? CoverageUnder(c, {.exclusive = true}, options)
+                              : exact::Coverage(c.scene, c.profile, options),
+                    {}};
+  legal.most = draws_again ? CoverageUnder(c, {.inclusive = true}, options) : legal.least;
   return legal;
 }
 
@@ -82,14 +76,19 @@ Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string 
           std::move(expected)};
 }
 
-Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
-                        std::size_t index) {
-  const auto samples = static_cast<std::size_t>(expected.samples);
-  const auto width = static_cast<std::size_t>(expected.width);
+Witness WitnessAtIndex(const CoverageCounts& shape, std::size_t index) {
+  const auto samples = static_cast<std::size_t>(shape.samples);
+  const auto width = static_cast<std::size_t>(shape.width);
   Witness witness;
   witness.x = static_cast<int>(index / samples % width);
   witness.y = static_cast<int>(index / samples / width);
   witness.sample = static_cast<int>(index % samples);
+  return witness;
+}
+
+Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
+                        std::size_t index) {
+  Witness witness = WitnessAtIndex(expected, index);
   witness.observed = CountText(observed, index);
   witness.expected = CountText(expected, index);
   return witness;

@@ -22,6 +22,9 @@ std::string HexText(Point2 p);
 Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string observed,
                   std::string expected);
 
+/// The sample with that index in counts of the shape.
+Witness WitnessAtIndex(const CoverageCounts& shape, std::size_t index);
+
 /// Where two counts differ at one sample, "front 1, back 0" against the expected.
 Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                         std::size_t index);

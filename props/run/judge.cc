@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
 #include <string>
 #include <utility>
 
@@ -11,33 +10,23 @@
 namespace rasterproof::props {
 namespace {
 
-std::string PlaceOfFault(const Property& property, const Case& c) {
-  return std::string(property.name) + " on " +
-         (c.origin.empty() ? "scene " + c.scene.name : c.origin) + ": ";
-}
-
-// What claims and the oracle work out: whatever they throw is a fault of ours. What the oracle does
-// not decide is told by the gate, before it is asked.
-template <class Work>
-auto WorkedOut(const Property& property, const Case& c, const Work& work) {
-  try {
-    return work();
-  } catch (const JudgingFault&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw JudgingFault(PlaceOfFault(property, c) + error.what());
-  }
-}
-
 Answers PutOne(Subject& subject, const Request& request) {
   return std::move(Put(subject, {&request, 1}).front());
 }
 
 }  // namespace
 
+std::string PlaceOfFault(const Property& property, std::span<const Case> cases) {
+  const Case& first = cases.front();
+  const std::string among =
+      cases.size() == 1 ? "" : " or one of the " + std::to_string(cases.size() - 1) + " behind it";
+  return std::string(property.name) + " on " +
+         (first.origin.empty() ? "scene " + first.scene.name : first.origin) + among + ": ";
+}
+
 CaseInHand::CaseInHand(const Property& property, const Case& c, const Description& subject)
-    : property_(property), given_(c) {
-  WorkedOut(property, c, [&] {
+    : property_(property), place_(PlaceOfFault(property, {&c, 1})) {
+  WorkedOut(place_, [&] {
     judged_ = Judged(c, subject, property.gate.judges_degenerates);
     if (judged_.instead) return Conclude({*judged_.instead});
     if (auto refusal = Refusal(property.gate, judged_.subject, judged_.value)) {
@@ -86,7 +75,7 @@ void CaseInHand::Take(Answers answers) {
   drawn_.insert(drawn_.end(),
                 answers.draws.begin() + static_cast<std::ptrdiff_t>(check.bases.size()),
                 answers.draws.end());
-  Verdict verdict = WorkedOut(property_, given_, [&] { return check.judge(answers); });
+  Verdict verdict = WorkedOut(place_, [&] { return check.judge(answers); });
   sum_.exercised += verdict.exercised;
   sum_.not_judged += verdict.not_judged;
   sum_.worst_ratio = std::max(sum_.worst_ratio, verdict.worst_ratio);
@@ -110,16 +99,15 @@ void CaseInHand::Blame(Subject& subject) {
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
   // Of a case that the oracle does not decide nobody is named.
   if (exact::WhyNotDecided(judged_.value.scene, judged_.value.profile)) return;
-  const Asked round = WorkedOut(property_, given_, [&] {
-    return property_.blame(judged_.value, violation_, judged_.subject);
-  });
+  const Asked round = WorkedOut(
+      place_, [&] { return property_.blame(judged_.value, violation_, judged_.subject); });
   for (const Check& check : round.checks) {
     const Request request{&judged_, &check, &drawn_};
     const Answers answers = PutOne(subject, request);
     // What was seen stays so, whatever becomes of less of the case.
     if (answers.stop == Stop::kRefused || answers.stop == Stop::kCantBePut) continue;
     if (answers.stop != Stop::kNone) return;
-    const Verdict blamed = WorkedOut(property_, given_, [&] { return check.judge(answers); });
+    const Verdict blamed = WorkedOut(place_, [&] { return check.judge(answers); });
     if (blamed.outcome != Outcome::kViolated) continue;
     violation_.witness = blamed.witness;
     return Conclude({violation_});
@@ -129,7 +117,7 @@ void CaseInHand::Blame(Subject& subject) {
 Trial TryCase(Subject& subject, const Property& property, const Case& c, Blaming blaming) {
   const Description description = DescriptionOf(subject);
   CaseInHand hand(property, c, description);
-  WorkedOut(property, c, [&] {
+  WorkedOut(PlaceOfFault(property, {&c, 1}), [&] {
     while (!hand.IsDone()) hand.Take(PutOne(subject, hand.Next()));
     if (blaming == Blaming::kWhoItWas) hand.Blame(subject);
   });

@@ -3,8 +3,11 @@
 #define RASTERPROOF_PROPS_RUN_JUDGE_H_
 
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/case.h"
@@ -18,11 +21,31 @@
 
 namespace rasterproof::props {
 
+/// Where a fault of ours is met: in a claim on a case, or on one of many.
+///
+/// Domain:     at least one case.
+std::string PlaceOfFault(const Property& property, std::span<const Case> cases);
+
+/// Works out what claims and the oracle do: whatever they throw is a fault of ours. What the oracle
+/// does not decide is told by the gate, before it is asked.
+///
+/// Error:      JudgingFault, which names the place.
+template <class Work>
+auto WorkedOut(const std::string& place, const Work& work) {
+  try {
+    return work();
+  } catch (const JudgingFault&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw JudgingFault(place + error.what());
+  }
+}
+
 /// A case that is being judged. Its checks are judged in order, up to the first violated one or the
 /// first whose answers end early; what they exercised adds up.
 class CaseInHand {
  public:
-  /// Asks. `what` is asked: the property's own checks, or who is to blame for the verdict.
+  /// Asks the property's checks of the case.
   ///
   /// Domain:     a property that asks, and a description; both outlive this.
   /// Error:      JudgingFault.
@@ -58,7 +81,7 @@ class CaseInHand {
   void StopBy(const Answers& answers);
 
   const Property& property_;
-  Case given_;
+  std::string place_;  ///< of a fault of ours
   JudgedCase judged_;
   Asked asked_;
   std::size_t next_ = 0;

@@ -1,12 +1,10 @@
 #include "props/run/judged_case.h"
 
 #include <algorithm>
-#include <bit>
 #include <string>
 #include <utility>
 
 #include "core/profile.h"
-#include "core/transform.h"
 #include "model/target_model.h"
 #include "props/judging/flat_triangles.h"
 #include "props/judging/redraw.h"
@@ -24,41 +22,6 @@ Description AsJudged(Description subject) {
   subject.edges = nullptr;
   subject.weights = nullptr;
   return subject;
-}
-
-PlacesOfTransform::PlaceBits PlacesOfTransform::PlaceOf(const Vertex& v) {
-  return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
-}
-
-PlacesOfTransform::PlacesOfTransform(const Scene& clip, const Scene& window)
-    : width_(clip.width), height_(clip.height), precision_(clip.precision) {
-  for (std::size_t k = 0; k < clip.vertices.size(); ++k) {
-    clip_of_.emplace(PlaceOf(window.vertices[k]), clip.vertices[k]);
-  }
-}
-
-bool PlacesOfTransform::IsOfTheTarget(const Scene& window) const {
-  return window.width == width_ && window.height == height_;
-}
-
-std::optional<Scene> PlacesOfTransform::InClipSpace(const Scene& window) const {
-  if (!IsOfTheTarget(window)) return std::nullopt;
-  Scene clip = window;
-  clip.clip_space = true;
-  clip.precision = precision_;
-  for (Vertex& v : clip.vertices) {
-    const auto found = clip_of_.find(PlaceOf(v));
-    if (found == clip_of_.end()) return std::nullopt;
-    const double z = v.z;
-    v = found->second;
-    v.z = z;
-  }
-  return clip;
-}
-
-std::string PlacesOfTransform::WhyNot(const Scene& window) const {
-  return IsOfTheTarget(window) ? "its transform takes no vertex to this place"
-                               : "a viewport takes vertices elsewhere on this target";
 }
 
 JudgedCase Judged(const Case& given, const Description& subject, bool judges_degenerates) {

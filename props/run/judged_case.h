@@ -2,19 +2,16 @@
 #ifndef RASTERPROOF_PROPS_RUN_JUDGED_CASE_H_
 #define RASTERPROOF_PROPS_RUN_JUDGED_CASE_H_
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/case.h"
-#include "core/drawing.h"
+#include "core/profile.h"
 #include "core/subject.h"
 #include "core/verdict.h"
-#include "props/judging/gate.h"
+#include "props/property.h"
+#include "props/run/own_transform.h"
 
 namespace rasterproof::props {
 
@@ -26,31 +23,6 @@ Description DescriptionOf(Subject& subject);
 /// The subject as claims about the cases that it is given see it: behind a transform of its own, a
 /// taker of window space without edge values and weights.
 Description AsJudged(Description subject);
-
-/// The places that a subject's own transform takes the vertices of a scene to.
-class PlacesOfTransform {
- public:
-  /// Domain:     the window-space scene that the transform makes of the clip-space one.
-  PlacesOfTransform(const Scene& clip, const Scene& window);
-
-  /// The scene with the vertices that the transform takes to where its own lie.
-  ///
-  /// Returns:    nothing if a vertex has no such place, or the target is another one: `why`.
-  std::optional<Scene> InClipSpace(const Scene& window) const;
-  /// Why InClipSpace gave nothing for the scene.
-  std::string WhyNot(const Scene& window) const;
-
- private:
-  // A place by its bits: NaN is a place as well, and -0 is not +0.
-  using PlaceBits = std::array<std::uint64_t, 2>;
-  static PlaceBits PlaceOf(const Vertex& v);
-  bool IsOfTheTarget(const Scene& window) const;
-
-  int width_;
-  int height_;
-  Precision precision_;
-  std::map<PlaceBits, Vertex> clip_of_;
-};
 
 /// A case under the model of its target's size; in window space behind a transform of the
 /// subject's own; without triangles of zero area where the profile leaves open what they cover.

@@ -133,7 +133,8 @@ class Together {
 
 std::vector<Trial> TryTogether(Subject& subject, const Property& property,
                                std::span<const Case> cases, const std::function<bool()>& stop) {
-  return Together(subject, property, cases, stop).Run();
+  return WorkedOut(PlaceOfFault(property, cases),
+                   [&] { return Together(subject, property, cases, stop).Run(); });
 }
 
 }  // namespace rasterproof::props

@@ -17,10 +17,10 @@ namespace rasterproof::props {
 /// while the other half is drawn. The verdicts are those of TryCase() on each, unless what a
 /// subject draws depends on other scenes.
 ///
-/// Domain:     a property that asks, and whose draws may share calls.
+/// Domain:     a property that asks, and whose draws may share calls; at least one case.
 /// Returns:    what came of the cases, in their order; fewer if the last one is violated or
 ///             inconclusive, or `stop`, which is asked before each, said so.
-/// Error:      JudgingFault.
+/// Error:      JudgingFault, which names the first case where it is met in the draws of many.
 std::vector<Trial> TryTogether(Subject& subject, const Property& property,
                                std::span<const Case> cases, const std::function<bool()>& stop = {});
 

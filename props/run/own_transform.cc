@@ -1,10 +1,8 @@
 #include "props/run/own_transform.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
@@ -13,9 +11,6 @@
 
 namespace rasterproof::props {
 namespace {
-
-// A place by its bits: NaN is a place as well, and -0 is not +0.
-using PlaceBits = std::array<std::uint64_t, 2>;
 
 PlaceBits PlaceOf(const Vertex& v) {
   return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
@@ -84,6 +79,37 @@ Case SeenCase(const Case& c) {
   seen.scene = ToWindow(c.scene, *c.profile.transform);
   seen.profile.transform.reset();
   return seen;
+}
+
+PlacesOfTransform::PlacesOfTransform(const Scene& clip, const Scene& window)
+    : width_(clip.width), height_(clip.height), precision_(clip.precision) {
+  for (std::size_t k = 0; k < clip.vertices.size(); ++k) {
+    clip_of_.emplace(PlaceOf(window.vertices[k]), clip.vertices[k]);
+  }
+}
+
+bool PlacesOfTransform::IsOfTheTarget(const Scene& window) const {
+  return window.width == width_ && window.height == height_;
+}
+
+std::optional<Scene> PlacesOfTransform::InClipSpace(const Scene& window) const {
+  if (!IsOfTheTarget(window)) return std::nullopt;
+  Scene clip = window;
+  clip.clip_space = true;
+  clip.precision = precision_;
+  for (Vertex& v : clip.vertices) {
+    const auto found = clip_of_.find(PlaceOf(v));
+    if (found == clip_of_.end()) return std::nullopt;
+    const double z = v.z;
+    v = found->second;
+    v.z = z;
+  }
+  return clip;
+}
+
+std::string PlacesOfTransform::WhyNot(const Scene& window) const {
+  return IsOfTheTarget(window) ? "its transform takes no vertex to this place"
+                               : "a viewport takes vertices elsewhere on this target";
 }
 
 }  // namespace rasterproof::props

@@ -6,9 +6,16 @@
 #ifndef RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 #define RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
 #include "core/case.h"
-#include "core/subject.h"
+#include "core/scene.h"
 #include "core/subject_info.h"
+#include "core/vertex.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 
@@ -30,6 +37,31 @@ Case PutBehindTransform(Case window, const SubjectInfo& info, BitSource& bits);
 /// The case as properties see it: after the profile's transform, if it has one and the scene is in
 /// clip space.
 Case SeenCase(const Case& c);
+
+/// A place in window space by its bits: NaN is a place as well, and -0 is not +0.
+using PlaceBits = std::array<std::uint64_t, 2>;
+
+/// The places that a subject's own transform takes the vertices of a scene to.
+class PlacesOfTransform {
+ public:
+  /// Domain:     the window-space scene that the transform makes of the clip-space one.
+  PlacesOfTransform(const Scene& clip, const Scene& window);
+
+  /// The scene with the vertices that the transform takes to where its own lie.
+  ///
+  /// Returns:    nothing if a vertex has no such place, or the target is another one: `why`.
+  std::optional<Scene> InClipSpace(const Scene& window) const;
+  /// Why InClipSpace gave nothing for the scene.
+  std::string WhyNot(const Scene& window) const;
+
+ private:
+  bool IsOfTheTarget(const Scene& window) const;
+
+  int width_;
+  int height_;
+  Precision precision_;
+  std::map<PlaceBits, Vertex> clip_of_;
+};
 
 }  // namespace rasterproof::props
 

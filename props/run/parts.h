@@ -6,7 +6,8 @@
 
 #include "core/coverage.h"
 #include "core/drawing.h"
-#include "core/subject.h"
+#include "core/profile.h"
+#include "core/subject_info.h"
 
 namespace rasterproof::props {
 

@@ -18,7 +18,7 @@ constexpr std::string_view kTies = "deciding-ties";
 constexpr std::size_t kTiesOfTransforms = 8;
 // What a legal choice turns is most of what freedom can go wrong by.
 constexpr std::string_view kFolds = "folds";
-constexpr std::size_t kFoldsOfFreeProfiles = 8;
+constexpr std::size_t kFoldsInARound = 8;
 
 const Domain* SuitableDomain(std::string_view name, const SubjectInfo& info) {
   const Domain* domain = FindDomain(name);
@@ -34,7 +34,7 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
     if (domain == nullptr) continue;
     const bool shows_roundings = OwnsTransform(info) && name == kTies;
     const std::size_t times = shows_roundings  ? kTiesOfTransforms
-                              : name == kFolds ? kFoldsOfFreeProfiles
+                              : name == kFolds ? kFoldsInARound
                                                : 1;
     domains.insert(domains.end(), times, domain);
   }

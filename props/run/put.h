@@ -22,14 +22,9 @@ struct Request {
   const std::vector<std::shared_ptr<const Drawing>>* drawn = nullptr;
 };
 
-/// Puts the questions of some checks to the subject, their draws in one call, the others after it.
-///
-/// A draw of kFacings is made of parts where the subject tells no facings: of one that counts, the
-/// triangles that face one way by the canonical model of the profile that it is judged by (in clip
-/// space by their quotients on its grid) in one call, the others in another; else every triangle by
-/// itself, so that overlaps show, unless the mesh is too large for that (judging/as_shown.h). A
-/// triangle of no area counts as front: it should cover nothing. Where the profile leaves other
-/// models legal the facing is a guess (judging/free_choices.h).
+/// Puts the questions of some checks to the subject: their draws in as few calls as 2^20 samples
+/// and vertices allow (those of kInOrderAlone each in its own), then the others. A draw of kFacings
+/// is made of parts where the subject tells no facings (run/parts.h).
 ///
 /// Domain:     checks whose draws may share a call: more than one only if the company of each is
 ///             kAny and none draws onto the last target.

@@ -143,8 +143,7 @@ class PluginTarget {
              .winners = DataOf<std::int32_t>(winners_),
              .weights = DataOf<double>(weights_),
              .depths = DataOf<double>(depths_),
-             .wants = (job.wants.ids ? RASTERPROOF_WANTS_IDS : 0U) |
-                      (job.wants.barycentrics ? RASTERPROOF_WANTS_WEIGHTS : 0U) |
+             .wants = (job.wants.barycentrics ? RASTERPROOF_WANTS_WEIGHTS : 0U) |
                       (job.wants.depths ? RASTERPROOF_WANTS_DEPTHS : 0U)};
   }
   const rasterproof_target& view() const { return view_; }

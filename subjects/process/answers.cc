@@ -2,7 +2,6 @@
 #include <array>
 #include <utility>
 
-#include "core/error.h"
 #include "core/subject_errors.h"
 #include "subjects/process/protocol.h"
 #include "subjects/process/text.h"
@@ -17,16 +16,6 @@ constexpr std::size_t kNumbersOfAFragment = 5;              // the winner, its w
 constexpr std::size_t kMostQuoted = 60;
 
 constexpr std::size_t MostOfARow(std::size_t numbers) { return (numbers + 1) * kRoomOfANumber; }
-
-// What the answer to a job holds: of what the subject shows, what is wanted.
-Outputs Answered(CoverageKind kind, Outputs wants) {
-  if (kind == CoverageKind::kFragments) {
-    wants.ids = wants.ids || wants.barycentrics || wants.depths;
-    return wants;
-  }
-  const bool has_ids = kind == CoverageKind::kWinners && wants != kCoverageAlone;
-  return has_ids ? kCoverageAndIds : kCoverageAlone;
-}
 
 std::string_view AnswerWord(Outputs answered) {
   if (!answered.ids) return "counts";
@@ -169,6 +158,14 @@ void AddWinners(TextWriter& text, const Drawing& drawing, Outputs answered) {
 }
 
 }  // namespace
+
+Outputs Answered(CoverageKind kind, Outputs wants) {
+  const bool shows_fragments = kind == CoverageKind::kFragments;
+  const bool shows_ids = kind == CoverageKind::kWinners || shows_fragments;
+  return {.ids = shows_ids && wants != kCoverageAlone,
+          .barycentrics = shows_fragments && wants.barycentrics,
+          .depths = shows_fragments && wants.depths};
+}
 
 std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind, Outputs wants) {
   const Outputs answered = Answered(kind, wants);

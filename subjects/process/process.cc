@@ -248,8 +248,8 @@ const EdgeEvaluator* ProcessSubject::Edges() const { return edges_.get(); }
 
 void ProcessSubject::SetDeadline(Clock::time_point deadline) { deadline_ = deadline; }
 
-// All that are open in one write. One that takes too long is asked for alone, and what is behind it
-// in another write.
+// All that are open in one write. The program may keep finished answers back while it works on what
+// is behind them, so who takes long is not known before each is asked alone.
 std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest> requests) {
   std::vector<std::vector<double>> answers;
   const auto ask = [&](std::size_t count, double seconds) {
@@ -268,11 +268,13 @@ std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest
     child_ = std::move(child);
     return counted;
   };
-  while (answers.size() < requests.size()) {
+  for (std::size_t most = requests.size(); answers.size() < requests.size();) {
+    const std::size_t count = std::min(most, requests.size() - answers.size());
     try {
-      ask(requests.size() - answers.size(), limits_.seconds);
+      ask(count, limits_.seconds);
     } catch (const OutOfTime& slow) {
-      TryLonger(slow, [&](double seconds) { return ask(1, seconds); });
+      most = 1;
+      if (count == 1) TryLonger(slow, [&](double seconds) { return ask(1, seconds); });
     }
   }
   return answers;

@@ -49,7 +49,6 @@
 #include "core/drawing.h"
 #include "core/evaluators.h"
 #include "core/scene.h"
-#include "core/subject.h"
 #include "core/subject_info.h"
 #include "core/vertex.h"
 
@@ -82,6 +81,10 @@ std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
 /// The line that tells a program to take the next n requests as one call.
 std::string BatchText(std::size_t n);
 std::string RequestsText(std::span<const EdgeRequest> requests);
+
+/// What the answer to a job that wants these outputs holds beside coverage: of what the subject
+/// shows. Ids come with weights and depths, whose they are.
+Outputs Answered(CoverageKind kind, Outputs wants);
 
 /// Reads requests of every version, one after the other.
 ///

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "subjects/process/protocol.h"
 #include "subjects/process/text.h"
@@ -31,13 +30,11 @@ bool HaveTheSameVertices(const Scene& a, const Scene& b) {
 
 // What a job wants of what the subject shows, as the line says it; nothing if it wants it all.
 std::string_view WantsText(Outputs wants, CoverageKind kind) {
-  const bool shows_fragments = kind == CoverageKind::kFragments;
-  if (kind != CoverageKind::kWinners && !shows_fragments) return "";
-  if (wants.barycentrics && wants.depths) return "";
-  if (shows_fragments && wants.barycentrics) return " wants=ids,barycentrics";
-  if (shows_fragments && wants.depths) return " wants=ids,depths";
-  if (!wants.ids) return " wants=coverage";
-  return shows_fragments ? " wants=ids" : "";
+  const Outputs answered = Answered(kind, wants);
+  if (answered == Answered(kind, kEverything)) return "";
+  if (!answered.ids) return " wants=coverage";
+  if (answered.barycentrics) return " wants=ids,barycentrics";
+  return answered.depths ? " wants=ids,depths" : " wants=ids";
 }
 
 void AddOptions(TextWriter& text, const DrawOptions& options, const SubjectInfo& info) {
@@ -331,7 +328,12 @@ std::vector<Triangle> RequestReader::NextTriangles(std::size_t count, std::size_
 
 bool RequestReader::HasMore() {
   std::streambuf& at_hand = *in_.rdbuf();
-  while (!has_line_ && at_hand.in_avail() > 0 && at_hand.sgetc() == '\n') at_hand.sbumpc();
+  constexpr std::string_view kBlank = " \t\r\n";
+  const auto is_blank = [&] {
+    return at_hand.in_avail() > 0 &&
+           kBlank.find(static_cast<char>(at_hand.sgetc())) != std::string_view::npos;
+  };
+  while (!has_line_ && is_blank()) at_hand.sbumpc();
   return has_line_ || at_hand.in_avail() > 0;
 }
 

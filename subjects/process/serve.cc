@@ -29,24 +29,20 @@ std::string OneLine(std::string text) {
 
 // A drawing of another shape than its target's can't be told.
 void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind) {
-  const Outputs& wants = job.wants;
+  const Outputs answered = Answered(kind, job.wants);
   const CoverageCounts target(job.scene->width, job.scene->height, job.samples);
-  const bool has_fragments = kind == CoverageKind::kFragments;
-  const bool has_winners =
-      (kind == CoverageKind::kWinners || has_fragments) && wants != kCoverageAlone;
   const CoverageCounts& counts = drawing.counts;
-  const bool fits =
-      counts.width == target.width && counts.height == target.height &&
-      counts.samples == target.samples && counts.front.size() == target.size() &&
-      counts.back.size() == target.size() &&
-      (!has_winners || drawing.winners.size() == target.size()) &&
-      (!has_fragments || ((!wants.barycentrics || drawing.weights.size() == target.size()) &&
-                          (!wants.depths || drawing.depths.size() == target.size())));
+  const bool fits = counts.width == target.width && counts.height == target.height &&
+                    counts.samples == target.samples && counts.front.size() == target.size() &&
+                    counts.back.size() == target.size() &&
+                    (!answered.ids || drawing.winners.size() == target.size()) &&
+                    (!answered.barycentrics || drawing.weights.size() == target.size()) &&
+                    (!answered.depths || drawing.depths.size() == target.size());
   if (!fits) throw SubjectFault("its drawing has not the shape of the target, or lacks a part");
 }
 
 // What `answer` gives, or what it throws as an answer.
-std::string Answered(std::uint64_t number, const std::function<std::string()>& answer) {
+std::string AnswerOrFault(std::uint64_t number, const std::function<std::string()>& answer) {
   const std::string id = std::to_string(number);
   try {
     return answer();
@@ -60,7 +56,7 @@ std::string Answered(std::uint64_t number, const std::function<std::string()>& a
 }
 
 std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, CoverageKind kind) {
-  return Answered(request.id, [&] {
+  return AnswerOrFault(request.id, [&] {
     if (outcome.error == nullptr) RequireShape(outcome.drawing, request.job, kind);
     return AnswerText(request.id, outcome.Get(), kind, request.job.wants);
   });
@@ -85,8 +81,9 @@ void Serve(Subject& subject, std::istream& in, const std::function<void(const st
   Clock::time_point said = Clock::now();
   for (;;) {
     if (const std::optional<EdgeRequest> request = requests.NextEdgeRequest()) {
-      values += Answered(request->id, [&] { return ValuesOf(subject, *request); });
-      // Where more is asked already the answers go in one write, but none is kept back for long.
+      values += AnswerOrFault(request->id, [&] { return ValuesOf(subject, *request); });
+      // Where more is asked already the answers go in one write, about every 10 ms: behind the one
+      // that is worked on by then. If that one hangs those before it are never said.
       if (requests.HasMore() && Clock::now() - said < kMostKeptBack) continue;
       say(std::exchange(values, {}));
       said = Clock::now();

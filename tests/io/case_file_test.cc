@@ -32,8 +32,7 @@ void ExpectReadsBack(const CaseFile& file) {
 }
 
 TEST(CaseFileTest, CasesReadBack) {
-  CaseFile file{
-      {OneTriangle(), Profile{}, DrawOptions{}, "domain needles, seed 1"}, "f32", "Claim"};
+  CaseFile file{{OneTriangle(), Profile{}, DrawOptions{}, "needles:17@1"}, "f32", "Claim"};
   ExpectReadsBack(file);
   for (const std::string_view name : kPresetProfiles) {
     file.value.profile = *PresetProfile(name);

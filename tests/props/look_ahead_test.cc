@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,10 @@ class Called final : public Subject {
   }
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     calls.push_back(jobs.size());
+    if (keeps_scenes) {
+      scenes.emplace_back();
+      for (const DrawJob& job : jobs) scenes.back().push_back(SceneOf(job));
+    }
     std::vector<DrawOutcome> outcomes = Subject::DrawMany(jobs);
     if (leaks && outcomes.size() > 8) ++outcomes[8].drawing.counts.front[0];
     return outcomes;
@@ -55,6 +60,8 @@ class Called final : public Subject {
 
   std::size_t draws = 0;
   std::vector<std::size_t> calls;  ///< how many jobs each had
+  bool keeps_scenes = false;
+  std::vector<std::vector<Scene>> scenes;  ///< of each call
   double breaks_left_of = 0;
   bool leaks = false;
 
@@ -72,6 +79,7 @@ struct Outside {
 Outside Make(CoverageKind kind, bool inclusive) {
   SubjectInfo info = testing::RealInfo();
   info.coverage = kind;
+  info.takes_batches = true;
   Profile drawn = info.profile;
   drawn.fill_rule.inclusive = inclusive;
   return Outside(std::make_unique<Called>(info, drawn));
@@ -90,20 +98,22 @@ bool HasADomain(const Property& property, const SubjectInfo& info) {
   return false;
 }
 
-// Runs the cases both ways, up to the first violated one.
-void ExpectTheSameVerdicts(Outside outside, const Property& property, std::uint64_t n) {
+// Runs the cases both ways, up to the first violated one. Returns what came of them together.
+std::vector<Trial> ExpectTheSameVerdicts(Outside outside, const Property& property,
+                                         std::uint64_t n) {
   const std::vector<Case> cases = SomeCases(outside.whole->Info(), property, n);
   const std::vector<Trial> batched = TryTogether(*outside.whole, property, cases);
-  ASSERT_FALSE(batched.empty());
+  EXPECT_FALSE(batched.empty());
   for (std::size_t k = 0; k < batched.size(); ++k) {
     const Verdict alone = RunCase(*outside.whole, property, cases[k]);
     const Verdict& together = batched[k].verdict;
-    ASSERT_EQ(together.outcome, alone.outcome) << property.name << " " << k;
+    EXPECT_EQ(together.outcome, alone.outcome) << property.name << " " << k;
     EXPECT_EQ(together.message, alone.message) << property.name << " " << k;
     EXPECT_EQ(together.exercised, alone.exercised) << property.name << " " << k;
     const bool is_last = k + 1 == batched.size();
     EXPECT_EQ(is_last, k + 1 == cases.size() || alone.outcome == Outcome::kViolated);
   }
+  return batched;
 }
 
 TEST(Batches, GiveTheVerdictsOfSingleDraws) {
@@ -122,7 +132,9 @@ TEST(Batches, NameTheCaseThatBreaksTheSubjectDown) {
   const Property& property = *FindProperty("CoverageEqualsTheModel");
   Outside outside = Make(CoverageKind::kCounts, false);
   outside.called.breaks_left_of = -100;
-  ExpectTheSameVerdicts(std::move(outside), property, 40);
+  const std::vector<Trial> trials = ExpectTheSameVerdicts(std::move(outside), property, 40);
+  ASSERT_FALSE(trials.empty());
+  EXPECT_TRUE(trials.back().broke_down);
 }
 
 TEST(Batches, PutTheDrawsOfManyCasesIntoOneCall) {
@@ -159,12 +171,31 @@ TEST(Batches, ThatChangeWhatIsDrawnAreAFinding) {
       << result.message;
 }
 
-TEST(Batches, LeaveCallsThatMustFollowEachOtherAlone) {
-  const Outside outside = Make(CoverageKind::kFacingCounts, false);
+// The scenes of every call for many draws, of a run of 64 cases that all hold.
+std::vector<std::vector<Scene>> CallsOf(const Outside& outside, std::string_view property) {
+  outside.called.keeps_scenes = true;
   CampaignOptions options;
   options.cases = 64;
-  RunCampaign(*outside.whole, *FindProperty("EqualDrawsGiveEqualCounts"), options);
-  EXPECT_TRUE(outside.called.calls.empty());
+  const PropertyResult result = RunCampaign(*outside.whole, *FindProperty(property), options);
+  EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
+  EXPECT_FALSE(outside.called.scenes.empty());
+  return outside.called.scenes;
+}
+
+TEST(Batches, LeaveCallsThatMustFollowEachOtherAlone) {
+  const auto calls = CallsOf(Make(CoverageKind::kCounts, false), "EqualDrawsGiveEqualCounts");
+  ASSERT_EQ(calls.size() % 2, 0U);
+  for (std::size_t k = 0; k < calls.size(); k += 2) EXPECT_TRUE(calls[k] == calls[k + 1]) << k;
+}
+
+TEST(Batches, AddNothingToACallThatAClaimPutsTogether) {
+  const auto calls = CallsOf(Make(CoverageKind::kFacingCounts, false), "BatchDrawsLikeSingleCalls");
+  EXPECT_EQ(calls.size(), 64U);
+  for (const std::vector<Scene>& scenes : calls) {
+    EXPECT_LE(scenes.size(), 10U);
+    ASSERT_GT(scenes.size(), 4U);
+    EXPECT_TRUE(scenes.front() == scenes.back()) << "the case comes first and last";
+  }
 }
 
 }  // namespace

@@ -95,10 +95,13 @@ TEST(AFaultOfOurs, IsNeverTheSubjects) {
 }
 
 TEST(AFaultOfOurs, IsMemoryThatRanOutInTheSubjectAsWell) {
-  PlantedSubject subject(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+  const auto runs_out = [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw std::bad_alloc();
-  });
+  };
+  PlantedSubject subject(RealInfo(), runs_out);
   EXPECT_THROW(RunCase(subject, ModelProperty(kDomains), SomeCase()), JudgingFault);
+  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), runs_out);
+  EXPECT_TRUE(Says(FaultOf(outside, ModelProperty(kDomains)), "uniform-subpixel:4140000@1 or one"));
 }
 
 TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {

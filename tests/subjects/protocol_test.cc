@@ -182,6 +182,7 @@ TEST(Protocol, AsksForWhatIsWantedOfWhatIsShownAlone) {
   EXPECT_EQ(asked(CoverageKind::kFragments, 2, kCoverageAlone), " wants=coverage\n");
   EXPECT_EQ(asked(CoverageKind::kWinners, 2, kCoverageAlone), " wants=coverage\n");
   EXPECT_EQ(asked(CoverageKind::kWinners, 2, kCoverageAndIds), "\n");
+  EXPECT_EQ(asked(CoverageKind::kWinners, 2, depths), "\n") << "it shows none, but whose they are";
   EXPECT_EQ(asked(CoverageKind::kMask, 2, kCoverageAlone), "\n");
   EXPECT_EQ(asked(CoverageKind::kFragments, 1, kCoverageAlone), "\n");
   for (const Outputs wants : {kEverything, kCoverageAndIds, kCoverageAlone}) {
@@ -372,6 +373,15 @@ TEST(Protocol, AsksForManyEdgeValuesAtOnce) {
     std::istringstream stream(bad);
     EXPECT_THROW(RequestReader(stream).NextEdgeRequest(), InputError) << bad;
   }
+}
+
+TEST(Protocol, TakesABlankLineForNoRequest) {
+  std::istringstream in("edge 1 0 0 1 0 0 1\n \t\r\n\r\nedge 2 0 0 1 0 0 2\n \r\n");
+  RequestReader reader(in);
+  EXPECT_TRUE(reader.NextEdgeRequest());
+  EXPECT_TRUE(reader.HasMore());
+  EXPECT_TRUE(reader.NextEdgeRequest());
+  EXPECT_FALSE(reader.HasMore());
 }
 
 TEST(Protocol, TakesABatchAsOneCall) {

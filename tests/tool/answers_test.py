@@ -3,6 +3,7 @@
 usage: answers_test.py PROGRAM SOURCES EXAMPLES FAULTY
 """
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -14,9 +15,9 @@ DEGENERATE = "DegenerateTrianglesCoverNothing"
 SCENE = "scenes/ties.json"
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=300,
-                          check=False)  # fmt: skip
+def run(*arguments, program=PROGRAM, data=None):
+    return subprocess.run([program, *arguments], input=data, capture_output=True, cwd=SOURCES,
+                          timeout=300, check=False)  # fmt: skip
 
 
 def faulty(name):
@@ -36,6 +37,29 @@ def answering(row, head="'counts ' + number"):
             f"    if not ({head}).startswith('refused'):\n"
             f"        for _ in range(int(h)): print(*[{row}] * int(w))\n"
             "    sys.stdout.flush()\n\"")  # fmt: skip
+
+
+class PipesLaidByHand(unittest.TestCase):
+    """ver keeps in step with gen, whatever is answered."""
+
+    def test_a_refusal_or_a_fault_costs_its_own_case_alone(self):
+        example = os.path.join(SOURCES, "kit/examples/program.py")
+        for name in ("EqualDrawsGiveEqualCounts", "DrawStaysInsideItsTarget"):
+            chosen = ("--property", name, "--cases", "8")
+            requests = run("gen", *chosen)
+            self.assertEqual(requests.returncode, 0, requests.stderr)
+            sound = run(program=example, data=requests.stdout).stdout
+            answers = re.split(rb"^(?=counts )", sound, flags=re.M)[1:]
+            said = run("ver", *chosen, data=sound).stdout.decode()
+            held = int(re.search(r": (\d+) cases held, 0 violated", said)[1])
+            self.assertGreater(held, 4, said)
+            for word, counts in (("refused", "0 violated"), ("fault", "1 violated")):
+                for number in (1, 2):
+                    with self.subTest(name=name, word=word, number=number):
+                        said_so = [*answers]
+                        said_so[number - 1] = f"{word} {number} no\n".encode()
+                        text = run("ver", *chosen, data=b"".join(said_so)).stdout.decode()
+                        self.assertIn(f": {held - 1} cases held, {counts}", text)
 
 
 class Refusals(unittest.TestCase):

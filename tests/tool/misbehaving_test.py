@@ -99,6 +99,15 @@ class Misbehaving(unittest.TestCase):
         self.expect("sleeps", 1, "it hangs", "slept for")
         self.expect("closes-input", 1, "it hangs", "slept for")
 
+    def test_an_edge_value_that_hangs_among_quick_ones_is_told_as_such(self):
+        # Those before it are kept back while it is worked on.
+        run = Run([PROGRAM, "check", "--plugin", os.path.join(FAULTY, "shown_EDGES_HANGS.so"),
+                   *LIMIT, "--property", "EdgeErrorStaysWithinItsBound",
+                   "--cases", "64"])  # fmt: skip
+        status, text = run.end()
+        self.assertEqual(status, 1, text)
+        self.assertIn("it hangs: alone, on a fresh process", text)
+
     def test_a_line_without_an_end_is_told_as_such(self):
         self.expect("floods-a-line", 1, "more than any right answer's")
         run = Run([PROGRAM, "check", "--exec", "cat /dev/zero", "--property", DEGENERATE,

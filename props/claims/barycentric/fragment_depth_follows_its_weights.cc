@@ -11,6 +11,7 @@
 #include "props/claims/row_words.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/fragment_queries.h"
+#include "props/judging/weight_queries.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -26,7 +27,7 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
     if (!Claims(bound)) continue;
     ++exercised;
     const std::string claim = "the depth of a fragment is not what its weights give";
-    if (!std::ranges::all_of(f.weights, [](double x) { return std::isfinite(x); })) {
+    if (!AreFinite(f.weights)) {
       return FragmentViolation(f, -1, exercised, claim, WeightsText(f.weights), "finite weights");
     }
     for (std::size_t i = 0; i < 3; ++i) {

@@ -1,7 +1,5 @@
 // The weights at a covered sample sum to one.
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "props/claims/row_words.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/fragment_queries.h"
+#include "props/judging/weight_queries.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -25,12 +24,10 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
     if (!Claims(bound)) continue;
     ++exercised;
     const std::string claim = "the weights of a fragment do not sum to one";
-    if (!std::ranges::all_of(f.weights, [](double x) { return std::isfinite(x); })) {
+    if (!AreFinite(f.weights)) {
       return FragmentViolation(f, -1, exercised, claim, WeightsText(f.weights), "finite weights");
     }
-    const exact::Rational rest =
-        exact::Rational(1) - exact::Rational(f.weights[0]) - exact::Rational(f.weights[1]);
-    const Distance distance = CompareWithExact(f.weights[2], rest, bound);
+    const Distance distance = DistanceFromSumOne(f.weights, bound);
     if (!distance.within) {
       return FragmentViolation(f, -1, exercised, claim, WeightsText(f.weights),
                                "a sum of 1 within " + HexText(bound));

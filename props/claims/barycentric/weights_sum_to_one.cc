@@ -1,7 +1,6 @@
 // The three weights, added exactly, sum to one within the bound claimed for the form.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,8 +17,6 @@
 namespace rasterproof::props {
 namespace {
 
-using exact::Rational;
-
 // A query in a form that the subject states a bound on the sum of.
 struct BoundedSum {
   WeightQuery query;
@@ -35,11 +32,10 @@ Verdict Judge(const std::vector<BoundedSum>& sums, const Answers& answers) {
     const std::array<double, 3>& l = answers.barycentrics[k];
     ++exercised;
     const std::string claim = "weights (" + std::string(FormName(form)) + ") do not sum to one";
-    if (!std::ranges::all_of(l, [](double x) { return std::isfinite(x); })) {
+    if (!AreFinite(l)) {
       return WeightViolation(q, -1, exercised, claim, WeightsText(l), "finite weights");
     }
-    const Rational rest = Rational(1) - Rational(l[0]) - Rational(l[1]);
-    const Distance distance = CompareWithExact(l[2], rest, bound);
+    const Distance distance = DistanceFromSumOne(l, bound);
     if (!distance.within) {
       return WeightViolation(q, -1, exercised, claim, WeightsText(l),
                              "a sum of 1 within " + HexText(bound));

@@ -31,7 +31,7 @@ bool IsConservative(const Profile& profile) {
 }
 
 constexpr std::array kRules{ProfileRule{IsConservative, "contract conservative over or under",
-                                        "the profile's contract is not conservative"}};
+                                        "the profile's contract is not conservative", true}};
 
 // Which way a subject may stray decides what fails; a facing that strays is not looked at.
 Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed, bool as_shown = false) {

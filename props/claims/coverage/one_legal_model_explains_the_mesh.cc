@@ -28,13 +28,6 @@
 namespace rasterproof::props {
 namespace {
 
-void Add(CoverageCounts& sum, const CoverageCounts& more) {
-  for (std::size_t k = 0; k < sum.size(); ++k) {
-    sum.front[k] += more.front[k];
-    sum.back[k] += more.back[k];
-  }
-}
-
 constexpr std::array kRules{ProfileRule{[](const Profile& p) { return !p.freedom.IsNone(); },
                                         "grid points or tie rule left free",
                                         "the profile leaves nothing free: one model is legal"},
@@ -131,7 +124,7 @@ Check OfEachAlone(const Case& c) {
 Verdict IsTheSum(const Case& c, std::uint64_t exercised, const Answers& answers) {
   const CoverageCounts& whole = answers.draws.back()->counts;
   CoverageCounts sum(whole.width, whole.height, whole.samples);
-  for (std::size_t t = 0; t + 1 < answers.draws.size(); ++t) Add(sum, answers.draws[t]->counts);
+  for (std::size_t t = 0; t + 1 < answers.draws.size(); ++t) sum += answers.draws[t]->counts;
   Verdict verdict =
       SameCounts(whole, sum, exercised, "the sum of its triangles, each drawn alone,");
   verdict.not_judged = DecisionsOf(c) - exercised;  // of the triangles behind the most

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kFewestDrawn = 300;
 
 Asked Ask(const Case& c, const Description& subject) {
-  if (c.scene.triangles.empty()) return {};
+  if (c.scene.triangles.empty()) return NothingAsked("the scene has no triangles");
   DrawQuestion question = WholeCallOf(c.scene, c.profile, c.options);
   std::vector<Triangle>& repeated = question.job.triangles.emplace(c.scene.triangles);
   while (repeated.size() < kFewestDrawn) {

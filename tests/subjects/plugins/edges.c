@@ -2,6 +2,7 @@
  * -DFAULT_...: it draws nothing, and promises nothing of coverage. */
 #include <math.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "kit/rasterproof_plugin.h"
 
@@ -26,6 +27,11 @@ static float value_of(const double* a, const double* b, float x, float y) {
 static int32_t edge_value(void* state, const double* a, const double* b, const double* p,
                           double* value) {
   (void)state;
+#if defined(FAULT_HANGS)
+  if (p[0] == a[0] && p[1] == a[1]) {
+    for (;;) sleep(1000);
+  }
+#endif
   *value = (double)value_of(a, b, (float)p[0], (float)p[1]);
   return 0;
 }

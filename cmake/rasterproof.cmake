@@ -42,9 +42,39 @@ if(RASTERPROOF_FUZZ)
   target_compile_options(rasterproof_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# Reading headers is a third to a half of what a small file costs. Those of the standard library are
-# precompiled where sanitizers make the build slow, and with GoogleTest's for tests everywhere. The
-# optimised libraries do without: they read what each file includes, so a missing include shows.
+# Reading headers is more than half of what a file costs. RASTERPROOF_LUMPS compiles the files of a
+# target several at a time, as one that includes them, so that they read their headers once. Local
+# names that several files use, and no header, are told apart on the way: these. A file whose names
+# clash otherwise, or that has options or definitions of its own, is compiled alone.
+set(own_names
+  Ask Clips ExpectReadsBack Infos IsWithin Judge MakeScene MessageFor OnLattice
+  RequireVersion ToPoint WithRule kDeciders kDomains kInfinity kMax kMostPixels kRules kSeed
+  kStatements kTiny kTriangles kVersion)
+set(apart "#define RASTERPROOF_PASTE(a, b) a##b
+#define RASTERPROOF_APART(a, b) RASTERPROOF_PASTE(a, b)")
+set(together "")
+foreach(name ${own_names})
+  string(APPEND apart "\n#define ${name} RASTERPROOF_APART(${name}_, RASTERPROOF_LUMPED)")
+  string(APPEND together "#undef ${name}\n")
+endforeach()
+
+# rasterproof_lump(TARGET)
+function(rasterproof_lump target)
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ${RASTERPROOF_LUMPS}
+    UNITY_BUILD_BATCH_SIZE 10 # headers cost little then, and no core waits long for the last lump
+    UNITY_BUILD_UNIQUE_ID RASTERPROOF_LUMPED
+    UNITY_BUILD_CODE_BEFORE_INCLUDE "${apart}"
+    UNITY_BUILD_CODE_AFTER_INCLUDE "${together}")
+endfunction()
+
+# rasterproof_alone(SOURCE ...)
+function(rasterproof_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# Headers of the standard library are precompiled where sanitizers make the build slow, and with
+# GoogleTest's for tests everywhere. The optimised libraries do without.
 set(standard_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory>
   <optional> <span> <string> <string_view> <vector>)
 file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cc "")
@@ -69,6 +99,7 @@ function(rasterproof_library name)
   target_link_libraries(rasterproof_${name}
     PUBLIC ${ARG_LINK} PRIVATE rasterproof_flags ${ARG_PRIVATE_LINK})
   target_include_directories(rasterproof_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  rasterproof_lump(rasterproof_${name})
   if(RASTERPROOF_SANITIZE)
     target_precompile_headers(rasterproof_${name} REUSE_FROM rasterproof_precompiled)
   endif()
@@ -85,6 +116,7 @@ function(rasterproof_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name}
     PRIVATE rasterproof_flags ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  rasterproof_lump(${name})
   target_precompile_headers(${name} REUSE_FROM rasterproof_precompiled_test)
   add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})

@@ -15,7 +15,8 @@ namespace rasterproof {
 ///             pixel + location is exact in double (and in float32 up to 2^15).
 /// Units:      pixels from the pixel's corner of least x and y. The default is the pixel centre.
 struct SampleLattice {
-  std::vector<Point2> locations{{0.5, 0.5}};
+  // Not from a list: inlined often, g++ 12 takes the list's constant for uninitialized.
+  std::vector<Point2> locations = std::vector<Point2>(1, Point2{0.5, 0.5});
 
   int samples() const { return static_cast<int>(locations.size()); }
   /// The window position of sample s of pixel (i, j). Exact.

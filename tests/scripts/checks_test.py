@@ -28,6 +28,31 @@ def run_check(name, files):
         return done.returncode, done.stdout + done.stderr
 
 
+class IncludesTest(unittest.TestCase):
+    FILES = {"exact/edge.h": "struct EdgeSign {\n};\nint SignOfEdge(int a);\n",
+             "exact/all.h": '#include "exact/edge.h"\n#include <vector>\n'}  # fmt: skip
+
+    def expect(self, text, said=None):
+        status, output = run_check("check_includes", {**self.FILES, "exact/use.cc": text})
+        self.assertEqual(status, 0 if said is None else 1, output)
+        self.assertIn(said or "0 violations", output)
+
+    def test_what_is_named_is_included(self):
+        self.expect("int F() { return SignOfEdge(1); }\n",
+                    "use.cc:1: SignOfEdge without exact/edge.h")
+        self.expect("\nEdgeSign s;\n", "use.cc:2: EdgeSign without exact/edge.h")
+        self.expect("std::vector<int> v;\n", "std::vector without vector")
+
+    def test_an_include_of_an_include_counts(self):
+        self.expect('#include "exact/all.h"\nEdgeSign s;\nstd::vector<int> v;\n')
+
+    def test_what_a_file_declares_itself_it_need_not_include(self):
+        self.expect("struct EdgeSign;\nEdgeSign* s;\n")
+
+    def test_words_and_what_belongs_to_another_are_not_looked_at(self):
+        self.expect('// EdgeSign\nconst char* word = "SignOfEdge";\nint n = a.SignOfEdge();\n')
+
+
 class LayersTest(unittest.TestCase):
     def expect(self, path, line, said=None):
         """A file of this one line is a violation of which `said` is reported, or fine if None."""

@@ -9,18 +9,28 @@
 namespace rasterproof {
 namespace {
 
-// The size of the two products of E(a, b; p), rounded up: three roundings each, and one of the sum.
-double Products(Point2 a, Point2 b, Point2 p) {
+using Sizes = ClaimedEdges::Sizes;
+
+Sizes SizesOf(Point2 a, Point2 b, Point2 p) {
   const double first = std::fabs((p.x - a.x) * (b.y - a.y));
   const double second = std::fabs((p.y - a.y) * (b.x - a.x));
-  return (first + second) * (1 + 0x1p-48) + std::numeric_limits<double>::denorm_min();
+  // Rounded up: three roundings each, and one of the sum.
+  const double products =
+      (first + second) * (1 + 0x1p-48) + std::numeric_limits<double>::denorm_min();
+  return {std::max({std::fabs(p.x - a.x), std::fabs(p.y - a.y), std::fabs(b.x - a.x),
+                    std::fabs(b.y - a.y)}),
+          products};
+}
+
+Sizes Larger(const Sizes& one, const Sizes& other) {
+  return {std::max(one.factors, other.factors), std::max(one.products, other.products)};
 }
 
 }  // namespace
 
 // A product that underflows is off by up to the least subnormal, which no multiple of its size
-// says. One that may overflow is no number to claim anything of.
-double ClaimedEdges::Bound(double roundings, double products) const {
+// says. Where a difference or a product may overflow there is no number to claim anything of.
+double ClaimedEdges::Bound(double roundings, const Sizes& sizes) const {
   if (roundings == 0) return 0;
   const bool is_float = precision_ == Precision::kFloat32;
   const double unit = is_float ? rounding_epsilon<float>() : rounding_epsilon<double>();
@@ -28,13 +38,14 @@ double ClaimedEdges::Bound(double roundings, double products) const {
                                 : std::numeric_limits<double>::denorm_min();
   const double largest =
       is_float ? double{std::numeric_limits<float>::max()} : std::numeric_limits<double>::max();
-  if (!(products <= largest / 4)) return std::numeric_limits<double>::quiet_NaN();
-  return roundings * (unit * products * (1 + 0x1p-48) + least);
+  const bool may_overflow = !(sizes.products <= largest / 4) || !(sizes.factors <= largest / 4);
+  if (may_overflow) return std::numeric_limits<double>::quiet_NaN();
+  return roundings * (unit * sizes.products * (1 + 0x1p-48) + least);
 }
 
 double ClaimedEdges::ErrorBound(Point2 a, Point2 b, Point2 p) const {
   if (!claims_.value_error) return std::numeric_limits<double>::quiet_NaN();
-  return Bound(*claims_.value_error, Products(a, b, p));
+  return Bound(*claims_.value_error, SizesOf(a, b, p));
 }
 
 std::vector<double> ClaimedEdges::WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
@@ -46,10 +57,10 @@ std::vector<double> ClaimedEdges::WalkErrorBounds(Point2 a, Point2 b, Point2 p, 
       bounds.push_back(std::numeric_limits<double>::quiet_NaN());
       continue;
     }
-    // Along a line the products are largest at one of its ends.
+    // Along a line the sizes are largest at one of its ends.
     const Point2 end{step.along_y ? p.x : p.x + n * length, step.along_y ? p.y + n * length : p.y};
     bounds.push_back(
-        Bound((n + 1) * *claims_.walk_error, std::max(Products(a, b, p), Products(a, b, end))));
+        Bound((n + 1) * *claims_.walk_error, Larger(SizesOf(a, b, p), SizesOf(a, b, end))));
   }
   return bounds;
 }

@@ -22,8 +22,15 @@ class ClaimedEdges : public EdgeEvaluator {
   std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
                                       int steps) const final;
 
+  /// The largest difference of coordinates that E(a, b; p) is worked out from, and the sum of its
+  /// products.
+  struct Sizes {
+    double factors = 0;
+    double products = 0;
+  };
+
  private:
-  double Bound(double roundings, double products) const;
+  double Bound(double roundings, const Sizes& sizes) const;
 
   EdgeClaims claims_;
   Precision precision_;

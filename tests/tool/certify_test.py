@@ -151,7 +151,7 @@ class Outside(Certify):
     def own_scenes(self):
         (certificate,) = self.certificates()
         return {scene["scene"]: scene for scene in certificate["measured"]
-                if scene["profile"] == certificate["subject"]["profile"]["name"]}  # fmt: skip
+                if scene["profile"] == certificate["subject"]["profile"]}  # fmt: skip
 
     def test_a_large_scene_is_judged_as_a_subject_without_counts_shows_it(self):
         for kind in ("MASK", "WINNERS"):

@@ -122,7 +122,7 @@ class MeshClaims(unittest.TestCase):
             with open(path, "w", encoding="utf-8") as file:
                 file.write(f"command {program}\ntakes {takes}\nprofile {profile}\n")
             chosen = ["--subject" if verb == "check" else "--description", path,
-                      "--property", SHARED_EDGE, "--cases", "12"]  # fmt: skip
+                      "--property", SHARED_EDGE, "--cases", "36"]  # fmt: skip
             if verb == "check":
                 chosen += ["--property", EMBEDDED_MESH]
             return run(verb, *chosen, data=data)

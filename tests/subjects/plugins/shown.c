@@ -104,6 +104,20 @@ static void show(const triangle* t, int32_t index, const int64_t e[3],
 static int is_third = 0;
 #endif
 
+/* The pixels along an axis that the triangle reaches: from the first on, before the end. */
+static int32_t first(const triangle* t, int axis, int32_t from) {
+  int64_t least = t->v[0][axis];
+  for (int k = 1; k < 3; ++k) least = t->v[k][axis] < least ? t->v[k][axis] : least;
+  const int64_t pixel = (least >> 8) - 1;
+  return pixel > from ? (int32_t)pixel : from;
+}
+static int32_t end(const triangle* t, int axis, int32_t to) {
+  int64_t most = t->v[0][axis];
+  for (int k = 1; k < 3; ++k) most = t->v[k][axis] > most ? t->v[k][axis] : most;
+  const int64_t pixel = (most >> 8) + 1;
+  return pixel < to ? (int32_t)pixel : to;
+}
+
 static void draw_triangle(const triangle* t, int32_t index, const rasterproof_scene* scene,
                           const rasterproof_target* target) {
   const int32_t* cut = scene->scissor;
@@ -114,8 +128,8 @@ static void draw_triangle(const triangle* t, int32_t index, const rasterproof_sc
   const int32_t below[4] = {cut[0], cut[1] > 0 ? cut[1] : 1, cut[2], cut[3]};
   if (is_third) cut = below;
 #endif
-  for (int32_t row = cut[1]; row < cut[3]; ++row) {
-    for (int32_t i = cut[0]; i < cut[2]; ++i) {
+  for (int32_t row = first(t, 1, cut[1]); row < end(t, 1, cut[3]); ++row) {
+    for (int32_t i = first(t, 0, cut[0]); i < end(t, 0, cut[2]); ++i) {
       int64_t e[3];
       if (!covers(t, i * INT64_C(256) + 128, row * INT64_C(256) + 128, e)) continue;
       show(t, index, e, target, (size_t)row * target->stride + (size_t)i);

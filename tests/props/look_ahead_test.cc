@@ -33,19 +33,20 @@ class Called final : public Subject {
   bool SharesCalls() const override { return true; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     ++draws;
+    if (keeps_scenes) drawn.push_back(scene);
     if (breaks_left_of < 0) {
       for (const Vertex& v : scene.vertices) {
         if (v.x < breaks_left_of) throw SubjectFault("it broke");
       }
     }
-    CoverageCounts drawn = exact::Coverage(scene, drawn_, options);
+    CoverageCounts covered = exact::Coverage(scene, drawn_, options);
     if (info_.coverage != CoverageKind::kFacingCounts) {
-      for (std::size_t k = 0; k < drawn.size(); ++k) {
-        drawn.front[k] += std::exchange(drawn.back[k], 0);
-        if (info_.coverage == CoverageKind::kMask && drawn.front[k] > 1) drawn.front[k] = 1;
+      for (std::size_t k = 0; k < covered.size(); ++k) {
+        covered.front[k] += std::exchange(covered.back[k], 0);
+        if (info_.coverage == CoverageKind::kMask && covered.front[k] > 1) covered.front[k] = 1;
       }
     }
-    counts += drawn;
+    counts += covered;
   }
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     calls.push_back(jobs.size());
@@ -61,7 +62,8 @@ class Called final : public Subject {
   std::size_t draws = 0;
   std::vector<std::size_t> calls;  ///< how many jobs each had
   bool keeps_scenes = false;
-  std::vector<std::vector<Scene>> scenes;  ///< of each call
+  std::vector<std::vector<Scene>> scenes;  ///< of each call for many draws
+  std::vector<Scene> drawn;                ///< in the order of drawing
   double breaks_left_of = 0;
   bool leaks = false;
 
@@ -171,27 +173,29 @@ TEST(Batches, ThatChangeWhatIsDrawnAreAFinding) {
       << result.message;
 }
 
-// The scenes of every call for many draws, of a run of 64 cases that all hold.
-std::vector<std::vector<Scene>> CallsOf(const Outside& outside, std::string_view property) {
+// Runs 64 cases, which all hold, and keeps their scenes.
+void KeepScenes(const Outside& outside, std::string_view property) {
   outside.called.keeps_scenes = true;
   CampaignOptions options;
   options.cases = 64;
   const PropertyResult result = RunCampaign(*outside.whole, *FindProperty(property), options);
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
-  EXPECT_FALSE(outside.called.scenes.empty());
-  return outside.called.scenes;
+  EXPECT_FALSE(outside.called.drawn.empty());
 }
 
 TEST(Batches, LeaveCallsThatMustFollowEachOtherAlone) {
-  const auto calls = CallsOf(Make(CoverageKind::kCounts, false), "EqualDrawsGiveEqualCounts");
-  ASSERT_EQ(calls.size() % 2, 0U);
-  for (std::size_t k = 0; k < calls.size(); k += 2) EXPECT_TRUE(calls[k] == calls[k + 1]) << k;
+  const Outside outside = Make(CoverageKind::kCounts, false);
+  KeepScenes(outside, "EqualDrawsGiveEqualCounts");
+  const std::vector<Scene>& drawn = outside.called.drawn;
+  ASSERT_EQ(drawn.size() % 2, 0U);
+  for (std::size_t k = 0; k < drawn.size(); k += 2) EXPECT_TRUE(drawn[k] == drawn[k + 1]) << k;
 }
 
 TEST(Batches, AddNothingToACallThatAClaimPutsTogether) {
-  const auto calls = CallsOf(Make(CoverageKind::kFacingCounts, false), "BatchDrawsLikeSingleCalls");
-  EXPECT_EQ(calls.size(), 64U);
-  for (const std::vector<Scene>& scenes : calls) {
+  const Outside outside = Make(CoverageKind::kFacingCounts, false);
+  KeepScenes(outside, "BatchDrawsLikeSingleCalls");
+  EXPECT_EQ(outside.called.scenes.size(), 64U);
+  for (const std::vector<Scene>& scenes : outside.called.scenes) {
     EXPECT_LE(scenes.size(), 10U);
     ASSERT_GT(scenes.size(), 4U);
     EXPECT_TRUE(scenes.front() == scenes.back()) << "the case comes first and last";

@@ -89,7 +89,7 @@ class SoundSubjects(unittest.TestCase):
         verdict = run("ver", "--cases", "3", data=b"\n".join(wrong))
         self.assertEqual(verdict.returncode, 1, verdict.stderr)
         self.assertIn(b"--exec PROGRAM --property CoverageEqualsTheModel --case "
-                      b"near-edge:0@1\n", verdict.stdout)
+                      b"near-edge:5330000@1\n", verdict.stdout)
 
     def test_a_type_of_ones_own_is_the_subject(self):
         done = run("check", "--property", MODEL, program=f"{EXAMPLES}/example_own_type")

@@ -68,6 +68,38 @@ TEST(RangeEnds, SpansThePromisedRangeFromEndToEnd) {
             50);
 }
 
+// Twice the area of the scene's first triangle.
+double Area(const Scene& scene) {
+  const std::array<Vertex, 3> v = Corners(scene, scene.triangles[0]);
+  return std::fabs((v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[2].x - v[0].x) * (v[1].y - v[0].y));
+}
+
+TEST(LeastAreas, AreSliversLongerThan64PixelsOfLessThanAPixel) {
+  EXPECT_GE(CasesThat("least-areas", SnappedInfo(8),
+                      [](const Case& c) {
+                        const auto [left, right] =
+                            std::ranges::minmax(c.scene.vertices, {}, &Vertex::x);
+                        const double area = Area(c.scene);
+                        return right.x - left.x > 64 && area > 0 && area < 1;
+                      }),
+            20);
+}
+
+TEST(RowsAndColumns, HoldEdgesLongerThan1024PixelsAlongARowThatSharesItsSamples) {
+  const auto is_long_row = [](const Vertex& a, const Vertex& b) {
+    return a.y == b.y && std::fabs(a.x - b.x) > 1024 && a.y - std::floor(a.y) == 0.5;
+  };
+  EXPECT_GE(CasesThat("rows-and-columns", SnappedInfo(8),
+                      [&](const Case& c) {
+                        return std::ranges::any_of(c.scene.triangles, [&](const Triangle& t) {
+                          const std::array<Vertex, 3> v = Corners(c.scene, t);
+                          return is_long_row(v[0], v[1]) || is_long_row(v[1], v[2]) ||
+                                 is_long_row(v[2], v[0]);
+                        });
+                      }),
+            20);
+}
+
 TEST(FarNegativeCorners, ReachTheTargetFromFarToTheLeftAndFarAbove) {
   const SubjectInfo info = SnappedInfo(8);
   const double far = -info.profile.coordinate_limit / 8;

@@ -18,7 +18,7 @@ template <int more>
 struct Miscounts {
   Drawing Show(const DrawJob& /*job*/) { return {}; }
   std::vector<Drawing> ShowMany(std::span<const DrawJob> jobs) {
-    return std::vector<Drawing>(jobs.size() + more);
+    return std::vector<Drawing>(jobs.size() + static_cast<std::size_t>(more));
   }
 };
 

@@ -1,5 +1,7 @@
 #include "tool/workers.h"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <exception>
 #include <mutex>
@@ -56,6 +58,37 @@ class Queue {
   std::exception_ptr error_;
 };
 
+// Keeps the calling thread to one core while it lives, the `worker`-th allowed one from `first` on.
+// A process that the worker starts runs there too: they take turns, and what wakes on one core while
+// the other sleeps on a second one costs a fifth more. Who finds no core of its own goes where the
+// system lets it.
+class OnOneCore {
+ public:
+  OnOneCore(int first, std::size_t worker) {
+    if (first < 0 || sched_getaffinity(0, sizeof before_, &before_) != 0) return;
+    if (worker >= static_cast<std::size_t>(CPU_COUNT(&before_))) return;
+    int core = first;
+    for (std::size_t n = 0; n < worker; ++n) {
+      do {
+        core = (core + 1) % CPU_SETSIZE;
+      } while (!CPU_ISSET(core, &before_));
+    }
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(core, &one);
+    is_kept_ = sched_setaffinity(0, sizeof one, &one) == 0;
+  }
+  OnOneCore(const OnOneCore&) = delete;
+  OnOneCore& operator=(const OnOneCore&) = delete;
+  ~OnOneCore() {
+    if (is_kept_) sched_setaffinity(0, sizeof before_, &before_);
+  }
+
+ private:
+  cpu_set_t before_{};
+  bool is_kept_ = false;
+};
+
 }  // namespace
 
 int DefaultJobs() {
@@ -77,15 +110,20 @@ void ShareWork(int jobs, std::span<const std::size_t> order,
                const std::function<void(std::size_t worker, std::size_t i)>& work) {
   Queue queue(order, work);
   const std::size_t workers = std::min(static_cast<std::size_t>(jobs), order.size());
+  const int first = sched_getcpu();
   {
     std::vector<std::jthread> threads;
     for (std::size_t w = 1; w < workers; ++w) {
       try {
-        threads.emplace_back([&queue, w] { queue.Serve(w); });
+        threads.emplace_back([&queue, first, w] {
+          const OnOneCore core(first, w);
+          queue.Serve(w);
+        });
       } catch (const std::system_error&) {
         break;  // the machine gives no more: fewer do the same
       }
     }
+    const OnOneCore core(threads.empty() ? -1 : first, 0);
     queue.Serve(0);
   }
   queue.Rethrow();

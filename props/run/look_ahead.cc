@@ -1,9 +1,7 @@
 #include "props/run/look_ahead.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <future>
 #include <memory>
 #include <utility>
 
@@ -19,13 +17,7 @@ bool EndsTheBatch(Outcome outcome) {
   return outcome == Outcome::kViolated || outcome == Outcome::kInconclusive;
 }
 
-bool BrokeDown(const std::vector<Answers>& answers) {
-  return std::ranges::any_of(answers, [](const Answers& each) {
-    return each.stop != Stop::kNone && each.stop != Stop::kRefused && each.stop != Stop::kCantBePut;
-  });
-}
-
-// Every other turn one half of the cases is drawn while the other is judged.
+// Draws the next check of every case in one call, judges them, and so on.
 class Together {
  public:
   Together(Subject& subject, const Property& property, std::span<const Case> cases,
@@ -39,71 +31,42 @@ class Together {
         end_(cases.size()) {}
 
   std::vector<Trial> Run() {
-    const std::size_t half = cases_.size() / 2;
-    const std::array<std::pair<std::size_t, std::size_t>, 2> halves{
-        {{0, half}, {half, cases_.size()}}};
-    Begin(halves[0]);
-    std::size_t turn = 0;
-    InFlight drawing = Launch(halves[0]);
-    Begin(halves[1]);
-    while (!is_stopped_) {
-      const std::vector<Answers> answers = drawing.Wait();
-      // Behind a breakdown most draws would be in vain, and might each cost a time limit.
-      const bool judges_first = BrokeDown(answers);
-      if (judges_first) Judge(drawing.asked, answers);
-      InFlight next = Launch(halves[(turn + 1) % 2]);
-      if (!judges_first) Judge(drawing.asked, answers);
-      const bool is_done = next.asked.empty();
-      drawing = is_done ? Launch(halves[turn % 2]) : std::move(next);
-      if (is_done && drawing.asked.empty()) break;
-      if (!is_done) ++turn;
+    Begin();
+    while (DrawAndJudge()) {
     }
-    drawing.Wait();
     return Done();
   }
 
  private:
-  // What is being drawn.
-  struct InFlight {
-    std::vector<std::size_t> asked;
-    std::future<std::vector<Answers>> answers;
-
-    std::vector<Answers> Wait() { return answers.valid() ? answers.get() : std::vector<Answers>(); }
-  };
-
   bool IsStopped() {
     is_stopped_ = is_stopped_ || (stop_ && stop_());
     return is_stopped_;
   }
 
-  void Begin(std::pair<std::size_t, std::size_t> part) {
-    for (std::size_t k = part.first; k < std::min(part.second, end_) && !IsStopped(); ++k) {
+  void Begin() {
+    for (std::size_t k = 0; k < end_ && !IsStopped(); ++k) {
       hands_[k] = std::make_unique<CaseInHand>(property_, cases_[k], description_);
       NoteEnd(k);
     }
   }
 
-  InFlight Launch(std::pair<std::size_t, std::size_t> part) {
-    InFlight drawing;
+  // Returns whether anything was left to draw.
+  bool DrawAndJudge() {
+    std::vector<std::size_t> asked;
     std::vector<Request> requests;
-    for (std::size_t k = part.first; k < std::min(part.second, end_) && !IsStopped(); ++k) {
+    for (std::size_t k = 0; k < end_ && !IsStopped(); ++k) {
       if (hands_[k] == nullptr || hands_[k]->IsDone()) continue;
-      drawing.asked.push_back(k);
+      asked.push_back(k);
       requests.push_back(hands_[k]->Next());
     }
-    if (requests.empty()) return drawing;
-    drawing.answers = std::async(std::launch::async, [this, requests = std::move(requests)] {
-      return Put(subject_, requests);
-    });
-    return drawing;
-  }
-
-  void Judge(const std::vector<std::size_t>& asked, const std::vector<Answers>& answers) {
-    for (std::size_t n = 0; n < answers.size(); ++n) {
-      if (asked[n] >= end_ || IsStopped()) return;
+    if (requests.empty() || is_stopped_) return false;
+    // Fewer if the subject broke down: what lies behind is asked again, unless that ends the batch.
+    const std::vector<Answers> answers = Put(subject_, requests);
+    for (std::size_t n = 0; n < answers.size() && asked[n] < end_ && !IsStopped(); ++n) {
       hands_[asked[n]]->Take(answers[n]);
       NoteEnd(asked[n]);
     }
+    return !is_stopped_;
   }
 
   void NoteEnd(std::size_t k) {

@@ -13,9 +13,8 @@
 
 namespace rasterproof::props {
 
-/// Judges every case, the next checks of many of them in one call; one half of the cases is judged
-/// while the other half is drawn. The verdicts are those of TryCase() on each, unless what a
-/// subject draws depends on other scenes.
+/// Judges every case, the next checks of all of them in one call. The verdicts are those of
+/// TryCase() on each, unless what a subject draws depends on other scenes.
 ///
 /// Domain:     a property that asks, and whose draws may share calls; at least one case.
 /// Returns:    what came of the cases, in their order; fewer if the last one is violated or

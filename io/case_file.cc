@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/quoted.h"
 #include "io/json_document.h"
 #include "io/json_members.h"
 #include "io/output.h"

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/quoted.h"
+
 namespace rasterproof::io {
 namespace {
 
@@ -48,38 +50,15 @@ std::string LineAndColumn(std::string_view text, std::size_t end) {
   return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
 }
 
-// What a message can show of a text, without quotes.
-std::string Shown(std::string_view text) {
-  const std::string quoted = Quoted(text);
-  return quoted.substr(1, quoted.size() - 2);
-}
-
 // The parser's reason without its exception id and its position.
 std::string Reason(std::string_view what) {
   const std::size_t column = what.find(", column ");
   const std::size_t colon = what.find(": ", column == std::string_view::npos ? 0 : column);
   if (colon != std::string_view::npos) what.remove_prefix(colon + 2);
-  return Shown(what);
+  return Printable(what);
 }
 
 }  // namespace
-
-std::string Quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 160;
-  constexpr std::string_view kHexDigits = "0123456789abcdef";
-  std::string quoted = "\"";
-  for (const char c : text.substr(0, kLongest)) {
-    if (c >= ' ' && c <= '~') {
-      quoted += c;
-      continue;
-    }
-    const auto byte = static_cast<unsigned char>(c);
-    quoted += "\\x";
-    quoted += kHexDigits[byte >> 4U];
-    quoted += kHexDigits[byte & 15U];
-  }
-  return quoted + (text.size() > kLongest ? "...\"" : "\"");
-}
 
 // Takes the parser's events.
 class JsonBuilder {
@@ -204,7 +183,7 @@ std::string JsonDocument::Place(std::uint32_t node) const {
       child = nodes_[value].next;
     }
     if (object) {
-      path += (path.empty() ? "" : ".") + Shown(Text(child));
+      path += (path.empty() ? "" : ".") + Printable(Text(child));
       at = child + 1;
     } else {
       path += "[" + std::to_string(index) + "]";
@@ -274,10 +253,10 @@ std::int64_t JsonValue::RequireInteger(std::int64_t least, std::int64_t greatest
   std::int64_t value = 0;
   const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (status == std::errc::invalid_argument || end != digits.data() + digits.size()) {
-    throw Error("the number " + Shown(digits) + " is not an integer", range);
+    throw Error("the number " + Printable(digits) + " is not an integer", range);
   }
   if (status != std::errc{} || value < least || value > greatest) {
-    throw Error("the number " + Shown(digits) + " is out of range", range);
+    throw Error("the number " + Printable(digits) + " is out of range", range);
   }
   return value;
 }

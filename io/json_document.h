@@ -113,9 +113,6 @@ class JsonValue {
   std::uint32_t node_;
 };
 
-/// The text in quotes, as a message can show it: printable, shortened if long.
-std::string Quoted(std::string_view text);
-
 }  // namespace rasterproof::io
 
 #endif  // RASTERPROOF_IO_JSON_DOCUMENT_H_

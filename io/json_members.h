@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/quoted.h"
 #include "io/json_document.h"
 
 namespace rasterproof::io {

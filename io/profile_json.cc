@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/quoted.h"
 #include "io/case_file.h"
 #include "io/json_document.h"
 #include "io/json_members.h"

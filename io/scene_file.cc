@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/quoted.h"
 #include "io/json_document.h"
 #include "io/number_text.h"
 #include "io/output.h"

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/quoted.h"
 #include "core/scene.h"
 #include "io/json_document.h"
 #include "io/output.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "core/quoted.h"
 #include "core/subject_errors.h"
 #include "subjects/process/protocol.h"
 #include "subjects/process/text.h"
@@ -42,8 +43,8 @@ std::string_view RequireHead(std::string_view line, std::string_view word, std::
     throw SubjectRefusal("subject " + subject, "it refused the scene: " + std::string(*reason),
                          "give it another one");
   }
-  throw SubjectFault("it answered \"" + std::string(line.substr(0, kMostQuoted)) + "\", not \"" +
-                     std::string(word) + " " + std::to_string(id) +
+  throw SubjectFault("it answered " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) +
+                     " " + std::to_string(id) +
                      "\" (was a line left over from an earlier answer?)");
 }
 
@@ -57,16 +58,16 @@ class RowReader {
     T value{};
     if (words_.Number(value)) return value;
     throw SubjectFault("a row of its answer has " + std::to_string(read) + " samples, not " +
-                       std::to_string(wanted) + Quoted());
+                       std::to_string(wanted) + Shown());
   }
   void RequireEnd(std::size_t wanted) {
     if (words_.AtEnd()) return;
     throw SubjectFault("a row of its answer has more than " + std::to_string(wanted) + " samples" +
-                       Quoted());
+                       Shown());
   }
 
  private:
-  std::string Quoted() const { return ": \"" + std::string(line_.substr(0, kMostQuoted)) + "\""; }
+  std::string Shown() const { return ": " + Quoted(line_, kMostQuoted); }
 
   std::string_view line_;
   WordReader words_;

@@ -57,6 +57,7 @@ class ChildProcess {
   /// What the child is told next; it leaves while answers are read, so that neither side waits for
   /// the other's full pipe.
   void Say(std::string text);
+  bool WasTold() const { return !to_say_.empty(); }
   /// Closes the child's input once all was said.
   void SayNoMore();
   /// Whether the child closed its input before it had read all that it was told.

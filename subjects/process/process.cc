@@ -12,6 +12,7 @@
 #include "core/edge_claims.h"
 #include "core/error.h"
 #include "core/evaluators.h"
+#include "core/quoted.h"
 #include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "core/target_size.h"
@@ -37,28 +38,25 @@ namespace {
 constexpr double kHangFactor = 10;
 // How often in a subject's life that is tried.
 constexpr int kMostTries = 3;
-// A description, or the search for a program: no answer, and as good as nothing to do.
-constexpr double kLeastSecondsOfOutput = 10;
-constexpr std::size_t kMostOfOutput = std::size_t{1} << 20;
 
 std::exception_ptr Thrown(const std::function<void()>& work) {
   try {
     work();
-    return nullptr;
   } catch (...) {
     return std::current_exception();
   }
+  return nullptr;
 }
 
 bool IsHang(const DrawOutcome& outcome) {
   try {
     outcome.Get();
+    return false;
   } catch (const SubjectHang&) {
     return true;
   } catch (const std::exception&) {
     return false;
   }
-  return false;
 }
 
 std::string FaultText(const DrawOutcome& outcome) {
@@ -70,7 +68,7 @@ std::string FaultText(const DrawOutcome& outcome) {
   }
 }
 
-// The least n of [low, high] that does it, if it is so for all above as well; high is known to.
+// The least n of [low, high] that does it, if all above do as well; high is known to.
 std::size_t LeastThat(std::size_t low, std::size_t high,
                       const std::function<bool(std::size_t)>& does) {
   while (low < high) {
@@ -133,11 +131,13 @@ class ProcessSubject::Child {
   }
 
   // Whoever says more than it was asked would be taken for an answer to what comes next.
-  void RequireSilence(std::string_view than) {
+  void RequireSilence() {
     std::string more;
     if (!process_.HasUnread(more)) return;
-    throw SubjectFault("it said more than " + std::string(than) + ": \"" + more.substr(0, 60) +
-                       "\"; rows of back faces want `coverage facing-counts`");
+    if (!process_.WasTold())
+      throw SubjectFault("it spoke before it was asked: " + Quoted(more, 60));
+    throw SubjectFault("it said more than its answer: " + Quoted(more, 60) +
+                       "; rows of back faces want `coverage facing-counts`");
   }
 
  private:
@@ -264,7 +264,7 @@ std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest
                                    [&](std::size_t most) { return child->Line(patience, most); }));
       counted = patience.time.Counted();
     }
-    child->RequireSilence("its answer");
+    child->RequireSilence();
     child_ = std::move(child);
     return counted;
   };
@@ -286,7 +286,7 @@ std::unique_ptr<ProcessSubject::Child> ProcessSubject::TakeChild() {
     throw SubjectDeadline("the time that it was given was up (--seconds)");
   if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
   std::unique_ptr<Child> child = std::move(child_);
-  child->RequireSilence("its answers to earlier draws");
+  child->RequireSilence();
   return child;
 }
 
@@ -308,7 +308,7 @@ std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, doub
       outcome.drawing = ReadAnswer(first_id + k, jobs[k], info_,
                                    [&](std::size_t most) { return child->Line(patience, most); });
       if (counted != nullptr) *counted = patience.time.Counted();
-      if (k + 1 == jobs.size()) child->RequireSilence("its answer");
+      if (k + 1 == jobs.size()) child->RequireSilence();
     } catch (const SubjectRefusal&) {
       outcome.error = std::current_exception();
     } catch (const SubjectFault&) {
@@ -460,41 +460,6 @@ void ProcessSubject::TraceRun(std::span<const DrawJob> jobs, std::vector<DrawOut
   outcomes.emplace_back().error = std::make_exception_ptr(SubjectFault(
       FaultText(seen.back()) + "; not alone, but after the " + std::to_string(run - 1) +
       " draws before it" + (info_.takes_batches ? " in the same call" : "")));
-}
-
-std::string OutputOf(const std::vector<std::string>& command, const std::string& place,
-                     const ProcessLimits& limits) {
-  ChildProcess process(command, limits.bytes);
-  process.SayNoMore();
-  const double seconds = std::max(limits.seconds, kLeastSecondsOfOutput);
-  Patience patience = process.Wait(seconds);
-  std::string output;
-  for (;;) {
-    std::string_view line;
-    const PipeEnd end = process.ReadLine(patience, kMostOfOutput - output.size(), line);
-    switch (end) {
-      case PipeEnd::kOpen:
-        if (output.size() + line.size() >= kMostOfOutput) break;
-        output += line;
-        output += '\n';
-        continue;
-      case PipeEnd::kClosed: {
-        const std::string ending = process.Ending();
-        if (ending == "ended with status 0") return output;
-        throw InputError(place, "it " + ending, "mend the program, or give another");
-      }
-      case PipeEnd::kTooLong:
-        break;
-      case PipeEnd::kTimedOut:
-      case PipeEnd::kDeadline:
-        throw InputError(
-            place, "it did not end within " + SecondsText(seconds) + ": " + patience.time.Text(),
-            "mend the program, or raise --time-limit");
-      case PipeEnd::kInterrupted:
-        throw SubjectTooSlow(kInterruptedText);
-    }
-    throw InputError(place, "it printed more than 1 MiB", "mend the program");
-  }
 }
 
 }  // namespace rasterproof::subjects

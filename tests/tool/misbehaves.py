@@ -86,6 +86,8 @@ def main():
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
     if WHAT == "leaves-children":
         stay_behind()
+    if WHAT == "greets":
+        say("hello\0\x1b[31m\n")
     if WHAT == "closes-input":
         os.close(0)
         hang(lambda: time.sleep(FOREVER))

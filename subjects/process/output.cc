@@ -1,0 +1,55 @@
+// All that a program prints.
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/subject_errors.h"
+#include "subjects/process/child.h"
+#include "subjects/process/process.h"
+
+namespace rasterproof::subjects {
+namespace {
+
+// A description, or the search for a program: no answer, and as good as nothing to do.
+constexpr double kLeastSecondsOfOutput = 10;
+constexpr std::size_t kMostOfOutput = std::size_t{1} << 20;
+
+}  // namespace
+
+std::string OutputOf(const std::vector<std::string>& command, const std::string& place,
+                     const ProcessLimits& limits) {
+  ChildProcess process(command, limits.bytes);
+  process.SayNoMore();
+  const double seconds = std::max(limits.seconds, kLeastSecondsOfOutput);
+  Patience patience = process.Wait(seconds);
+  std::string output;
+  for (;;) {
+    std::string_view line;
+    const PipeEnd end = process.ReadLine(patience, kMostOfOutput - output.size(), line);
+    switch (end) {
+      case PipeEnd::kOpen:
+        if (output.size() + line.size() >= kMostOfOutput) break;
+        output += line;
+        output += '\n';
+        continue;
+      case PipeEnd::kClosed: {
+        const std::string ending = process.Ending();
+        if (ending == "ended with status 0") return output;
+        throw InputError(place, "it " + ending, "mend the program, or give another");
+      }
+      case PipeEnd::kTooLong:
+        break;
+      case PipeEnd::kTimedOut:
+      case PipeEnd::kDeadline:
+        throw InputError(
+            place, "it did not end within " + SecondsText(seconds) + ": " + patience.time.Text(),
+            "mend the program, or raise --time-limit");
+      case PipeEnd::kInterrupted:
+        throw SubjectTooSlow(kInterruptedText);
+    }
+    throw InputError(place, "it printed more than 1 MiB", "mend the program");
+  }
+}
+
+}  // namespace rasterproof::subjects

@@ -9,6 +9,7 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/target_size.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
@@ -86,6 +87,11 @@ Asked CompareVariations(const Case& c, const std::vector<Variation>& variations)
     asked.checks.push_back(std::move(check));
   }
   return asked;
+}
+
+bool HasTheModelOf(const Case& c, int width, int height) {
+  return IsTargetSize(width, height, c.profile.lattice.samples()) &&
+         ForTarget(c.profile, width, height) == ForTarget(c.profile, c.scene.width, c.scene.height);
 }
 
 Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {

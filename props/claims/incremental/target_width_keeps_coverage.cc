@@ -3,7 +3,6 @@
 
 #include "core/coverage.h"
 #include "core/scene.h"
-#include "model/target_model.h"
 #include "props/claims/all.h"
 #include "props/claims/domain_lists.h"
 #include "props/claims/row_words.h"
@@ -25,20 +24,11 @@ CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
   return part;
 }
 
-// Whether the subject can be asked for a target of this width, under the same model.
-bool IsJudged(const Case& c, int width) {
-  const auto samples = CoverageCounts::Size(width, c.scene.height, c.profile.lattice.samples());
-  if (width > kMaxTargetSide || samples > kMaxTargetSamples) return false;
-  // A profile can state another model for wider targets.
-  return ForTarget(c.profile, width, c.scene.height) ==
-         ForTarget(c.profile, c.scene.width, c.scene.height);
-}
-
 Asked Ask(const Case& c, const Description& /*subject*/) {
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const int width : {c.scene.width + 1, 2 * c.scene.width + 7}) {
-    if (!IsJudged(c, width)) continue;
+    if (!HasTheModelOf(c, width, c.scene.height)) continue;
     Scene wider = c.scene;
     wider.width = width;
     asked.checks.push_back(CheckAgainstBase(

@@ -65,6 +65,7 @@ extern const Property kFragmentDepthFollowsItsWeights;
 extern const Property kOneCallDrawsLikeItsTriangles;
 extern const Property kWinnerFollowsTheDeclaredOrder;
 extern const Property kBatchDrawsLikeSingleCalls;
+extern const Property kTargetHeightKeepsCoverage;
 
 inline constexpr const Property* kAllClaims[] = {
     &kEdgeSignIsRightOutsideItsBand,
@@ -125,6 +126,7 @@ inline constexpr const Property* kAllClaims[] = {
     &kOneCallDrawsLikeItsTriangles,
     &kWinnerFollowsTheDeclaredOrder,
     &kBatchDrawsLikeSingleCalls,
+    &kTargetHeightKeepsCoverage,
 };
 
 }  // namespace rasterproof::props

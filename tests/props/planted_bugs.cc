@@ -228,6 +228,12 @@ std::vector<Plant> IncrementalPlants() {
        {.draw = WithOptions([](DrawOptions& options, const Scene& scene) {
           options.scissor = PixelRect{0, 0, scene.width - scene.width % 2, scene.height};
         })}},
+      {"TargetHeightKeepsCoverage",
+       "odd heights lose a row",
+       "spans-exact",
+       {.draw = WithOptions([](DrawOptions& options, const Scene& scene) {
+          options.scissor = PixelRect{0, 0, scene.width, scene.height - scene.height % 2};
+        })}},
       {"ThreadCountKeepsCoverage",
        "the third thread starves",
        "spans-exact",

@@ -258,11 +258,24 @@ TEST(Targets, AreJudgedEachByItsOwnModel) {
   Case c = CaseOf(info.profile, {{0.375, 0, 0, 1}, {9, 0, 0, 1}, {0.375, 9, 0, 1}}, {{0, 1, 2}}, 9);
   EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
   EXPECT_EQ(Judged(wrong, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
-  EXPECT_EQ(Judged(sound, "TargetWidthKeepsCoverage", c).outcome, Outcome::kNotExercised);
+  for (const std::string_view property :
+       {"TargetWidthKeepsCoverage", "TargetHeightKeepsCoverage"}) {
+    EXPECT_EQ(Judged(sound, property, c).outcome, Outcome::kNotExercised) << property;
+  }
   c.scene.vertices[0].x = c.scene.vertices[2].x = 0.75;
   c.scene.width = 10;
   EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
   EXPECT_EQ(Judged(wrong, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
+}
+
+TEST(Targets, GrowWhereYGrows) {
+  for (const YAxis y_axis : {YAxis::kDown, YAxis::kUp}) {
+    SubjectInfo info = SnappedInfo(8);
+    info.profile.y_axis = y_axis;
+    PlantedSubject sound = Faultless(info);
+    const Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {9, 0, 0, 1}, {0, 5, 0, 1}}, {{0, 1, 2}}, 9);
+    EXPECT_EQ(Judged(sound, "TargetHeightKeepsCoverage", c).outcome, Outcome::kHolds);
+  }
 }
 
 PlantedSubject WithRule(const SubjectInfo& info, const FillRule& rule) {

@@ -61,7 +61,8 @@ TEST(WholeCalls, OfASoundSubjectAreEqual) {
          {"TriangleOrderKeepsCoverage", "VertexRotationKeepsCoverage", "ReversalSwapsFacing",
           "DuplicatedVerticesKeepCoverage", "ScissorOnlyCutsCoverage", "CullingRemovesOneFacing",
           "IntegerTranslationMovesCoverage", "TileSizeKeepsCoverage", "TargetWidthKeepsCoverage",
-          "DrawStaysInsideItsTarget", "BadTrianglesPoisonNoOthers", "EqualDrawsGiveEqualCounts"}) {
+          "TargetHeightKeepsCoverage", "DrawStaysInsideItsTarget", "BadTrianglesPoisonNoOthers",
+          "EqualDrawsGiveEqualCounts"}) {
       const PropertyResult result = RunWith(kind, TakesAll, property, kCases);
       EXPECT_EQ(result.outcome, Outcome::kHolds)
           << property << " of kind " << static_cast<int>(kind) << ": " << result.message;

@@ -17,8 +17,10 @@
 
 #include "core/error.h"
 #include "core/question.h"
+#include "core/quoted.h"
 #include "core/result.h"
 #include "core/subject.h"
+#include "core/subject_errors.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
@@ -92,17 +94,49 @@ class Asking final : public FarEnd {
   std::vector<DrawJob> asked_;
 };
 
-std::string_view NextLine(std::size_t /*most_bytes*/) {
-  static std::string line;
-  if (!std::getline(std::cin, line)) line.clear();  // no answer: see RequireAllAnswers
-  return line;
-}
+// What a program answered, line by line. Behind a bad answer the next one begins where a line says
+// so, however many lines the bad one has.
+class AnswerLines {
+ public:
+  std::string_view Next() {
+    if (!Peek()) {
+      line_.clear();
+      is_short_ = true;
+    }
+    is_held_ = false;
+    return line_;
+  }
+  void RequireEndOfAnswer() {
+    if (!Peek() || subjects::AnsweredRequest(line_) != 0) return;
+    throw SubjectFault("it said more than its answer: " + Quoted(line_, 60));
+  }
+  // The answer to request `id` was a bad one.
+  void PassOver(std::uint64_t id) {
+    if (is_short_) return;
+    is_held_ = true;  // what was read last may be the next one's head
+    for (; Peek(); is_held_ = false) {
+      if (subjects::AnsweredRequest(line_) > id) return;
+    }
+    is_lost_ = true;
+  }
+  void RequireAll() const {
+    if (is_lost_ || !is_short_) return;
+    throw InputError("standard input", "it ends before every request was answered",
+                     "give ver the same options as gen, and flush what the program says");
+  }
 
-void RequireAllAnswers() {
-  if (!std::cin.fail()) return;
-  throw InputError("standard input", "it ends before every request was answered",
-                   "give ver the same options as gen, and flush what the program says");
-}
+ private:
+  // Whether there is a line to be read next.
+  bool Peek() {
+    if (!is_held_) is_held_ = static_cast<bool>(std::getline(std::cin, line_));
+    return is_held_;
+  }
+
+  std::string line_;
+  bool is_held_ = false;   // the line is to be read, again or for the first time
+  bool is_short_ = false;  // there was none where one was needed
+  bool is_lost_ = false;   // behind a bad answer no line began another one
+};
 
 // ver's: every job is answered by what the program said, in the same order.
 class Answering final : public FarEnd {
@@ -112,8 +146,13 @@ class Answering final : public FarEnd {
     std::vector<DrawOutcome> outcomes(jobs.size());
     for (std::size_t k = 0; k < jobs.size(); ++k) {
       try {
-        outcomes[k].drawing = subjects::ReadAnswer(++id_, jobs[k], info(), NextLine);
-      } catch (const std::exception&) {
+        outcomes[k].drawing = subjects::ReadAnswer(
+            ++id_, jobs[k], info(), [this](std::size_t /*most_bytes*/) { return lines_.Next(); });
+        lines_.RequireEndOfAnswer();
+      } catch (const SubjectFault&) {
+        outcomes[k].error = std::current_exception();
+        lines_.PassOver(id_);
+      } catch (const InputError&) {  // it refused
         outcomes[k].error = std::current_exception();
       }
     }
@@ -124,9 +163,11 @@ class Answering final : public FarEnd {
     for (const DrawJob& job : jobs) DrawMany({&job, 1});
   }
   std::uint64_t answered() const { return id_; }
+  void RequireAll() const { lines_.RequireAll(); }
 
  private:
   std::uint64_t id_ = 0;
+  AnswerLines lines_;
 };
 
 // The counts of one drawing, whatever is asked: for the picture of a failure.
@@ -274,7 +315,7 @@ int RunVer(const PipeOptions& options) {
       props::CaseInHand hand(property, c, description);
       if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
       AllAnswers all = PutAll(put, hand);
-      RequireAllAnswers();
+      answering.RequireAll();
       if (IsAnyRefused(all)) {
         ++tally.refused;
         continue;

@@ -204,6 +204,15 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
   return drawing;
 }
 
+std::uint64_t AnsweredRequest(std::string_view line) {
+  for (const std::string_view word :
+       {"counts ", "ids ", "fragments ", "values ", "fault ", "refused "}) {
+    std::uint64_t id = 0;
+    if (line.starts_with(word) && WordReader(line.substr(word.size())).Number(id)) return id;
+  }
+  return 0;
+}
+
 std::string ValuesText(std::uint64_t id, std::span<const double> values) {
   TextWriter text;
   text.Add("values ");

@@ -130,6 +130,8 @@ using NextLine = std::function<std::string_view(std::size_t most_bytes)>;
 ///             a fault; InputError if it is a refusal; what next_line throws.
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const NextLine& next_line);
+/// The request that a line begins the answer to; 0 if it begins none.
+std::uint64_t AnsweredRequest(std::string_view line);
 /// Reads the answer to an edge request.
 ///
 /// Error:      as ReadAnswer.

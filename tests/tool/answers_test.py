@@ -63,6 +63,29 @@ class PipesLaidByHand(unittest.TestCase):
                         text = run("ver", *chosen, data=b"".join(said_so)).stdout.decode()
                         self.assertIn(f": {held - 1} cases held, {counts}", text)
 
+    def test_a_malformed_answer_costs_its_own_case_alone(self):
+        example = os.path.join(SOURCES, "kit/examples/program.py")
+        chosen = ("--property", STAYS_INSIDE, "--cases", "8")
+        requests = run("gen", *chosen).stdout
+        sound = run(program=example, data=requests).stdout
+        answers = re.split(rb"^(?=counts )", sound, flags=re.M)[1:]
+        said = run("ver", *chosen, data=sound).stdout.decode()
+        held = int(re.search(r": (\d+) cases held, 0 violated", said)[1])
+        head, rows = answers[3].split(b"\n", 1)  # the second case's: pictures are drawn by facing
+        for words, wrong in (
+            ("a row too few", head + b"\n" + rows.split(b"\n", 1)[1]),
+            ("a row too many", answers[3] + b"0\n"),
+            ("no number", head + b"\nx" + rows),
+            ("no head", rows),
+            ("another's head", head.replace(b" 4", b" 2") + b"\n" + rows),
+            ("left out", b""),
+        ):
+            with self.subTest(words):
+                said_so = b"".join([*answers[:3], wrong, *answers[4:]])
+                done = run("ver", *chosen, data=said_so)
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                self.assertIn(f": {held - 1} cases held, 1 violated", done.stdout.decode())
+
 
 class Refusals(unittest.TestCase):
     def check(self, *arguments, cases="120"):

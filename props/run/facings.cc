@@ -1,6 +1,5 @@
 #include "props/run/facings.h"
 
-#include <cstddef>
 #include <vector>
 
 #include "core/drawing.h"
@@ -15,12 +14,7 @@ void DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& optio
   if (info.coverage == CoverageKind::kFacingCounts) return subject.Draw(scene, options, counts);
   const std::vector<Part> parts =
       FacingParts({scene, options, counts.samples}, info.coverage, info.profile);
-  std::vector<DrawJob> jobs;
-  for (const Part& part : parts) jobs.push_back(part.job);
-  const std::vector<DrawOutcome> drawn = subject.DrawMany(jobs);
-  for (std::size_t k = 0; k < drawn.size(); ++k) {
-    AddPart(parts[k], info.coverage, drawn[k].Get().counts, counts);
-  }
+  DrawParts(subject, parts, counts);
 }
 
 }  // namespace rasterproof::props

@@ -8,6 +8,7 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/subject_info.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/sides.h"
 
@@ -42,6 +43,29 @@ std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const P
     for (const Triangle& t : side) parts.push_back({Only(job, {{t}}), is_back});
   }
   return parts;
+}
+
+std::size_t SizeInACall(const DrawJob& job) {
+  const Scene& scene = *job.scene;
+  return CoverageCounts::Size(scene.width, scene.height, job.samples) + scene.vertices.size();
+}
+
+void DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& counts) {
+  const CoverageKind coverage = subject.Info().coverage;
+  while (!parts.empty()) {
+    std::vector<DrawJob> jobs;
+    std::size_t size = 0;
+    for (const Part& part : parts) {
+      size += SizeInACall(part.job);
+      if (!jobs.empty() && size > kMostInACall) break;
+      jobs.push_back(part.job);
+    }
+    const std::vector<DrawOutcome> drawn = subject.DrawMany(jobs);
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      AddPart(parts[k], coverage, drawn[k].Get().counts, counts);
+    }
+    parts = parts.subspan(jobs.size());
+  }
 }
 
 void AddPart(const Part& part, CoverageKind coverage, const CoverageCounts& drawn,

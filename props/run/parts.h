@@ -2,11 +2,14 @@
 #ifndef RASTERPROOF_PROPS_RUN_PARTS_H_
 #define RASTERPROOF_PROPS_RUN_PARTS_H_
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/profile.h"
+#include "core/subject.h"
 #include "core/subject_info.h"
 
 namespace rasterproof::props {
@@ -26,6 +29,17 @@ struct Part {
 /// (IsJudgedAsShown). A triangle of no area counts as front: it should cover nothing. Where the
 /// profile leaves other models legal the facing is a guess (OpenTriangles).
 std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const Profile& profile);
+
+/// A call of a subject is kept to so many samples and vertices: what is at hand of it takes memory on
+/// either side.
+inline constexpr std::size_t kMostInACall = std::size_t{1} << 20;
+/// What a job adds to that.
+std::size_t SizeInACall(const DrawJob& job);
+
+/// Draws the parts in their order, in calls of kMostInACall, and adds what they drew.
+///
+/// Error:      what the subject throws; counts are then of the parts before.
+void DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& counts);
 
 /// Adds what a part drew to the counts of its draw.
 ///

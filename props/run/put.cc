@@ -14,10 +14,6 @@
 namespace rasterproof::props {
 namespace {
 
-// A call is kept to so many samples and vertices: what is at hand of it takes memory on either
-// side.
-constexpr std::size_t kMostInACall = std::size_t{1} << 20;
-
 void End(Answers& answers, Stop stop, std::string why) {
   answers.stop = stop;
   answers.why = std::move(why);
@@ -138,12 +134,7 @@ class Putting {
       subject_.Draw(SceneOf(job), job.options, drawing.counts);
       return;
     }
-    std::vector<DrawJob> jobs;
-    for (const Part& part : parts) jobs.push_back(part.job);
-    const std::vector<DrawOutcome> outcomes = subject_.DrawMany(jobs);
-    for (std::size_t k = 0; k < outcomes.size(); ++k) {
-      AddPart(parts[k], Coverage(r), outcomes[k].Get().counts, drawing.counts);
-    }
+    DrawParts(subject_, parts, drawing.counts);
   }
 
   void AddShares(std::size_t r) {
@@ -191,9 +182,7 @@ class Putting {
     if (is_one_call) return shares_.size();
     std::size_t size = 0;
     for (std::size_t n = first; n < shares_.size(); ++n) {
-      const DrawJob& job = shares_[n].part.job;
-      size += CoverageCounts::Size(job.scene->width, job.scene->height, job.samples) +
-              job.scene->vertices.size();
+      size += SizeInACall(shares_[n].part.job);
       if (n > first && size > kMostInACall) return n;
     }
     return shares_.size();

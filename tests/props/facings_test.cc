@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "exact/coverage.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
+#include "props/run/parts.h"
 #include "tests/props/planted_subjects.h"
 
 namespace rasterproof::props {
@@ -30,7 +33,14 @@ class Faceless final : public Subject {
       counts.front[k] += mask ? std::uint32_t{n != 0} : n;
     }
   }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    std::size_t size = 0;
+    for (const DrawJob& job : jobs) size += SizeInACall(job);
+    largest_call = std::max(largest_call, size);
+    return Subject::DrawMany(jobs);
+  }
   int draws = 0;
+  std::size_t largest_call = 0;
 
  private:
   SubjectInfo info_;
@@ -71,6 +81,25 @@ TEST(Facings, TakeOneDrawForAMeshThatFacesOneWay) {
   CoverageCounts counts(4, 4);
   DrawByFacing(subject, scene, {}, counts);
   EXPECT_EQ(subject.draws, 1);
+  EXPECT_EQ(counts, exact::Coverage(scene, info.profile));
+}
+
+// What a call holds is at hand at once: the triangles of a map took gigabytes.
+TEST(Facings, OfManyTrianglesTakeCallsOfABoundedSize) {
+  SubjectInfo info = testing::RealInfo();
+  info.coverage = CoverageKind::kMask;
+  Faceless subject(info);
+  Scene scene;
+  scene.width = scene.height = 512;
+  for (int n = 0; n < 9; ++n) {
+    const double x = 50.0 * n;
+    scene.vertices.insert(scene.vertices.end(), {{x, 0}, {x, 50}, {x + 50, 50}});
+    scene.triangles.push_back({3 * n, 3 * n + 1, 3 * n + 2});
+  }
+  CoverageCounts counts(512, 512);
+  DrawByFacing(subject, scene, {}, counts);
+  EXPECT_EQ(subject.draws, 9);
+  EXPECT_LE(subject.largest_call, kMostInACall);
   EXPECT_EQ(counts, exact::Coverage(scene, info.profile));
 }
 

@@ -46,8 +46,8 @@ struct Variation {
 /// Domain:     a case that outlives what is returned.
 Asked CompareVariations(const Case& c, const std::vector<Variation>& variations);
 
-/// Whether a target of this size is one that subjects are asked for, and the profile places vertices
-/// on it as on the case's own: a profile can state another model for other sizes.
+/// Whether a target of this size is one that subjects are asked for, and the profile places
+/// vertices on it as on the case's own: a profile can state another model for other sizes.
 bool HasTheModelOf(const Case& c, int width, int height);
 
 /// The case with only the named triangles of its list.

@@ -30,8 +30,8 @@ struct Part {
 /// profile leaves other models legal the facing is a guess (OpenTriangles).
 std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const Profile& profile);
 
-/// A call of a subject is kept to so many samples and vertices: what is at hand of it takes memory on
-/// either side.
+/// A call of a subject is kept to so many samples and vertices: what is at hand of it takes memory
+/// on either side.
 inline constexpr std::size_t kMostInACall = std::size_t{1} << 20;
 /// What a job adds to that.
 std::size_t SizeInACall(const DrawJob& job);

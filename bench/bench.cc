@@ -81,13 +81,13 @@ void BenchFamily(const Family& family, std::span<Subject* const> subjects,
   for (int repetition = 0; repetition < options.repetitions; ++repetition) {
     for (std::size_t k = 0; k < takers.size(); ++k) {
       const Profile& own = takers[k]->Info().profile;
-      CoverageCounts counts(family.scene.width, family.scene.height, own.lattice.samples());
+      CoverageCounts counts(family.scene.width, family.scene.height, own.pattern.samples());
       const double start = ThreadSeconds();
       props::DrawByFacing(*takers[k], family.scene, {}, counts);
       seconds[k].push_back(ThreadSeconds() - start);
       if (repetition != 0) continue;
       found[k].against_own = Compare(counts, truths.Of(own));
-      if (own.lattice == SampleLattice{}) {
+      if (own.pattern == SamplePattern{}) {
         found[k].against_real = Compare(counts, truths.Of(Profile{}));
       }
     }

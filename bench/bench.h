@@ -15,7 +15,7 @@
 
 namespace rasterproof::bench {
 
-/// The subject whose time is 1: Pineda's walk from the corner of the box.
+/// The subject whose time is 1: Pineda's increments from the corner of the box.
 inline constexpr std::string_view kBaseline = "f32-incremental";
 
 struct BenchOptions {

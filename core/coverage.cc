@@ -22,8 +22,8 @@ CoverageDifference Compare(const CoverageCounts& observed, const CoverageCounts&
     if (want != 0) ++difference.covered;
     if (observed.front[k] == expected.front[k] && observed.back[k] == expected.back[k]) continue;
     if (difference.wrong++ == 0) difference.first_wrong = k;
-    if (have < want) ++difference.gaps;
-    if (have > want) ++difference.overlaps;
+    if (have < want) ++difference.missing;
+    if (have > want) ++difference.unexpected;
   }
   return difference;
 }

@@ -47,14 +47,15 @@ struct CoverageCounts {
   friend bool operator==(const CoverageCounts&, const CoverageCounts&) = default;
 };
 
-/// What differs between a subject's counts and the expected ones, gaps and overlaps apart.
+/// What differs between a subject's counts and the expected ones, missing and unexpected samples
+/// apart.
 struct CoverageDifference {
-  std::uint64_t samples = 0;    ///< samples compared
-  std::uint64_t covered = 0;    ///< samples that the expected counts cover at least once
-  std::uint64_t wrong = 0;      ///< samples whose counts differ (front or back)
-  std::uint64_t gaps = 0;       ///< wrong samples counted less often than expected
-  std::uint64_t overlaps = 0;   ///< wrong samples counted more often than expected
-  std::size_t first_wrong = 0;  ///< index of the first wrong sample, if any
+  std::uint64_t samples = 0;     ///< samples compared
+  std::uint64_t covered = 0;     ///< samples that the expected counts cover at least once
+  std::uint64_t wrong = 0;       ///< samples whose counts differ (front or back)
+  std::uint64_t missing = 0;     ///< wrong samples counted less often than expected
+  std::uint64_t unexpected = 0;  ///< wrong samples counted more often than expected
+  std::size_t first_wrong = 0;   ///< index of the first wrong sample, if any
 };
 
 /// Domain:     both of the same shape.

@@ -20,15 +20,17 @@ namespace rasterproof {
 /// What a call is to give back beside its coverage, which always comes. A subject gives what it
 /// shows of it, and may give more.
 struct Outputs {
-  bool ids = true;  ///< Drawing::winners
+  bool primitive_ids = true;  ///< Drawing::primitive_ids
   bool barycentrics = true;
   bool depths = true;
 
   friend bool operator==(const Outputs&, const Outputs&) = default;
 };
 inline constexpr Outputs kEverything{};
-inline constexpr Outputs kCoverageAndIds{.ids = true, .barycentrics = false, .depths = false};
-inline constexpr Outputs kCoverageAlone{.ids = false, .barycentrics = false, .depths = false};
+inline constexpr Outputs kCoverageAndPrimitiveIds{
+    .primitive_ids = true, .barycentrics = false, .depths = false};
+inline constexpr Outputs kCoverageAlone{
+    .primitive_ids = false, .barycentrics = false, .depths = false};
 
 /// Triangles of a scene to draw onto a target of their own. Jobs that draw parts or orders of one
 /// scene share it.
@@ -55,19 +57,20 @@ struct DrawJob {
 Scene SceneOf(const DrawJob& job);
 
 /// No triangle won the sample.
-inline constexpr std::int32_t kNoTriangle = -1;
+inline constexpr std::int32_t kNoPrimitive = -1;
 
 /// What one call gives back, for every kind of coverage. Vectors that the kind lacks are empty.
 ///
 /// Shape:      as the counts: row-major [height][width][sample], top row first.
 struct Drawing {
-  /// 1 in `front` where there is a winner, for subjects that show winners.
+  /// 1 in `front` where a triangle is visible, for subjects that show primitive ids.
   CoverageCounts counts;
-  /// Index in the scene's list of the triangle that won the sample, or kNoTriangle.
-  std::vector<std::int32_t> winners;
-  /// The winner's barycentric coordinates, entry i for its vertex i; anything where there is none.
-  std::vector<std::array<double, 3>> weights;
-  /// The winner's z, interpolated; anything where there is none.
+  /// Index in the scene's list of the triangle that won the sample, or kNoPrimitive.
+  std::vector<std::int32_t> primitive_ids;
+  /// The visible triangle's barycentric coordinates, entry i for its vertex i; anything where none
+  /// is visible.
+  std::vector<std::array<double, 3>> barycentrics;
+  /// The visible triangle's z, interpolated; anything where none is visible.
   std::vector<double> depths;
 };
 

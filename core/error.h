@@ -1,4 +1,4 @@
-// The one error that a caller can mend.
+// InputError: a usage or input error, with its place, the reason and the remedy.
 #ifndef RASTERPROOF_CORE_ERROR_H_
 #define RASTERPROOF_CORE_ERROR_H_
 

@@ -1,4 +1,4 @@
-// Edge values, and weights with what is interpolated with them, for subjects that show them.
+// Edge values, and barycentrics with what is interpolated with them, for subjects that show them.
 #ifndef RASTERPROOF_CORE_EVALUATORS_H_
 #define RASTERPROOF_CORE_EVALUATORS_H_
 
@@ -11,8 +11,8 @@
 
 namespace rasterproof {
 
-/// One of the eight walks: along one axis, either way, by one pixel or by `length` pixels at a
-/// time.
+/// One of the eight ways of stepping: along one axis, either way, by one pixel or by `length`
+/// pixels at a time.
 struct Step {
   bool along_y = false;
   int sign = +1;
@@ -40,13 +40,13 @@ class EdgeBounds {
  public:
   virtual ~EdgeBounds() = default;
 
-  /// A proven bound on |EdgeEvaluator::Value - E|, or NaN where no bound is claimed (overflow,
+  /// A proven bound on |EdgeEvaluator::Value - E|, or NaN where no bound is stated (overflow,
   /// underflow). 0: exact.
   virtual double ErrorBound(Point2 a, Point2 b, Point2 p) const = 0;
-  /// A proven bound on |EdgeEvaluator::Walk(...)[n] - E| for n = 0..steps, or NaN where none is
-  /// claimed.
-  virtual std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                              int steps) const = 0;
+  /// A proven bound on |EdgeEvaluator::Steps(...)[n] - E| for n = 0..steps, or NaN where none is
+  /// stated.
+  virtual std::vector<double> SteppingErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                                  int steps) const = 0;
 };
 
 /// Edge values, for subjects that show them.
@@ -56,14 +56,14 @@ class EdgeEvaluator : public EdgeBounds {
   ///
   /// Units:      pixels squared.
   virtual double Value(Point2 a, Point2 b, Point2 p) const = 0;
-  /// The values met when the subject walks `steps` steps from p: steps + 1 entries, the first at p.
-  virtual std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const = 0;
+  /// The values met when the subject takes `steps` steps from p: steps + 1 entries, the first at p.
+  virtual std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const = 0;
   /// The same of many questions, in their order: together where the subject is asked over a pipe.
   virtual std::vector<double> Values(std::span<const EdgeQuestion> questions) const;
-  virtual std::vector<std::vector<double>> Walks(std::span<const StepsQuestion> questions) const;
+  virtual std::vector<std::vector<double>> Steps(std::span<const StepsQuestion> questions) const;
 };
 
-/// The ways to turn edge values into weights.
+/// The ways to turn edge values into barycentrics.
 enum class BarycentricForm : std::uint8_t {
   kVertexArea,   ///< E_i / E(v0, v1; v2)
   kSum,          ///< E_i / fl(E_0 + E_1 + E_2)
@@ -72,16 +72,16 @@ enum class BarycentricForm : std::uint8_t {
 };
 
 enum class InterpolationForm : std::uint8_t {
-  kWeights,     ///< l0 z0 + l1 z1 + l2 z2
-  kDeltas,      ///< z0 + l1 (z1 - z0) + l2 (z2 - z0)
-  kPerspective  ///< (sum l_i z_i / w_i) / (sum l_i / w_i)
+  kBarycentrics,  ///< l0 z0 + l1 z1 + l2 z2
+  kDeltas,        ///< z0 + l1 (z1 - z0) + l2 (z2 - z0)
+  kPerspective    ///< (sum l_i z_i / w_i) / (sum l_i / w_i)
 };
 
 /// The ways to measure how near a sample is to the triangle's edges.
 enum class WireframeForm : std::uint8_t {
-  kWeight,      ///< min l_i: a distance in units of the heights
-  kDerivative,  ///< min l_i / fwidth(l_i): pixels in the L1 norm of the gradient
-  kHeight       ///< min l_i H_i: pixels
+  kBarycentric,  ///< min l_i: a distance in units of the heights
+  kDerivative,   ///< min l_i / fwidth(l_i): pixels in the L1 norm of the gradient
+  kHeight        ///< min l_i H_i: pixels
 };
 
 struct Corner {
@@ -89,16 +89,16 @@ struct Corner {
   double w = 1;
 };
 
-/// What a subject states of its weights and of what it interpolates, before any is asked for.
+/// What a subject states of its barycentrics and of what it interpolates, before any is asked for.
 class BarycentricBounds {
  public:
   virtual ~BarycentricBounds() = default;
 
-  /// A proven bound on |Weights[i] - lambda_i|, or NaN where none is claimed.
-  virtual std::array<double, 3> WeightErrorBounds(BarycentricForm form,
-                                                  const std::array<Point2, 3>& v,
-                                                  Point2 p) const = 0;
-  /// A proven bound on |l0 + l1 + l2 - 1| (the sum taken exactly), or NaN where none is claimed.
+  /// A proven bound on |Barycentrics[i] - lambda_i|, or NaN where none is stated.
+  virtual std::array<double, 3> BarycentricErrorBounds(BarycentricForm form,
+                                                       const std::array<Point2, 3>& v,
+                                                       Point2 p) const = 0;
+  /// A proven bound on |l0 + l1 + l2 - 1| (the sum taken exactly), or NaN where none is stated.
   virtual double SumErrorBound(BarycentricForm form, const std::array<Point2, 3>& v,
                                Point2 p) const = 0;
   /// A proven bound on the distance from the exact interpolated value, or NaN.
@@ -107,12 +107,12 @@ class BarycentricBounds {
                                          Point2 p) const = 0;
 };
 
-/// Weights and what is interpolated with them, for subjects that show them.
-class WeightEvaluator : public BarycentricBounds {
+/// Barycentrics and what is interpolated with them, for subjects that show them.
+class BarycentricEvaluator : public BarycentricBounds {
  public:
-  /// Weights of p: entry i belongs to vertex i.
-  virtual std::array<double, 3> Weights(BarycentricForm form, const std::array<Point2, 3>& v,
-                                        Point2 p) const = 0;
+  /// Barycentrics of p: entry i belongs to vertex i.
+  virtual std::array<double, 3> Barycentrics(BarycentricForm form, const std::array<Point2, 3>& v,
+                                             Point2 p) const = 0;
   virtual double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
                              const std::array<double, 3>& attribute, Point2 p) const = 0;
   /// Distance of p to each edge line, entry i for the edge opposite vertex i, in the form's unit.

@@ -17,9 +17,9 @@ struct FragmentBuffers {
   int width = 0;
   int height = 0;
   std::vector<std::int32_t> triangle;  ///< nearest (smallest z, first drawn wins ties); -1: none
-  std::vector<std::array<float, 3>> weights;  ///< barycentrics, entry i for vertex i
-  std::vector<float> depth;                   ///< interpolated z; +infinity where nothing was drawn
-  std::vector<float> edge_distance;           ///< pixels to the nearest edge line of that triangle
+  std::vector<std::array<float, 3>> barycentrics;  ///< barycentrics, entry i for vertex i
+  std::vector<float> depth;          ///< interpolated z; +infinity where nothing was drawn
+  std::vector<float> edge_distance;  ///< pixels to the nearest edge line of that triangle
 };
 
 }  // namespace rasterproof

@@ -29,10 +29,10 @@ bool SameModel(const Profile& a, const Profile& b) {
   judged_alike.contract = b.contract;
   judged_alike.freedom = b.freedom;
   judged_alike.coordinate_limit = b.coordinate_limit;
-  judged_alike.zero_area = b.zero_area;
+  judged_alike.degenerate_triangles = b.degenerate_triangles;
   judged_alike.infinite_vertex = b.infinite_vertex;
-  judged_alike.overdraw = b.overdraw;
-  judged_alike.no_clip = b.no_clip;
+  judged_alike.shares_edge_samples = b.shares_edge_samples;
+  judged_alike.guard_band = b.guard_band;
   return judged_alike == b;
 }
 

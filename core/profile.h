@@ -1,4 +1,4 @@
-// What a rasterizer promises, as data.
+// What a rasterizer states, as data.
 #ifndef RASTERPROOF_CORE_PROFILE_H_
 #define RASTERPROOF_CORE_PROFILE_H_
 
@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/fill_rule.h"
 #include "core/fixed_input.h"
-#include "core/sample_lattice.h"
+#include "core/sample_pattern.h"
 #include "core/scene.h"
 #include "core/snap.h"
+#include "core/tie_rule.h"
 #include "core/transform.h"
 
 namespace rasterproof {
@@ -48,24 +48,24 @@ struct Freedom {
 /// three if it is one.
 inline constexpr double kMaxSnapTolerance = 1;
 
-/// What is promised of a triangle that has no area after snapping.
-enum class ZeroArea : std::uint8_t {
+/// What is stated of a triangle that has no area after snapping.
+enum class DegenerateTriangles : std::uint8_t {
   kNothing,     ///< it covers nothing
   kUnspecified  ///< it may cover something: it is left out of what is judged
 };
 
-/// What is promised of a triangle with an infinite x, y or w. (One with a NaN covers nothing.)
+/// What is stated of a triangle with an infinite x, y or w. (One with a NaN covers nothing.)
 enum class InfiniteVertex : std::uint8_t {
   kNothing,     ///< it covers nothing
   kUnspecified  ///< it may cover anything: what it covers is not judged
 };
 
 /// The largest triangle that is drawn, in pixels: one that is wider or higher covers nothing.
-struct MaxExtent {
+struct MaxPrimitiveExtent {
   double width = 0;
   double height = 0;
 
-  friend bool operator==(const MaxExtent&, const MaxExtent&) = default;
+  friend bool operator==(const MaxPrimitiveExtent&, const MaxPrimitiveExtent&) = default;
 };
 
 /// A rectangle of window coordinates, its sides included.
@@ -84,14 +84,14 @@ struct TargetModel {
   int max_width = kMaxTargetSide;
   int max_height = kMaxTargetSide;
   Snap snap = {};
-  SampleLattice lattice = {};  ///< as many locations as the profile's own
-  FillRule fill_rule = {};
+  SamplePattern pattern = {};  ///< as many locations as the profile's own
+  TieRule tie_rule = {};
 
   bool Fits(int width, int height) const { return width <= max_width && height <= max_height; }
   friend bool operator==(const TargetModel&, const TargetModel&) = default;
 };
 
-/// The promises of a rasterizer.
+/// The contracts of a rasterizer.
 ///
 /// A profile denotes a set of models: the canonical one that its members state, and with freedom
 /// every choice of grid points (one for every vertex) and tie rule (one for all) that the freedom
@@ -99,41 +99,42 @@ struct TargetModel {
 ///
 /// Not finite: a triangle with a NaN or infinite x, y or w covers nothing (z is free), unless
 ///             `infinite_vertex` says otherwise of the infinite ones.
-/// Zero area:  a triangle whose area is zero after snapping covers nothing, unless `zero_area` says
+/// Zero area:  a triangle whose area is zero after snapping covers nothing, unless
+/// `degenerate_triangles` says
 ///             otherwise.
 /// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
-///             `max_extent` are dropped. The last three keys speak of window space alone.
+///             `max_primitive_extent` are dropped. The last three keys speak of window space alone.
 struct Profile {
   std::string name = "real";
   Snap snap;
   /// Where an edge crosses a row of samples, x is rounded to this grid before samples are compared
   /// with it, as scanline rasterizers do. None: the crossing is the real one. A sample at a rounded
   /// crossing is owned as one on a vertical edge.
-  Snap crossing;
-  SampleLattice lattice;
+  Snap scanline_rounding;
+  SamplePattern pattern;
   YAxis y_axis = YAxis::kDown;
-  FillRule fill_rule;
+  TieRule tie_rule;
   Contract contract = Contract::kSampleExact;
   Freedom freedom;
   /// The way from clip space to window space that the rasterizer computes itself. None: clip space
   /// is held to its exact quotients.
   std::optional<Transform> transform;
-  /// Coordinates beyond +-limit are outside what is promised. Binds verdicts, never the oracle.
+  /// Coordinates beyond +-limit are outside what is stated. Binds verdicts, never the oracle.
   double coordinate_limit = 0x1p127;
-  ZeroArea zero_area = ZeroArea::kNothing;
+  DegenerateTriangles degenerate_triangles = DegenerateTriangles::kNothing;
   InfiniteVertex infinite_vertex = InfiniteVertex::kNothing;
-  /// A sample on an edge belongs to the triangle that the fill rule names, and may belong to every
+  /// A sample on an edge belongs to the triangle that the tie rule names, and may belong to every
   /// other one that has the edge. Meshes are then covered at least once.
-  bool overdraw = false;
+  bool shares_edge_samples = false;
   /// Models of smaller targets. The first entry that fits a target holds there, else what the
   /// profile itself says. See ForTarget.
-  std::vector<TargetModel> targets;
+  std::vector<TargetModel> by_target_size;
   /// The integers that coordinates come as, for a subject that takes no floats.
   std::optional<FixedInput> fixed;
-  std::optional<MaxExtent> max_extent;
+  std::optional<MaxPrimitiveExtent> max_primitive_extent;
   /// A triangle with a vertex outside is clipped by the subject, and its edges may move: what
-  /// single samples do is then not promised, what meshes do is.
-  std::optional<WindowBox> no_clip;
+  /// single samples do is then not stated, what meshes do is.
+  std::optional<WindowBox> guard_band;
 
   friend bool operator==(const Profile&, const Profile&) = default;
 };
@@ -159,11 +160,11 @@ inline bool IsHomogeneous(const Scene& scene, const Profile& profile) {
 /// Returns whether exactly one result is legal for every scene within the limits.
 inline bool HasOneModel(const Profile& profile) {
   return profile.contract == Contract::kSampleExact && profile.freedom.IsNone() &&
-         !profile.overdraw;
+         !profile.shares_edge_samples;
 }
 
 /// Returns whether the canonical models of two profiles are one: whether they say the same of every
-/// scene's counts. What else they promise, and how they are named, may differ.
+/// scene's counts. What else they state, and how they are named, may differ.
 bool SameModel(const Profile& a, const Profile& b);
 
 /// Returns whether every coordinate of the scene is finite, within the profile's limit, and one
@@ -176,7 +177,7 @@ bool CanBeGiven(const Scene& scene, const Profile& profile);
 
 /// Returns whether the profile says where a clip-space scene's vertices lie.
 inline bool PlacesClipSpace(const Profile& profile) {
-  return !profile.fixed && !profile.max_extent && profile.crossing.IsNone();
+  return !profile.fixed && !profile.max_primitive_extent && profile.scanline_rounding.IsNone();
 }
 
 /// Returns whether no coordinate is beyond the range of the profile's fixed-point input: then

@@ -36,7 +36,7 @@ struct BarycentricQuestion {
 };
 
 struct InterpolationQuestion {
-  InterpolationForm form = InterpolationForm::kWeights;
+  InterpolationForm form = InterpolationForm::kBarycentrics;
   std::array<Corner, 3> v;
   std::array<double, 3> attribute{};
   Point2 p;
@@ -44,7 +44,7 @@ struct InterpolationQuestion {
 
 /// The distance of p to each edge line.
 struct DistanceQuestion {
-  WireframeForm form = WireframeForm::kWeight;
+  WireframeForm form = WireframeForm::kBarycentric;
   std::array<Point2, 3> v;
   Point2 p;
 };

@@ -1,3 +1,4 @@
+// Foreign text in messages: printable, of a bounded length, in quotes.
 #ifndef RASTERPROOF_CORE_QUOTED_H_
 #define RASTERPROOF_CORE_QUOTED_H_
 

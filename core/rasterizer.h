@@ -13,9 +13,9 @@
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/drawing.h"
-#include "core/edge_claims.h"
 #include "core/evaluators.h"
 #include "core/scene.h"
+#include "core/stated_edges.h"
 #include "core/subject.h"
 #include "core/subject_errors.h"
 #include "core/subject_info.h"
@@ -35,8 +35,8 @@ concept DrawsScenesByOptions = std::default_initializable<R> &&
                                requires(R r, const Scene& scene, const DrawOptions& options,
                                         CoverageCounts& counts) { r.Draw(scene, options, counts); };
 
-/// Gives all that a call shows: counts, winners, weights and depths, as its Info() says. The job's
-/// triangles are its scene's own, and what it does not want may be left out.
+/// Gives all that a call shows: counts, primitive ids, barycentrics and depths, as its Info() says.
+/// The job's triangles are its scene's own, and what it does not want may be left out.
 template <class R>
 concept ShowsDrawings = std::default_initializable<R> && requires(R r, const DrawJob& job) {
   { r.Show(job) } -> std::same_as<Drawing>;
@@ -54,16 +54,16 @@ concept ShowsEdgeValues = requires(R r, Point2 at) {
   { r.EdgeValue(at, at, at) } -> std::same_as<double>;
 };
 
-/// Shows the values that it meets on a walk from p: steps + 1 of them.
+/// Shows the values that it meets stepping from p: steps + 1 of them.
 template <class R>
-concept ShowsEdgeWalks = ShowsEdgeValues<R> && requires(R r, Point2 at, Step step) {
-  { r.EdgeWalk(at, at, at, step, 1) } -> std::same_as<std::vector<double>>;
+concept ShowsEdgeSteps = ShowsEdgeValues<R> && requires(R r, Point2 at, Step step) {
+  { r.EdgeSteps(at, at, at, step, 1) } -> std::same_as<std::vector<double>>;
 };
 
 template <class R>
 concept Rasterizer = DrawsScenes<R> || DrawsScenesByOptions<R> || ShowsDrawings<R>;
 
-/// A rasterizer may say what it promises: `static SubjectInfo Info()`.
+/// A rasterizer may say what it states: `static SubjectInfo Info()`.
 template <class R>
 concept DescribesItself = requires {
   { R::Info() } -> std::same_as<SubjectInfo>;
@@ -78,7 +78,7 @@ class RasterizerSubject final : public Subject {
     info_.name = std::move(name);
     info_.takes_batches = DrawsBatches<R>;
     info_.edges.shows_values = ShowsEdgeValues<R>;
-    info_.edges.shows_walks = ShowsEdgeWalks<R>;
+    info_.edges.shows_steps = ShowsEdgeSteps<R>;
     edges_.emplace(rasterizer_, info_);
     if constexpr (!DrawsScenesByOptions<R> && !ShowsDrawings<R>) {
       info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
@@ -123,16 +123,16 @@ class RasterizerSubject final : public Subject {
   const EdgeEvaluator* Edges() const override { return ShowsEdgeValues<R> ? &*edges_ : nullptr; }
 
  private:
-  class ShownEdges final : public ClaimedEdges {
+  class ShownEdges final : public StatedEdges {
    public:
     ShownEdges(R& rasterizer, const SubjectInfo& info)
-        : ClaimedEdges(info.edges, info.input), rasterizer_(rasterizer) {}
+        : StatedEdges(info.edges, info.input), rasterizer_(rasterizer) {}
     double Value(Point2 a, Point2 b, Point2 p) const override {
       if constexpr (ShowsEdgeValues<R>) return rasterizer_.EdgeValue(a, b, p);
       return 0;
     }
-    std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
-      if constexpr (ShowsEdgeWalks<R>) return rasterizer_.EdgeWalk(a, b, p, step, steps);
+    std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+      if constexpr (ShowsEdgeSteps<R>) return rasterizer_.EdgeSteps(a, b, p, step, steps);
       return {};
     }
 

@@ -30,8 +30,8 @@ struct PropertyResult {
   std::string tolerance;  ///< the named bound, or "none: exact"
   Outcome outcome = Outcome::kNotExercised;
   std::uint64_t cases = 0;            ///< cases run
-  std::uint64_t cases_exercised = 0;  ///< cases in which the claim was put to the test
-  std::uint64_t exercised = 0;        ///< times the claim was put to the test
+  std::uint64_t cases_exercised = 0;  ///< cases in which the property was put to the test
+  std::uint64_t exercised = 0;        ///< times the property was put to the test
   std::uint64_t cases_refused = 0;    ///< cases that the subject refused
   std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
   double worst_ratio = 0;

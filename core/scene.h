@@ -1,6 +1,6 @@
 // A scene: vertices, triangles and the size of the target. Start of the main path:
 // core/scene.h -> reference/rasterize.cc -> exact/coverage.cc ->
-// props/claims/coverage/shared_edge_samples_are_covered_once.cc.
+// props/properties/coverage/shared_edge_samples_are_covered_once.cc.
 #ifndef RASTERPROOF_CORE_SCENE_H_
 #define RASTERPROOF_CORE_SCENE_H_
 

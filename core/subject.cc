@@ -14,11 +14,12 @@ std::vector<double> EdgeEvaluator::Values(std::span<const EdgeQuestion> question
   return values;
 }
 
-std::vector<std::vector<double>> EdgeEvaluator::Walks(
+std::vector<std::vector<double>> EdgeEvaluator::Steps(
     std::span<const StepsQuestion> questions) const {
-  std::vector<std::vector<double>> walks;
-  for (const auto& [a, b, p, step, steps] : questions) walks.push_back(Walk(a, b, p, step, steps));
-  return walks;
+  std::vector<std::vector<double>> values;
+  for (const auto& [a, b, p, step, steps] : questions)
+    values.push_back(Steps(a, b, p, step, steps));
+  return values;
 }
 
 Drawing Subject::Show(const DrawJob& job) {

@@ -17,7 +17,7 @@
 namespace rasterproof {
 
 class EdgeEvaluator;
-class WeightEvaluator;
+class BarycentricEvaluator;
 
 /// Anything that draws triangles.
 class Subject {
@@ -54,7 +54,7 @@ class Subject {
   virtual void SetDeadline(std::chrono::steady_clock::time_point /*deadline*/) {}
   /// Optional capabilities; nullptr where the subject has none.
   virtual const EdgeEvaluator* Edges() const { return nullptr; }
-  virtual const WeightEvaluator* Weights() const { return nullptr; }
+  virtual const BarycentricEvaluator* Barycentrics() const { return nullptr; }
 
  private:
   std::optional<SubjectInfo> judged_as_;

@@ -1,4 +1,4 @@
-// How a call to a subject ends that gives no answer.
+// The ways in which a call to a subject fails: a fault, a hang, a deadline, a refusal.
 #ifndef RASTERPROOF_CORE_SUBJECT_ERRORS_H_
 #define RASTERPROOF_CORE_SUBJECT_ERRORS_H_
 

@@ -17,38 +17,39 @@ enum class CoverageKind : std::uint8_t {
   kFacingCounts,  ///< how many triangles of each facing cover the sample
   kCounts,        ///< how many triangles cover the sample, all of them in `front`
   kMask,          ///< 1 in `front` where anything covers the sample
-  kWinners,       ///< which triangle won the sample
-  kFragments      ///< the winner, its weights and its depth
+  kPrimitiveIds,  ///< which triangle won the sample
+  kFragments      ///< the visible triangle, its barycentrics and its depth
 };
 
 /// Which of several triangles on a sample wins it.
-enum class WinnerOrder : std::uint8_t { kLastDrawn, kFirstDrawn };
+enum class Visible : std::uint8_t { kLastDrawn, kFirstDrawn };
 
-/// The vertices that a subject's weights belong to: as given, or on the profile's subpixel grid.
-enum class WeightsOf : std::uint8_t { kGiven, kSnapped };
+/// The vertices that a subject's barycentrics belong to: as given, or on the profile's subpixel
+/// grid.
+enum class BarycentricsOf : std::uint8_t { kGiven, kSnapped };
 
 /// What a subject says of the fragments that it shows.
-struct FragmentClaims {
-  WinnerOrder order = WinnerOrder::kLastDrawn;
-  WeightsOf weights_of = WeightsOf::kGiven;
-  /// Most that a weight is off, absolute. 0: it says nothing.
-  double weight_error = 0;
+struct FragmentInfo {
+  Visible visible = Visible::kLastDrawn;
+  BarycentricsOf barycentrics_of = BarycentricsOf::kGiven;
+  /// Most that a barycentric is off, absolute. 0: it says nothing.
+  double barycentric_error = 0;
   /// Most that a depth is off, absolute, in the unit of z. 0: it says nothing.
   double depth_error = 0;
 };
 
 /// What a subject says of the edge values that it shows, in one number each.
-struct EdgeClaims {
+struct EdgeInfo {
   bool shows_values = false;
-  bool shows_walks = false;
+  bool shows_steps = false;
   /// A value of E(a, b; p) is off by at most so many u of the size of its two products,
   /// |(p.x - a.x)(b.y - a.y)| + |(p.y - a.y)(b.x - a.x)|. 0: exact. Nothing: nothing is said.
   std::optional<double> value_error;
-  /// After n steps a walk is off by at most (n + 1) times so many u of the larger size at its two
+  /// After n steps a value is off by at most (n + 1) times so many u of the larger size at its two
   /// ends.
-  std::optional<double> walk_error;
+  std::optional<double> stepping_error;
 
-  friend bool operator==(const EdgeClaims&, const EdgeClaims&) = default;
+  friend bool operator==(const EdgeInfo&, const EdgeInfo&) = default;
 };
 
 /// A statement about a method's arithmetic that a script proves.
@@ -70,7 +71,7 @@ struct SubjectInfo {
   bool takes_window = true;
   bool takes_clip = false;
   /// True if DrawOptions::threads is more than a wish: then equal coverage from any number is a
-  /// claim.
+  /// property.
   bool takes_threads = false;
   /// Whether the other members of DrawOptions are obeyed.
   bool takes_tiles = true;
@@ -81,20 +82,20 @@ struct SubjectInfo {
   bool takes_batches = false;
   /// The version of the protocol that it speaks, on a pipe (subjects/process/protocol.h).
   int protocol = 1;
-  /// For the kinds kWinners and kFragments.
-  FragmentClaims fragments;
+  /// For the kinds kPrimitiveIds and kFragments.
+  FragmentInfo fragments;
   /// For subjects that show edge values and state their bounds as numbers.
-  EdgeClaims edges;
-  /// True if its method claims 0 wrong samples against its own profile. Methods of reference/ and
+  EdgeInfo edges;
+  /// True if its method states 0 wrong samples against its own profile. Methods of reference/ and
   /// deciders of exact/ alone; nothing that comes from outside sets it.
-  bool claims_exact = false;
+  bool states_exact = false;
   /// What is proved of its arithmetic. Methods of reference/ alone.
   std::vector<Proof> proofs;
 };
 
 /// Returns whether a call tells which triangle won each sample.
-inline bool ShowsWinners(const SubjectInfo& info) {
-  return info.coverage == CoverageKind::kWinners || info.coverage == CoverageKind::kFragments;
+inline bool ShowsPrimitiveIds(const SubjectInfo& info) {
+  return info.coverage == CoverageKind::kPrimitiveIds || info.coverage == CoverageKind::kFragments;
 }
 
 /// Returns whether the subject takes scenes of this kind and precision, and coordinates that its

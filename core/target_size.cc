@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/sample_lattice.h"
+#include "core/sample_pattern.h"
 #include "core/scene.h"
 
 namespace rasterproof {

@@ -1,4 +1,4 @@
-// What a property says of a subject on one case.
+// The verdict of a property on one case.
 #ifndef RASTERPROOF_CORE_VERDICT_H_
 #define RASTERPROOF_CORE_VERDICT_H_
 
@@ -16,12 +16,12 @@ enum class Outcome : std::uint8_t {
   kHolds,
   kViolated,
   kNotExercised,   ///< the case met the precondition nowhere: neither good nor bad
-  kNotApplicable,  ///< the subject or the profile does not promise this at all
+  kNotApplicable,  ///< the subject or the profile does not state this at all
   kRefused,        ///< of one case, never of a run: the subject refused the scene
   kInconclusive    ///< it could not be judged: too slow, not deterministic, too much refused
 };
 
-/// Where a claim failed. Entries that do not apply are -1 or empty.
+/// Where a property failed. Entries that do not apply are -1 or empty.
 struct Witness {
   int triangle = -1;
   int edge = -1;  ///< edge i is opposite vertex i
@@ -32,7 +32,7 @@ struct Witness {
   std::string expected;
 };
 
-/// Two drawings that a claim says are equal, of one shape.
+/// Two drawings that a property says are equal, of one shape.
 struct ComparedCounts {
   CoverageCounts observed;
   CoverageCounts expected;
@@ -40,16 +40,16 @@ struct ComparedCounts {
 
 struct Verdict {
   Outcome outcome = Outcome::kNotExercised;
-  /// How many times the claim was really put to the test (samples, edges, steps).
+  /// How many times the property was really put to the test (samples, edges, steps).
   std::uint64_t exercised = 0;
-  /// Largest observed error / bound, for claims with a bound; 0 otherwise.
+  /// Largest observed error / bound, for properties with a bound; 0 otherwise.
   double worst_ratio = 0;
   /// Why it does not apply, or what failed, in one line.
   std::string message;
   std::optional<Witness> witness;
-  /// What differs, where the claim is about whole drawings; they need not be those of the case.
+  /// What differs, where the property is about whole drawings; they need not be those of the case.
   std::shared_ptr<const ComparedCounts> compared = nullptr;
-  /// Samples that the claim is about and that it does not judge, because a legal choice of the
+  /// Samples that the property is about and that it does not judge, because a legal choice of the
   /// subject's could turn, flatten or fold a triangle there.
   std::uint64_t not_judged = 0;
 

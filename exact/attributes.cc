@@ -73,9 +73,9 @@ std::optional<Rational> InterpolatePerspective(const std::array<Point2, 3>& v,
   Rational numerator;
   Rational denominator;
   for (unsigned k = 0; k < 3; ++k) {
-    const Rational weight = (*lambda)[k] / w[k];
-    numerator += weight * attribute[k];
-    denominator += weight;
+    const Rational barycentric = (*lambda)[k] / w[k];
+    numerator += barycentric * attribute[k];
+    denominator += barycentric;
   }
   if (denominator.Sign() == 0) return std::nullopt;
   return numerator / denominator;

@@ -1,4 +1,5 @@
-// Exact weights, interpolated values and wireframe distances, as rationals and correctly rounded.
+// Exact barycentrics, interpolated values and wireframe distances, as rationals and correctly
+// rounded.
 #ifndef RASTERPROOF_EXACT_ATTRIBUTES_H_
 #define RASTERPROOF_EXACT_ATTRIBUTES_H_
 

@@ -15,11 +15,11 @@
 #include "core/target_size.h"
 #include "exact/edge.h"
 #include "exact/homogeneous.h"
+#include "exact/primitive_ids.h"
 #include "exact/sample_frame.h"
 #include "exact/sample_scan.h"
 #include "exact/snap_clip.h"
 #include "exact/spans.h"
-#include "exact/winners.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
 
@@ -46,11 +46,11 @@ Scene PlacedScene(const Scene& scene, const Profile& profile) {
 // Where an edge crosses a row is worked out by the fast path alone: a second opinion that is the
 // first one's would be none.
 void RequireSecondOpinion(const Profile& profile, Decider decider) {
-  if (decider == Decider::kFast || profile.crossing.IsNone()) return;
+  if (decider == Decider::kFast || profile.scanline_rounding.IsNone()) return;
   throw InputError("profile \"" + profile.name + "\"",
                    "its rounded crossings are decided by the fast path alone, not by " +
                        std::string(DeciderName(decider)),
-                   "use the fast path (the subject exact), or a profile without crossing");
+                   "use the fast path (the subject exact), or a profile without scanline_rounding");
 }
 
 // A scene on the grid, and where its samples lie.
@@ -86,7 +86,7 @@ int Facing(const std::array<Point2, 3>& v, Decider decider) {
   return EdgeSign(v[0], v[1], v[2], decider);
 }
 
-bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule, Decider decider) {
+bool Covers(const std::array<Point2, 3>& v, Point2 p, const TieRule& rule, Decider decider) {
   const int facing = Facing(v, decider);
   if (facing == 0) return false;
   for (unsigned k = 0; k < 3; ++k) {
@@ -97,7 +97,7 @@ bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule, Deci
 }
 
 std::optional<InputError> WhyNotDecided(const Scene& scene, const Profile& profile) {
-  const int samples = profile.lattice.samples();
+  const int samples = profile.pattern.samples();
   if (auto error = TargetSizeError("oracle", scene.width, scene.height, samples)) return error;
   if (IsHomogeneous(scene, profile) && !PlacesClipSpace(profile)) {
     return InputError(
@@ -108,7 +108,7 @@ std::optional<InputError> WhyNotDecided(const Scene& scene, const Profile& profi
   if (IsHomogeneous(scene, profile) && SnapsOn(scene, profile)) {
     if (auto error = SnapClipError(scene, profile)) return error;
   }
-  const bool is_one_model = profile.targets.empty();
+  const bool is_one_model = profile.by_target_size.empty();
   return LocationError(is_one_model ? profile : ForTarget(profile, scene.width, scene.height));
 }
 
@@ -117,7 +117,7 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
   if (const auto why = WhyNotDecided(scene, profile)) throw InputError(*why);
   RequireSecondOpinion(profile, decider);
   const Drawable drawable(scene, profile, options);
-  CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
+  CoverageCounts counts(scene.width, scene.height, profile.pattern.samples());
   SpanTarget target(counts);
   for (const Triangle& t : drawable.scene.triangles) {
     drawable.Draw(t, decider, counts, target);
@@ -126,21 +126,21 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
   return counts;
 }
 
-std::vector<std::int32_t> Winners(const Scene& scene, const Profile& profile,
-                                  const DrawOptions& options, WinnerOrder order) {
-  RequireTargetSize("oracle", scene.width, scene.height, profile.lattice.samples());
+std::vector<std::int32_t> PrimitiveIds(const Scene& scene, const Profile& profile,
+                                       const DrawOptions& options, Visible order) {
+  RequireTargetSize("oracle", scene.width, scene.height, profile.pattern.samples());
   const Drawable drawable(scene, profile, options);
-  CoverageCounts alone(scene.width, scene.height, profile.lattice.samples());
+  CoverageCounts alone(scene.width, scene.height, profile.pattern.samples());
   SpanTarget target(alone);
-  std::vector<std::int32_t> winners(alone.size(), kNoTriangle);
+  std::vector<std::int32_t> primitive_ids(alone.size(), kNoPrimitive);
   for (std::size_t t = 0; t < drawable.scene.triangles.size(); ++t) {
     drawable.Draw(drawable.scene.triangles[t], Decider::kFast, alone, target);
     target.Take([&](std::size_t k) {
-      const bool wins = order == WinnerOrder::kLastDrawn || winners[k] == kNoTriangle;
-      if (wins) winners[k] = static_cast<std::int32_t>(t);
+      const bool wins = order == Visible::kLastDrawn || primitive_ids[k] == kNoPrimitive;
+      if (wins) primitive_ids[k] = static_cast<std::int32_t>(t);
     });
   }
-  return winners;
+  return primitive_ids;
 }
 
 }  // namespace rasterproof::exact

@@ -39,7 +39,7 @@ std::optional<InputError> WhyNotDecided(const Scene& scene, const Profile& profi
 
 /// Returns whether the triangle (window space, already snapped, finite) covers the point p under
 /// the rule; either winding.
-bool Covers(const std::array<Point2, 3>& v, Point2 p, const FillRule& rule,
+bool Covers(const std::array<Point2, 3>& v, Point2 p, const TieRule& rule,
             Decider decider = Decider::kFast);
 
 /// Sign of E(v0, v1; v2): +1 front (counter-clockwise on screen), -1 back, 0 covers nothing.

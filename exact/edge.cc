@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 #include "exact/deciders.h"
 #include "exact/environment.h"
@@ -51,7 +51,7 @@ int EdgeSign(Point2 a, Point2 b, Point2 p, Decider decider) {
   return decided.sign;
 }
 
-int ShiftedEdgeSign(Point2 a, Point2 b, Point2 p, const FillRule& rule, Decider decider) {
+int ShiftedEdgeSign(Point2 a, Point2 b, Point2 p, const TieRule& rule, Decider decider) {
   // dE/dx = b.y - a.y and dE/dy = -(b.x - a.x); comparing gives their signs without rounding.
   const auto tie = [&] {
     return TieSign((b.y > a.y) - (b.y < a.y), (a.x > b.x) - (a.x < b.x), rule);

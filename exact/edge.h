@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 #include "exact/rational.h"
 
@@ -58,9 +58,9 @@ void CreditTiers(const TierCounts& kept);
 /// Properties: EdgeSign(b, a, p) == -EdgeSign(a, b, p) == EdgeSign(a, p, b).
 int EdgeSign(Point2 a, Point2 b, Point2 p, Decider decider = Decider::kFast);
 
-/// The sign of E(a, b; p) at p shifted as the fill rule says. 0 only if a == b (or E == 0
+/// The sign of E(a, b; p) at p shifted as the tie rule says. 0 only if a == b (or E == 0
 /// and the rule is inclusive or exclusive).
-int ShiftedEdgeSign(Point2 a, Point2 b, Point2 p, const FillRule& rule,
+int ShiftedEdgeSign(Point2 a, Point2 b, Point2 p, const TieRule& rule,
                     Decider decider = Decider::kFast);
 
 /// E(a, b; p) itself.

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 #include "exact/deciders.h"
 #include "exact/edge.h"
@@ -38,7 +38,7 @@ int HomogeneousEdgeSign(const Vertex& vi, const Vertex& vj, Point2 p, Decider de
   return SignOf(EdgeRows(vi, vj, p), decider);
 }
 
-int ShiftedHomogeneousEdgeSign(const Vertex& vi, const Vertex& vj, Point2 p, const FillRule& rule,
+int ShiftedHomogeneousEdgeSign(const Vertex& vi, const Vertex& vj, Point2 p, const TieRule& rule,
                                Decider decider) {
   // N_x = y_j w_i - w_j y_i and N_y = w_j x_i - x_j w_i. A backend asks itself for their signs: the
   // planar edge value from the origin is the same 2x2 determinant.
@@ -74,7 +74,7 @@ int HomogeneousFacing(const std::array<Vertex, 3>& v, Decider decider) {
   return -DeterminantSign(v, decider);
 }
 
-bool HomogeneousCovers(const std::array<Vertex, 3>& v, Point2 p, const FillRule& rule,
+bool HomogeneousCovers(const std::array<Vertex, 3>& v, Point2 p, const TieRule& rule,
                        Decider decider) {
   // p = sum c_k V_k with c_k >= 0 is what it means that the ray through p meets the triangle at t >
   // 0. By Cramer N_ij . p = -c_k det: against the sign of the facing, not of w.

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 #include "exact/edge.h"
 
@@ -16,7 +16,7 @@ namespace rasterproof::exact {
 /// Domain:     every finite double; w of any sign, 0 included.
 int HomogeneousEdgeSign(const Vertex& vi, const Vertex& vj, Point2 p,
                         Decider decider = Decider::kFast);
-int ShiftedHomogeneousEdgeSign(const Vertex& vi, const Vertex& vj, Point2 p, const FillRule& rule,
+int ShiftedHomogeneousEdgeSign(const Vertex& vi, const Vertex& vj, Point2 p, const TieRule& rule,
                                Decider decider = Decider::kFast);
 Rational HomogeneousEdgeValue(const Vertex& vi, const Vertex& vj, Point2 p);
 
@@ -26,7 +26,7 @@ int DeterminantSign(const std::array<Vertex, 3>& v, Decider decider = Decider::k
 
 /// Returns whether the ray through p (t > 0) meets the triangle, under the tie rule. No near
 /// clipping.
-bool HomogeneousCovers(const std::array<Vertex, 3>& v, Point2 p, const FillRule& rule,
+bool HomogeneousCovers(const std::array<Vertex, 3>& v, Point2 p, const TieRule& rule,
                        Decider decider = Decider::kFast);
 
 /// +1 front, -1 back, 0 covers nothing: -DeterminantSign.

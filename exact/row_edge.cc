@@ -34,11 +34,12 @@ int RowEdge::FirstColumnAtRounded(const SampleFrame& frame, int row, std::size_t
                                   std::uint64_t& certain) const {
   const double y = row + frame.offsets[s].y;
   const Guess guess = At(y, 0);
-  const double low = SnapCoordinate(guess.at - guess.error, frame.crossing);
-  const double high = SnapCoordinate(guess.at + guess.error, frame.crossing);
+  const double low = SnapCoordinate(guess.at - guess.error, frame.scanline_rounding);
+  const double high = SnapCoordinate(guess.at + guess.error, frame.scanline_rounding);
   ++(low == high ? certain : ThreadTiers().exact);
   const double x =
-      low == high ? low : SnapCoordinate(ToOdd(CrossingOf(upper_, lower_, y)), frame.crossing);
+      low == high ? low
+                  : SnapCoordinate(ToOdd(CrossingOf(upper_, lower_, y)), frame.scanline_rounding);
   // Exact near the target: a column of 17 bits, and at most 20 fractional ones in either.
   const double column = x - frame.offsets[s].x;
   const bool owns = least_sign == 0 || (frame.rule.IsConsistent() && frame.rule.sign_x > 0);

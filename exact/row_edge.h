@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/ulp.h"
 #include "core/vertex.h"
 #include "exact/crossing.h"
@@ -52,14 +52,12 @@ class RowEdge {
     return {upper_.x - offset + (y - upper_.y) * slope_, error_};
   }
   /// Sign of the shifted sample's side: +1 right of the edge (dE/dx = dy > 0).
-  int Side(Point2 p, const FillRule& rule) const {
-    return ShiftedEdgeSign(upper_, lower_, p, rule);
-  }
+  int Side(Point2 p, const TieRule& rule) const { return ShiftedEdgeSign(upper_, lower_, p, rule); }
   /// The first column of the clip rectangle whose Side in the row is at least least_sign. Adds one
   /// to `certain` if the guess alone decides it; what else decides counts its own tier.
   int FirstColumnAtSide(const SampleFrame& frame, int row, std::size_t s, int least_sign,
                         std::uint64_t& certain) const {
-    if (!frame.crossing.IsNone()) {
+    if (!frame.scanline_rounding.IsNone()) {
       return FirstColumnAtRounded(frame, row, s, least_sign, certain);
     }
     const Guess guess = At(row + frame.offsets[s].y, frame.offsets[s].x);

@@ -23,7 +23,7 @@ bool IsLocation(double c) {
 
 std::optional<InputError> LocationError(const Profile& profile) {
   const auto is_location = [](const Point2& l) { return IsLocation(l.x) && IsLocation(l.y); };
-  if (std::ranges::all_of(profile.lattice.locations, is_location)) return std::nullopt;
+  if (std::ranges::all_of(profile.pattern.locations, is_location)) return std::nullopt;
   return InputError("profile \"" + profile.name + "\"",
                     "a sample location is not a multiple of 2^-20 in [0, 1)",
                     "state the locations as fractions of a pixel on a power-of-two grid");
@@ -32,12 +32,13 @@ std::optional<InputError> LocationError(const Profile& profile) {
 SampleFrame::SampleFrame(const Scene& scene, const Profile& own, const DrawOptions& options)
     : clip{0, 0, scene.width, scene.height}, y_up(own.y_axis == YAxis::kUp) {
   std::optional<Profile> resolved;
-  const Profile& profile =
-      own.targets.empty() ? own : resolved.emplace(ForTarget(own, scene.width, scene.height));
-  rule = profile.fill_rule;
-  crossing = profile.crossing;
+  const Profile& profile = own.by_target_size.empty()
+                               ? own
+                               : resolved.emplace(ForTarget(own, scene.width, scene.height));
+  rule = profile.tie_rule;
+  scanline_rounding = profile.scanline_rounding;
   if (const auto error = LocationError(profile)) throw InputError(*error);
-  for (const Point2& l : profile.lattice.locations) {
+  for (const Point2& l : profile.pattern.locations) {
     offsets.push_back(y_up ? Point2{l.x, -(scene.height - 1) - l.y} : l);
   }
   if (options.scissor) {

@@ -9,9 +9,9 @@
 
 #include "core/draw_options.h"
 #include "core/error.h"
-#include "core/fill_rule.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 
 namespace rasterproof::exact {
@@ -23,8 +23,8 @@ namespace rasterproof::exact {
 struct SampleFrame {
   std::vector<Point2> offsets;
   PixelRect clip;  ///< target and scissor
-  FillRule rule;
-  Snap crossing;  ///< of the profile
+  TieRule rule;
+  Snap scanline_rounding;  ///< of the profile
   bool y_up = false;
 
   /// Of the profile: what it says of targets of the scene's size.

@@ -1,4 +1,4 @@
-// Exact spans of one triangle: the daily work behind Coverage.
+// Exact row spans of one triangle: the fast path of Coverage.
 #ifndef RASTERPROOF_EXACT_SPANS_H_
 #define RASTERPROOF_EXACT_SPANS_H_
 

@@ -3,7 +3,7 @@
 #ifndef RASTERPROOF_EXACT_TIE_H_
 #define RASTERPROOF_EXACT_TIE_H_
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 
 namespace rasterproof::exact {
 
@@ -12,7 +12,7 @@ namespace rasterproof::exact {
 /// dx_sign and dy_sign are the signs of df/dx and df/dy. The first axis of the shift decides unless
 /// f does not change along it.
 /// Returns:    0 if f is constant, or if the rule does not shift (inclusive, exclusive).
-inline int TieSign(int dx_sign, int dy_sign, const FillRule& rule) {
+inline int TieSign(int dx_sign, int dy_sign, const TieRule& rule) {
   if (!rule.IsConsistent()) return 0;
   const int along_x = rule.sign_x * dx_sign;
   const int along_y = rule.sign_y * dy_sign;

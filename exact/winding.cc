@@ -128,7 +128,7 @@ std::vector<std::int64_t> BoundaryWinding(const Scene& scene, const Profile& pro
   CoverageCounts shape;
   shape.width = scene.width;
   shape.height = scene.height;
-  shape.samples = profile.lattice.samples();
+  shape.samples = profile.pattern.samples();
   std::vector<std::int64_t> winding(CoverageCounts::Size(shape.width, shape.height, shape.samples));
   for (const BoundaryEdge& b : BoundaryOf(MeshOf(scene, profile, frame))) {
     AddCrossings(b, frame, shape, winding);

@@ -1,4 +1,4 @@
-// Winding numbers of a mesh's boundary: the check of signed coverage that needs no coverage oracle.
+// Winding numbers of a mesh's boundary, which signed coverage must equal.
 #ifndef RASTERPROOF_EXACT_WINDING_H_
 #define RASTERPROOF_EXACT_WINDING_H_
 

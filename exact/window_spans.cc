@@ -63,7 +63,7 @@ void AddWindowSpans(const std::array<Point2, 3>& v, int facing, const SampleFram
   // one above. Under the inclusive rule the bands are closed, save that the lower one leaves the
   // middle row to the upper one if that is there. Under the exclusive rule they are open, save that
   // the upper one takes the middle row if the lower one is there to go on from it.
-  const FillRule& rule = frame.rule;
+  const TieRule& rule = frame.rule;
   const bool upper_band = top.y < middle.y;
   const bool lower_band = middle.y < bottom.y;
   const bool shifts_up = rule.IsConsistent() && rule.sign_y < 0;

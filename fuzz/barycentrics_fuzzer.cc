@@ -1,4 +1,4 @@
-// Barycentrics: sums, weights and what is interpolated stay within their proven bounds.
+// Barycentrics: sums, barycentrics and what is interpolated stay within their proven bounds.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,20 +8,20 @@
 
 namespace {
 
-using rasterproof::fuzz::Claim;
+using rasterproof::fuzz::Checked;
 
-constexpr std::array kClaims{
-    Claim{"f32-direct", "WeightsSumToOne"},
-    Claim{"f32-direct", "WeightsStayWithinTheirBound"},
-    Claim{"f32-direct", "InterpolationStaysWithinItsBound"},
-    Claim{"f64-direct", "WeightsSumToOne"},
-    Claim{"f64-direct", "WeightIsOneAtItsVertexAndZeroOpposite"},
-    Claim{"f64-direct", "DepthByDeltasEqualsDepthByWeights"},
+constexpr std::array kChecked{
+    Checked{"f32-direct", "BarycentricsSumToOne"},
+    Checked{"f32-direct", "BarycentricsStayWithinTheirBound"},
+    Checked{"f32-direct", "InterpolationStaysWithinItsBound"},
+    Checked{"f64-direct", "BarycentricsSumToOne"},
+    Checked{"f64-direct", "BarycentricIsOneAtItsVertexAndZeroOpposite"},
+    Checked{"f64-direct", "DepthByDeltasEqualsDepthByBarycentrics"},
 };
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  rasterproof::fuzz::PutToTheTest(kClaims, std::span(data, size));
+  rasterproof::fuzz::PutToTheTest(kChecked, std::span(data, size));
   return 0;
 }

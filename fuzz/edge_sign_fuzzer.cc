@@ -15,16 +15,16 @@ namespace {
 using rasterproof::Point2;
 using rasterproof::exact::Decider;
 using rasterproof::exact::EdgeSign;
-using rasterproof::fuzz::Claim;
+using rasterproof::fuzz::Checked;
 
-constexpr std::array kClaims{
-    Claim{"f32-direct", "EdgeSignIsRightOutsideItsBand"},
-    Claim{"f32-direct", "EdgeErrorStaysWithinItsBound"},
-    Claim{"f32-kahan", "EdgeErrorStaysWithinItsBound"},
-    Claim{"f32-affine", "EdgeErrorStaysWithinItsBound"},
-    Claim{"f64-direct", "EdgeErrorStaysWithinItsBound"},
-    Claim{"filtered-exact", "EdgeSignIsRightOutsideItsBand"},
-    Claim{"i64-snap8", "EdgeSignIsRightOutsideItsBand"},
+constexpr std::array kChecked{
+    Checked{"f32-direct", "EdgeSignIsRightOutsideItsBand"},
+    Checked{"f32-direct", "EdgeErrorStaysWithinItsBound"},
+    Checked{"f32-kahan", "EdgeErrorStaysWithinItsBound"},
+    Checked{"f32-affine", "EdgeErrorStaysWithinItsBound"},
+    Checked{"f64-direct", "EdgeErrorStaysWithinItsBound"},
+    Checked{"filtered-exact", "EdgeSignIsRightOutsideItsBand"},
+    Checked{"i64-snap8", "EdgeSignIsRightOutsideItsBand"},
 };
 
 // CGAL costs ten times the integers: one sample in this many.
@@ -44,7 +44,7 @@ void CompareDeciders(std::span<const std::uint8_t> bytes) {
       const Point2 b = WindowPoint(v[(k + 1) % 3]);
       for (int j = 0; j < c.scene.height && j < kMostSide; ++j) {
         for (int i = 0; i < c.scene.width && i < kMostSide; ++i) {
-          const Point2 p = c.profile.lattice.At(i, j);
+          const Point2 p = c.profile.pattern.At(i, j);
           const int fast = EdgeSign(a, b, p, Decider::kFast);
           const bool cgal = asked++ % kCgalShare == 0;
           if (fast != EdgeSign(a, b, p, Decider::kIntegers) || fast != -EdgeSign(b, a, p) ||
@@ -62,6 +62,6 @@ void CompareDeciders(std::span<const std::uint8_t> bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span bytes(data, size);
   CompareDeciders(bytes);
-  rasterproof::fuzz::PutToTheTest(kClaims, bytes);
+  rasterproof::fuzz::PutToTheTest(kChecked, bytes);
   return 0;
 }

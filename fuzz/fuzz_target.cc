@@ -47,11 +47,11 @@ void Fail(std::string_view what, std::span<const std::uint8_t> bytes) {
   std::abort();
 }
 
-void PutToTheTest(std::span<const Claim> claims, std::span<const std::uint8_t> bytes) {
-  for (const Claim& claim : claims) {
-    Subject& subject = SubjectOf(claim.subject);
-    const props::Property* property = props::FindProperty(claim.property);
-    if (property == nullptr) Fail("no such property: " + std::string(claim.property), bytes);
+void PutToTheTest(std::span<const Checked> all, std::span<const std::uint8_t> bytes) {
+  for (const Checked& checked : all) {
+    Subject& subject = SubjectOf(checked.subject);
+    const props::Property* property = props::FindProperty(checked.property);
+    if (property == nullptr) Fail("no such property: " + std::string(checked.property), bytes);
     const Case c = props::DecodeCase(bytes, subject.Info());
     const Verdict verdict = Judged(subject, *property, c, bytes);
     if (verdict.outcome != Outcome::kViolated) continue;
@@ -60,7 +60,7 @@ void PutToTheTest(std::span<const Claim> claims, std::span<const std::uint8_t> b
         "to see it: rasterproof decode INPUT --subject %s --property %s --output case.json; "
         "rasterproof explain case.json\n",
         subject.Info().name.c_str(), std::string(property->name).c_str());
-    Fail(std::string(claim.property) + " is violated by " + std::string(claim.subject) + ": " +
+    Fail(std::string(checked.property) + " is violated by " + std::string(checked.subject) + ": " +
              verdict.message,
          bytes);
   }

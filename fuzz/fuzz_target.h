@@ -1,4 +1,4 @@
-// What the four fuzz targets share: bytes to a case, the case to a claim, a failed claim to a
+// What the four fuzz targets share: bytes to a case, the case to a property, a failed property to a
 // report and a trap.
 #ifndef RASTERPROOF_FUZZ_FUZZ_TARGET_H_
 #define RASTERPROOF_FUZZ_FUZZ_TARGET_H_
@@ -10,18 +10,19 @@
 
 namespace rasterproof::fuzz {
 
-/// A claim that must hold of a subject on every input.
-struct Claim {
+/// A property that must hold of a subject on every input.
+struct Checked {
   std::string_view subject;
   std::string_view property;
 };
 
-/// Puts every claim to the test, each on the case that the bytes stand for with its subject: its
+/// Puts every property to the test, each on the case that the bytes stand for with its subject: its
 /// input lattice and profile are part of what they mean.
 ///
 /// Domain:     any bytes; the decoder is total.
-/// Error:      a violated claim prints the command that makes a case file of the input, and aborts.
-void PutToTheTest(std::span<const Claim> claims, std::span<const std::uint8_t> bytes);
+/// Error:      a violated property prints the command that makes a case file of the input, and
+/// aborts.
+void PutToTheTest(std::span<const Checked> all, std::span<const std::uint8_t> bytes);
 
 /// Prints what failed and aborts, for checks that are not in the catalogue.
 [[noreturn]] void Fail(std::string_view what, std::span<const std::uint8_t> bytes);

@@ -1,4 +1,4 @@
-// Incremental evaluation: walks equal direct evaluation where exact, and keep their drift bound
+// Incremental evaluation: steppings equal direct evaluation where exact, and keep their drift bound
 // elsewhere.
 #include <array>
 #include <cstddef>
@@ -9,20 +9,20 @@
 
 namespace {
 
-using rasterproof::fuzz::Claim;
+using rasterproof::fuzz::Checked;
 
-constexpr std::array kClaims{
-    Claim{"f32-incremental", "WalkStaysWithinItsBound"},
-    Claim{"f32-incremental-row", "WalkStaysWithinItsBound"},
-    Claim{"f32-incremental-compensated", "WalkStaysWithinItsBound"},
-    Claim{"f64-incremental", "WalkStaysWithinItsBound"},
-    Claim{"i64-snap8", "WalkEqualsDirectWhereExact"},
-    Claim{"f32-index-fma", "WalkStaysWithinItsBound"},
+constexpr std::array kChecked{
+    Checked{"f32-incremental", "SteppingStaysWithinItsBound"},
+    Checked{"f32-incremental-row", "SteppingStaysWithinItsBound"},
+    Checked{"f32-incremental-compensated", "SteppingStaysWithinItsBound"},
+    Checked{"f64-incremental", "SteppingStaysWithinItsBound"},
+    Checked{"i64-snap8", "SteppingEqualsDirectWhereExact"},
+    Checked{"f32-index-fma", "SteppingStaysWithinItsBound"},
 };
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  rasterproof::fuzz::PutToTheTest(kClaims, std::span(data, size));
+  rasterproof::fuzz::PutToTheTest(kChecked, std::span(data, size));
   return 0;
 }

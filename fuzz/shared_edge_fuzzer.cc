@@ -8,21 +8,21 @@
 
 namespace {
 
-using rasterproof::fuzz::Claim;
+using rasterproof::fuzz::Checked;
 
-constexpr std::array kClaims{
-    Claim{"spans-exact", "CoverageEqualsTheModel"},
-    Claim{"spans-exact", "SharedEdgeSamplesAreCoveredOnce"},
-    Claim{"filtered-exact", "CoverageEqualsTheModel"},
-    Claim{"filtered-exact", "SignedCoverageEqualsTheWindingNumber"},
-    Claim{"i64-snap8", "CoverageEqualsTheModel"},
-    Claim{"i32-snap4", "SharedEdgeSamplesAreCoveredOnce"},
-    Claim{"f32-direct:canonical", "DrawStaysInsideItsTarget"},
+constexpr std::array kChecked{
+    Checked{"spans-exact", "CoverageEqualsTheModel"},
+    Checked{"spans-exact", "SharedEdgeSamplesAreCoveredOnce"},
+    Checked{"filtered-exact", "CoverageEqualsTheModel"},
+    Checked{"filtered-exact", "SignedCoverageEqualsTheWindingNumber"},
+    Checked{"i64-snap8", "CoverageEqualsTheModel"},
+    Checked{"i32-snap4", "SharedEdgeSamplesAreCoveredOnce"},
+    Checked{"f32-direct:canonical", "DrawStaysInsideItsTarget"},
 };
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  rasterproof::fuzz::PutToTheTest(kClaims, std::span(data, size));
+  rasterproof::fuzz::PutToTheTest(kChecked, std::span(data, size));
   return 0;
 }

@@ -20,7 +20,7 @@
 namespace rasterproof::io {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr int kMaxTile = kMaxTargetSide;
 constexpr int kMaxThreads = 4096;
 
@@ -63,8 +63,10 @@ std::string TextFromJson(const JsonValue& value) { return std::string(value.Requ
 void RequireVersion(const JsonValue& object) {
   const JsonValue version = object.Get("rasterproof_case");
   if (version.RequireInteger(0, INT32_MAX) == kVersion) return;
-  throw version.Error("version " + std::string(version.text()) + " is unknown",
-                      "this program reads version 1");
+  throw version.Error(
+      "version " + std::string(version.text()) + " is unknown",
+      "this program reads version 2, which has other words than version 1: write 2, "
+      "and each old word is named with its new one");
 }
 
 CaseFile CaseFromJson(const JsonValue& object) {

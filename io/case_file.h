@@ -17,7 +17,7 @@ struct CaseFile {
   bool states_profile = false;  ///< else value.profile is "real"
 };
 
-/// Reads {"rasterproof_case": 1, "scene": {...}, "profile": "real" | {...}, "options": {...},
+/// Reads {"rasterproof_case": 2, "scene": {...}, "profile": "real" | {...}, "options": {...},
 /// "subject", "property", "origin"}, or a bare scene file (then the profile is "real" and the
 /// options are the defaults). "-": standard input.
 CaseFile ReadCase(const std::string& path);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/quoted.h"
+#include "core/renamed.h"
 
 namespace rasterproof::io {
 namespace {
@@ -203,7 +204,7 @@ void JsonValue::RequireObject(std::span<const std::string_view> allowed) const {
     if (std::ranges::find(allowed, name) != allowed.end()) continue;
     std::string remedy = "known here are";
     for (const std::string_view a : allowed) remedy += " \"" + std::string(a) + "\"";
-    throw Error("unknown key " + Quoted(name), remedy);
+    throw Error("unknown key " + Quoted(name) + RenamedText(name), remedy);
   }
 }
 

@@ -146,8 +146,8 @@ void RequireEndOfPlyHeader(const std::string& path) {
   for (std::string line; std::getline(file, line);) {
     if (std::string_view(line).starts_with("end_header")) return;
   }
-  throw InputError(path, "can't be read as a mesh (its header has no end)",
-                   "check that it is whole and what its name says it is");
+  throw InputError(path, "can't be read as a mesh: its header has no end",
+                   "check that the file is complete and of the format that its ending names");
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ Mesh ReadMesh(const std::string& path) {
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw InputError(path,
                      "can't be read as a mesh (" + std::string(importer.GetErrorString()) + ")",
-                     "check that it is whole and what its name says it is");
+                     "check that the file is complete and of the format that its ending names");
   }
   Mesh mesh;
   mesh.name = std::filesystem::path(path).stem().string();

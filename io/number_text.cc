@@ -43,7 +43,7 @@ bool IsLarge(std::string_view text) {
   const std::string_view digits = text.substr(0, e);
   const std::size_t point = std::min(digits.find('.'), digits.size());
   const std::size_t first = digits.find_first_of("123456789");
-  // The leading digit has weight 10^order.
+  // The leading digit has barycentric 10^order.
   const std::int64_t order = first < point ? static_cast<std::int64_t>(point - first) - 1
                                            : -static_cast<std::int64_t>(first - point);
   const std::int64_t exponent =

@@ -20,21 +20,34 @@
 namespace rasterproof::io {
 namespace {
 
-constexpr auto kProfileKeys =
-    std::to_array<std::string_view>({"name",       "subpixel_bits",  "snap_rule",
-                                     "snap_form",  "snap_origin",    "sample_locations",
-                                     "y_axis",     "fill_rule",      "coordinate_limit",
-                                     "contract",   "snap_tolerance", "any_tie_rule",
-                                     "zero_area",  "overdraw",       "fixed",
-                                     "max_extent", "no_clip",        "crossing",
-                                     "transform",  "targets",        "infinite_vertex"});
+constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
+                                                               "subpixel_bits",
+                                                               "snap_rule",
+                                                               "snap_form",
+                                                               "snap_origin",
+                                                               "sample_locations",
+                                                               "y_axis",
+                                                               "tie_rule",
+                                                               "coordinate_limit",
+                                                               "contract",
+                                                               "snap_tolerance",
+                                                               "any_tie_rule",
+                                                               "degenerate_triangles",
+                                                               "edge_samples",
+                                                               "fixed",
+                                                               "max_primitive_extent",
+                                                               "guard_band",
+                                                               "scanline_rounding",
+                                                               "transform",
+                                                               "by_target_size",
+                                                               "infinite_vertex"});
 constexpr auto kTargetKeys =
     std::to_array<std::string_view>({"max_width", "max_height", "subpixel_bits", "snap_rule",
-                                     "snap_form", "snap_origin", "sample_locations", "fill_rule"});
+                                     "snap_form", "snap_origin", "sample_locations", "tie_rule"});
 constexpr auto kFixedKeys =
     std::to_array<std::string_view>({"integer_bits", "fraction_bits", "signed", "wrap"});
 
-constexpr auto kCrossingKeys = std::to_array<std::string_view>({"bits", "rule", "origin"});
+constexpr auto kScanlineRoundingKeys = std::to_array<std::string_view>({"bits", "rule", "origin"});
 constexpr auto kTransformKeys =
     std::to_array<std::string_view>({"precision", "division", "viewport", "flips_y"});
 
@@ -49,12 +62,13 @@ constexpr std::array<std::pair<Contract, std::string_view>, 6> kContracts{
      {Contract::kConservativeOver, "conservative-over"},
      {Contract::kConservativeUnder, "conservative-under"},
      {Contract::kNone, "none"}}};
-constexpr std::array<std::pair<ZeroArea, std::string_view>, 2> kZeroAreas{
-    {{ZeroArea::kNothing, "nothing"}, {ZeroArea::kUnspecified, "unspecified"}}};
+constexpr std::array<std::pair<DegenerateTriangles, std::string_view>, 2> kDegenerates{
+    {{DegenerateTriangles::kNothing, "nothing"},
+     {DegenerateTriangles::kUnspecified, "unspecified"}}};
 constexpr std::array<std::pair<InfiniteVertex, std::string_view>, 2> kInfiniteVertices{
     {{InfiniteVertex::kNothing, "nothing"}, {InfiniteVertex::kUnspecified, "unspecified"}}};
-constexpr std::array<std::pair<bool, std::string_view>, 2> kOverdraws{
-    {{false, "none"}, {true, "allowed"}}};
+constexpr std::array<std::pair<bool, std::string_view>, 2> kEdgeSamples{
+    {{false, "owned"}, {true, "may-be-shared"}}};
 
 int SubpixelBits(const JsonValue& value) {
   return value.kind() == JsonKind::kNull ? Snap::kNone : Integer(value, 0, kMaxSubpixelBits);
@@ -74,10 +88,10 @@ SnapForm SnapFormFromJson(const JsonValue& value) {
                     "write coordinate, float32-difference or exact-difference");
 }
 
-FillRule FillRuleFromJson(const JsonValue& value) {
-  const std::optional<FillRule> rule = FillRuleFromName(value.RequireString());
+TieRule TieRuleFromJson(const JsonValue& value) {
+  const std::optional<TieRule> rule = TieRuleFromName(value.RequireString());
   if (rule) return *rule;
-  throw value.Error(Quoted(value.text()) + " is no fill rule",
+  throw value.Error(Quoted(value.text()) + " is no tie rule",
                     "write top-left, top-right, bottom-left, bottom-right, one of them with -y "
                     "(y moves first), inclusive or exclusive");
 }
@@ -86,7 +100,7 @@ FillRule FillRuleFromJson(const JsonValue& value) {
 double PlaceInPixel(const JsonValue& value, const std::string& what) {
   const double x = CoordinateFromJson(value, Precision::kFloat64);
   if (!(x >= 0 && x < 1) || x * 256 != std::floor(x * 256)) {
-    throw value.Error("is not " + what, "write a multiple of 1/256 from 0 up to, not including, 1");
+    throw value.Error("is not " + what, "write a multiple of 1/256, at least 0 and below 1");
   }
   return x;
 }
@@ -103,7 +117,7 @@ double SnapTolerance(const JsonValue& value) {
   throw value.Error("is not a snap tolerance", "write a number of grid steps from 0 to 1");
 }
 
-SampleLattice LatticeFromJson(const JsonValue& list) {
+SamplePattern PatternFromJson(const JsonValue& list) {
   std::vector<Point2> locations;
   const JsonValue::Items items = list.RequireArray();
   const std::size_t size = items.size();
@@ -146,10 +160,10 @@ std::array<double, kCount> FiniteNumbers(const JsonValue& list, const std::strin
   return numbers;
 }
 
-std::optional<MaxExtent> MaxExtentFromJson(const JsonValue& value) {
+std::optional<MaxPrimitiveExtent> MaxPrimitiveExtentFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kNull) return std::nullopt;
   const auto [width, height] = FiniteNumbers<2>(value, "[width, height]");
-  if (width > 0 && height > 0) return MaxExtent{width, height};
+  if (width > 0 && height > 0) return MaxPrimitiveExtent{width, height};
   throw value.Error("is not the size of a triangle", "write two positive numbers");
 }
 
@@ -178,15 +192,15 @@ void ReadSnap(const JsonValue& value, Snap& snap) {
   ReadIfThere(value, "snap_origin", snap.origin, SnapOrigin);
 }
 
-Snap CrossingFromJson(const JsonValue& value) {
+Snap ScanlineRoundingFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kNull) return {};
-  value.RequireObject(kCrossingKeys);
-  Snap crossing;
-  crossing.bits = Integer(value.Get("bits"), 0, kMaxSubpixelBits);
-  ReadIfThere(value, "rule", crossing.rule, SnapRuleFromJson);
-  ReadIfThere(value, "origin", crossing.origin, SnapOrigin);
-  if (crossing.origin != 0) crossing.form = SnapForm::kExactDifference;
-  return crossing;
+  value.RequireObject(kScanlineRoundingKeys);
+  Snap rounding;
+  rounding.bits = Integer(value.Get("bits"), 0, kMaxSubpixelBits);
+  ReadIfThere(value, "rule", rounding.rule, SnapRuleFromJson);
+  ReadIfThere(value, "origin", rounding.origin, SnapOrigin);
+  if (rounding.origin != 0) rounding.form = SnapForm::kExactDifference;
+  return rounding;
 }
 
 Transform TransformFromJson(const JsonValue& value) {
@@ -211,34 +225,34 @@ TargetModel TargetFromJson(const JsonValue& value, const Profile& profile) {
   value.RequireObject(kTargetKeys);
   const auto side = [](const JsonValue& v) { return Integer(v, 1, kMaxTargetSide); };
   TargetModel target{
-      .snap = profile.snap, .lattice = profile.lattice, .fill_rule = profile.fill_rule};
+      .snap = profile.snap, .pattern = profile.pattern, .tie_rule = profile.tie_rule};
   ReadIfThere(value, "max_width", target.max_width, side);
   ReadIfThere(value, "max_height", target.max_height, side);
   ReadSnap(value, target.snap);
-  ReadIfThere(value, "sample_locations", target.lattice, LatticeFromJson);
-  ReadIfThere(value, "fill_rule", target.fill_rule, FillRuleFromJson);
-  if (target.lattice.samples() == profile.lattice.samples()) return target;
+  ReadIfThere(value, "sample_locations", target.pattern, PatternFromJson);
+  ReadIfThere(value, "tie_rule", target.tie_rule, TieRuleFromJson);
+  if (target.pattern.samples() == profile.pattern.samples()) return target;
   throw value.Get("sample_locations")
-      .Error("has " + std::to_string(target.lattice.samples()) + " sample locations, the profile " +
-                 std::to_string(profile.lattice.samples()),
+      .Error("has " + std::to_string(target.pattern.samples()) + " sample locations, the profile " +
+                 std::to_string(profile.pattern.samples()),
              "give every target as many");
 }
 
 std::vector<TargetModel> TargetsFromJson(const JsonValue& list, const Profile& profile) {
-  std::vector<TargetModel> targets;
+  std::vector<TargetModel> models;
   for (const JsonValue item : list.RequireArray()) {
     const TargetModel target = TargetFromJson(item, profile);
-    for (const TargetModel& earlier : targets) {
+    for (const TargetModel& earlier : models) {
       if (!earlier.Fits(target.max_width, target.max_height)) continue;
       throw item.Error("never applies: an entry before it fits every target that it fits",
                        "put the smaller targets first");
     }
-    targets.push_back(target);
+    models.push_back(target);
   }
-  return targets;
+  return models;
 }
 
-// The keys of a model: those that an entry of `targets` can override.
+// The keys of a model: those that an entry of `by_target_size` can override.
 std::string SnapToJson(const Snap& snap, const std::string& line) {
   std::string json = line + "\"subpixel_bits\": ";
   json += snap.IsNone() ? "null" : std::to_string(snap.bits);
@@ -258,17 +272,17 @@ std::string NumbersToJson(std::initializer_list<double> numbers) {
   return json + "]";
 }
 
-std::string LatticeToJson(const SampleLattice& lattice) {
+std::string PatternToJson(const SamplePattern& pattern) {
   std::string json;
-  for (const Point2& l : lattice.locations) {
+  for (const Point2& l : pattern.locations) {
     json += (json.empty() ? "[" : ", ") + NumbersToJson({l.x, l.y});
   }
   return json + "]";
 }
 
-std::string TargetsToJson(const std::vector<TargetModel>& targets) {
+std::string TargetsToJson(const std::vector<TargetModel>& models) {
   std::string json;
-  for (const TargetModel& target : targets) {
+  for (const TargetModel& target : models) {
     json += json.empty() ? "[{" : ", {";
     json += "\"max_width\": " + std::to_string(target.max_width);
     json += ", \"max_height\": " + std::to_string(target.max_height);
@@ -277,8 +291,8 @@ std::string TargetsToJson(const std::vector<TargetModel>& targets) {
     if (target.snap.form == SnapForm::kCoordinate && target.snap.origin == 0) {
       json += ", \"snap_form\": \"coordinate\", \"snap_origin\": 0";
     }
-    json += ", \"sample_locations\": " + LatticeToJson(target.lattice);
-    json += ", \"fill_rule\": " + InQuotes(FillRuleName(target.fill_rule)) + "}";
+    json += ", \"sample_locations\": " + PatternToJson(target.pattern);
+    json += ", \"tie_rule\": " + InQuotes(TieRuleName(target.tie_rule)) + "}";
   }
   return json + "]";
 }
@@ -290,10 +304,10 @@ std::string FixedToJson(const FixedInput& fixed) {
          ", \"wrap\": " + (fixed.wraps ? "true" : "false") + "}";
 }
 
-std::string CrossingToJson(const Snap& crossing) {
-  return "{\"bits\": " + std::to_string(crossing.bits) +
-         ", \"rule\": " + InQuotes(SnapRuleName(crossing.rule)) +
-         ", \"origin\": " + InQuotes(ExactText(crossing.origin)) + "}";
+std::string ScanlineRoundingToJson(const Snap& rounding) {
+  return "{\"bits\": " + std::to_string(rounding.bits) +
+         ", \"rule\": " + InQuotes(SnapRuleName(rounding.rule)) +
+         ", \"origin\": " + InQuotes(ExactText(rounding.origin)) + "}";
 }
 
 std::string TransformToJson(const Transform& transform) {
@@ -306,28 +320,30 @@ std::string TransformToJson(const Transform& transform) {
 // What most profiles leave out.
 std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   std::string json;
-  if (profile.zero_area != ZeroArea::kNothing) {
+  if (profile.degenerate_triangles != DegenerateTriangles::kNothing) {
     json +=
-        line + "\"zero_area\": " + InQuotes(NameOf(profile.zero_area, Names<ZeroArea>(kZeroAreas)));
+        line + "\"degenerate_triangles\": " +
+        InQuotes(NameOf(profile.degenerate_triangles, Names<DegenerateTriangles>(kDegenerates)));
   }
   if (profile.infinite_vertex != InfiniteVertex::kNothing) {
     json += line + "\"infinite_vertex\": " +
             InQuotes(NameOf(profile.infinite_vertex, Names<InfiniteVertex>(kInfiniteVertices)));
   }
-  if (profile.overdraw) {
-    json += line + "\"overdraw\": " + InQuotes(NameOf(true, Names<bool>(kOverdraws)));
+  if (profile.shares_edge_samples) {
+    json += line + "\"edge_samples\": " + InQuotes(NameOf(true, Names<bool>(kEdgeSamples)));
   }
   if (profile.fixed) json += line + "\"fixed\": " + FixedToJson(*profile.fixed);
-  if (const std::optional<MaxExtent>& most = profile.max_extent) {
-    json += line + "\"max_extent\": " + NumbersToJson({most->width, most->height});
+  if (const std::optional<MaxPrimitiveExtent>& most = profile.max_primitive_extent) {
+    json += line + "\"max_primitive_extent\": " + NumbersToJson({most->width, most->height});
   }
-  if (const std::optional<WindowBox>& box = profile.no_clip) {
-    json += line + "\"no_clip\": " + NumbersToJson({box->x0, box->y0, box->x1, box->y1});
+  if (const std::optional<WindowBox>& box = profile.guard_band) {
+    json += line + "\"guard_band\": " + NumbersToJson({box->x0, box->y0, box->x1, box->y1});
   }
-  if (!profile.crossing.IsNone())
-    json += line + "\"crossing\": " + CrossingToJson(profile.crossing);
+  if (!profile.scanline_rounding.IsNone())
+    json += line + "\"scanline_rounding\": " + ScanlineRoundingToJson(profile.scanline_rounding);
   if (profile.transform) json += line + "\"transform\": " + TransformToJson(*profile.transform);
-  if (!profile.targets.empty()) json += line + "\"targets\": " + TargetsToJson(profile.targets);
+  if (!profile.by_target_size.empty())
+    json += line + "\"by_target_size\": " + TargetsToJson(profile.by_target_size);
   return json;
 }
 
@@ -336,29 +352,31 @@ Profile ProfileFromObject(const JsonValue& value) {
   Profile profile;
   profile.name = value.Get("name").RequireString();
   ReadSnap(value, profile.snap);
-  ReadIfThere(value, "sample_locations", profile.lattice, LatticeFromJson);
+  ReadIfThere(value, "sample_locations", profile.pattern, PatternFromJson);
   ReadIfThere(value, "y_axis", profile.y_axis,
               [](const JsonValue& v) { return FromName(v, Names<YAxis>(kYAxes)); });
-  ReadIfThere(value, "fill_rule", profile.fill_rule, FillRuleFromJson);
+  ReadIfThere(value, "tie_rule", profile.tie_rule, TieRuleFromJson);
   ReadIfThere(value, "contract", profile.contract,
               [](const JsonValue& v) { return FromName(v, Names<Contract>(kContracts)); });
   ReadIfThere(value, "snap_tolerance", profile.freedom.snap_tolerance, SnapTolerance);
   ReadIfThere(value, "any_tie_rule", profile.freedom.any_tie_rule, Boolean);
   ReadIfThere(value, "coordinate_limit", profile.coordinate_limit, LimitFromJson);
-  ReadIfThere(value, "zero_area", profile.zero_area,
-              [](const JsonValue& v) { return FromName(v, Names<ZeroArea>(kZeroAreas)); });
+  ReadIfThere(value, "degenerate_triangles", profile.degenerate_triangles, [](const JsonValue& v) {
+    return FromName(v, Names<DegenerateTriangles>(kDegenerates));
+  });
   ReadIfThere(value, "infinite_vertex", profile.infinite_vertex, [](const JsonValue& v) {
     return FromName(v, Names<InfiniteVertex>(kInfiniteVertices));
   });
-  ReadIfThere(value, "overdraw", profile.overdraw,
-              [](const JsonValue& v) { return FromName(v, Names<bool>(kOverdraws)); });
+  ReadIfThere(value, "edge_samples", profile.shares_edge_samples,
+              [](const JsonValue& v) { return FromName(v, Names<bool>(kEdgeSamples)); });
   ReadIfThere(value, "fixed", profile.fixed, FixedInputFromJson);
-  ReadIfThere(value, "max_extent", profile.max_extent, MaxExtentFromJson);
-  ReadIfThere(value, "no_clip", profile.no_clip, WindowBoxFromJson);
-  ReadIfThere(value, "crossing", profile.crossing, CrossingFromJson);
+  ReadIfThere(value, "max_primitive_extent", profile.max_primitive_extent,
+              MaxPrimitiveExtentFromJson);
+  ReadIfThere(value, "guard_band", profile.guard_band, WindowBoxFromJson);
+  ReadIfThere(value, "scanline_rounding", profile.scanline_rounding, ScanlineRoundingFromJson);
   ReadIfThere(value, "transform", profile.transform, TransformFromJson);
   // Last: an entry has of the profile what it leaves out.
-  ReadIfThere(value, "targets", profile.targets,
+  ReadIfThere(value, "by_target_size", profile.by_target_size,
               [&](const JsonValue& v) { return TargetsFromJson(v, profile); });
   return profile;
 }
@@ -394,9 +412,9 @@ std::string ProfileToJson(const Profile& profile) {
   const std::string line = ",\n    ";
   std::string json = "{\n    \"name\": " + JsonString(ProfileName(profile));
   json += SnapToJson(profile.snap, line);
-  json += line + "\"sample_locations\": " + LatticeToJson(profile.lattice);
+  json += line + "\"sample_locations\": " + PatternToJson(profile.pattern);
   json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));
-  json += line + "\"fill_rule\": " + InQuotes(FillRuleName(profile.fill_rule));
+  json += line + "\"tie_rule\": " + InQuotes(TieRuleName(profile.tie_rule));
   json += line + "\"contract\": " + InQuotes(NameOf(profile.contract, Names<Contract>(kContracts)));
   if (!profile.freedom.IsNone()) {
     json += line + "\"snap_tolerance\": " + InQuotes(ExactText(profile.freedom.snap_tolerance));

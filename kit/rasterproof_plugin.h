@@ -5,7 +5,7 @@
  * ./libmine.so` loads it in a process of its own: a crash, a hang or a write outside the target is
  * a finding with its case, not the end of the run.
  *
- * C11 and C++. Version 1. Structures grow at their end only; `size` tells how much of one is there,
+ * C11 and C++. Version 2. Structures grow at their end only; `size` tells how much of one is there,
  * so a library that was built against an older header goes on working.
  */
 #ifndef RASTERPROOF_KIT_RASTERPROOF_PLUGIN_H_
@@ -18,7 +18,7 @@
 extern "C" {
 #endif
 
-#define RASTERPROOF_PLUGIN_VERSION 1u
+#define RASTERPROOF_PLUGIN_VERSION 2u
 
 /* What coverage comes back as. */
 enum rasterproof_coverage {
@@ -30,17 +30,18 @@ enum rasterproof_coverage {
   /* front alone: 1 where anything covers the sample. Triangles then come one to a call, so that
    * overlaps still show. */
   RASTERPROOF_MASK = 2,
-  /* winners: which triangle won each sample, as winner_order says. front is NULL. */
-  RASTERPROOF_WINNERS = 3,
-  /* winners, and weights and depths of the winner at each sample. front is NULL. */
+  /* primitive ids: which triangle is visible at each sample, as `visible` says. front is NULL. */
+  RASTERPROOF_PRIMITIVE_IDS = 3,
+  /* primitive ids, and barycentrics and depths of the visible triangle at each sample. front is
+   * NULL. */
   RASTERPROOF_FRAGMENTS = 4
 };
 
-/* Which of several triangles on a sample wins it. */
-enum rasterproof_winner_order { RASTERPROOF_LAST_DRAWN = 0, RASTERPROOF_FIRST_DRAWN = 1 };
+/* Which of several triangles on a sample is visible. */
+enum rasterproof_visible { RASTERPROOF_LAST_DRAWN = 0, RASTERPROOF_FIRST_DRAWN = 1 };
 
-/* The vertices that weights belong to: as given, or on the profile's subpixel grid. */
-enum rasterproof_weights_of { RASTERPROOF_OF_GIVEN = 0, RASTERPROOF_OF_SNAPPED = 1 };
+/* The vertices that barycentrics belong to: as given, or on the profile's subpixel grid. */
+enum rasterproof_barycentrics_of { RASTERPROOF_OF_GIVEN = 0, RASTERPROOF_OF_SNAPPED = 1 };
 
 /* The number format in which the library computes its input. */
 enum rasterproof_input {
@@ -57,11 +58,11 @@ enum rasterproof_input {
 #define RASTERPROOF_TAKES_SCISSOR 8u
 #define RASTERPROOF_TAKES_TILES 16u
 #define RASTERPROOF_TAKES_THREADS 32u
-/* rasterproof_target.wants is read: weights and depths that it does not name are NULL. */
+/* rasterproof_target.wants is read: barycentrics and depths that it does not name are NULL. */
 #define RASTERPROOF_TAKES_WANTS 64u
 
-/* What is looked at of a draw beside its winners, as bits of rasterproof_target.wants. */
-#define RASTERPROOF_WANTS_WEIGHTS 1u
+/* What is looked at of a draw beside its primitive ids, as bits of rasterproof_target.wants. */
+#define RASTERPROOF_WANTS_BARYCENTRICS 1u
 #define RASTERPROOF_WANTS_DEPTHS 2u
 
 enum rasterproof_cull {
@@ -93,39 +94,40 @@ typedef struct rasterproof_scene {
 
 /* Where the answer goes: row-major, top row first, `samples` entries a pixel. Add counts to what is
  * there. The samples of a row end before `stride`: what lies between, before and behind is guarded.
- * Rows of weights are 3 * stride apart. */
+ * Rows of barycentrics are 3 * stride apart. */
 typedef struct rasterproof_target {
   uint32_t size; /* sizeof(rasterproof_target) of the caller */
   int32_t samples;
   size_t stride; /* samples from one row to the next */
   uint32_t* front;
   uint32_t* back; /* NULL unless the coverage is FACING_COUNTS */
-  /* NULL unless the coverage is WINNERS or FRAGMENTS. Full of -1, which says that nothing won. */
-  int32_t* winners;
-  /* NULL unless the coverage is FRAGMENTS; see RASTERPROOF_TAKES_WANTS. weights + 3 * k belongs to
-   * sample k: the barycentric coordinates of the sample, for the winner's three vertices. */
-  double* weights;
-  double* depths; /* the winner's z at the sample; the z of vertices asked about lie in [0, 1] */
-  /* RASTERPROOF_WANTS_... Weights and depths that are there and not named need not be written.
-   * Winners are always: coverage is read off them. */
+  /* NULL unless the coverage is PRIMITIVE_IDS or FRAGMENTS. Full of -1: no triangle. */
+  int32_t* primitive_ids;
+  /* NULL unless the coverage is FRAGMENTS; see RASTERPROOF_TAKES_WANTS. Entries 3 k to 3 k + 2 are
+   * the barycentric coordinates of sample k, for the visible triangle's vertices. */
+  double* barycentrics;
+  /* The visible triangle's z at the sample; the z of vertices asked about lie in [0, 1]. */
+  double* depths;
+  /* RASTERPROOF_WANTS_... Barycentrics and depths that are there and not named need not be written.
+   * Primitive ids are always: coverage is read off them. */
   uint32_t wants;
 } rasterproof_target;
 
-/* A walk along a row (along_y 0) or a column (1): `steps` steps of `length` pixels, forward (sign
+/* Steps along a row (along_y 0) or a column (1): `steps` steps of `length` pixels, forward (sign
  * +1) or back (-1). */
-typedef struct rasterproof_walk {
+typedef struct rasterproof_stepping {
   int32_t along_y;
   int32_t sign;
   int32_t length;
   int32_t steps;
-} rasterproof_walk;
+} rasterproof_stepping;
 
 typedef struct rasterproof_plugin {
   uint32_t version; /* RASTERPROOF_PLUGIN_VERSION */
   uint32_t size;    /* sizeof(rasterproof_plugin) */
   const char* name;
   const char* summary;
-  /* What it promises: "real", "gl", "vulkan", "d3d11", or the text of a profile file (JSON).
+  /* What it states: "real", "gl", "vulkan", "d3d11", or the text of a profile file (JSON).
    * NULL: "real". */
   const char* profile;
   uint32_t input;    /* enum rasterproof_input */
@@ -151,24 +153,24 @@ typedef struct rasterproof_plugin {
    * then come one by one. Pointers to structures, so that their sizes may grow. */
   int32_t (*draw_many)(void* state, const rasterproof_scene* const* scenes,
                        const rasterproof_target* const* targets, size_t n);
-  /* For the coverages WINNERS and FRAGMENTS. */
-  uint32_t winner_order; /* enum rasterproof_winner_order */
-  uint32_t weights_of;   /* enum rasterproof_weights_of */
-  double weight_error;   /* most that a weight is off, absolute; 0: nothing is said */
-  double depth_error;    /* most that a depth is off, in the unit of z; 0: nothing is said */
+  /* For the coverages PRIMITIVE_IDS and FRAGMENTS. */
+  uint32_t visible;         /* enum rasterproof_visible */
+  uint32_t barycentrics_of; /* enum rasterproof_barycentrics_of */
+  double barycentric_error; /* most that a barycentric is off, absolute; 0: nothing is said */
+  double depth_error;       /* most that a depth is off, in the unit of z; 0: nothing is said */
   /* Optional. Its value of the edge function of a -> b at p,
    *     E = (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x),
-   * evaluated afresh; and the values that it meets on a walk from p: steps + 1 of them, the first
+   * evaluated afresh; and the values that it meets stepping from p: steps + 1 of them, the first
    * at p. Each point is x, y. 0: done; anything else: refused. */
   int32_t (*edge_value)(void* state, const double* a, const double* b, const double* p,
                         double* value);
-  int32_t (*edge_walk)(void* state, const double* a, const double* b, const double* p,
-                       const rasterproof_walk* walk, double* values);
+  int32_t (*edge_steps)(void* state, const double* a, const double* b, const double* p,
+                        const rasterproof_stepping* stepping, double* values);
   /* Most that a value is off, in units of u = 2^-24 (FLOAT64: 2^-53) times
-   * |(p.x - a.x)(b.y - a.y)| + |(p.y - a.y)(b.x - a.x)|; after n steps of a walk, (n + 1) times so
+   * |(p.x - a.x)(b.y - a.y)| + |(p.y - a.y)(b.x - a.x)|; after n steps, (n + 1) times so
    * much of the larger of the two sizes at its ends. 0: exact; negative: nothing is said. */
   double edge_error;
-  double walk_error;
+  double stepping_error;
 } rasterproof_plugin;
 
 /* The one function that the library exports. The description must outlive the library's use. */

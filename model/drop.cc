@@ -17,7 +17,7 @@ bool DifferenceExceeds(double high, double low, double most) {
 
 }  // namespace
 
-bool Exceeds(const std::array<Point2, 3>& corners, const MaxExtent& extent) {
+bool Exceeds(const std::array<Point2, 3>& corners, const MaxPrimitiveExtent& extent) {
   const auto [left, right] = std::ranges::minmax(corners, {}, &Point2::x);
   const auto [low, high] = std::ranges::minmax(corners, {}, &Point2::y);
   return DifferenceExceeds(right.x, left.x, extent.width) ||

@@ -10,7 +10,7 @@
 namespace rasterproof {
 
 /// Returns whether a window-space triangle of these corners is larger than the extent. Exact.
-bool Exceeds(const std::array<Point2, 3>& corners, const MaxExtent& extent);
+bool Exceeds(const std::array<Point2, 3>& corners, const MaxPrimitiveExtent& extent);
 
 }  // namespace rasterproof
 

@@ -16,8 +16,9 @@ namespace rasterproof {
 Scene SnapScene(const Scene& scene, const Profile& own) {
   Scene snapped = scene.clip_space && own.transform ? ToWindow(scene, *own.transform) : scene;
   std::optional<Profile> resolved;
-  const Profile& profile =
-      own.targets.empty() ? own : resolved.emplace(ForTarget(own, scene.width, scene.height));
+  const Profile& profile = own.by_target_size.empty()
+                               ? own
+                               : resolved.emplace(ForTarget(own, scene.width, scene.height));
   for (Vertex& v : snapped.vertices) {
     if (profile.fixed) v = {Wrapped(v.x, *profile.fixed), Wrapped(v.y, *profile.fixed), v.z, v.w};
     v.x = SnapCoordinate(v.x, profile.snap);
@@ -25,28 +26,29 @@ Scene SnapScene(const Scene& scene, const Profile& own) {
   }
   // The grid point of a float32 can need more bits than float32 has.
   if (!profile.snap.IsNone()) snapped.precision = Precision::kFloat64;
-  if (!profile.max_extent) return snapped;
+  if (!profile.max_primitive_extent) return snapped;
   for (Triangle& t : snapped.triangles) {
     const std::array<Vertex, 3> v = Corners(snapped, t);
     const std::array<Point2, 3> corners{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
-    if (Exceeds(corners, *profile.max_extent)) t = {t[0], t[0], t[0]};
+    if (Exceeds(corners, *profile.max_primitive_extent)) t = {t[0], t[0], t[0]};
   }
   return snapped;
 }
 
 bool IsUnclipped(const Scene& scene, const Profile& profile) {
-  if (!profile.no_clip) return true;
+  if (!profile.guard_band) return true;
   if (scene.clip_space) return false;  // the rectangle is of window space
   const auto holds = [&](const Scene& placed) {
     return std::ranges::all_of(placed.triangles, [&](const Triangle& t) {
-      return std::ranges::all_of(
-          Corners(placed, t), [&](const Vertex& v) { return profile.no_clip->Contains(v.x, v.y); });
+      return std::ranges::all_of(Corners(placed, t), [&](const Vertex& v) {
+        return profile.guard_band->Contains(v.x, v.y);
+      });
     });
   };
   // Whether clipping looks at a vertex before or after snapping is left to the subject.
   Profile unsnapped = profile;
   unsnapped.snap = {};
-  unsnapped.targets.clear();
+  unsnapped.by_target_size.clear();
   return holds(SnapScene(scene, profile)) && holds(SnapScene(scene, unsnapped));
 }
 

@@ -8,14 +8,16 @@
 namespace rasterproof {
 
 /// Returns the scene as the profile's model places it: x and y of every vertex wrapped into the
-/// range of its fixed-point input and on the subpixel grid; a triangle larger than `max_extent` has
-/// its three corners in one place. Indices of triangles stay what they are.
+/// range of its fixed-point input and on the subpixel grid; a triangle larger than
+/// `max_primitive_extent` has its three corners in one place. Indices of triangles stay what they
+/// are.
 ///
 /// Domain:     window-space scenes; w is 1. Clip-space scenes that are not homogeneous: they go
 ///             through the profile's transform first. (Others snap after the division: see exact/.)
 Scene SnapScene(const Scene& scene, const Profile& profile);
 
-/// Returns whether the no-clip rectangle, if there is one, holds every vertex that a triangle uses.
+/// Returns whether the guard-band rectangle, if there is one, holds every vertex that a triangle
+/// uses.
 bool IsUnclipped(const Scene& scene, const Profile& profile);
 
 }  // namespace rasterproof

@@ -7,18 +7,18 @@
 namespace rasterproof {
 
 Profile ForTarget(const Profile& profile, int width, int height) {
-  if (profile.targets.empty()) return profile;
+  if (profile.by_target_size.empty()) return profile;
   Profile resolved = profile;
   // What holds where no entry fits becomes the last one: so another size can still be asked about.
-  if (!profile.targets.back().Fits(kMaxTargetSide, kMaxTargetSide)) {
-    resolved.targets.push_back(
-        {kMaxTargetSide, kMaxTargetSide, profile.snap, profile.lattice, profile.fill_rule});
+  if (!profile.by_target_size.back().Fits(kMaxTargetSide, kMaxTargetSide)) {
+    resolved.by_target_size.push_back(
+        {kMaxTargetSide, kMaxTargetSide, profile.snap, profile.pattern, profile.tie_rule});
   }
   const TargetModel model = *std::ranges::find_if(
-      resolved.targets, [&](const TargetModel& entry) { return entry.Fits(width, height); });
+      resolved.by_target_size, [&](const TargetModel& entry) { return entry.Fits(width, height); });
   resolved.snap = model.snap;
-  resolved.lattice = model.lattice;
-  resolved.fill_rule = model.fill_rule;
+  resolved.pattern = model.pattern;
+  resolved.tie_rule = model.tie_rule;
   return resolved;
 }
 

@@ -6,11 +6,11 @@
 
 namespace rasterproof {
 
-/// Returns the profile with the snap, the sample locations and the fill rule that it has on a
+/// Returns the profile with the snap, the sample locations and the tie rule that it has on a
 /// target of this size.
 ///
-/// Properties: ForTarget(ForTarget(p, a...), b...) is ForTarget(p, b...) in all that it promises.
-///             A profile without `targets` comes back as it is.
+/// Properties: ForTarget(ForTarget(p, a...), b...) is ForTarget(p, b...) in all that it states.
+///             A profile without `by_target_size` comes back as it is.
 Profile ForTarget(const Profile& profile, int width, int height);
 
 }  // namespace rasterproof

@@ -2,16 +2,16 @@
 #include <string_view>
 #include <vector>
 
-#include "props/claims/all.h"
+#include "props/properties/all.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
 
 std::span<const Property> Catalog() {
   static const std::vector<Property> all = [] {
-    std::vector<Property> claims;
-    for (const Property* claim : kAllClaims) claims.push_back(*claim);
-    return claims;
+    std::vector<Property> properties;
+    for (const Property* property : kAllProperties) properties.push_back(*property);
+    return properties;
   }();
   return all;
 }

@@ -1,5 +1,5 @@
-// A property: a claim about a rasterizer, as data: when it applies, what it asks, how the answers
-// are judged.
+// A property: a property about a rasterizer, as data: when it applies, what it asks, how the
+// answers are judged.
 #ifndef RASTERPROOF_PROPS_PROPERTY_H_
 #define RASTERPROOF_PROPS_PROPERTY_H_
 
@@ -28,19 +28,19 @@ struct Check {
   std::vector<std::size_t> bases = {};
 };
 
-/// What a claim asks about a case.
+/// What a property asks about a case.
 struct Asked {
   std::vector<Check> checks;
   /// The verdict if there is no check.
   Verdict otherwise = {};
 };
 
-/// Nothing is asked: the case does not put the claim to the test, and why.
+/// Nothing is asked: the case does not put the property to the test, and why.
 inline Asked NothingAsked(std::string why) {
   return {{}, {Outcome::kNotExercised, 0, 0, std::move(why), std::nullopt}};
 }
 
-/// Nothing is asked: what the claim asks the oracle about is not decided, and why.
+/// Nothing is asked: what the property asks the oracle about is not decided, and why.
 inline Asked NotDecided(const std::string& why) { return {{}, Verdict::NotApplicable(why)}; }
 
 /// Everything is asked and judged at once.
@@ -50,23 +50,23 @@ inline Asked OneCheck(Questions questions, std::function<Verdict(const Answers&)
   return asked;
 }
 
-/// A claim. One per file of props/claims/.
+/// A property. One per file of props/properties/.
 struct Property {
-  std::string_view name;  ///< the claim: "SharedEdgeSamplesAreCoveredOnce"
+  std::string_view name;  ///< the property: "SharedEdgeSamplesAreCoveredOnce"
   std::string_view
       group;  ///< "edge", "incremental", "barycentric", "coverage", "wireframe", "extremes"
   std::string_view clause;     ///< what it enforces, with its source
   std::string_view tolerance;  ///< the named, proven bound, or "none: exact"
-  /// Names of the domains whose cases put this claim to the test.
+  /// Names of the domains whose cases put this property to the test.
   std::span<const std::string_view> domains;
-  /// True if the claim is about calls that follow each other: no others may come in between.
+  /// True if the property is about calls that follow each other: no others may come in between.
   bool is_about_sequence = false;
   /// True if it takes as long as many others: where several run at once it is begun before them.
   bool takes_long = false;
   Gate gate = {};
   /// The checks of a case that the gate lets through, in the order in which they are judged, up to
-  /// the first violated one. The case is as the claim sees it: in window space behind a transform
-  /// of the subject's own, under the model of its target's size.
+  /// the first violated one. The case is as the property sees it: in window space behind a
+  /// transform of the subject's own, under the model of its target's size.
   Asked (*ask)(const Case&, const Description&) = nullptr;
   /// A second round: who is to blame for the violation. The first of its checks that is violated
   /// gives the witness; one that is refused is passed over. nullptr: the verdict says it.

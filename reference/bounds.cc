@@ -292,7 +292,7 @@ std::vector<double> FreshBounds(EdgeArithmetic arithmetic, const WalkTerms& w, i
   return bounds;
 }
 
-/// Once a walk might have overflowed, nothing is claimed of what follows.
+/// Once a walk might have overflowed, nothing is stated of what follows.
 void DropAfterOverflow(const WalkTerms& w, std::vector<double>& bounds) {
   const Format f = FormatFor(w.precision);
   bool lost = !(w.magnitude_0 <= f.no_overflow);
@@ -304,7 +304,7 @@ void DropAfterOverflow(const WalkTerms& w, std::vector<double>& bounds) {
   }
 }
 
-std::vector<double> WalkBounds(EdgeArithmetic arithmetic, const WalkTerms& w, int steps) {
+std::vector<double> SteppingBounds(EdgeArithmetic arithmetic, const WalkTerms& w, int steps) {
   switch (arithmetic) {
     case EdgeArithmetic::kIncremental:
       return IncrementalBounds(w, steps, 0);
@@ -389,13 +389,13 @@ double EdgeErrorBound(EdgeArithmetic arithmetic, Precision precision, Point2 a, 
                                           : FreshBound<double>(arithmetic, terms, a, b, p);
 }
 
-std::vector<double> WalkErrorBounds(EdgeArithmetic arithmetic, Precision precision, Point2 a,
-                                    Point2 b, Point2 p, Step step, int steps) {
+std::vector<double> SteppingErrorBounds(EdgeArithmetic arithmetic, Precision precision, Point2 a,
+                                        Point2 b, Point2 p, Step step, int steps) {
   if (!AreValuesOf(precision, a, b, p)) {
     return std::vector<double>(static_cast<std::size_t>(steps) + 1, kNoBound);
   }
   const WalkTerms terms(precision, a, b, p, step);
-  std::vector<double> bounds = WalkBounds(arithmetic, terms, steps);
+  std::vector<double> bounds = SteppingBounds(arithmetic, terms, steps);
   if (WalksFromStart(arithmetic)) DropAfterOverflow(terms, bounds);
   return bounds;
 }

@@ -45,11 +45,14 @@ inline constexpr int kReanchorSteps = 16;
 /// A product carries three roundings, (1 + u)^3 - 1 = 3u + 3u^2 + u^3 = r, and the last subtraction
 /// one more: (E + r S)(1 + u) - E = r (1 + u) S + u |E|, and r (1 + u) <= (3 + 8u) u.
 /// Proof: proofs/edge_direct.g.
+/// Measured:   largest error / bound 0.962 (float32), 0.754 (float64): BoundsTest, climbing from
+///             seed 41, 2026-11-23.
 template <class T>
 inline constexpr double kDirectEdgeErrorMultiplier = 3 + 8.0 * rounding_epsilon<T>();
 
 /// |fused - E| <= multiplier u S + u |E|: the fused product has two roundings, the other one three.
 /// Proof: proofs/edge_direct.g.
+/// Measured:   0.959 (float32), as above.
 template <class T>
 inline constexpr double kDirectFmaEdgeErrorMultiplier = kDirectEdgeErrorMultiplier<T>;
 
@@ -61,6 +64,7 @@ inline constexpr double kDirectFmaEdgeErrorMultiplier = kDirectEdgeErrorMultipli
 /// u^2) S and |cd| <= (1 + u)^2 S leaves at most (2 + 7u) u S and (2 + u) u |E|. (Jeannerod,
 /// Louvet, Muller 2013 show 2u |D| for the last two steps; the difference is second order here.)
 /// Proof: proofs/edge_kahan.g.
+/// Measured:   0.818 (float32), 0.760 (float64), as above.
 template <class T>
 inline constexpr double kKahanEdgeErrorMultiplier = 2 + 7.0 * rounding_epsilon<T>();
 template <class T>
@@ -74,6 +78,7 @@ inline constexpr double kKahanEdgeRelError =
 /// a product of C the product, the difference and one sum: (1 + u)^3 - 1 <= (3 + 4u) u.
 /// Fused, no term carries more than A p.x does here: the products of C get one more sum.
 /// Proof: proofs/edge_affine.g.
+/// Measured:   0.704, fused 0.823 (float32), as above.
 template <class T>
 inline constexpr double kAffineLineErrorMultiplier = 4 + 7.0 * rounding_epsilon<T>();
 template <class T>
@@ -88,10 +93,10 @@ inline constexpr double kAffineFmaConstantErrorMultiplier = 4 + 7.0 * rounding_e
 /// Domain:     any; a, b, p are taken as values of the precision.
 /// Units:      pixels squared.
 /// Returns:    0 where the value is proved exact (every intermediate result fits the significand on
-///             the lattice of the coordinates); NaN where none is claimed: an input that is not
+///             the lattice of the coordinates); NaN where none is stated: an input that is not
 ///             finite or not of the precision, or an intermediate result that might overflow.
 /// Error:      rounded up: holds as printed.
-/// Measured:   weights_test, BoundsTest; largest observed error / bound in that test's output.
+/// Measured:   at the constants above; `barycentrics_test --gtest_filter='Bounds*'` prints them.
 double EdgeErrorBound(EdgeArithmetic arithmetic, Precision precision, Point2 a, Point2 b, Point2 p);
 
 /// Proven bounds after n = 0..steps steps of a walk from p; entry n bounds |walk[n] - E(p + n
@@ -103,8 +108,11 @@ double EdgeErrorBound(EdgeArithmetic arithmetic, Precision precision, Point2 a, 
 /// Properties: with E exact and D exact, one step adds at most half a unit in the last place of
 ///             |E|: n steps within one binade drift linearly in n, not as its square root.
 ///             Proof: proofs/increment.g for one step; the sum is induction.
-std::vector<double> WalkErrorBounds(EdgeArithmetic arithmetic, Precision precision, Point2 a,
-                                    Point2 b, Point2 p, Step step, int steps);
+/// Measured:   largest error / bound after 24 steps 0.997 (kIndexFma), 0.974 (kIndex), 0.969
+///             (kCompensated), 0.959 (kIncremental): BoundsTest, climbing from seed 43; after 16384
+///             steps 0.994 (kIncremental, 4 pixels off). 2026-11-23.
+std::vector<double> SteppingErrorBounds(EdgeArithmetic arithmetic, Precision precision, Point2 a,
+                                        Point2 b, Point2 p, Step step, int steps);
 
 /// An upper bound on the magnitude of E(a, b; p), within a few ulps of S of it.
 ///

@@ -38,4 +38,13 @@ PixelRect SampleBox(const std::array<Point2, 3>& v, const PixelRect& area) {
           FirstCentreBeyond(right, area.x0, area.x1), FirstCentreBeyond(bottom, area.y0, area.y1)};
 }
 
+std::optional<Corners3> PlaceAsGiven(const Corners3& given) {
+  if (!std::ranges::all_of(given, IsFinite)) return std::nullopt;
+  return given;
+}
+
+PixelRect BoxOfCorners(const Corners3& v, const PixelRect& target) {
+  return SampleBox({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}, target);
+}
+
 }  // namespace rasterproof::reference

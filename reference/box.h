@@ -3,10 +3,12 @@
 #define RASTERPROOF_REFERENCE_BOX_H_
 
 #include <array>
+#include <optional>
 
 #include "core/draw_options.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "reference/method.h"
 
 namespace rasterproof::reference {
 
@@ -31,6 +33,11 @@ inline bool IsEmpty(const PixelRect& r) { return r.x0 >= r.x1 || r.y0 >= r.y1; }
 /// Properties: no sample that the closed triangle contains is left out; none outside the points'
 ///             extent is taken in, so what a kernel evaluates stays within that extent.
 PixelRect SampleBox(const std::array<Point2, 3>& v, const PixelRect& area);
+
+/// The place stage of a method that draws vertices where they are given: nothing unless all are
+/// finite. The box stage of a window-space method.
+std::optional<Corners3> PlaceAsGiven(const Corners3& given);
+PixelRect BoxOfCorners(const Corners3& v, const PixelRect& target);
 
 }  // namespace rasterproof::reference
 

@@ -7,10 +7,32 @@
 #define RASTERPROOF_REFERENCE_EDGE_FORMS_H_
 
 #include <cmath>
+#include <concepts>
 
 #include "core/vertex.h"
 
 namespace rasterproof::reference {
+
+/// An edge form: built once an edge, evaluated at any point.
+///
+/// Domain:     Convert takes what the form's header allows; Centre(n), n < 2^16, is exact.
+/// Properties: Form(b, a, true) is E(a, b; .) evaluated from b: its values are exactly the
+/// negatives
+///             of those of Form(b, a, false).
+template <class F>
+concept EdgeForm = std::constructible_from<F, typename F::Point, typename F::Point, bool> &&
+                   requires(const F& form, typename F::Scalar x, Point2 p, int n) {
+                     { F::Convert(p) } -> std::same_as<typename F::Point>;
+                     { F::Centre(n) } -> std::same_as<typename F::Scalar>;
+                     { form.At(x, x) } -> std::same_as<typename F::Scalar>;
+                   };
+
+/// A form that can also be stepped: E(x + 1, y) - E(x, y) and E(x, y + 1) - E(x, y).
+template <class F>
+concept SteppedForm = EdgeForm<F> && requires(const F& form) {
+  { form.StepX() } -> std::same_as<typename F::Scalar>;
+  { form.StepY() } -> std::same_as<typename F::Scalar>;
+};
 
 /// A point in the number format of a kernel.
 template <class T>

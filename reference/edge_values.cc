@@ -13,7 +13,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 bool IsFinitePoint(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 /// The n-th point of a walk, or NaN where double would have to round it.
-Point2 WalkPoint(Point2 p, const Step& step, int n) {
+Point2 StepPoint(Point2 p, const Step& step, int n) {
   const double moved = static_cast<double>(step.sign) * step.length * n;
   double& c = step.along_y ? p.y : p.x;
   const double sum = c + moved;
@@ -25,7 +25,7 @@ Point2 WalkPoint(Point2 p, const Step& step, int n) {
 template <class F>
 std::vector<double> AtEachPoint(Point2 p, const Step& step, int steps, const F& f) {
   std::vector<double> values;
-  for (int n = 0; n <= steps; ++n) values.push_back(f(WalkPoint(p, step, n)));
+  for (int n = 0; n <= steps; ++n) values.push_back(f(StepPoint(p, step, n)));
   return values;
 }
 
@@ -58,13 +58,13 @@ double ExactEdgeValues::ErrorBound(Point2 a, Point2 b, Point2 p) const {
                    std::numeric_limits<double>::denorm_min();
 }
 
-std::vector<double> ExactEdgeValues::Walk(Point2 a, Point2 b, Point2 p, Step step,
-                                          int steps) const {
+std::vector<double> ExactEdgeValues::Steps(Point2 a, Point2 b, Point2 p, Step step,
+                                           int steps) const {
   return AtEachPoint(p, step, steps, [&](Point2 at) { return Value(a, b, at); });
 }
 
-std::vector<double> ExactEdgeValues::WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                                     int steps) const {
+std::vector<double> ExactEdgeValues::SteppingErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                                         int steps) const {
   return AtEachPoint(p, step, steps, [&](Point2 at) { return ErrorBound(a, b, at); });
 }
 
@@ -95,15 +95,15 @@ double IntegerEdgeValues<I, kBits>::ErrorBound(Point2 a, Point2 b, Point2 p) con
 }
 
 template <class I, int kBits>
-std::vector<double> IntegerEdgeValues<I, kBits>::Walk(Point2 a, Point2 b, Point2 p, Step step,
-                                                      int steps) const {
+std::vector<double> IntegerEdgeValues<I, kBits>::Steps(Point2 a, Point2 b, Point2 p, Step step,
+                                                       int steps) const {
   using Form = IntegerForm<I, kBits>;
   const Point2 sa = Form::Snapped(a);
   const Point2 sb = Form::Snapped(b);
   const Point2 sp = Form::Snapped(p);
   // The sums pass through E at every point of the walk, so its far end bounds them all.
   if (!Form::Fits(sa) || !Form::Fits(sb) || !Form::Fits(sp) ||
-      !Form::Fits(WalkPoint(sp, step, steps))) {
+      !Form::Fits(StepPoint(sp, step, steps))) {
     return AtEachPoint(sp, step, steps, [&](Point2 at) { return Value(a, b, at); });
   }
   const Form form(Form::Convert(sa), Form::Convert(sb), false);
@@ -118,8 +118,8 @@ std::vector<double> IntegerEdgeValues<I, kBits>::Walk(Point2 a, Point2 b, Point2
 }
 
 template <class I, int kBits>
-std::vector<double> IntegerEdgeValues<I, kBits>::WalkErrorBounds(Point2 a, Point2 b, Point2 p,
-                                                                 Step step, int steps) const {
+std::vector<double> IntegerEdgeValues<I, kBits>::SteppingErrorBounds(Point2 a, Point2 b, Point2 p,
+                                                                     Step step, int steps) const {
   return AtEachPoint(p, step, steps, [&](Point2 at) { return ErrorBound(a, b, at); });
 }
 

@@ -11,10 +11,10 @@
 #include "core/evaluators.h"
 #include "core/scene.h"
 #include "reference/bounds.h"
+#include "reference/edge_ownership.h"
 #include "reference/edge_walks.h"
 #include "reference/exact_sign.h"
 #include "reference/integer_form.h"
-#include "reference/tie_rule.h"
 
 namespace rasterproof::reference {
 
@@ -30,14 +30,14 @@ class FloatEdgeValues final : public EdgeEvaluator {
     Order(a, b);
     return EdgeErrorBound(kArithmetic, kPrecision, a, b, p);
   }
-  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+  std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
     const auto at = Form::Convert(p);
     return Walk_::Values(FormOf(a, b), at.x, at.y, step, steps);
   }
-  std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                      int steps) const override {
+  std::vector<double> SteppingErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                          int steps) const override {
     Order(a, b);
-    return reference::WalkErrorBounds(kArithmetic, kPrecision, a, b, p, step, steps);
+    return reference::SteppingErrorBounds(kArithmetic, kPrecision, a, b, p, step, steps);
   }
 
  private:
@@ -62,9 +62,9 @@ class ExactEdgeValues final : public EdgeEvaluator {
  public:
   double Value(Point2 a, Point2 b, Point2 p) const override;
   double ErrorBound(Point2 a, Point2 b, Point2 p) const override;
-  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override;
-  std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                      int steps) const override;
+  std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const override;
+  std::vector<double> SteppingErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                          int steps) const override;
 };
 
 /// Edge values of snapped points in pixels squared, from integers inside the proven domain and from
@@ -77,9 +77,9 @@ class IntegerEdgeValues final : public EdgeEvaluator {
  public:
   double Value(Point2 a, Point2 b, Point2 p) const override;
   double ErrorBound(Point2 a, Point2 b, Point2 p) const override;
-  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override;
-  std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                      int steps) const override;
+  std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const override;
+  std::vector<double> SteppingErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                          int steps) const override;
 };
 
 }  // namespace rasterproof::reference

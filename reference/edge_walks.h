@@ -10,15 +10,39 @@
 #define RASTERPROOF_REFERENCE_EDGE_WALKS_H_
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
 #include "core/evaluators.h"
 #include "reference/bounds.h"
+#include "reference/edge_forms.h"
 
 namespace rasterproof::reference {
 
-/// Adds a step as often as it is told to, and rounds each time.
+/// A running sum: adds a step as often as it is told to.
+template <class S, class T>
+concept StepSum = std::constructible_from<S, T> && requires(S sum, const S& said, T step) {
+  sum.Add(step);
+  { said.Rounded() } -> std::same_as<T>;
+};
+
+/// A way along the rows of a box.
+///
+/// Domain:     RowStart(j) for rows j that never decrease, from the row that the walk was built at.
+/// Returns:    a cursor at the box's first column; Value(i) is E at column i, which is where Next
+///             (one column) and Skip (n columns) have brought it.
+template <class W>
+concept RowWalking =
+    EdgeForm<typename W::Form> && std::constructible_from<W, const typename W::Form&, int, int> &&
+    requires(W walk, typename W::Cursor cursor, const typename W::Cursor& at, int n) {
+      { walk.RowStart(n) } -> std::same_as<typename W::Cursor>;
+      { at.Value(n) } -> std::same_as<typename W::T>;
+      cursor.Next();
+      cursor.Skip(n);
+    };
+
+/// Rounds each addition.
 template <class T>
 struct PlainSum {
   T sum;
@@ -50,14 +74,14 @@ T StepsInPixels(const Step& step, int n) {
 }
 
 /// What one step adds: +-L dY or -+L dX, the product rounded once.
-template <class Form>
+template <SteppedForm Form>
 typename Form::Scalar StepValue(const Form& form, const Step& step) {
   using T = typename Form::Scalar;
   return StepsInPixels<T>(step, 1) * (step.along_y ? form.StepY() : form.StepX());
 }
 
 /// E evaluated afresh at the n-th point of a walk.
-template <class Form>
+template <EdgeForm Form>
 typename Form::Scalar FreshValue(const Form& form, typename Form::Scalar x, typename Form::Scalar y,
                                  const Step& step, int n) {
   const auto moved = StepsInPixels<typename Form::Scalar>(step, n);
@@ -65,7 +89,7 @@ typename Form::Scalar FreshValue(const Form& form, typename Form::Scalar x, type
 }
 
 /// E evaluated afresh at every sample.
-template <class F>
+template <EdgeForm F>
 class FreshWalk {
  public:
   using Form = F;
@@ -91,8 +115,9 @@ class FreshWalk {
   F form_;
 };
 
-/// Pineda's walk: E once at the box's corner, additions from there on, down and across.
-template <class F, template <class> class Sum = PlainSum>
+/// Pineda's increments: E once at the box's corner, additions from there on, down and across.
+template <SteppedForm F, template <class> class Sum = PlainSum>
+  requires StepSum<Sum<typename F::Scalar>, typename F::Scalar>
 class CornerWalk {
  public:
   using Form = F;
@@ -131,11 +156,11 @@ class CornerWalk {
   T step_x_, step_y_;
 };
 
-template <class F>
+template <SteppedForm F>
 using CompensatedWalk = CornerWalk<F, CompensatedSum>;
 
 /// E afresh at the first column of each row, additions across.
-template <class F>
+template <SteppedForm F>
 class RowWalk {
  public:
   using Form = F;
@@ -158,7 +183,7 @@ class RowWalk {
 /// E afresh at every column that is a multiple of 16, additions between. The anchors belong to the
 /// target, not to the triangle: with canonical edges both triangles of a shared edge see one
 /// number.
-template <class F>
+template <SteppedForm F>
 class AnchoredWalk {
  public:
   using Form = F;
@@ -215,7 +240,7 @@ struct FusedSum {
 };
 
 /// E at the row's first column plus the column's index times dY: no step depends on the one before.
-template <class F, template <class> class Sum>
+template <SteppedForm F, template <class> class Sum>
 class IndexWalk {
  public:
   using Form = F;
@@ -249,9 +274,9 @@ class IndexWalk {
   int x0_;
 };
 
-template <class F>
+template <SteppedForm F>
 using PlainIndexWalk = IndexWalk<F, ProductThenSum>;
-template <class F>
+template <SteppedForm F>
 using FusedIndexWalk = IndexWalk<F, FusedSum>;
 
 }  // namespace rasterproof::reference

@@ -8,8 +8,8 @@ namespace rasterproof::reference {
 std::vector<Method> Float64Methods() {
   using Direct = DirectForm<double>;
   return {
-      FloatMethod<CornerWalk<Direct>, EdgeArithmetic::kIncremental>("f64-incremental",
-                                                                    "Pineda's walk in double"),
+      FloatMethod<CornerWalk<Direct>, EdgeArithmetic::kIncremental>(
+          "f64-incremental", "Pineda's increments in double"),
       FloatMethod<FreshWalk<Direct>, EdgeArithmetic::kDirect>("f64-direct",
                                                               "the direct form in double"),
       FloatMethod<FreshWalk<KahanForm<double>>, EdgeArithmetic::kKahan>(

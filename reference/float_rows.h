@@ -5,16 +5,17 @@
 #include <string_view>
 #include <type_traits>
 
-#include "reference/draw.h"
 #include "reference/edge_forms.h"
 #include "reference/edge_values.h"
 #include "reference/edge_walks.h"
+#include "reference/fill.h"
 #include "reference/method_rows.h"
 #include "reference/proved.h"
 
 namespace rasterproof::reference {
 
-template <class Walk, EdgeArithmetic kArithmetic, TieRule kTies = TieRule::kTopLeft>
+template <RowWalking Walk, EdgeArithmetic kArithmetic,
+          EdgeOwnership kTies = EdgeOwnership::kTopLeft>
 Method FloatMethod(std::string_view name, std::string_view summary) {
   static const FloatEdgeValues<Walk, kArithmetic, false> own_direction;
   static const FloatEdgeValues<Walk, kArithmetic, true> canonical;
@@ -23,7 +24,8 @@ Method FloatMethod(std::string_view name, std::string_view summary) {
   // The bound of an edge is that of the edge reversed: canonical edges share the proofs.
   method.info.proofs = EdgeProofs(kArithmetic);
   method.can_be_canonical = true;
-  method.draw = &DrawScene<Walk, kTies>;
+  method.stages.facing = &FacingBy<typename Walk::Form>;
+  method.stages.fill = &FillByWalk<Walk, kTies>;
   method.edges = &own_direction;
   method.canonical_edges = &canonical;
   return method;

@@ -21,8 +21,8 @@ constexpr float kNothing = std::numeric_limits<float>::infinity();
 ///
 /// With rows V_i = (x_i, y_i, w_i), the point (p.x, p.y, 1) is sum beta_i V_i, and beta_i is
 /// proportional to (V_j x V_k) . (p.x, p.y, 1), edge jk opposite vertex i. Then beta_i / sum beta
-/// are the (perspective-correct) weights and sum beta_i z_i / sum beta_i w_i is z / w there. In
-/// window space w = 1: the beta_i are the edge values, anchored at a vertex to lose nothing to
+/// are the (perspective-correct) barycentrics and sum beta_i z_i / sum beta_i w_i is z / w there.
+/// In window space w = 1: the beta_i are the edge values, anchored at a vertex to lose nothing to
 /// cancellation far from the origin.
 class Interpolant {
  public:
@@ -39,7 +39,7 @@ class Interpolant {
   void MoveTo(double x, double y) {
     for (std::size_t i = 0; i < 3; ++i) beta_[i] = lines_[i].At(x, y);
   }
-  std::array<float, 3> Weights() const {
+  std::array<float, 3> Barycentrics() const {
     const double sum = beta_[0] + beta_[1] + beta_[2];
     return {static_cast<float>(beta_[0] / sum), static_cast<float>(beta_[1] / sum),
             static_cast<float>(beta_[2] / sum)};
@@ -87,7 +87,7 @@ PixelRect FragmentBox(const std::array<Vertex, 3>& v, bool clip_space, const Pix
 }
 
 /// Shades the samples of one triangle that `counts` says are covered, and clears them there.
-template <bool kWeights, bool kDistance>
+template <bool kBarycentrics, bool kDistance>
 void ShadeTriangle(Interpolant& interpolant, std::int32_t triangle, const PixelRect& box,
                    CoverageCounts& counts, FragmentBuffers& out) {
   for (int j = box.y0; j < box.y1; ++j) {
@@ -100,7 +100,7 @@ void ShadeTriangle(Interpolant& interpolant, std::int32_t triangle, const PixelR
       if (out.triangle[n] >= 0 && !(depth < out.depth[n])) continue;
       out.triangle[n] = triangle;
       out.depth[n] = depth;
-      if constexpr (kWeights) out.weights[n] = interpolant.Weights();
+      if constexpr (kBarycentrics) out.barycentrics[n] = interpolant.Barycentrics();
       if constexpr (kDistance) out.edge_distance[n] = interpolant.EdgeDistance();
     }
   }
@@ -109,7 +109,7 @@ void ShadeTriangle(Interpolant& interpolant, std::int32_t triangle, const PixelR
 using Shade = decltype(&ShadeTriangle<false, false>);
 
 Shade ShaderFor(const Needs& needs) {
-  if (needs.weights) {
+  if (needs.barycentrics) {
     return needs.edge_distance ? &ShadeTriangle<true, true> : &ShadeTriangle<true, false>;
   }
   return needs.edge_distance ? &ShadeTriangle<false, true> : &ShadeTriangle<false, false>;
@@ -122,7 +122,7 @@ FragmentBuffers EmptyBuffers(const Scene& scene, const Needs& needs) {
   out.height = scene.height;
   out.triangle.assign(size, -1);
   out.depth.assign(size, kNothing);  // the nearest triangle is found by it, asked for or not
-  if (needs.weights) out.weights.assign(size, {0, 0, 0});
+  if (needs.barycentrics) out.barycentrics.assign(size, {0, 0, 0});
   if (needs.edge_distance) out.edge_distance.assign(size, kNothing);
   return out;
 }
@@ -148,7 +148,7 @@ FragmentBuffers RasterizeFragments(const Scene& scene, const Method& method,
       if (IsEmpty(box) || !std::ranges::all_of(v, IsFinite)) continue;
       single.vertices.assign(v.begin(), v.end());
       within.scissor = box;
-      method.draw(single, within, counts);
+      Rasterize(single, method, within, counts);
       Interpolant interpolant(v, scene.clip_space);
       shade(interpolant, static_cast<std::int32_t>(t), box, counts, out);
     }

@@ -30,11 +30,13 @@ std::span<const Method> HomogeneousMethods();
 ///
 /// A term carries its product, the difference, the product with p and two sums: five roundings,
 /// (1 + u)^5 - 1 <= (5 + 11u) u. Proof: proofs/homogeneous.g.
+/// Measured:   largest error / bound 0.451 (float32), 0.518 (float64): HomogeneousBoundTest, fixed
+///             seeds, 2026-11-23.
 template <class T>
 inline constexpr double kHomogeneousErrorMultiplier = 5 + 11.0 * rounding_epsilon<T>();
 
 /// Adds the exact homogeneous coverage of the scene to `counts`: the counts of the profile's
-/// canonical model, for any fill rule, sample lattice and y axis.
+/// canonical model, for any tie rule, sample pattern and y axis.
 ///
 /// Domain:     finite or not, any w (window-space vertices have w = 1); the profile's snap is not
 ///             applied. Counts of the scene's size and the profile's samples.

@@ -4,13 +4,26 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
+#include "reference/edge_ownership.h"
 #include "reference/homogeneous.h"
-#include "reference/tie_rule.h"
 
 namespace rasterproof::reference {
+
+/// What a homogeneous edge can do: built of two clip-space vertices, the facing that makes its
+/// inside positive, the tie rule and the largest |p.x| and |p.y| that it is asked about; then it
+/// says whether a sample is inside.
+template <class E>
+concept HomogeneousEdge =
+    std::constructible_from<E, const Vertex&, const Vertex&, int, const TieRule&, Point2> &&
+    requires(const E& edge, const std::array<Vertex, 3>& v, double x, double y) {
+      { E::Facing(v) } -> std::same_as<int>;
+      { edge.Contains(x, y) } -> std::same_as<bool>;
+      { edge.MayTouch(x, x, y) } -> std::same_as<bool>;
+    };
 
 /// N = V_j x V_i over (x, y, w), every operation rounded once to T.
 template <class T>
@@ -33,7 +46,7 @@ struct HomogeneousNormal {
 /// Whether a sample exactly on the edge is the triangle's: the sample moves by the rule's shift,
 /// and the value with it by (sign_x e) N.x and (sign_y e^2) N.y, in the rule's order.
 template <class T>
-bool OwnsTies(T nx, T ny, const FillRule& rule) {
+bool OwnsTies(T nx, T ny, const TieRule& rule) {
   if (!rule.IsConsistent()) return rule.inclusive;
   const T by_x = rule.sign_x > 0 ? nx : -nx;
   const T by_y = rule.sign_y > 0 ? ny : -ny;
@@ -47,7 +60,7 @@ template <class T>
 class FloatHomogeneousEdge {
  public:
   /// `facing`: +1 or -1, so that the inside is positive.
-  FloatHomogeneousEdge(const Vertex& vi, const Vertex& vj, int facing, const FillRule& rule,
+  FloatHomogeneousEdge(const Vertex& vi, const Vertex& vj, int facing, const TieRule& rule,
                        Point2 /*extent*/)
       : normal_(facing > 0 ? HomogeneousNormal<T>(vi, vj) : HomogeneousNormal<T>(vj, vi)),
         from_(InsideFrom<T>(OwnsTies(normal_.x, normal_.y, rule))) {}
@@ -79,7 +92,7 @@ class FloatHomogeneousEdge {
 class ExactHomogeneousEdge {
  public:
   /// `extent`: the largest |p.x| and |p.y| that will be asked about.
-  ExactHomogeneousEdge(const Vertex& vi, const Vertex& vj, int facing, const FillRule& rule,
+  ExactHomogeneousEdge(const Vertex& vi, const Vertex& vj, int facing, const TieRule& rule,
                        Point2 extent);
 
   static int Facing(const std::array<Vertex, 3>& v) {

@@ -68,7 +68,7 @@ int ExactHomogeneousFacing(const Vertex& v0, const Vertex& v1, const Vertex& v2)
 }
 
 ExactHomogeneousEdge::ExactHomogeneousEdge(const Vertex& vi, const Vertex& vj, int facing,
-                                           const FillRule& rule, Point2 extent)
+                                           const TieRule& rule, Point2 extent)
     : vi_(facing > 0 ? vi : vj),
       vj_(facing > 0 ? vj : vi),
       normal_(vi_, vj_),

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/box.h"
 #include "reference/homogeneous.h"
 #include "reference/method_rows.h"
 
@@ -33,8 +34,10 @@ Method WindowMethod(std::string_view name, std::string_view summary, Precision i
   method.info.summary = summary;
   method.info.input = input;
   method.info.profile.snap = snap;
+  method.stages.place = &PlaceAsGiven;
+  method.stages.box = &BoxOfCorners;
   if (snap.IsNone()) {
-    // Real geometry is promised for every finite coordinate of the input format.
+    // Real geometry is stated for every finite coordinate of the input format.
     method.info.profile.coordinate_limit = input == Precision::kFloat32
                                                ? double{std::numeric_limits<float>::max()}
                                                : std::numeric_limits<double>::max();

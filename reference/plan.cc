@@ -12,13 +12,14 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
 #include "reference/homogeneous.h"
 #include "reference/method.h"
 #include "reference/plan_kernel.h"
 #include "reference/plan_scene.h"
+#include "reference/rasterize.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -98,7 +99,7 @@ void DrawBySpans(const Scene& scene, const Profile& profile, const DrawOptions& 
                  CoverageCounts& counts) {
   RasterOptions raster;
   static_cast<DrawOptions&>(raster) = options;
-  FindMethod("spans-exact")->draw(kSnap ? SnapScene(scene, profile) : scene, raster, counts);
+  Rasterize(kSnap ? SnapScene(scene, profile) : scene, *FindMethod("spans-exact"), raster, counts);
 }
 template <bool kSnap>
 void DrawWide(const Scene& scene, const Profile& profile, const DrawOptions& options,
@@ -106,8 +107,8 @@ void DrawWide(const Scene& scene, const Profile& profile, const DrawOptions& opt
   DrawHomogeneousExact(kSnap ? SnapScene(scene, profile) : scene, profile, options, counts);
 }
 bool SpansServe(const Profile& profile) {
-  return profile.fill_rule == kTopLeft && profile.y_axis == YAxis::kDown &&
-         profile.lattice == SampleLattice{};
+  return profile.tie_rule == kTopLeft && profile.y_axis == YAxis::kDown &&
+         profile.pattern == SamplePattern{};
 }
 
 void DrawSnappedProjection(const Scene& scene, const Profile& profile, const DrawOptions& options,
@@ -122,7 +123,7 @@ void AddOutputReasons(Plan& plan, const Needs& needs) {
         {std::move(stage), needed ? "kept" : "left out",
          needed ? "asked for: RasterizeFragments computes it" : "not asked for"});
   };
-  add("weights", needs.weights);
+  add("barycentrics", needs.barycentrics);
   add("depth", needs.depth);
   add("wireframe", needs.edge_distance);
 }
@@ -244,17 +245,18 @@ InputError Unplanned(const Profile& profile, const std::string& reason, const st
 }
 
 void RequireKernelFor(const Scene& scene, const Profile& profile) {
-  if (!profile.crossing.IsNone()) {
-    throw Unplanned(profile, "it rounds where edges cross rows, and no kernel of the plan does",
-                    "leave out crossing, or draw by the oracle (coverage --subject exact)");
+  if (!profile.scanline_rounding.IsNone()) {
+    throw Unplanned(
+        profile, "it rounds where edges cross rows, and no kernel of the plan does",
+        "leave out scanline_rounding, or draw by the oracle (coverage --subject exact)");
   }
   if (IsHomogeneous(scene, profile) && !PlacesClipSpace(profile)) {
     throw Unplanned(profile, "its fixed-point input or its largest extent is of window space",
                     "give vertices [x, y]");
   }
   const Profile resolved = ForTarget(profile, scene.width, scene.height);
-  if (resolved.snap != profile.snap || resolved.lattice != profile.lattice ||
-      resolved.fill_rule != profile.fill_rule) {
+  if (resolved.snap != profile.snap || resolved.pattern != profile.pattern ||
+      resolved.tie_rule != profile.tie_rule) {
     throw Unplanned(profile, "it says something else of targets of this size",
                     "resolve it first: ForTarget(profile, width, height)");
   }

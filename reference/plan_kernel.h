@@ -16,11 +16,11 @@
 #include "core/scene.h"
 #include "reference/bands.h"
 #include "reference/box.h"
+#include "reference/edge_ownership.h"
 #include "reference/homogeneous_edges.h"
 #include "reference/machine.h"
 #include "reference/plan_scene.h"
 #include "reference/sample_grid.h"
-#include "reference/tie_rule.h"
 
 namespace rasterproof::reference {
 
@@ -155,7 +155,7 @@ struct PlanTriangle {
 };
 template <class T, bool kTies>
 PlanTriangle<T> OrientEdges(const std::array<Point2, 3>& v, bool front,
-                            const PlanArithmetic<T>& arithmetic, const FillRule& rule) {
+                            const PlanArithmetic<T>& arithmetic, const TieRule& rule) {
   const auto edge = [&](std::size_t from, std::size_t to) {
     // Vertices i and i + 1 are ends in drawing order, which is the order of a front-facing edge.
     const bool in_order = ((from + 1) % 3 == to) == front;
@@ -232,7 +232,7 @@ void DrawPlannedTriangle(const std::array<Point2, 3>& v, const PlanArithmetic<T>
     if (cull == (front ? Cull::kFront : Cull::kBack)) return;
   }
   const PlanTriangle<T> triangle =
-      OrientEdges<T, kStages.ties>(v, front, arithmetic, profile.fill_rule);
+      OrientEdges<T, kStages.ties>(v, front, arithmetic, profile.tie_rule);
   const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
   const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
   const int samples = grid.samples();

@@ -20,7 +20,7 @@ Proof Direct() {
 std::vector<Proof> DirectAnd(Proof step) { return {Direct(), std::move(step)}; }
 
 Proof OneStep() {
-  return {"one step of the walk is off by at most half an ulp of its sum's binade", "increment.g"};
+  return {"one step is off by at most half an ulp of its sum's binade", "increment.g"};
 }
 
 }  // namespace
@@ -80,13 +80,13 @@ std::vector<Proof> HomogeneousProofs() {
        "homogeneous.g"}};
 }
 
-std::vector<Proof> WeightProofs() {
-  return {{"weights over the sum of edge values of one sign add up to 1 within (3 + 8u) u, "
+std::vector<Proof> BarycentricProofs() {
+  return {{"barycentrics over the sum of edge values of one sign add up to 1 within (3 + 8u) u, "
            "underflow apart",
-           "weights_sum.g"},
-          {"inside the triangle (1 - l0) - l1 is off by at most u", "weights_one_minus.g"},
-          {"a weight times its height carries at most three roundings, (3 + 4u) u",
-           "weights_distance.g"}};
+           "barycentrics_sum.g"},
+          {"inside the triangle (1 - l0) - l1 is off by at most u", "barycentrics_one_minus.g"},
+          {"a barycentric times its height carries at most three roundings, (3 + 4u) u",
+           "barycentrics_distance.g"}};
 }
 
 }  // namespace rasterproof::reference

@@ -19,8 +19,8 @@ std::vector<Proof> IntegerProofs();
 /// Of edges of (x, y, w) vertices, by V_j x V_i.
 std::vector<Proof> HomogeneousProofs();
 
-/// Of ReferenceWeights, in either precision.
-std::vector<Proof> WeightProofs();
+/// Of ReferenceBarycentrics, in either precision.
+std::vector<Proof> BarycentricProofs();
 
 }  // namespace rasterproof::reference
 

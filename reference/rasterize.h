@@ -22,7 +22,7 @@ void Rasterize(const Scene& scene, const Method& method, const RasterOptions& op
 
 /// What else a caller may ask for. What is not asked for is compiled out of the kernel that runs.
 struct Needs {
-  bool weights = false;
+  bool barycentrics = false;
   bool depth = false;
   bool edge_distance = false;
 };

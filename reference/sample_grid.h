@@ -23,7 +23,7 @@ struct SampleGrid {
   bool y_up = false;
 
   SampleGrid(const Profile& profile, int height) : y_up(profile.y_axis == YAxis::kUp) {
-    for (const Point2& l : profile.lattice.locations) {
+    for (const Point2& l : profile.pattern.locations) {
       offsets.push_back({l.x, y_up ? 1 - height - l.y : l.y});
     }
   }

@@ -14,11 +14,11 @@ namespace rasterproof::reference {
 namespace {
 
 /// Adds one to the span [x0, x1) of each row in [row0, row1) between two edges.
-void FillRows(const RowCrossing& one, const RowCrossing& other, int row0, int row1,
-              const PixelRect& clip, std::uint32_t* counts, int width) {
+void FillRows(const RowCrossing& one, const RowCrossing& other, int row0, int row1, FillTarget to) {
+  const auto [counts, width] = std::pair{to.counts, to.width};
   for (int j = row0; j < row1; ++j) {
-    const int at_one = one.At(j, clip.x0, clip.x1);
-    const int at_other = other.At(j, clip.x0, clip.x1);
+    const int at_one = one.At(j, to.area.x0, to.area.x1);
+    const int at_other = other.At(j, to.area.x0, to.area.x1);
     std::uint32_t* const row = counts + static_cast<std::ptrdiff_t>(j) * width;
     const int end = std::max(at_one, at_other);
     for (int i = std::min(at_one, at_other); i < end; ++i) ++row[i];
@@ -55,27 +55,21 @@ int RowCrossing::ResolveAt(int j, int column) const {
   return IsAtOrRightOf(column, j) ? column : column + 1;
 }
 
-void DrawSpans(const std::array<Point2, 3>& v, const PixelRect& clip, Cull cull,
-               CoverageCounts& counts) {
-  if (IsEmpty(clip)) return;
-  std::array<Point2, 3> by_y = v;
+int ExactFacing(const Corners3& v, const RasterOptions& /*options*/) {
+  return EdgeSign(WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2]));
+}
+
+void FillSpans(const Corners3& v, const RasterOptions& /*options*/, const FillTarget& to) {
+  std::array<Point2, 3> by_y{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
   std::ranges::sort(by_y, {}, &Point2::y);
   const auto& [top, middle, bottom] = by_y;
-  const auto [first, last] = RowsBetween(top.y, bottom.y, clip);
+  const auto [first, last] = RowsBetween(top.y, bottom.y, to.area);
   if (first >= last) return;
-  const int facing = EdgeSign(v[0], v[1], v[2]);
-  if (facing == 0 || cull == (facing > 0 ? Cull::kFront : Cull::kBack)) return;
-
-  std::uint32_t* const buffer = (facing > 0 ? counts.front : counts.back).data();
   const RowCrossing whole(top, bottom);
   const int bend = FirstCentreFrom(middle.y, first, last);
   RunForThisMachine([&] {
-    if (first < bend) {
-      FillRows(whole, RowCrossing(top, middle), first, bend, clip, buffer, counts.width);
-    }
-    if (bend < last) {
-      FillRows(whole, RowCrossing(middle, bottom), bend, last, clip, buffer, counts.width);
-    }
+    if (first < bend) FillRows(whole, RowCrossing(top, middle), first, bend, to);
+    if (bend < last) FillRows(whole, RowCrossing(middle, bottom), bend, last, to);
   });
 }
 

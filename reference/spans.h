@@ -2,13 +2,11 @@
 #ifndef RASTERPROOF_REFERENCE_SPANS_H_
 #define RASTERPROOF_REFERENCE_SPANS_H_
 
-#include <array>
 #include <cstdint>
 
-#include "core/coverage.h"
-#include "core/draw_options.h"
 #include "core/vertex.h"
 #include "reference/exact_sign.h"
+#include "reference/method.h"
 
 namespace rasterproof::reference {
 
@@ -72,12 +70,12 @@ class RowCrossing {
   bool guess_is_proved_;
 };
 
-/// Adds the coverage of one triangle to `counts`, inside `clip`.
+/// The facing and fill stages of exact spans.
 ///
-/// Domain:     finite vertices; clip within the target.
-/// Error:      none: sample-exact for every finite double, top-left, either winding.
-void DrawSpans(const std::array<Point2, 3>& v, const PixelRect& clip, Cull cull,
-               CoverageCounts& counts);
+/// Domain:     finite vertices, fill in either winding.
+/// Error:      none: sample-exact for every finite double, top-left.
+int ExactFacing(const Corners3& v, const RasterOptions& options);
+void FillSpans(const Corners3& v, const RasterOptions& options, const FillTarget& to);
 
 }  // namespace rasterproof::reference
 

@@ -1,4 +1,4 @@
-// Exact tier of homogeneous edges: sums of products of three finite doubles, in integers.
+// Exact sums of products of three doubles, in integers: the last tier of homogeneous edges.
 #ifndef RASTERPROOF_REFERENCE_TRIPLE_SUM_H_
 #define RASTERPROOF_REFERENCE_TRIPLE_SUM_H_
 

@@ -66,7 +66,7 @@ T CrossLength(const Vector<T>& a, const Vector<T>& b) {
 }
 
 template <class T>
-std::array<double, 3> UnsignedWeightsIn(const std::array<Point3, 3>& v, Point3 p) {
+std::array<double, 3> UnsignedBarycentricsIn(const std::array<Point3, 3>& v, Point3 p) {
   const Vector<T> ab(v[0], v[1]);
   const Vector<T> bc(v[1], v[2]);
   const T whole = CrossLength(ab, bc);
@@ -85,10 +85,10 @@ std::array<Point3, 3> ReconstructionErrorBounds(Precision precision, const Surfa
   return precision == Precision::kFloat32 ? BoundsIn<float>(point) : BoundsIn<double>(point);
 }
 
-std::array<double, 3> UnsignedWeights(Precision precision, const std::array<Point3, 3>& v,
-                                      Point3 p) {
-  return precision == Precision::kFloat32 ? UnsignedWeightsIn<float>(v, p)
-                                          : UnsignedWeightsIn<double>(v, p);
+std::array<double, 3> UnsignedBarycentrics(Precision precision, const std::array<Point3, 3>& v,
+                                           Point3 p) {
+  return precision == Precision::kFloat32 ? UnsignedBarycentricsIn<float>(v, p)
+                                          : UnsignedBarycentricsIn<double>(v, p);
 }
 
 }  // namespace rasterproof::reference

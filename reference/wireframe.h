@@ -1,4 +1,5 @@
-// Wireframe on a surface in space: a triangle recovered from one shaded point, and its weights.
+// Wireframe on a surface in space: a triangle recovered from one shaded point, and its
+// barycentrics.
 #ifndef RASTERPROOF_REFERENCE_WIREFRAME_H_
 #define RASTERPROOF_REFERENCE_WIREFRAME_H_
 
@@ -29,25 +30,26 @@ struct SurfacePoint {
 
 /// The triangle's vertices: A = (P - u dPdu) - v dPdv, B = A + dPdu, C = A + dPdv.
 ///
-/// Precondition of the renderer: its u, v belong to that parametrisation. Then the weights of P are
-/// 1 - u - v at A, u at B, v at C.
+/// Precondition of the renderer: its u, v belong to that parametrisation. Then the barycentrics of
+/// P are 1 - u - v at A, u at B, v at C.
 /// Error:      rounded once an operation in the precision; see ReconstructionErrorBounds.
 std::array<Point3, 3> ReconstructVertices(Precision precision, const SurfacePoint& point);
 
 /// Proven bounds, entry by entry, on the distance of each coordinate from the exact one; NaN where
-/// none is claimed (overflow, or an input that is not of the precision).
+/// none is stated (overflow, or an input that is not of the precision).
 std::array<Point3, 3> ReconstructionErrorBounds(Precision precision, const SurfacePoint& point);
 
-/// Unsigned weights of p in the plane of a triangle in space: entries 0 and 2 are the lengths of
-/// cross products over that of the whole, entry 1 is what is left of 1; entry i belongs to vertex
-/// i.
+/// Unsigned barycentrics of p in the plane of a triangle in space: entries 0 and 2 are the lengths
+/// of cross products over that of the whole, entry 1 is what is left of 1; entry i belongs to
+/// vertex i.
 ///
-/// Domain:     p in the closed triangle. Outside it a length has lost its sign, and the weights
+/// Domain:     p in the closed triangle. Outside it a length has lost its sign, and the
+/// barycentrics
 ///             can look like those of an inside point: A = (0,0), B = (4,0), C = (0,4), p = (2,-1)
-///             has weights (3/4, 1/2, -1/4) and is given (3/4, 0, 1/4).
+///             has barycentrics (3/4, 1/2, -1/4) and is given (3/4, 0, 1/4).
 /// Returns:    NaN or infinities for a triangle of zero area.
-std::array<double, 3> UnsignedWeights(Precision precision, const std::array<Point3, 3>& v,
-                                      Point3 p);
+std::array<double, 3> UnsignedBarycentrics(Precision precision, const std::array<Point3, 3>& v,
+                                           Point3 p);
 
 }  // namespace rasterproof::reference
 

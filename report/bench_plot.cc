@@ -72,8 +72,8 @@ void WriteDifference(JsonWriter& json, std::string_view key, const CoverageDiffe
   json.Key("samples").Integer(difference.samples);
   json.Key("covered").Integer(difference.covered);
   json.Key("wrong").Integer(difference.wrong);
-  json.Key("gaps").Integer(difference.gaps);
-  json.Key("overlaps").Integer(difference.overlaps);
+  json.Key("missing").Integer(difference.missing);
+  json.Key("unexpected").Integer(difference.unexpected);
   json.Key("wrong_per_million_box_pixels").Rounded(PerMillion(difference.wrong, box_pixels));
   json.Key("wrong_per_million_covered").Rounded(PerMillion(difference.wrong, difference.covered));
   json.EndObject();
@@ -169,13 +169,13 @@ std::string BenchToTable(const BenchResult& result) {
     table += fmt::format("\n{}: {} triangles, {} box pixels, {} samples covered\n", family.family,
                          first.triangles, first.box_pixels, first.against_real.covered);
     table += fmt::format("  {:<28} {:>17} {:>12} {:>12} {:>9} {:>9} {:>9}\n", "subject", "time",
-                         "wrong / M box", "/ M covered", "gaps", "overlaps", "own wrong");
+                         "wrong / M box", "/ M covered", "missing", "unexpected", "own wrong");
     for (const BenchRow* row : family.rows) {
-      table +=
-          fmt::format("  {:<28} {:>8.3f} ({:>6.3f}) {:>13.4g} {:>12.4g} {:>9} {:>9} {:>9}\n",
-                      row->subject, row->ratio, MedianRatio(*row), WrongPerMillion(*row),
-                      PerMillion(row->against_real.wrong, row->against_real.covered),
-                      row->against_real.gaps, row->against_real.overlaps, row->against_own.wrong);
+      table += fmt::format("  {:<28} {:>8.3f} ({:>6.3f}) {:>13.4g} {:>12.4g} {:>9} {:>9} {:>9}\n",
+                           row->subject, row->ratio, MedianRatio(*row), WrongPerMillion(*row),
+                           PerMillion(row->against_real.wrong, row->against_real.covered),
+                           row->against_real.missing, row->against_real.unexpected,
+                           row->against_own.wrong);
     }
   }
   return table;

@@ -15,7 +15,7 @@ void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evi
   json.Key(key).BeginArray();
   for (const Evidence& evidence : list) {
     json.BeginObject();
-    json.Key("claim").Text(evidence.claim);
+    json.Key("statement").Text(evidence.statement);
     json.Key("by").Text(evidence.by);
     json.EndObject();
   }
@@ -30,7 +30,7 @@ void WriteSubject(JsonWriter& json, const Certificate& certificate) {
   json.Key("input").Text(info.input == Precision::kFloat32 ? "float32" : "float64");
   json.Key("takes_window").Bool(info.takes_window);
   json.Key("takes_clip").Bool(info.takes_clip);
-  json.Key("claims_exact").Bool(info.claims_exact);
+  json.Key("states_exact").Bool(info.states_exact);
   json.Key("profile").Value(io::ProfileToJson(info.profile));
   json.EndObject();
 }
@@ -106,8 +106,8 @@ void WriteMeasured(JsonWriter& json, const Certificate& certificate, const Scene
     json.Key("samples").Integer(result.difference.samples);
     json.Key("covered").Integer(result.difference.covered);
     json.Key("wrong").Integer(result.difference.wrong);
-    json.Key("gaps").Integer(result.difference.gaps);
-    json.Key("overlaps").Integer(result.difference.overlaps);
+    json.Key("missing").Integer(result.difference.missing);
+    json.Key("unexpected").Integer(result.difference.unexpected);
     json.Key("seconds").Rounded(result.seconds);
   }
   json.EndObject();
@@ -124,7 +124,7 @@ std::string ReplayCommand(const Certificate& certificate, const PropertyResult& 
 std::string CertificateToJson(const Certificate& certificate) {
   JsonWriter json;
   json.BeginObject();
-  json.Key("rasterproof_certificate").Integer(1);
+  json.Key("rasterproof_certificate").Integer(2);
   json.Key("tool_version").Text(certificate.tool_version);
   json.Key("command").Text(certificate.command);
   const Overall overall = OverallOf(certificate);

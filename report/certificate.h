@@ -12,9 +12,9 @@
 
 namespace rasterproof::report {
 
-/// A claim with the evidence behind it. The four words are never mixed.
+/// A statement with the evidence behind it. The four words are never mixed.
 struct Evidence {
-  std::string claim;
+  std::string statement;
   std::string by;  ///< proof script, enumeration with its N, command
 };
 
@@ -25,8 +25,8 @@ struct Certificate {
   std::map<std::string, std::string> environment;  ///< compiler, flags, rounding, subnormals, ...
   std::uint64_t seed = 0;
   bool interrupted = false;  ///< someone ended the run early: not all that was asked was done
-  /// What kept every claim of the subject's contract from being put to the test; empty if nothing
-  /// did. Claims that hold beside the contract are no evidence for it.
+  /// What kept every property of the subject's contract from being put to the test; empty if
+  /// nothing did. Properties that hold beside the contract are no evidence for it.
   std::string contract_untested;
   /// Statements about the subject's arithmetic; `by` names the script by its hash, and where it was
   /// run or that it was not.
@@ -43,7 +43,7 @@ struct Certificate {
 };
 
 /// Why a wrong sample of this measurement would be no violation: the scene was not drawn, or lies
-/// beyond what the profile promises, or the profile leaves more than one result legal, or it is not
+/// beyond what the profile states, or the profile leaves more than one result legal, or it is not
 /// the subject's own.
 ///
 /// Returns:    empty if the subject's profile answers for every sample: the measurement is judged.

@@ -155,9 +155,9 @@ class Layout {
     const double size = std::min(kText, cell_ / 1.8);
     const Point2 corner{left + 0.26 * cell_, top + 0.28 * cell_};
     if (panel == 2 && pixel.state != SampleState::kRight) {
-      const char* mark = pixel.state == SampleState::kGap       ? "-"
-                         : pixel.state == SampleState::kOverlap ? "+"
-                                                                : "!";
+      const char* mark = pixel.state == SampleState::kMissing      ? "-"
+                         : pixel.state == SampleState::kUnexpected ? "+"
+                                                                   : "!";
       drawing_.CentredText(corner, mark, kPaper, size);
     } else if (panel != 2 && level > 1) {
       drawing_.CentredText(corner, count <= 9 ? std::to_string(count) : "#",
@@ -216,15 +216,15 @@ class Layout {
 
   // A dot on each sample: dark where the panel's counts cover it, loud where it is wrong.
   void DrawSamples(std::size_t panel, double left, double top) {
-    const SampleLattice& lattice = explanation_.lattice;
-    if (lattice.samples() != explanation_.expected.samples || cell_ < 8) return;
+    const SamplePattern& pattern = explanation_.pattern;
+    if (pattern.samples() != explanation_.expected.samples || cell_ < 8) return;
     const double radius =
-        std::min(2.6, 0.12 * cell_) / std::sqrt(std::sqrt(static_cast<double>(lattice.samples())));
+        std::min(2.6, 0.12 * cell_) / std::sqrt(std::sqrt(static_cast<double>(pattern.samples())));
     for (int y = view_.y0; y < view_.y1; ++y) {
       for (int x = view_.x0; x < view_.x1; ++x) {
-        for (int s = 0; s < lattice.samples(); ++s) {
+        for (int s = 0; s < pattern.samples(); ++s) {
           const int row = IsUp() ? explanation_.expected.height - 1 - y : y;
-          const Point2 at = OnPaper(lattice.At(x, row, s), left, top);
+          const Point2 at = OnPaper(pattern.At(x, row, s), left, top);
           DrawSample(panel, explanation_.expected.Index(x, y, s), at, radius);
         }
       }
@@ -262,8 +262,8 @@ class Layout {
     constexpr std::array<Entry, 6> kEntries{{{kCovered, "covered once"},
                                              {kCoveredTwice, "twice"},
                                              {kCoveredMore, "more often"},
-                                             {kVermilion, "gap"},
-                                             {kBlue, "overlap"},
+                                             {kVermilion, "missing"},
+                                             {kBlue, "unexpected"},
                                              {kPurple, "facing"}}};
     double x = kMargin;
     for (const Entry& entry : kEntries) {

@@ -20,8 +20,8 @@ constexpr std::size_t kWidestTitle = 10;  // "difference"
 // Select-graphic-rendition codes of the 256-colour palette, nearest to the pictures' colours.
 constexpr std::string_view kPlain = "\x1b[0m";
 constexpr std::string_view kDim = "\x1b[2m";
-constexpr std::string_view kGapColour = "\x1b[1;38;5;202m";
-constexpr std::string_view kOverlapColour = "\x1b[1;38;5;33m";
+constexpr std::string_view kMissingColour = "\x1b[1;38;5;202m";
+constexpr std::string_view kUnexpectedColour = "\x1b[1;38;5;33m";
 constexpr std::string_view kFacingColour = "\x1b[1;38;5;176m";
 
 char CountCharacter(std::uint64_t count) {
@@ -33,9 +33,9 @@ char StateCharacter(SampleState state) {
   switch (state) {
     case SampleState::kRight:
       return '.';
-    case SampleState::kGap:
+    case SampleState::kMissing:
       return '-';
-    case SampleState::kOverlap:
+    case SampleState::kUnexpected:
       return '+';
     case SampleState::kFacing:
       return '!';
@@ -47,10 +47,10 @@ std::string_view StateCode(SampleState state) {
   switch (state) {
     case SampleState::kRight:
       return kDim;
-    case SampleState::kGap:
-      return kGapColour;
-    case SampleState::kOverlap:
-      return kOverlapColour;
+    case SampleState::kMissing:
+      return kMissingColour;
+    case SampleState::kUnexpected:
+      return kUnexpectedColour;
     case SampleState::kFacing:
       return kFacingColour;
   }
@@ -94,7 +94,7 @@ std::string Legend(const Explanation& explanation) {
     legend += fmt::format(" (over {} samples)", explanation.expected.samples);
   }
   if (PanelTitles(explanation).size() == 3) {
-    legend += "   difference: . right  - gap  + overlap  ! facing";
+    legend += "   difference: . right  - missing  + unexpected  ! facing";
   }
   if (explanation.focus_x >= 0) legend += "   [ ] the pixel in question";
   return legend;

@@ -103,8 +103,8 @@ void AppendScene(pugi::xml_node suite, const Certificate& certificate, const Sce
   const CoverageDifference& difference = result.difference;
   if (difference.wrong == 0) return;
   const std::string message = fmt::format(
-      "{} of {} samples wrong, {} gaps, {} overlaps, against profile {}", difference.wrong,
-      difference.samples, difference.gaps, difference.overlaps, result.profile);
+      "{} of {} samples wrong, {} missing, {} unexpected, against profile {}", difference.wrong,
+      difference.samples, difference.missing, difference.unexpected, result.profile);
   Fail(test, message, message + "\n", totals);
 }
 
@@ -121,9 +121,9 @@ void AppendOverall(pugi::xml_node suite, const Certificate& certificate, Totals&
 
 std::string JUnitXml(const Certificate& certificate) {
   pugi::xml_document document;
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  Set(declaration, "version", "1.0");
-  Set(declaration, "encoding", "UTF-8");
+  pugi::xml_node header = document.append_child(pugi::node_declaration);
+  Set(header, "version", "1.0");
+  Set(header, "encoding", "UTF-8");
   pugi::xml_node suite = document.append_child("testsuites").append_child("testsuite");
   Set(suite, "name", certificate.subject.name);
   Totals totals;

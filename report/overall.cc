@@ -19,7 +19,7 @@ std::string Violations(const Certificate& certificate) {
     return IsJudged(certificate, result) && result.difference.wrong != 0;
   });
   std::string text;
-  if (violated != 0) text = fmt::format("claims violated: {}", violated);
+  if (violated != 0) text = fmt::format("properties violated: {}", violated);
   if (wrong != 0)
     text += fmt::format("{}scenes with wrong samples: {}", violated ? "; " : "", wrong);
   return text;
@@ -48,7 +48,7 @@ std::string WhyNotJudged(const Certificate& certificate, const SceneResult& resu
     return "against " + result.profile + ", which is not the subject's profile" +
            std::string(kObserved);
   }
-  if (certificate.subject.claims_exact || HasOneModel(own)) return "";
+  if (certificate.subject.states_exact || HasOneModel(own)) return "";
   return "its profile leaves more than one result legal" + std::string(kObserved);
 }
 
@@ -77,8 +77,8 @@ std::string OverallVerdict(const Certificate& certificate) {
 
 std::vector<Evidence> NotApplicable(const Certificate& certificate) {
   std::vector<Evidence> list;
-  const auto add = [&](const std::string& claim, const std::string& why) {
-    if (!std::ranges::count(list, claim, &Evidence::claim)) list.push_back({claim, why});
+  const auto add = [&](const std::string& property, const std::string& why) {
+    if (!std::ranges::count(list, property, &Evidence::statement)) list.push_back({property, why});
   };
   for (const PropertyResult& result : certificate.tested) {
     if (result.outcome == Outcome::kNotApplicable) add(result.property, result.message);
@@ -99,7 +99,7 @@ std::string Reservations(const PropertyResult& result) {
     text = (holds ? "holds where it did not refuse: " : "") + refused;
   }
   if (result.not_judged != 0) {
-    text += fmt::format("{}{} samples not judged: a legal choice of the subject's decides them",
+    text += fmt::format("{}{} samples not judged: a legal choice could turn a triangle there",
                         text.empty() ? "" : "; ", result.not_judged);
   }
   return text;

@@ -66,7 +66,7 @@ std::string PageToHtml(const Page& page) {
   std::string pictures;
   for (const Picture& picture : page.pictures) pictures += Figure(picture);
 
-  // The policy is for the browser to enforce what the page promises: nothing runs, nothing loads.
+  // The policy is for the browser to enforce what the page states: nothing runs, nothing loads.
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -78,7 +78,7 @@ std::string PageToHtml(const Page& page) {
       Escaped(page.title), kPageStyle, Extent(page));
   html +=
       Section("verdicts", "Verdicts",
-              "One line per subject, by what each promises. A built-in method that does not claim "
+              "One line per subject, by what each states. A built-in method that does not state "
               "to be exact may fail: that is what it is here to show.",
               VerdictTable(page.certificates));
   html += kGlossary;
@@ -86,17 +86,18 @@ std::string PageToHtml(const Page& page) {
                   "Every sample of every scene against the exact oracle: under the subject's own "
                   "profile, which is what it can be held to, and against real geometry.",
                   SceneTables(page.certificates));
-  html += Section("properties", "Properties", "Each claim, for each subject.",
+  html += Section("properties", "Properties", "Each property, for each subject.",
                   PropertyMatrix(page.certificates));
   html += Section("near-edge", "How near to the edges",
                   "Distance of the tested samples from their edge, in steps of the subject's own "
                   "input lattice. Bars are logarithmic.",
                   NearEdgeTable(page.certificates));
   html += Section("pictures", "Pictures", "Each with the command that makes it again.", pictures);
-  html += Section("subjects", "Subjects",
-                  "What was proved, exhausted, tested and measured, and how often each claim was "
-                  "really put to the test.",
-                  details);
+  html +=
+      Section("subjects", "Subjects",
+              "What was proved, exhausted, tested and measured, and how often each property was "
+              "really put to the test.",
+              details);
   html += Section("environment", "Environment", "Where this was found.",
                   Environments(page.certificates) + Commands(page));
   return html + "</main>\n</body>\n</html>\n";

@@ -24,8 +24,8 @@ struct Page {
   std::vector<Picture> pictures;
 };
 
-/// Verdict per subject and property, wrong samples / gaps / overlaps per subject and real scene,
-/// exercise counts, pictures with the commands that made them, environment.
+/// Verdict per subject and property, wrong, missing and unexpected samples per subject and real
+/// scene, exercise counts, pictures with the commands that made them, environment.
 std::string PageToHtml(const Page& page);
 
 }  // namespace rasterproof::report

@@ -18,7 +18,7 @@ std::string EvidenceList(std::string_view title, const std::vector<Evidence>& li
   if (list.empty()) return {};
   std::string html = fmt::format("<h4>{}</h4>\n<ul class=\"plain\">\n", title);
   for (const Evidence& evidence : list) {
-    html += fmt::format("<li>{} <span class=\"why\">{}</span></li>\n", Escaped(evidence.claim),
+    html += fmt::format("<li>{} <span class=\"why\">{}</span></li>\n", Escaped(evidence.statement),
                         Escaped(evidence.by));
   }
   return html + "</ul>\n";
@@ -54,7 +54,7 @@ std::string Remarks(const Certificate& certificate, const PropertyResult& result
 }
 
 std::string TestedRow(const Certificate& certificate, const PropertyResult& result) {
-  // A claim without a bound has no ratio to it.
+  // A property without a bound has no ratio to it.
   const std::string ratio =
       result.worst_ratio == 0 ? "" : fmt::format("{:.3g}", result.worst_ratio);
   return fmt::format(
@@ -73,7 +73,7 @@ std::string TestedTable(const Certificate& certificate) {
   }
   if (rows.empty()) return {};
   return fmt::format(
-      "<h4>tested, seed {}</h4>\n<div class=\"scroll\"><table><thead><tr><th>claim</th>"
+      "<h4>tested, seed {}</h4>\n<div class=\"scroll\"><table><thead><tr><th>property</th>"
       "<th>outcome</th><th class=\"number\">cases that put it to the test</th>"
       "<th class=\"number\">times</th><th class=\"number\">largest error / bound</th>"
       "</tr></thead><tbody>\n{}</tbody></table></div>\n",

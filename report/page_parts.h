@@ -20,9 +20,9 @@ std::string_view LookOf(Outcome outcome);
 /// What an element refers to a subject by.
 std::string AnchorOf(const Certificate& certificate);
 
-/// One line per subject: verdict, claims, counts of outcomes, wrong samples over all scenes.
+/// One line per subject: verdict, properties, counts of outcomes, wrong samples over all scenes.
 std::string VerdictTable(const std::vector<Certificate>& certificates);
-/// A table per scene: wrong samples, gaps and overlaps of every subject.
+/// A table per scene: wrong, missing and unexpected samples of every subject.
 std::string SceneTables(const std::vector<Certificate>& certificates);
 /// Properties against subjects, an outcome each.
 std::string PropertyMatrix(const std::vector<Certificate>& certificates);

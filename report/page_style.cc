@@ -4,7 +4,7 @@
 
 namespace rasterproof::report {
 
-// Green is for claims that hold and for nothing else. Verdicts differ by shape and word as well.
+// Green is for states that hold and for nothing else. Verdicts differ by shape and word as well.
 const std::string_view kPageStyle = R"(
 :root {
   --paper: #fcfcfb; --card: #ffffff; --ink: #23262d; --soft: #626975; --line: #e3e5e9;
@@ -59,8 +59,8 @@ th.name, tbody th > .name { white-space: nowrap; }
 }
 thead .number { font-family: inherit; font-size: 0.8rem; white-space: normal; }
 .zero, .none { color: var(--soft); }
-.gap { color: var(--bad); font-weight: 600; }
-.over { color: var(--over); font-weight: 600; }
+.wrong, .missing { color: var(--bad); font-weight: 600; }
+.unexpected { color: var(--over); font-weight: 600; }
 .split { border-left: 1px solid var(--line); }
 .chip {
   display: inline-block; padding: 0.05rem 0.6rem; border-radius: 99px; font-size: 0.8rem;

@@ -77,7 +77,7 @@ Total TotalOf(const Certificate& certificate, std::string_view profile, Counted 
 
 std::string TotalCell(const Total& total) {
   if (total.samples == 0) return "<td class=\"number none\">–</td>";
-  return fmt::format("<td class=\"number {}\">{} of {}</td>", total.wrong == 0 ? "zero" : "gap",
+  return fmt::format("<td class=\"number {}\">{} of {}</td>", total.wrong == 0 ? "zero" : "wrong",
                      Grouped(total.wrong), Grouped(total.samples));
 }
 
@@ -92,8 +92,8 @@ std::string VerdictRow(const Certificate& certificate) {
       "<td>{}</td>",
       Link(certificate), Escaped(overall.reason), LookOf(overall.outcome),
       OutcomeName(overall.outcome), certificate.interrupted ? " interrupted" : "",
-      certificate.subject.claims_exact ? "exact" : "");
-  row += Number(count(Outcome::kHolds)) + Number(count(Outcome::kViolated), "gap") +
+      certificate.subject.states_exact ? "exact" : "");
+  row += Number(count(Outcome::kHolds)) + Number(count(Outcome::kViolated), "wrong") +
          Number(count(Outcome::kNotExercised)) + Number(count(Outcome::kInconclusive)) +
          Number(count(Outcome::kNotApplicable));
   row += TotalCell(TotalOf(certificate, certificate.subject.profile.name, Counted::kJudged));
@@ -114,8 +114,8 @@ std::string DifferenceCells(const SceneResult* result) {
   }
   const CoverageDifference& d = result->difference;
   const std::string wrong = fmt::format("<td class=\"number split {}\">{}</td>",
-                                        d.wrong == 0 ? "zero" : "gap", Grouped(d.wrong));
-  return wrong + Number(d.gaps, "gap") + Number(d.overlaps, "over") +
+                                        d.wrong == 0 ? "zero" : "wrong", Grouped(d.wrong));
+  return wrong + Number(d.missing, "missing") + Number(d.unexpected, "unexpected") +
          fmt::format("<td class=\"number {}\">{}</td>", d.wrong == 0 ? "zero" : "",
                      PerMillion(d.wrong, d.covered));
 }
@@ -165,7 +165,7 @@ std::string SceneMatrix(const std::vector<Certificate>& certificates,
     for (const SceneResult* scene : scenes) {
       const SceneResult* result = Find(certificate, scene->scene, kRealProfile);
       html += result == nullptr || !result->applicable ? "<td class=\"number none\">–</td>"
-                                                       : Number(result->difference.wrong, "gap");
+                                                       : Number(result->difference.wrong, "wrong");
     }
     html += "</tr>\n";
   }
@@ -185,8 +185,8 @@ std::string SceneTable(const std::vector<Certificate>& certificates, const Scene
       "<th class=\"split\" colspan=\"4\">against real geometry</th></tr><tr>";
   for (int side = 0; side < 2; ++side) {
     html +=
-        "<th class=\"number split\">wrong</th><th class=\"number\">gaps</th>"
-        "<th class=\"number\">overlaps</th><th class=\"number\">per million covered</th>";
+        "<th class=\"number split\">wrong</th><th class=\"number\">missing</th>"
+        "<th class=\"number\">unexpected</th><th class=\"number\">per million covered</th>";
   }
   html += "</tr></thead><tbody>\n";
   for (const Certificate& certificate : certificates) html += SceneRow(certificate, any.scene);
@@ -251,7 +251,7 @@ std::string AnchorOf(const Certificate& certificate) {
 std::string VerdictTable(const std::vector<Certificate>& certificates) {
   if (certificates.empty()) return {};
   std::string html =
-      "<div class=\"scroll\"><table><thead><tr><th>subject</th><th>verdict</th><th>claims</th>"
+      "<div class=\"scroll\"><table><thead><tr><th>subject</th><th>verdict</th><th>properties</th>"
       "<th class=\"number\">hold</th><th class=\"number\">violated</th>"
       "<th class=\"number\">not exercised</th><th class=\"number\">inconclusive</th>"
       "<th class=\"number\">not applicable</th>"

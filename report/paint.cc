@@ -55,15 +55,15 @@ io::Image PaintFlat(const FragmentBuffers& fragments) {
                     [&](std::size_t k) { return ColourOfTriangle(fragments.triangle[k]); });
 }
 
-io::Image PaintWeights(const FragmentBuffers& fragments) {
+io::Image PaintBarycentrics(const FragmentBuffers& fragments) {
   constexpr std::array<Colour, 3> kVertices{kVermilion, kGreen, kBlue};
   return PaintOwned(fragments, [&](std::size_t k) {
     std::array<double, 3> sum{};
     for (std::size_t v = 0; v < 3; ++v) {
-      const float weight = fragments.weights[k][v];
-      if (!std::isfinite(weight)) return kNotANumber;
+      const float barycentric = fragments.barycentrics[k][v];
+      if (!std::isfinite(barycentric)) return kNotANumber;
       for (std::size_t c = 0; c < 3; ++c) {
-        sum[c] += std::clamp(weight, 0.0F, 1.0F) * static_cast<double>(kVertices[v][c]);
+        sum[c] += std::clamp(barycentric, 0.0F, 1.0F) * static_cast<double>(kVertices[v][c]);
       }
     }
     Colour colour;

@@ -10,10 +10,10 @@ namespace rasterproof::report {
 using Colour = std::array<std::uint8_t, 3>;
 
 // Source: Okabe and Ito, "Color Universal Design" (2008). Loud colours mean one thing everywhere.
-inline constexpr Colour kVermilion{213, 94, 0};        // a gap
-inline constexpr Colour kBlue{0, 114, 178};            // an overlap
+inline constexpr Colour kVermilion{213, 94, 0};        // a missing sample
+inline constexpr Colour kBlue{0, 114, 178};            // an unexpected one
 inline constexpr Colour kPurple{204, 121, 167};        // the right count, the wrong facing
-inline constexpr Colour kGreen{0, 158, 115};           // a claim that holds
+inline constexpr Colour kGreen{0, 158, 115};           // a property that holds
 inline constexpr Colour kYellow{240, 228, 66};         // the place that matters
 inline constexpr Colour kInk{34, 38, 46};              // text, edges of triangles
 inline constexpr Colour kFaintInk{118, 126, 138};      // labels

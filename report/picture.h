@@ -11,7 +11,7 @@
 #include "core/draw_options.h"
 #include "core/fragments.h"
 #include "core/profile.h"
-#include "core/sample_lattice.h"
+#include "core/sample_pattern.h"
 #include "core/scene.h"
 #include "io/image.h"
 
@@ -31,7 +31,7 @@ struct Explanation {
   std::string headline;
   std::string replay;  ///< the command that shows this again
   /// Where the samples lie. Dots are left out if it has another number of them than the counts.
-  SampleLattice lattice;
+  SamplePattern pattern;
   YAxis y_axis = YAxis::kDown;
 };
 
@@ -47,8 +47,9 @@ io::Image ExplanationToImage(const Explanation& explanation);
 
 /// The nearest triangle at each pixel, each in a colour of its own, paper where there is none.
 io::Image PaintFlat(const FragmentBuffers& fragments);
-/// The three vertices in vermilion, green and blue, mixed by the weights; grey where they are NaN.
-io::Image PaintWeights(const FragmentBuffers& fragments);
+/// The three vertices in vermilion, green and blue, mixed by the barycentrics; grey where they are
+/// NaN.
+io::Image PaintBarycentrics(const FragmentBuffers& fragments);
 /// Near is light, far is dark, over the range of finite depths in the picture.
 io::Image PaintDepth(const FragmentBuffers& fragments);
 /// Lines of the given width along the edges, hidden ones hidden.
@@ -57,7 +58,7 @@ io::Image PaintDepth(const FragmentBuffers& fragments);
 io::Image PaintWireframe(const FragmentBuffers& fragments, double width_pixels);
 /// 0 white, 1 grey, more than one in a growing scale of red; sample 0.
 io::Image PaintCounts(const CoverageCounts& counts);
-/// Right samples muted, gaps and overlaps in two loud colours.
+/// Right samples muted, missing and unexpected ones in two loud colours.
 io::Image PaintDifference(const CoverageCounts& observed, const CoverageCounts& expected);
 
 }  // namespace rasterproof::report

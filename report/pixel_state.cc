@@ -28,8 +28,8 @@ SampleState StateOf(const CoverageCounts& observed, const CoverageCounts& expect
                     std::size_t index) {
   const std::uint64_t have = std::uint64_t{observed.front[index]} + observed.back[index];
   const std::uint64_t want = std::uint64_t{expected.front[index]} + expected.back[index];
-  if (have < want) return SampleState::kGap;
-  if (have > want) return SampleState::kOverlap;
+  if (have < want) return SampleState::kMissing;
+  if (have > want) return SampleState::kUnexpected;
   return observed.front[index] == expected.front[index] ? SampleState::kRight
                                                         : SampleState::kFacing;
 }
@@ -51,9 +51,9 @@ Colour StateColour(SampleState state, std::uint64_t expected) {
   switch (state) {
     case SampleState::kRight:
       return expected == 0 ? kUncovered : Colour{232, 235, 239};
-    case SampleState::kGap:
+    case SampleState::kMissing:
       return kVermilion;
-    case SampleState::kOverlap:
+    case SampleState::kUnexpected:
       return kBlue;
     case SampleState::kFacing:
       return kPurple;

@@ -13,6 +13,7 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/contract_evidence.h"
+#include "tool/asked.h"
 #include "tool/evidence.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
@@ -45,9 +46,10 @@ std::map<std::string, std::string> DescribeEnvironment() {
 
 }  // namespace
 
-Certification::Certification(SubjectInfo info, const CertifyOptions& options,
+Certification::Certification(const AskedSubject& subject, const CertifyOptions& options,
                              MeasuredScenes& scenes)
-    : info_(std::move(info)),
+    : subject_(subject),
+      info_(subject.Make()->Info()),
       options_(options),
       scenes_(scenes),
       parts_(props::Catalog().size() + scenes.size()) {}
@@ -60,11 +62,11 @@ void Certification::Do(std::size_t part, Subject& subject) {
   Part& mine = parts_[part];
   mine.is_begun = true;
   const exact::TierScope scope;
-  const std::size_t claims = props::Catalog().size();
-  if (part < claims) {
+  const std::size_t properties = props::Catalog().size();
+  if (part < properties) {
     TestProperty(subject, props::Catalog()[part], mine.found);
   } else {
-    MeasureOne(subject, *scenes_[part - claims], mine.found);
+    MeasureOne(subject, *scenes_[part - properties], mine.found);
   }
   mine.tiers = scope.Counts();
   mine.is_done = true;
@@ -77,7 +79,7 @@ void Certification::TestProperty(Subject& subject, const props::Property& proper
   campaign.cases = options_.campaign.cases;
   campaign.seconds = options_.campaign.seconds;
   campaign.time_limit = TimeLimitOf(subject);
-  if (IsOutside(info_.name)) campaign.afresh = [&] { return MakeSubject(info_.name); };
+  if (IsOutside(info_.name)) campaign.afresh = [&] { return subject_.Make(); };
   campaign.stop = &Interrupted;
   campaign.pace = &pace_;
   PropertyResult result = props::RunCampaign(subject, property, campaign);

@@ -1,4 +1,4 @@
-// The parts of certification: scenes and their truth, one subject's certificate, the pictures.
+// The parts of `certify`: scenes with their exact coverage, certificates, pictures.
 #ifndef RASTERPROOF_TOOL_CERTIFY_H_
 #define RASTERPROOF_TOOL_CERTIFY_H_
 
@@ -21,6 +21,7 @@
 #include "props/run/campaign.h"
 #include "report/certificate.h"
 #include "report/page.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/progress.h"
 
@@ -34,7 +35,8 @@ class MeasuredScene {
   const std::string& name() const { return name_; }
   bool real() const { return real_; }
   const Scene& scene() const { return scene_; }
-  /// The command that draws this scene, with "--mode weights --output ..." or the like behind it.
+  /// The command that draws this scene, with "--mode barycentrics --output ..." or the like behind
+  /// it.
   std::string CommandOf(const std::string& verb) const;
   /// The command that shows where the subject differs on this scene.
   std::string CommandThatShows(const std::string& subject) const;
@@ -75,8 +77,8 @@ void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& 
 /// One subject's certificate, in parts: every property, then every scene.
 class Certification {
  public:
-  /// Domain:     options and scenes that outlive this.
-  Certification(SubjectInfo info, const CertifyOptions& options, MeasuredScenes& scenes);
+  /// Domain:     subject, options and scenes that outlive this.
+  Certification(const AskedSubject& subject, const CertifyOptions& options, MeasuredScenes& scenes);
 
   std::size_t size() const { return parts_.size(); }
   bool TakesLong(std::size_t part) const;
@@ -102,6 +104,7 @@ class Certification {
   void TestProperty(Subject& subject, const props::Property& property,
                     report::Certificate& certificate);
 
+  const AskedSubject& subject_;
   SubjectInfo info_;
   const CertifyOptions& options_;
   MeasuredScenes& scenes_;
@@ -109,8 +112,8 @@ class Certification {
   std::vector<Part> parts_;
 };
 
-/// Why the counts of the scene's samples are not promised by the profile; empty if they are.
-std::string WhyNotPromised(const Scene& scene, const Profile& profile);
+/// Why the counts of the scene's samples are not stated by the profile; empty if they are.
+std::string WhyNotStated(const Scene& scene, const Profile& profile);
 
 /// Pictures of real scenes and of what went wrong where.
 std::vector<report::Picture> TakePictures(MeasuredScenes& scenes,

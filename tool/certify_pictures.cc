@@ -13,6 +13,7 @@
 #include "reference/method.h"
 #include "reference/rasterize.h"
 #include "report/picture.h"
+#include "tool/asked.h"
 #include "tool/certify.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
@@ -32,11 +33,12 @@ void PictureRender(const MeasuredScene& measured, std::vector<report::Picture>& 
     return;
   }
   const FragmentBuffers fragments =
-      reference::RasterizeFragments(measured.scene(), *method, {}, {.weights = true});
-  pictures.push_back({measured.name() + ": barycentric weights of the nearest triangle",
-                      fmt::format("{} --mode weights --output {}", measured.CommandOf("render"),
-                                  ShellWord(FileNameOf(measured.name()) + ".png")),
-                      "", io::EncodePng(report::PaintWeights(fragments))});
+      reference::RasterizeFragments(measured.scene(), *method, {}, {.barycentrics = true});
+  pictures.push_back(
+      {measured.name() + ": barycentric barycentrics of the nearest triangle",
+       fmt::format("{} --mode barycentrics --output {}", measured.CommandOf("render"),
+                   ShellWord(FileNameOf(measured.name()) + ".png")),
+       "", io::EncodePng(report::PaintBarycentrics(fragments))});
 }
 
 // The measurement on the scene by which the subject is violated; nullptr if it is not.
@@ -62,9 +64,9 @@ void PictureFailure(const report::Certificate& certificate, const MeasuredScene&
   c.profile = certificate.subject.profile;
   const CoverageDifference& difference = result->difference;
   Verdict verdict;
-  verdict.message =
-      fmt::format("{} on {}: {} of {} samples wrong, {} gaps, {} overlaps", name, measured.name(),
-                  difference.wrong, difference.samples, difference.gaps, difference.overlaps);
+  verdict.message = fmt::format("{} on {}: {} of {} samples wrong, {} missing, {} unexpected", name,
+                                measured.name(), difference.wrong, difference.samples,
+                                difference.missing, difference.unexpected);
   const std::string replay = measured.CommandThatShows(name);
   try {
     const std::unique_ptr<Subject> subject = MakeSubject(name);

@@ -95,11 +95,11 @@ SceneResult Measure(const SubjectInfo& info, MeasuredScene& measured, const Prof
     result.message = error.what();
     return result;
   }
-  result.message = WhyNotPromised(measured.scene(), profile);
+  result.message = WhyNotStated(measured.scene(), profile);
   return result;
 }
 
-// A breakdown over a given scene, or a draw that took too long, as a result of the claim that a
+// A breakdown over a given scene, or a draw that took too long, as a result of the property that a
 // draw comes back.
 PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
                         const Attempt& attempt) {
@@ -119,14 +119,14 @@ PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
 
 }  // namespace
 
-std::string WhyNotPromised(const Scene& scene, const Profile& profile) {
+std::string WhyNotStated(const Scene& scene, const Profile& profile) {
   if (!WithinLimits(scene, profile)) {
-    return "coordinates beyond what the profile promises" + std::string(kNotJudged);
+    return "coordinates beyond what the profile states" + std::string(kNotJudged);
   }
   if (!IsUnclipped(scene, profile)) {
-    return "triangles leave the profile's no-clip rectangle" + std::string(kNotJudged);
+    return "triangles leave the profile's guard-band rectangle" + std::string(kNotJudged);
   }
-  if (profile.zero_area == ZeroArea::kNothing) return "";
+  if (profile.degenerate_triangles == DegenerateTriangles::kNothing) return "";
   if (scene.clip_space && !profile.snap.IsNone()) {
     return "areas after the division and snapping are not decided" + std::string(kNotJudged);
   }
@@ -200,7 +200,7 @@ void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& 
     certificate.replay[certificate.tested.back().property] = measured.CommandThatShows(info.name);
   }
   certificate.measured.push_back(Measure(info, measured, info.profile, attempt));
-  if (!SameModel(info.profile, real) && info.profile.lattice == real.lattice) {
+  if (!SameModel(info.profile, real) && info.profile.pattern == real.pattern) {
     certificate.measured.push_back(Measure(info, measured, real, attempt));
   }
 }

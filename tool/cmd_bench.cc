@@ -8,6 +8,7 @@
 #include "io/output.h"
 #include "report/bench_plot.h"
 #include "subjects/builtin/builtin.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/progress.h"
 #include "tool/session.h"

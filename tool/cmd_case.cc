@@ -21,6 +21,7 @@
 #include "props/run/counterexample.h"
 #include "report/picture.h"
 #include "report/text.h"
+#include "tool/asked.h"
 #include "tool/certify.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
@@ -37,14 +38,14 @@ constexpr double kNoLimit = 1e9;  // seconds
 
 // Why a difference from the canonical model says nothing against the subject; empty if it does.
 std::string WhyObservedOnly(const SubjectInfo& info, const Case& c) {
-  if (!HasOneModel(c.profile) && !info.claims_exact)
+  if (!HasOneModel(c.profile) && !info.states_exact)
     return "the profile leaves more than one result";
   const bool is_finite = std::ranges::all_of(c.scene.vertices, IsFinite);
   const bool says_of_infinite = c.profile.infinite_vertex == InfiniteVertex::kNothing;
-  return is_finite || !says_of_infinite ? WhyNotPromised(c.scene, c.profile) : "";
+  return is_finite || !says_of_infinite ? WhyNotStated(c.scene, c.profile) : "";
 }
 
-// Without a property the claim is the plainest one: the counts are the model's.
+// Without a property the property is the plainest one: the counts are the model's.
 Verdict CompareWithModel(const CoverageCounts& observed, const props::Description& subject,
                          const Case& c) {
   CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
@@ -81,14 +82,14 @@ props::Asked AskForTheModel(const Case& c, const props::Description& subject) {
 }
 
 // What the case is judged by.
-const props::Property& ClaimOf(const LoadedCase& loaded) {
+const props::Property& PropertyOf(const LoadedCase& loaded) {
   static const props::Property plain{.name = "coverage",
                                      .group = "coverage",
                                      .clause = "the counts are those of the model",
                                      .tolerance = "none: exact",
                                      .domains = {},
                                      .gate = {.space = props::Space::kEither,
-                                              .promise = props::Promise::kNone,
+                                              .contract = props::ContractNeeded::kNone,
                                               .beyond_limits = true,
                                               .asks_oracle = true},
                                      .ask = AskForTheModel};
@@ -97,7 +98,7 @@ const props::Property& ClaimOf(const LoadedCase& loaded) {
 
 Verdict Judge(const LoadedCase& loaded) {
   RequireTakes(*loaded.subject, loaded.value.scene, loaded.value.scene.name);
-  return props::RunCase(*loaded.subject, ClaimOf(loaded), loaded.value);
+  return props::RunCase(*loaded.subject, PropertyOf(loaded), loaded.value);
 }
 
 std::string PropertyName(const LoadedCase& loaded) {
@@ -213,7 +214,7 @@ int RunShrink(const ShrinkOptions& options) {
     progress.Done(evaluations);
   };
   const props::Counterexample shrunk =
-      props::ShrinkFailing(*loaded.subject, ClaimOf(loaded), loaded.value, campaign);
+      props::ShrinkFailing(*loaded.subject, PropertyOf(loaded), loaded.value, campaign);
   if (shrunk.outcome == Outcome::kInconclusive) {
     progress.Say(shrunk.message);
     return kExitInconclusive;

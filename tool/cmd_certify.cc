@@ -17,6 +17,7 @@
 #include "report/page.h"
 #include "report/text.h"
 #include "subjects/builtin/builtin.h"
+#include "tool/asked.h"
 #include "tool/certify.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
@@ -40,7 +41,7 @@ struct Task {
 // Certifies the subjects, in parts that the workers share; the order of the result is that of the
 // subjects. Those that an interrupt kept from being begun are left out; so is the one that met
 // `failure`, and those behind it.
-std::vector<report::Certificate> CertifyAll(const std::vector<SubjectInfo>& subjects,
+std::vector<report::Certificate> CertifyAll(const std::vector<AskedSubject>& subjects,
                                             const CertifyOptions& options, MeasuredScenes& scenes,
                                             Progress& progress, std::exception_ptr& failure) {
   std::deque<Certification> all;
@@ -54,9 +55,9 @@ std::vector<report::Certificate> CertifyAll(const std::vector<SubjectInfo>& subj
     }
     for (std::size_t part = 0; part < one.size(); ++part) tasks.push_back({s, part});
   }
-  Crew crew(options.jobs, [&](std::size_t s) { return MakeSubject(subjects[s].name); });
+  Crew crew(options.jobs, [&](std::size_t s) { return subjects[s].Make(); });
   std::atomic<std::size_t> done = 0;
-  progress.Stage("certifying: claims and scenes", tasks.size());
+  progress.Stage("certifying: properties and scenes", tasks.size());
   try {
     ShareWork(options.jobs, order, [&](std::size_t worker, std::size_t k) {
       const auto [subject, part] = tasks[k];
@@ -128,7 +129,7 @@ std::string SummaryLine(const report::Certificate& certificate) {
   std::string line = fmt::format(
       "{:<38} {:<12} {:>3} hold {:>3} violated  {}{}", certificate.subject.name,
       OutcomeName(overall.outcome), count(Outcome::kHolds), count(Outcome::kViolated),
-      WrongSamples(certificate), certificate.subject.claims_exact ? "  (claims exact)" : "");
+      WrongSamples(certificate), certificate.subject.states_exact ? "  (states exact)" : "");
   if (overall.outcome == Outcome::kInconclusive) line += "; " + overall.reason;
   if (overall.outcome == Outcome::kViolated && certificate.interrupted) line += "; interrupted";
   return report::CleanText(line) + "\n";
@@ -143,15 +144,15 @@ std::string Remarks(const report::Certificate& certificate) {
     if (reserved) add(result.property + ": " + report::Said(result));
   }
   for (const report::Evidence& evidence : report::NotApplicable(certificate)) {
-    if (evidence.claim.starts_with("scene ")) add(evidence.claim + ": " + evidence.by);
+    if (evidence.statement.starts_with("scene ")) add(evidence.statement + ": " + evidence.by);
   }
   return text;
 }
 
-// A survey of every method is judged by what each claims: that a naive one fails is what it is here
-// to show, and is observed (docs/decisions/0005).
+// A survey of every method is judged by what each properties: that a naive one fails is what it is
+// here to show, and is observed (docs/decisions/0005).
 bool Counts(const report::Certificate& certificate, Outcome outcome, bool survey) {
-  return !survey || certificate.subject.claims_exact || outcome != Outcome::kViolated;
+  return !survey || certificate.subject.states_exact || outcome != Outcome::kViolated;
 }
 
 // Of several subjects the worst one tells.
@@ -165,11 +166,11 @@ int ExitStatus(const std::vector<report::Certificate>& certificates, bool survey
 }
 
 // Each once, in order; misspelt names are found before any work.
-std::vector<SubjectInfo> SubjectsOf(const CertifyOptions& options) {
-  std::vector<SubjectInfo> subjects;
+std::vector<AskedSubject> SubjectsOf(const CertifyOptions& options) {
+  std::vector<AskedSubject> subjects;
   for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
-    if (std::ranges::find(subjects, name, &SubjectInfo::name) != subjects.end()) continue;
-    SayOfPreset(subjects.emplace_back(MakeSubject(name)->Info()).profile);
+    if (std::ranges::find(subjects, name, &AskedSubject::name) != subjects.end()) continue;
+    SayOfPreset(subjects.emplace_back(ResolveSubject(name)).Make()->Info().profile);
   }
   return subjects;
 }
@@ -192,7 +193,7 @@ std::string Summary(const std::vector<report::Certificate>& certificates, std::s
 
 int RunCertify(const CertifyOptions& options) {
   RequireHonestEnvironment();
-  const std::vector<SubjectInfo> subjects = SubjectsOf(options);
+  const std::vector<AskedSubject> subjects = SubjectsOf(options);
   io::MakeFolder(options.output);
   report::Page page;
   std::exception_ptr failure;

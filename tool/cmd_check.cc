@@ -26,6 +26,7 @@
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
 #include "report/text.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -41,15 +42,7 @@ namespace {
 
 using Properties = std::vector<const props::Property*>;
 
-Properties ChosenProperties(const CheckOptions& options) {
-  Properties chosen;
-  for (const std::string& name : options.properties) chosen.push_back(&RequireProperty(name));
-  if (!chosen.empty()) return chosen;
-  for (const props::Property& property : props::Catalog()) chosen.push_back(&property);
-  return chosen;
-}
-
-// What a whole run comes to: one violation outweighs all, then a claim that could not be judged;
+// What a whole run comes to: one violation outweighs all, then a property that could not be judged;
 // nothing exercised is no pass.
 class Tally {
  public:
@@ -74,7 +67,7 @@ class Tally {
   }
 
  private:
-  // Of claims on given scenes. A campaign has counted the refusals of its cases itself.
+  // Of properties on given scenes. A campaign has counted the refusals of its cases itself.
   bool RefusesTooMuch() const {
     const auto refused = static_cast<double>(Of(Outcome::kRefused));
     const auto holds = static_cast<double>(Of(Outcome::kHolds));
@@ -166,9 +159,9 @@ std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, cons
 }
 
 // One property on generated cases, its progress told.
-PropertyResult Campaign(Subject& subject, const props::Property& property,
-                        const CheckOptions& options, Progress& progress, std::size_t worker,
-                        props::Pace& pace) {
+PropertyResult Campaign(Subject& subject, const AskedSubject& asked,
+                        const props::Property& property, const CheckOptions& options,
+                        Progress& progress, std::size_t worker, props::Pace& pace) {
   const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
   progress.Stage(stage, options.campaign.cases, worker);
   props::CampaignOptions campaign;
@@ -177,9 +170,7 @@ PropertyResult Campaign(Subject& subject, const props::Property& property,
   campaign.cases = options.campaign.cases;
   campaign.seconds = options.campaign.seconds;
   campaign.time_limit = TimeLimitOf(subject);
-  if (IsOutside(subject.Info().name)) {
-    campaign.afresh = [&] { return MakeSubject(subject.Info().name, options.profile); };
-  }
+  if (IsOutside(asked.name())) campaign.afresh = [&] { return asked.Make(); };
   campaign.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
   campaign.shrinking = [&](std::uint64_t evaluations) {
     if (evaluations == 0) {
@@ -198,7 +189,7 @@ bool WasNotAsked(const PropertyResult& result) {
   return result.outcome == Outcome::kNotApplicable && !result.counterexample;
 }
 
-// What came of a claim on generated cases, as it is printed.
+// What came of a property on generated cases, as it is printed.
 void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
   const PropertyResult& result = *share.result;
   if (WasNotAsked(result)) return;
@@ -214,7 +205,7 @@ void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
   if (!options.save.empty()) SaveCounterexample(options.save, result);
 }
 
-// A run in which no claim of the contract was put to the test is no pass, whatever else holds.
+// A run in which no property of the contract was put to the test is no pass, whatever else holds.
 std::string ContractText(const SubjectInfo& subject, std::span<const PropertyResult> results,
                          Tally& tally) {
   const props::ContractEvidence evidence = props::EvidenceOfContract(subject, results);
@@ -239,49 +230,37 @@ std::string TextOf(const std::vector<Share>& shares, const std::string& subject,
   return text + not_asked.Lines(subject, of);
 }
 
-void CheckGenerated(Crew& crew, const CheckOptions& options, Progress& progress, std::string& text,
-                    Tally& tally) {
-  const Properties properties = ChosenProperties(options);
+// What came of one subject: what is printed, and what it comes to.
+struct Told {
+  std::string text;
+  Tally tally;
+};
+
+void CheckGenerated(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,
+                    const CheckOptions& options, Progress& progress, Told& told) {
   props::Pace pace;
   std::exception_ptr error;
   const std::vector<Share> shares = ShareOut(
-      crew, properties,
+      crew, asked.properties,
       [&](std::size_t worker, const props::Property& property, Share& share) {
-        Subject& subject = crew.Of(worker);
-        share.result = Campaign(subject, property, options, progress, worker, pace);
-        TellOf(subject, options, share);
+        Subject& own = crew.Of(worker);
+        share.result = Campaign(own, subject, property, options, progress, worker, pace);
+        TellOf(own, options, share);
       },
       error);
   std::vector<PropertyResult> results;
-  text += TextOf(shares, crew.Of(0).Info().name, "", results, tally);
+  told.text += TextOf(shares, subject.name(), "", results, told.tally);
   if (error) std::rethrow_exception(error);
-  if (options.properties.empty() && !Interrupted()) {
-    text += ContractText(crew.Of(0).Info(), results, tally);
+  if (asked.is_whole_catalogue && !Interrupted()) {
+    told.text += ContractText(crew.Of(0).Info(), results, told.tally);
   }
 }
 
-// The cases that the user names, by files or by their own names.
-std::vector<CaseChoice> GivenCases(const CheckOptions& options) {
-  std::vector<CaseChoice> all;
-  for (const std::string& path : options.scenes) all.emplace_back().path = path;
-  for (const std::string& name : options.named) all.emplace_back().name = name;
-  return all;
-}
-
-Case LoadGiven(const Subject& subject, const CaseChoice& choice) {
-  if (choice.path.empty()) return props::DrawCase(subject.Info(), RequireCaseName(choice.name));
-  Case given = io::ReadCase(choice.path).value;
-  given.profile = subject.Info().profile;
-  RequireTakes(subject, given.scene, choice.path);
-  return given;
-}
-
 // One property on one given case.
-void AskOfGiven(Subject& subject, const props::Property& property, CaseChoice choice,
-                const Case& given, const CheckOptions& options, Share& share) {
+void AskOfGiven(Subject& subject, const props::Property& property, const GivenCase& given,
+                const Case& c, const CheckOptions& options, Share& share) {
   const std::string& name = subject.Info().name;
-  const std::string& of = choice.path.empty() ? choice.name : choice.path;
-  const Verdict verdict = props::RunCase(subject, property, given);
+  const Verdict verdict = props::RunCase(subject, property, c);
   PropertyResult& result = share.result.emplace();
   result.property = property.name;
   result.outcome = verdict.outcome;
@@ -290,43 +269,43 @@ void AskOfGiven(Subject& subject, const props::Property& property, CaseChoice ch
   result.message = verdict.message;
   if (WasNotAsked(result)) return;
   share.text = fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}\n",
-                           OutcomeName(verdict.outcome), name, property.name, of, verdict.exercised,
-                           NotJudgedText(verdict.not_judged), verdict.message.empty() ? "" : "; ",
-                           report::CleanText(verdict.message));
+                           OutcomeName(verdict.outcome), name, property.name, given.place,
+                           verdict.exercised, NotJudgedText(verdict.not_judged),
+                           verdict.message.empty() ? "" : "; ", report::CleanText(verdict.message));
   if (verdict.outcome != Outcome::kViolated) return;
+  CaseChoice choice;
+  (given.name ? choice.name : choice.path) = given.place;
   choice.subject = name;
   choice.property = property.name;
   choice.profile = options.profile;
-  share.text += FailureText(subject, result.property, given, verdict, CommandFor("replay", choice),
+  share.text += FailureText(subject, result.property, c, verdict, CommandFor("replay", choice),
                             /*colour=*/false);
 }
 
-void CheckGiven(Crew& crew, const CheckOptions& options, Progress& progress, std::string& text,
-                Tally& tally) {
-  const std::string name = crew.Of(0).Info().name;
-  const Properties properties = ChosenProperties(options);
+void CheckGiven(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,
+                const CheckOptions& options, Progress& progress, Told& told) {
   std::vector<PropertyResult> results;
-  for (const CaseChoice& choice : GivenCases(options)) {
-    const Case given = LoadGiven(crew.Of(0), choice);
-    const std::string of = choice.path.empty() ? choice.name : choice.path;
+  for (const GivenCase& given : asked.cases) {
+    const Case c = CaseFor(crew.Of(0), given);
     std::exception_ptr error;
     const std::vector<Share> shares = ShareOut(
-        crew, properties,
+        crew, asked.properties,
         [&](std::size_t worker, const props::Property& property, Share& share) {
-          progress.Stage(fmt::format("{} {} on {}", name, property.name, of), 0, worker);
-          AskOfGiven(crew.Of(worker), property, choice, given, options, share);
+          progress.Stage(fmt::format("{} {} on {}", subject.name(), property.name, given.place), 0,
+                         worker);
+          AskOfGiven(crew.Of(worker), property, given, c, options, share);
           progress.Stage("", 0, worker);
         },
         error);
-    text += TextOf(shares, name, of + ": ", results, tally);
+    told.text += TextOf(shares, subject.name(), given.place + ": ", results, told.tally);
     if (error) std::rethrow_exception(error);
   }
-  if (options.properties.empty() && !Interrupted()) {
-    text += ContractText(crew.Of(0).Info(), results, tally);
+  if (asked.is_whole_catalogue && !Interrupted()) {
+    told.text += ContractText(crew.Of(0).Info(), results, told.tally);
   }
 }
 
-// What finds out more about a subject of the user's own that does not draw as it promises.
+// What finds out more about a subject of the user's own that does not draw as it states.
 std::string Hint(const std::string& subject, const Tally& tally, const std::string& profile) {
   if (tally.Of(Outcome::kViolated) == 0 || !IsOutside(subject)) return "";
   CaseChoice choice;
@@ -335,39 +314,37 @@ std::string Hint(const std::string& subject, const Tally& tally, const std::stri
   return fmt::format("what profile it does follow: {}\n", CommandFor("infer", choice));
 }
 
+// Runs what is asked of one subject. What was found up to an error is printed all the same.
+Told Check(const AskedSubject& subject, const CheckAsked& asked, const CheckOptions& options) {
+  Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
+  SayOfPreset(crew.Of(0).Info().profile);
+  Told told;
+  try {
+    Progress progress(crew.size());
+    if (asked.cases.empty()) {
+      CheckGenerated(crew, subject, asked, options, progress, told);
+    } else {
+      CheckGiven(crew, subject, asked, options, progress, told);
+    }
+  } catch (...) {
+    io::WriteStandardOutput(told.text);
+    throw;
+  }
+  return told;
+}
+
 }  // namespace
 
 int RunCheck(const CheckOptions& options) {
   RequireHonestEnvironment();
-  ChosenProperties(options);  // a misspelt name is found before anything is run
-  for (const std::string& name : options.named) RequireCaseName(name);
-  std::vector<std::unique_ptr<Subject>> subjects;
-  for (const std::string& name : options.subjects) {
-    subjects.push_back(MakeSubject(name, options.profile));
-    SayOfPreset(subjects.back()->Info().profile);
-  }
+  const CheckAsked asked = ResolveCheck(options);
   int status = kExitHolds;
-  for (std::unique_ptr<Subject>& subject : subjects) {
+  for (const AskedSubject& subject : asked.subjects) {
     if (Interrupted()) break;
-    const std::string name = subject->Info().name;
-    Crew crew(options.jobs, [&](std::size_t) { return MakeSubject(name, options.profile); });
-    crew.Give(std::move(subject));
-    std::string text;
-    Tally own;
-    try {
-      Progress progress(crew.size());
-      if (options.scenes.empty() && options.named.empty()) {
-        CheckGenerated(crew, options, progress, text, own);
-      } else {
-        CheckGiven(crew, options, progress, text, own);
-      }
-    } catch (...) {
-      io::WriteStandardOutput(text);  // what was found before is so all the same
-      throw;
-    }
-    text += own.Line(name) + Hint(name, own, options.profile);
-    status = WorseStatus(status, own.ExitStatus());
-    io::WriteStandardOutput(text);
+    const Told told = Check(subject, asked, options);
+    io::WriteStandardOutput(told.text + told.tally.Line(subject.name()) +
+                            Hint(subject.name(), told.tally, options.profile));
+    status = WorseStatus(status, told.tally.ExitStatus());
   }
   if (!Interrupted()) return status;
   io::WriteStandardOutput("interrupted: this is what was found so far\n");

@@ -12,6 +12,7 @@
 #include "io/output.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/session.h"
 
@@ -38,16 +39,17 @@ std::string CountsToText(const CoverageCounts& counts) {
 
 // A subject without a grid of its own draws what the profile's snap leaves of the scene.
 Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& name) {
-  const auto on_this_target = [&](const Profile& promised) {
-    Profile resolved = ForTarget(promised, scene.width, scene.height);
-    resolved.targets.clear();
+  const auto on_this_target = [&](const Profile& stated) {
+    Profile resolved = ForTarget(stated, scene.width, scene.height);
+    resolved.by_target_size.clear();
     return resolved;
   };
   const Profile profile = on_this_target(io::ReadProfile(name));
   const Profile own = on_this_target(subject.Info().profile);
   if (SameModel(profile, own)) return scene;
-  if (!own.snap.IsNone() || profile.crossing != own.crossing || profile.lattice != own.lattice ||
-      profile.fill_rule != own.fill_rule || profile.y_axis != own.y_axis || scene.clip_space) {
+  if (!own.snap.IsNone() || profile.scanline_rounding != own.scanline_rounding ||
+      profile.pattern != own.pattern || profile.tie_rule != own.tie_rule ||
+      profile.y_axis != own.y_axis || scene.clip_space) {
     throw InputError("--profile " + name,
                      "subject " + subject.Info().name + " draws by its own profile, " + own.name,
                      "leave --profile out, or use --subject exact");

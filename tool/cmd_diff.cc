@@ -8,6 +8,7 @@
 #include "io/image.h"
 #include "io/output.h"
 #include "report/picture.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/session.h"
 
@@ -27,18 +28,18 @@ int RunDiff(const DiffOptions& options) {
   }
   SayOfPreset(against->Info().profile);
   RequireTakes(*against, scene, options.scene.path);
-  if (subject->Info().profile.lattice.samples() != against->Info().profile.lattice.samples()) {
+  if (subject->Info().profile.pattern.samples() != against->Info().profile.pattern.samples()) {
     throw InputError("--against " + options.against, "the two have different samples per pixel",
-                     "compare subjects of one sample lattice");
+                     "compare subjects of one sample pattern");
   }
   // Facings that it does not tell are worked out by the profile that it is compared by.
   if (!options.profile.empty()) subject = MakeSubject(options.subject, options.profile);
   const CoverageCounts observed = ShownBy(*against, scene, Draw(*subject, scene));
   const CoverageCounts expected = ShownBy(*subject, scene, Draw(*against, scene));
   const CoverageDifference difference = Compare(observed, expected);
-  std::string text =
-      fmt::format("samples {}\ncovered {}\nwrong {}\ngaps {}\noverlaps {}\n", difference.samples,
-                  difference.covered, difference.wrong, difference.gaps, difference.overlaps);
+  std::string text = fmt::format("samples {}\ncovered {}\nwrong {}\nmissing {}\nunexpected {}\n",
+                                 difference.samples, difference.covered, difference.wrong,
+                                 difference.missing, difference.unexpected);
   if (difference.wrong != 0) {
     const auto samples = static_cast<std::size_t>(observed.samples);
     const std::size_t pixel = difference.first_wrong / samples;

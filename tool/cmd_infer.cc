@@ -5,25 +5,16 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "props/infer/declarations.h"
 #include "props/infer/infer.h"
+#include "props/infer/stated_keys.h"
 #include "report/json_writer.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/interrupt.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
-
-std::string ModelText(const Profile& profile) {
-  const std::string bits =
-      profile.snap.IsNone()
-          ? "no grid"
-          : fmt::format("{} subpixel bits, {}", profile.snap.bits, props::SnapText(profile.snap));
-  return fmt::format("{}; {}; samples {}; y {}", bits, FillRuleName(profile.fill_rule),
-                     props::LatticeText(profile.lattice),
-                     profile.y_axis == YAxis::kUp ? "up" : "down");
-}
 
 std::string_view FacingText(props::FacingReport facing) {
   switch (facing) {
@@ -44,13 +35,14 @@ std::string FittingText(const props::Inference& inference) {
                                "{} models explain every draw; no triangle that was looked "
                                "for tells them apart\n",
                                inference.remaining.size());
-  for (const Profile& profile : inference.remaining) text += "  " + ModelText(profile) + "\n";
+  for (const Profile& profile : inference.remaining)
+    text += "  " + props::ModelText(profile) + "\n";
   text += fmt::format("facings          {}\n",
                       inference.message.empty() ? FacingText(inference.facing) : inference.message);
-  for (const props::DeclarationVerdict& verdict : inference.declarations) {
-    text += fmt::format("{:<16} {:<16} declared {}{}\n", verdict.declaration,
-                        verdict.agrees ? "agrees" : "CONTRADICTED", verdict.declared,
-                        verdict.found == verdict.declared ? "" : ", found " + verdict.found);
+  for (const props::StatementVerdict& verdict : inference.statements) {
+    text += fmt::format("{:<16} {:<16} stated {}{}\n", verdict.statement,
+                        verdict.agrees ? "agrees" : "CONTRADICTED", verdict.stated,
+                        verdict.found == verdict.stated ? "" : ", found " + verdict.found);
   }
   return text;
 }
@@ -61,7 +53,7 @@ std::string NoFitText(const props::Inference& inference) {
   if (const auto& nearest = inference.nearest) {
     text += fmt::format(
         "nearest          {}\nits error rate   {} of {} samples, {} of {} draws wrong\n",
-        ModelText(nearest->profile), nearest->wrong_samples, nearest->samples,
+        props::ModelText(nearest->profile), nearest->wrong_samples, nearest->samples,
         nearest->wrong_experiments, nearest->experiments);
   }
   return text;
@@ -74,9 +66,9 @@ std::string CaseText(const std::string& what, const Case& c, const std::string& 
 std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
   report::JsonWriter json;
   json.BeginObject();
-  json.Key("rasterproof_inference").Integer(1);
+  json.Key("rasterproof_inference").Integer(2);
   json.Key("subject").Text(info.name);
-  json.Key("declared").Value(io::ProfileToJson(info.profile));
+  json.Key("stated").Value(io::ProfileToJson(info.profile));
   json.Key("fits").Bool(inference.Fits());
   json.Key("agrees").Bool(inference.Fits() && inference.Agrees());
   json.Key("models").Integer(inference.models);
@@ -86,11 +78,11 @@ std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
   json.Key("remaining").BeginArray();
   for (const Profile& profile : inference.remaining) json.Value(io::ProfileToJson(profile));
   json.EndArray();
-  json.Key("declarations").BeginArray();
-  for (const props::DeclarationVerdict& verdict : inference.declarations) {
+  json.Key("statements").BeginArray();
+  for (const props::StatementVerdict& verdict : inference.statements) {
     json.BeginObject();
-    json.Key("declaration").Text(verdict.declaration);
-    json.Key("declared").Text(verdict.declared);
+    json.Key("statement").Text(verdict.statement);
+    json.Key("stated").Text(verdict.stated);
     json.Key("found").Text(verdict.found);
     json.Key("agrees").Bool(verdict.agrees);
     json.EndObject();
@@ -106,7 +98,7 @@ std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
     json.Key("experiments").Integer(nearest->experiments);
     json.EndObject();
   }
-  const auto& shown = inference.witness ? inference.witness : inference.against_declared;
+  const auto& shown = inference.witness ? inference.witness : inference.against_stated;
   if (shown) {
     json.Key("witness").Value(io::CaseToJson({*shown, info.name, "CoverageEqualsTheModel"}));
   }
@@ -131,15 +123,16 @@ int RunInfer(const InferOptions& options) {
   if (inference.witness) {
     text += CaseText("a case that it draws in another way:", *inference.witness, info.name);
   }
-  if (inference.against_declared) {
-    text += CaseText("a case that the declared profile draws in another way:",
-                     *inference.against_declared, info.name);
+  if (inference.against_stated) {
+    text +=
+        CaseText("a case that the stated profile draws in another way:", *inference.against_stated,
+                 info.name);
   }
   if (!options.json.empty()) WriteOutput(options.json, ToJson(inference, info));
   if (options.json != "-") io::WriteStandardOutput(text);
   if (inference.Fits()) return inference.Agrees() ? kExitHolds : kExitViolated;
   if (inference.is_inconclusive) return kExitInconclusive;
-  // Only who promises what each sample counts breaks a promise by following no model of it.
+  // Only who states what each sample counts breaks a contract by following no model of it.
   return info.profile.contract == Contract::kSampleExact ? kExitViolated : kExitInconclusive;
 }
 

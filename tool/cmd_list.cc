@@ -7,6 +7,7 @@
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "subjects/mutants/mutants.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/session.h"
 
@@ -23,7 +24,7 @@ std::string ListSubjects() {
                                                              : "window";
     text += fmt::format("  {:<38} {:<7} {:<12} {:<5} {}\n", name,
                         info.input == Precision::kFloat32 ? "float32" : "float64", space,
-                        info.claims_exact ? "exact" : "", info.summary);
+                        info.states_exact ? "exact" : "", info.summary);
   }
   return text;
 }
@@ -56,7 +57,7 @@ std::string ListProfiles() {
                                  : fmt::format("{} subpixel bits, {}", profile.snap.bits,
                                                SnapRuleName(profile.snap.rule));
     text += fmt::format("  {:<10} {}, {}, coordinates up to {:a}\n", name, snap,
-                        FillRuleName(profile.fill_rule), profile.coordinate_limit);
+                        TieRuleName(profile.tie_rule), profile.coordinate_limit);
   }
   return text;
 }

@@ -1,6 +1,6 @@
 // rasterproof gen and ver: a program that draws, on a pipe laid by hand.
 //
-// Both make the same cases and put the claim to the test on a subject that has no pixels of its
+// Both make the same cases and put the property to the test on a subject that has no pixels of its
 // own: gen's writes down what it is asked to draw, ver's answers with what the program said.
 #include <algorithm>
 #include <cstddef>
@@ -31,6 +31,7 @@
 #include "props/run/put.h"
 #include "props/run/tally.h"
 #include "subjects/process/protocol.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/description.h"
 #include "tool/failure.h"
@@ -81,9 +82,9 @@ class Asking final : public FarEnd {
     for (std::size_t k = 0; k < jobs.size(); ++k) {
       Drawing& drawing = outcomes[k].drawing;
       drawing.counts = CoverageCounts(jobs[k].scene->width, jobs[k].scene->height, jobs[k].samples);
-      if (!ShowsWinners(info())) continue;
-      drawing.winners.assign(drawing.counts.size(), kNoTriangle);
-      drawing.weights.resize(drawing.counts.size());
+      if (!ShowsPrimitiveIds(info())) continue;
+      drawing.primitive_ids.assign(drawing.counts.size(), kNoPrimitive);
+      drawing.barycentrics.resize(drawing.counts.size());
       drawing.depths.resize(drawing.counts.size());
     }
     return outcomes;
@@ -258,7 +259,7 @@ void TellNothingAsked(const props::Property& property, std::uint64_t cases,
 struct PipeTally {
   std::uint64_t held = 0;
   std::uint64_t refused = 0;
-  std::uint64_t idle = 0;  ///< the case did not exercise the claim
+  std::uint64_t idle = 0;  ///< the case did not exercise the property
   std::uint64_t violated = 0;
 
   int Status() const {

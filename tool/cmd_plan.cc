@@ -19,7 +19,7 @@ int RunPlan(const PlanOptions& options) {
   RequireHonestEnvironment();
   const Scene scene = LoadScene(options.scene);
   const Profile profile = ForTarget(io::ReadProfile(options.profile), scene.width, scene.height);
-  const reference::Needs needs{options.weights, options.depth, options.wireframe};
+  const reference::Needs needs{options.barycentrics, options.depth, options.wireframe};
   const reference::Plan plan = reference::MakePlan(scene, profile, {}, needs);
   std::string text = fmt::format("scene       {}\nprofile     {}\narithmetic  {}\n",
                                  scene.name.empty() ? options.scene.path : scene.name, profile.name,
@@ -29,7 +29,7 @@ int RunPlan(const PlanOptions& options) {
   }
   int status = kExitHolds;
   if (options.verify) {
-    const int samples = profile.lattice.samples();
+    const int samples = profile.pattern.samples();
     CoverageCounts planned(scene.width, scene.height, samples);
     plan.draw(scene, profile, {}, planned);
     const CoverageDifference difference = Compare(planned, exact::Coverage(scene, profile));

@@ -9,6 +9,7 @@
 #include "reference/method.h"
 #include "reference/rasterize.h"
 #include "report/picture.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/session.h"
 
@@ -32,11 +33,11 @@ io::Image PaintFragments(const RenderOptions& options, const Scene& scene) {
         "choose a method without a suffix from 'rasterproof list subjects', or --mode coverage");
   }
   reference::Needs needs;
-  needs.weights = options.mode == "weights";
+  needs.barycentrics = options.mode == "barycentrics";
   needs.depth = options.mode == "depth";
   needs.edge_distance = options.mode == "wireframe";
   const FragmentBuffers fragments = reference::RasterizeFragments(scene, *method, {}, needs);
-  if (options.mode == "weights") return report::PaintWeights(fragments);
+  if (options.mode == "barycentrics") return report::PaintBarycentrics(fragments);
   if (options.mode == "depth") return report::PaintDepth(fragments);
   if (options.mode == "wireframe") return report::PaintWireframe(fragments, options.line_width);
   return report::PaintFlat(fragments);

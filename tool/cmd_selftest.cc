@@ -12,6 +12,7 @@
 #include "fmt/format.h"
 #include "io/output.h"
 #include "subjects/mutants/mutants.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/progress.h"
 #include "tool/selftest.h"

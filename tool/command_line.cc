@@ -98,15 +98,15 @@ void AddScene(CLI::App* app, SceneOptions& scene) {
       ->capture_default_str();
 }
 
-void AddCampaign(CLI::App* app, CampaignChoice& campaign) {
+void AddCampaign(CLI::App* app, CampaignChoice& campaign, const std::string& of = "property") {
   app->add_option_function<std::string>(
          "--seed", [&](const std::string& text) { campaign.seed = ParseSeed(text); },
          "Seed of the generators, or 'random' (the one taken is printed)")
       ->default_str("1");
-  app->add_option("--cases", campaign.cases, "Cases a property")
+  app->add_option("--cases", campaign.cases, "Cases a " + of)
       ->check(Positive())
       ->capture_default_str();
-  app->add_option("--seconds", campaign.seconds, "Most seconds a property (0: no limit)")
+  app->add_option("--seconds", campaign.seconds, "Most seconds a " + of + " (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }
@@ -138,10 +138,10 @@ void AddCase(CLI::App* app, CaseChoice& choice) {
 }
 
 void AddPipe(CLI::App* app, PipeOptions& options) {
-  app->add_option("--property", options.property, "Claim to put to the test")
+  app->add_option("--property", options.property, "Property to put to the test")
       ->capture_default_str();
   app->add_option("--description", options.description,
-                  "File that says what the program promises (docs/subjects.md)");
+                  "File that says what the program states (docs/subjects.md)");
   app->add_option("--profile", options.profile, "Judge by this profile, not by the description's");
   AddCampaign(app, options.campaign);
 }
@@ -196,8 +196,9 @@ void AddRender(CLI::App& app, Run& run) {
   CLI::App* verb = app.add_subcommand("render", "Pictures (PNG) of what a method draws");
   AddScene(verb, options.scene);
   verb->add_option("--mode", options.mode,
-                   "flat, weights, depth, wireframe, coverage or difference")
-      ->check(CLI::IsMember({"flat", "weights", "depth", "wireframe", "coverage", "difference"}))
+                   "flat, barycentrics, depth, wireframe, coverage or difference")
+      ->check(
+          CLI::IsMember({"flat", "barycentrics", "depth", "wireframe", "coverage", "difference"}))
       ->capture_default_str();
   AddSubject(verb, options.subject);
   verb->add_option("--line-width", options.line_width, "Half-width of wireframe lines in pixels")
@@ -237,7 +238,7 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   AddSubjects(verb, options.subjects);
   verb->add_flag(
       "--all", options.all,
-      "Every built-in subject; the status then tells only whether each keeps its own claims");
+      "Every built-in subject; the status then tells only whether each keeps its own properties");
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
@@ -254,13 +255,29 @@ void AddInfer(CLI::App& app, Run& run, const std::string& own) {
       app.add_subcommand("infer", "The model that a subject follows, found by experiment");
   AddSubject(verb, options.subject);
   verb->add_option("--profile", options.profile,
-                   "Verify this profile's declarations, not the subject's own");
+                   "Verify this profile's statements, not the subject's own");
   verb->add_option_function<std::string>(
           "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
           "Seed of the experiments, or 'random'")
       ->default_str("1");
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   verb->callback([&run] { run = [] { return RunInfer(options); }; });
+}
+
+void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
+  static SurveyOptions options;
+  options.subject = own;
+  CLI::App* verb = app.add_subcommand(
+      "survey", "How a subject differs from the model nearest to it, domain by domain");
+  AddSubject(verb, options.subject);
+  verb->add_option("--profile", options.profile,
+                   "Draw cases for this profile, not for the subject's own");
+  AddCampaign(verb, options.campaign, "domain");
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  verb->add_option("--save", options.save, "Folder for the first case of each kind, shrunk");
+  AddJobs(verb, options.jobs, "Domains");
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunSurvey(options); }); }; });
 }
 
 void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
@@ -309,7 +326,7 @@ void AddPlan(CLI::App& app, Run& run) {
       app.add_subcommand("plan", "The cheapest exact arithmetic for a scene, and what is left out");
   AddScene(verb, options.scene);
   verb->add_option("--profile", options.profile, "Preset or profile file")->capture_default_str();
-  verb->add_flag("--weights", options.weights, "Barycentric weights are needed");
+  verb->add_flag("--barycentrics", options.barycentrics, "Barycentric barycentrics are needed");
   verb->add_flag("--depth", options.depth, "Depth is needed");
   verb->add_flag("--wireframe", options.wireframe, "Edge distances are needed");
   verb->add_flag("--verify", options.verify, "Draw by the plan and compare with the oracle");
@@ -384,7 +401,7 @@ void AddHost(CLI::App& app, Run& run) {
   static HostOptions options;
   CLI::App* verb = app.add_subcommand("host", "Answer requests by a plugin, on a pipe");
   verb->add_option("subject", options.subject, "plugin:PATH")->required();
-  verb->add_flag("--describe", options.describe, "Say only what it promises");
+  verb->add_flag("--describe", options.describe, "Say only what it states");
   verb->callback([&run] { run = [] { return HostSubject(options.subject, options.describe); }; });
 }
 
@@ -413,6 +430,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddExplain(app, run, typed);
   AddReplay(app, run, typed);
   AddInfer(app, run, own);
+  AddSurvey(app, run, own);
   AddCertify(app, run, typed, own);
   AddList(app, run);
   AddCoverage(app, run);

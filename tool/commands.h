@@ -57,7 +57,8 @@ int RunDiff(const DiffOptions& options);
 
 struct RenderOptions {
   SceneOptions scene;
-  std::string mode = "flat";  ///< "flat", "weights", "depth", "wireframe", "coverage", "difference"
+  std::string mode =
+      "flat";  ///< "flat", "barycentrics", "depth", "wireframe", "coverage", "difference"
   std::string subject = "spans-exact";
   double line_width = 1;
   std::string output;
@@ -90,11 +91,21 @@ int RunCertify(const CertifyOptions& options);
 
 struct InferOptions {
   std::string subject = "spans-exact";
-  std::string profile;  ///< declared in place of the subject's own
+  std::string profile;  ///< stated in place of the subject's own
   std::uint64_t seed = 1;
   std::string json;  ///< file; empty: none
 };
 int RunInfer(const InferOptions& options);
+
+struct SurveyOptions {
+  std::string subject = "spans-exact";
+  std::string profile;  ///< stated in place of the subject's own
+  CampaignChoice campaign{.seed = 1, .cases = 2000, .seconds = 0};
+  std::string json;  ///< file; empty: none
+  std::string save;  ///< folder for the cases found
+  int jobs = 1;      ///< domains at once
+};
+int RunSurvey(const SurveyOptions& options);
 
 /// A saved case, or the name of a drawn one.
 struct CaseChoice {
@@ -131,7 +142,7 @@ int RunShrink(const ShrinkOptions& options);
 struct PlanOptions {
   SceneOptions scene;
   std::string profile = "real";
-  bool weights = false;
+  bool barycentrics = false;
   bool depth = false;
   bool wireframe = false;
   bool verify = false;

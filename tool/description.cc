@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/renamed.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "subjects/process/protocol.h"
@@ -26,14 +27,14 @@ using Names = std::array<std::pair<std::string_view, T>, n>;
 constexpr Names<CoverageKind, 5> kCoverages{{{"facing-counts", CoverageKind::kFacingCounts},
                                              {"counts", CoverageKind::kCounts},
                                              {"mask", CoverageKind::kMask},
-                                             {"winning-id", CoverageKind::kWinners},
+                                             {"primitive-id", CoverageKind::kPrimitiveIds},
                                              {"fragments", CoverageKind::kFragments}}};
 constexpr Names<Precision, 2> kInputs{
     {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
-constexpr Names<WinnerOrder, 2> kOrders{
-    {{"last-drawn", WinnerOrder::kLastDrawn}, {"first-drawn", WinnerOrder::kFirstDrawn}}};
-constexpr Names<WeightsOf, 2> kWeightsOf{
-    {{"given", WeightsOf::kGiven}, {"snapped", WeightsOf::kSnapped}}};
+constexpr Names<Visible, 2> kOrders{
+    {{"last-drawn", Visible::kLastDrawn}, {"first-drawn", Visible::kFirstDrawn}}};
+constexpr Names<BarycentricsOf, 2> kBarycentricsOf{
+    {{"given", BarycentricsOf::kGiven}, {"snapped", BarycentricsOf::kSnapped}}};
 
 constexpr Names<bool SubjectInfo::*, 7> kTakes{{{"window", &SubjectInfo::takes_window},
                                                 {"clip", &SubjectInfo::takes_clip},
@@ -43,8 +44,8 @@ constexpr Names<bool SubjectInfo::*, 7> kTakes{{{"window", &SubjectInfo::takes_w
                                                 {"threads", &SubjectInfo::takes_threads},
                                                 {"batches", &SubjectInfo::takes_batches}}};
 
-constexpr Names<bool EdgeClaims::*, 2> kShows{
-    {{"edges", &EdgeClaims::shows_values}, {"walks", &EdgeClaims::shows_walks}}};
+constexpr Names<bool EdgeInfo::*, 2> kShows{
+    {{"edges", &EdgeInfo::shows_values}, {"steps", &EdgeInfo::shows_steps}}};
 
 template <class Table>
 std::string NamesIn(const Table& table) {
@@ -57,7 +58,8 @@ template <class Table>
 auto Chosen(const Table& table, std::string_view name, const std::string& place) {
   const auto found = std::ranges::find_if(table, [&](const auto& e) { return e.first == name; });
   if (found != table.end()) return found->second;
-  throw InputError(place, fmt::format("'{}' is not known", name), "choose of: " + NamesIn(table));
+  throw InputError(place, fmt::format("'{}' is not known{}", name, RenamedText(name)),
+                   "choose of: " + NamesIn(table));
 }
 
 template <class Table>
@@ -122,16 +124,16 @@ void TakeInput(const std::string& value, const std::string& place, Description& 
   }
 }
 
-// The input and the profile are one promise, whichever of the two states it.
+// The input and the profile are one contract, whichever of the two states it.
 void JoinFixedInput(Description& description, const std::string& place) {
-  std::optional<FixedInput>& promised = description.info.profile.fixed;
-  if (promised && description.fixed && *promised != *description.fixed) {
+  std::optional<FixedInput>& stated = description.info.profile.fixed;
+  if (stated && description.fixed && *stated != *description.fixed) {
     throw InputError(place, "its input and its profile state different fixed-point formats",
                      "state one of them, or both alike");
   }
-  if (description.fixed) promised = description.fixed;
+  if (description.fixed) stated = description.fixed;
   description.info.profile.name = io::ProfileName(description.info.profile);
-  if (promised && description.info.takes_clip) {
+  if (stated && description.info.takes_clip) {
     throw InputError(place, "its input is fixed point, and it takes clip space",
                      "leave clip out of takes");
   }
@@ -172,18 +174,18 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     info.coverage = Chosen(kCoverages, value, place);
   } else if (key == "input") {
     TakeInput(value, place, description);
-  } else if (key == "wins") {
-    info.fragments.order = Chosen(kOrders, value, place);
-  } else if (key == "weights-of") {
-    info.fragments.weights_of = Chosen(kWeightsOf, value, place);
-  } else if (key == "weight-error") {
-    info.fragments.weight_error = ErrorOf(value, place);
+  } else if (key == "visible") {
+    info.fragments.visible = Chosen(kOrders, value, place);
+  } else if (key == "barycentrics-of") {
+    info.fragments.barycentrics_of = Chosen(kBarycentricsOf, value, place);
+  } else if (key == "barycentric-error") {
+    info.fragments.barycentric_error = ErrorOf(value, place);
   } else if (key == "depth-error") {
     info.fragments.depth_error = ErrorOf(value, place);
   } else if (key == "edge-error") {
     info.edges.value_error = EdgeErrorOf(value, place);
-  } else if (key == "walk-error") {
-    info.edges.walk_error = EdgeErrorOf(value, place);
+  } else if (key == "stepping-error") {
+    info.edges.stepping_error = EdgeErrorOf(value, place);
   } else if (key == "protocol") {
     info.protocol = ProtocolOf(value, place);
   } else if (key == "shows") {
@@ -194,36 +196,37 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     std::istringstream words(value);
     for (std::string word; words >> word;) info.*Chosen(kTakes, word, place) = true;
   } else {
-    throw InputError(place, fmt::format("there is no key '{}'", key),
-                     "use name, summary, command, input, coverage, wins, weights-of, weight-error, "
-                     "depth-error, shows, edge-error, walk-error, takes, protocol or profile");
+    throw InputError(
+        place, fmt::format("there is no key '{}'{}", key, RenamedText(key)),
+        "use name, summary, command, input, coverage, visible, barycentrics-of, barycentric-error, "
+        "depth-error, shows, edge-error, stepping-error, takes, protocol or profile");
   }
 }
 
 // What is said of edge values that are not shown is a mistake as well.
-void RequireEdgesItShows(const EdgeClaims& edges, const std::string& place) {
-  if (edges.shows_walks && !edges.shows_values) {
-    throw InputError(place, "it shows walks and no edge values", "write: shows edges walks");
+void RequireEdgesItShows(const EdgeInfo& edges, const std::string& place) {
+  if (edges.shows_steps && !edges.shows_values) {
+    throw InputError(place, "it shows steps and no edge values", "write: shows edges steps");
   }
-  if ((edges.value_error && !edges.shows_values) || (edges.walk_error && !edges.shows_walks)) {
+  if ((edges.value_error && !edges.shows_values) || (edges.stepping_error && !edges.shows_steps)) {
     throw InputError(place, "it states the error of what it does not show",
-                     "add a line: shows edges walks");
+                     "add a line: shows edges steps");
   }
 }
 
-// What is said of winners by a program that shows none is a mistake.
+// What is said of primitive ids by a program that shows none is a mistake.
 void RequireWhatItShows(const SubjectInfo& info, const std::string& place) {
-  const FragmentClaims& claims = info.fragments;
-  const FragmentClaims nothing;
-  const bool says_weights = claims.weights_of != nothing.weights_of || claims.weight_error != 0 ||
-                            claims.depth_error != 0;
-  if (says_weights && info.coverage != CoverageKind::kFragments) {
-    throw InputError(place, "it says something of weights or depths and shows none",
+  const FragmentInfo& properties = info.fragments;
+  const FragmentInfo nothing;
+  const bool says_barycentrics = properties.barycentrics_of != nothing.barycentrics_of ||
+                                 properties.barycentric_error != 0 || properties.depth_error != 0;
+  if (says_barycentrics && info.coverage != CoverageKind::kFragments) {
+    throw InputError(place, "it says something of barycentrics or depths and shows none",
                      "add a line: coverage fragments");
   }
-  if (claims.order != nothing.order && !ShowsWinners(info)) {
-    throw InputError(place, "it says which triangle wins and does not show it",
-                     "add a line: coverage winning-id");
+  if (properties.visible != nothing.visible && !ShowsPrimitiveIds(info)) {
+    throw InputError(place, "it says which triangle is visible and does not show it",
+                     "add a line: coverage primitive-id");
   }
 }
 
@@ -263,15 +266,15 @@ Description ParseDescription(std::string_view text, const std::string& place) {
 
 namespace {
 
-std::string EdgeLines(const EdgeClaims& edges) {
+std::string EdgeLines(const EdgeInfo& edges) {
   if (!edges.shows_values) return "";
-  std::string text = edges.shows_walks ? "shows edges walks\n" : "shows edges\n";
+  std::string text = edges.shows_steps ? "shows edges steps\n" : "shows edges\n";
   const auto add = [&](const char* key, const std::optional<double>& error) {
     if (error)
       text += *error == 0 ? fmt::format("{} exact\n", key) : fmt::format("{} {}\n", key, *error);
   };
   add("edge-error", edges.value_error);
-  if (edges.shows_walks) add("walk-error", edges.walk_error);
+  if (edges.shows_steps) add("stepping-error", edges.stepping_error);
   return text;
 }
 
@@ -288,13 +291,14 @@ std::string DescriptionText(const SubjectInfo& info, const std::string& profile)
       "name {}\nsummary {}\ninput {}\ncoverage {}\ntakes{}\nprofile {}\n", info.name, info.summary,
       InputText(info), NameOf(kCoverages, info.coverage), takes, one_line);
   text += EdgeLines(info.edges);
-  if (!ShowsWinners(info)) return text;
-  const FragmentClaims& claims = info.fragments;
-  text += fmt::format("wins {}\n", NameOf(kOrders, claims.order));
+  if (!ShowsPrimitiveIds(info)) return text;
+  const FragmentInfo& properties = info.fragments;
+  text += fmt::format("visible {}\n", NameOf(kOrders, properties.visible));
   if (info.coverage != CoverageKind::kFragments) return text;
-  text += fmt::format("weights-of {}\n", NameOf(kWeightsOf, claims.weights_of));
-  if (claims.weight_error > 0) text += fmt::format("weight-error {}\n", claims.weight_error);
-  if (claims.depth_error > 0) text += fmt::format("depth-error {}\n", claims.depth_error);
+  text += fmt::format("barycentrics-of {}\n", NameOf(kBarycentricsOf, properties.barycentrics_of));
+  if (properties.barycentric_error > 0)
+    text += fmt::format("barycentric-error {}\n", properties.barycentric_error);
+  if (properties.depth_error > 0) text += fmt::format("depth-error {}\n", properties.depth_error);
   return text;
 }
 

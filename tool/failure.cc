@@ -136,11 +136,11 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   report::Explanation explanation;
   // A triangle that is dropped for its extent is shown where it lies.
   Profile all_sizes = c.profile;
-  all_sizes.max_extent.reset();
+  all_sizes.max_primitive_extent.reset();
   explanation.scene = IsHomogeneous(c.scene, c.profile) ? c.scene : SnapScene(c.scene, all_sizes);
-  explanation.lattice = c.profile.lattice;
+  explanation.pattern = c.profile.pattern;
   explanation.y_axis = c.profile.y_axis;
-  const CoverageCounts none(c.scene.width, c.scene.height, c.profile.lattice.samples());
+  const CoverageCounts none(c.scene.width, c.scene.height, c.profile.pattern.samples());
   if (verdict.compared && SameShape(verdict.compared->expected, none)) {
     explanation.expected = verdict.compared->expected;
     explanation.observed = verdict.compared->observed;
@@ -158,12 +158,12 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   explanation.triangles = TrianglesInView(explanation.scene, explanation.view,
                                           verdict.witness ? verdict.witness->triangle : -1);
   if (explanation.focus_x >= 0) {
-    const SampleLattice& lattice = c.profile.lattice;
+    const SamplePattern& pattern = c.profile.pattern;
     const int sample =
-        verdict.witness ? std::clamp(verdict.witness->sample, 0, lattice.samples() - 1) : 0;
+        verdict.witness ? std::clamp(verdict.witness->sample, 0, pattern.samples() - 1) : 0;
     const bool up = c.profile.y_axis == YAxis::kUp;
     const int row = up ? c.scene.height - 1 - explanation.focus_y : explanation.focus_y;
-    const Point2 p = lattice.At(explanation.focus_x, row, sample);
+    const Point2 p = pattern.At(explanation.focus_x, row, sample);
     for (const int triangle : explanation.triangles) {
       const std::string snapped = SnappedLine(c.scene, explanation.scene, triangle);
       if (!snapped.empty()) explanation.edge_values.push_back(snapped);

@@ -32,18 +32,19 @@ Makers& OwnMakers() {
 std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 // Every subject outside is made here, whatever described it. That a method is exact, and what is
-// proved of its arithmetic, are claims of reference/ and exact/ alone: nothing that comes from
+// proved of its arithmetic, are properties of reference/ and exact/ alone: nothing that comes from
 // outside makes them, whatever it is called.
-std::unique_ptr<Subject> InAProcess(std::vector<std::string> command, SubjectInfo info) {
-  info.claims_exact = false;
+SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo info) {
+  info.states_exact = false;
   info.proofs.clear();
-  return std::make_unique<subjects::ProcessSubject>(std::move(command), std::move(info),
-                                                    OutsideLimits());
+  return [command = std::move(command), info = std::move(info)]() -> std::unique_ptr<Subject> {
+    return std::make_unique<subjects::ProcessSubject>(command, info, OutsideLimits());
+  };
 }
 
 // This program once more, as the host of a library or an own type: what they break, they break
 // there.
-std::unique_ptr<Subject> Hosted(const std::string& name) {
+SubjectMaker Hosted(const std::string& name) {
   const std::string text =
       subjects::OutputOf({ThisProgram(), "host", name, "--describe"}, name, OutsideLimits());
   SubjectInfo info = ParseDescription(text, name).info;
@@ -72,7 +73,7 @@ void RequireProgram(const std::string& command, const std::string& name) {
   }
 }
 
-std::unique_ptr<Subject> Executed(const Description& description, const std::string& name) {
+SubjectMaker Executed(const Description& description, const std::string& name) {
   if (description.command.empty()) {
     throw InputError(name, "it names no command", "add a line: command PROGRAM ARGUMENT...");
   }
@@ -143,7 +144,7 @@ bool IsOutside(std::string_view name) {
   return NamesWhatToRun(name) || OwnMakers().contains(std::string(name));
 }
 
-std::unique_ptr<Subject> MakeOutside(const std::string& name) {
+SubjectMaker ResolveOutside(const std::string& name) {
   if (name.starts_with(kPluginPrefix) || OwnMakers().contains(name)) return Hosted(name);
   if (name.starts_with(kExecPrefix)) {
     Description description = PlainDescription();
@@ -153,7 +154,7 @@ std::unique_ptr<Subject> MakeOutside(const std::string& name) {
   if (name.ends_with(kDescriptionEnding)) {
     return Executed(ParseDescription(io::ReadFile(name), name), name);
   }
-  return nullptr;
+  return {};
 }
 
 int HostSubject(const std::string& name, bool describe) {

@@ -16,7 +16,7 @@ namespace rasterproof::tool {
 /// How a subject outside is named:
 ///   plugin:PATH       a shared library with the interface of kit/rasterproof_plugin.h
 ///   exec:COMMAND      a program that speaks subjects/process/protocol.h, as PlainDescription says
-///   PATH.subject      a program and what it promises (description.h)
+///   PATH.subject      a program and what it states (description.h)
 inline constexpr std::string_view kPluginPrefix = "plugin:";
 inline constexpr std::string_view kExecPrefix = "exec:";
 inline constexpr std::string_view kDescriptionEnding = ".subject";
@@ -38,11 +38,15 @@ bool NamesWhatToRun(std::string_view name);
 /// Whether the name is that of a subject outside: a library, a program or an own type.
 bool IsOutside(std::string_view name);
 
-/// The subject of that name in a process of its own, or nullptr if it is none of the above. Facings
-/// that it does not tell are the caller's to work out (props::DrawByFacing).
+/// Makes a subject, as often as it is called.
+using SubjectMaker = std::function<std::unique_ptr<Subject>()>;
+
+/// What makes the subject of that name, each in a process of its own; nothing if it is none of the
+/// above. The library or the file is asked what it is here, once. Facings that it does not tell are
+/// the caller's to work out (props::DrawByFacing).
 ///
 /// Error:      InputError if the library or the file is not what it should be.
-std::unique_ptr<Subject> MakeOutside(const std::string& name);
+SubjectMaker ResolveOutside(const std::string& name);
 
 /// What `rasterproof host NAME` does: loads the library or makes the own type here, and describes
 /// it or answers requests on standard input. What the subject itself prints goes to standard error.

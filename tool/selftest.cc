@@ -101,7 +101,7 @@ std::string LegalFigures(const std::vector<HuntResult>& results, std::uint64_t l
   if (variants.empty()) return "";
   return fmt::format(
       "- legal variants: {} under {} seeds each, {} cases a property; {} violations in {} cases, "
-      "{} of which put a claim to the test{}\n{}",
+      "{} of which put a property to the test{}\n{}",
       variants.size(), seeds.size(), legal_cases, std::ranges::count(violations, '\n'), cases,
       exercised, inconclusive == 0 ? "" : fmt::format("; {} runs inconclusive", inconclusive),
       violations);

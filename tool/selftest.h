@@ -1,4 +1,4 @@
-// Hunting a planted bug: every property in turn, a few cases at a time.
+// Runs the properties on a mutant, a few cases at a time, until one of them finds the bug.
 #ifndef RASTERPROOF_TOOL_SELFTEST_H_
 #define RASTERPROOF_TOOL_SELFTEST_H_
 
@@ -27,7 +27,7 @@ struct Hunt {
   /// The violation that ended it, shrunken; nothing if every property held.
   std::optional<PropertyResult> violation;
   std::uint64_t cases = 0;      ///< run in all, over all properties, the violating one included
-  std::uint64_t exercised = 0;  ///< cases that put a claim to the test
+  std::uint64_t exercised = 0;  ///< cases that put a property to the test
   /// Runs that could not be judged: the subject is not deterministic, or refuses too much.
   std::uint64_t inconclusive = 0;
   double seconds = 0;  ///< shrinking included

@@ -21,30 +21,6 @@ namespace rasterproof::tool {
 /// Throws InputError if the floating-point environment would make the oracle lie.
 void RequireHonestEnvironment();
 
-/// Every subject this build knows: the built-in ones, then the oracle's deciders.
-std::vector<std::string> SubjectNames();
-
-/// Error:      InputError naming the subjects there are.
-std::unique_ptr<Subject> MakeSubject(std::string_view name);
-
-/// The subject of that name, judged by another profile than its own ("" : its own).
-std::unique_ptr<Subject> MakeSubject(std::string_view name, const std::string& profile);
-
-/// Says on standard error, once for each of them, that the preset of an API is one of the models
-/// that it leaves legal, so that nobody takes another legal one for wrong.
-void SayOfPreset(const Profile& profile);
-
-/// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
-std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);
-
-/// Error:      InputError naming the properties there are.
-const props::Property& RequireProperty(const std::string& name);
-
-/// Reads the name of a drawn case, "near-edge:17@1".
-///
-/// Error:      InputError that says what is wrong with it, with the domain that may be meant.
-props::CaseName RequireCaseName(const std::string& name);
-
 /// Whether LoadScene takes the file for a mesh: by its ending.
 bool IsMeshPath(const std::string& path);
 

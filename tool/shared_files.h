@@ -1,4 +1,4 @@
-// What belongs to the command and lies beside it: scene sets, records of proofs.
+// Files that lie beside the command: scene sets, records of proofs.
 #ifndef RASTERPROOF_TOOL_SHARED_FILES_H_
 #define RASTERPROOF_TOOL_SHARED_FILES_H_
 

@@ -12,7 +12,7 @@
 namespace rasterproof::tool {
 namespace {
 
-bool IsPlain(char c) {
+bool IsPlainInAShell(char c) {
   constexpr std::string_view kPlain = "_-+=:,./@%";
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || kPlain.find(c) != kPlain.npos;
 }
@@ -34,7 +34,7 @@ bool ShowsWhatItIs(std::string_view word) {
 }  // namespace
 
 std::string ShellWord(std::string_view word) {
-  if (!word.empty() && std::ranges::all_of(word, IsPlain)) return std::string(word);
+  if (!word.empty() && std::ranges::all_of(word, IsPlainInAShell)) return std::string(word);
   if (ShowsWhatItIs(word)) {
     std::string quoted = "'";
     for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);

@@ -79,7 +79,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
       .size = sizeof(rasterproof_plugin),
       .name = "console",
       .summary = "11.4 bits that wrap, triangles up to 1023 by 511 pixels",
-      .profile = "{\"name\": \"console\", \"max_extent\": [1023, 511]}",
+      .profile = "{\"name\": \"console\", \"max_primitive_extent\": [1023, 511]}",
       .input = RASTERPROOF_FIXED,
       .coverage = RASTERPROOF_FACING_COUNTS,
       .draw = draw,

@@ -7,7 +7,7 @@
 //! differences have 62 bits, products 124, and nothing rounds.
 use std::os::raw::{c_char, c_void};
 
-// kit/rasterproof_plugin.h, version 1. Structures grow at their end: an older copy goes on working.
+// kit/rasterproof_plugin.h, version 2. Structures grow at their end: an older copy goes on working.
 #[repr(C)]
 pub struct Scene {
     size: u32,
@@ -51,9 +51,9 @@ pub struct Plugin {
     draw_many: Option<
         extern "C" fn(*mut c_void, *const *const Scene, *const *const Target, usize) -> i32,
     >,
-    winner_order: u32,
-    weights_of: u32,
-    weight_error: f64,
+    visible: u32,
+    barycentrics_of: u32,
+    barycentric_error: f64,
     depth_error: f64,
 }
 unsafe impl Sync for Plugin {}
@@ -140,7 +140,7 @@ extern "C" fn draw(_state: *mut c_void, scene: *const Scene, target: *const Targ
 }
 
 static PLUGIN: Plugin = Plugin {
-    version: 1,
+    version: 2,
     size: std::mem::size_of::<Plugin>() as u32,
     name: b"example in Rust\0".as_ptr() as *const c_char,
     summary: b"exact in 128-bit integers, every pixel of the target\0".as_ptr() as *const c_char,
@@ -155,9 +155,9 @@ static PLUGIN: Plugin = Plugin {
     close: None,
     fixed: [0; 4],
     draw_many: None,
-    winner_order: 0,
-    weights_of: 0,
-    weight_error: 0.0,
+    visible: 0,
+    barycentrics_of: 0,
+    barycentric_error: 0.0,
     depth_error: 0.0,
 };
 

@@ -131,7 +131,7 @@ std::vector<CodecExample> CodecExamples() {
   constexpr std::uint64_t kExampleBytes = 96;
   constexpr std::uint16_t kLargestByte = 255;
   for (const Domain& domain : Domains()) {
-    if (domain.is_promised != nullptr) continue;  // few subjects would decode it to that
+    if (domain.is_stated != nullptr) continue;  // few subjects would decode it to that
     if (domain.number > kLargestByte) continue;
     CodecExample example{
         std::string(domain.name),

@@ -1,4 +1,4 @@
-// Bytes to case: a total code in which small changes of the bytes are small changes of the case.
+// Decodes fuzz bytes: any bytes are a case, and a small change of them is a small change of it.
 #ifndef RASTERPROOF_PROPS_CODEC_CODEC_H_
 #define RASTERPROOF_PROPS_CODEC_CODEC_H_
 

@@ -9,7 +9,7 @@
 namespace rasterproof::props {
 
 /// What a case is drawn from, with the input lattice and the profile of the subject that it is
-/// drawn for. Neither the claim nor the other domains have a part in it.
+/// drawn for. Neither the property nor the other domains have a part in it.
 struct CaseName {
   std::string domain;
   std::uint64_t index = 0;

@@ -20,7 +20,7 @@ struct Domain {
   /// domain is gone. A recipe that draws otherwise than before gets a new number: names of its
   /// cases then stand for wholly new ones, and an old fuzz input for none of them.
   std::uint16_t number = 0;
-  std::string_view name;     ///< "needles", "edges-through-centres"
+  std::string_view name;     ///< "needles", "edges-through-samples"
   std::string_view summary;  ///< what is hard about it, one line
   /// True if cases of this domain always have samples on an edge or within a few lattice steps of
   /// one.
@@ -33,9 +33,9 @@ struct Domain {
   bool mesh = false;
   /// True if some of its scenes have what no integer holds: NaN and infinities.
   bool non_finite = false;
-  /// The promise that it is about, for a domain that means nothing without it.
-  bool (*is_promised)(const Profile&) = nullptr;
-  /// Draws a case on the input lattice of `info` (its precision, snap, sample lattice, window or
+  /// The contract that it is about, for a domain that means nothing without it.
+  bool (*is_stated)(const Profile&) = nullptr;
+  /// Draws a case on the input lattice of `info` (its precision, snap, sample pattern, window or
   /// clip space). The case's profile is info.profile. Total: every bit string gives a valid scene.
   Case (*draw)(BitSource&, const SubjectInfo& info);
 };
@@ -46,7 +46,7 @@ const Domain* FindDomain(std::string_view name);
 /// nullptr if there is none of that number.
 const Domain* DomainOfNumber(std::uint16_t number);
 
-/// Returns whether the subject takes scenes of the domain, and promises what it is about.
+/// Returns whether the subject takes scenes of the domain, and states what it is about.
 /// (Window-space domains give clip-space
 /// scenes with a power of two as w to a subject that takes nothing else.)
 bool Suits(const Domain& domain, const SubjectInfo& info);

@@ -44,13 +44,13 @@ InputLattice::InputLattice(const Profile& profile, Precision precision)
   // The grid's points, whatever the rule and the rounding that lead to them.
   grid_.rule = SnapRule::kNearestEven;
   if (grid_.form != SnapForm::kCoordinate) grid_.form = SnapForm::kExactDifference;
-  const double promised = std::fabs(profile.coordinate_limit);
-  limit_ = Round(std::isnan(promised) ? 0 : std::min(promised, std::numeric_limits<double>::max()));
-  if (limit_ > promised) limit_ = Move(limit_, -1);
+  const double stated = std::fabs(profile.coordinate_limit);
+  limit_ = Round(std::isnan(stated) ? 0 : std::min(stated, std::numeric_limits<double>::max()));
+  if (limit_ > stated) limit_ = Move(limit_, -1);
   lowest_ = -limit_;
   if (!fixed_) return;
-  const double greatest = std::min(promised, fixed_->Largest());
-  const double least = std::max(-promised, fixed_->Least());
+  const double greatest = std::min(stated, fixed_->Largest());
+  const double least = std::max(-stated, fixed_->Least());
   limit_ = Round(greatest);
   if (limit_ > greatest) limit_ = Move(limit_, -1);
   lowest_ = Round(least);

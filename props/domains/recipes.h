@@ -13,39 +13,39 @@ namespace rasterproof::props {
 
 // recipes_ordinary.cc
 Case UniformSubpixel(BitSource& bits, const SubjectInfo& info);
-Case Centres(BitSource& bits, const SubjectInfo& info);
+Case VerticesOnSamples(BitSource& bits, const SubjectInfo& info);
 Case AxisAligned(BitSource& bits, const SubjectInfo& info);
-Case Windings(BitSource& bits, const SubjectInfo& info);
-Case SizeLadder(BitSource& bits, const SubjectInfo& info);
+Case VertexOrders(BitSource& bits, const SubjectInfo& info);
+Case TargetSizes(BitSource& bits, const SubjectInfo& info);
 
 // recipes_near_edge.cc
-Case EdgesThroughCentres(BitSource& bits, const SubjectInfo& info);
+Case EdgesThroughSamples(BitSource& bits, const SubjectInfo& info);
 Case NearEdge(BitSource& bits, const SubjectInfo& info);
-Case HardestPixels(BitSource& bits, const SubjectInfo& info);
+Case HardestSamples(BitSource& bits, const SubjectInfo& info);
 Case HardestVertices(BitSource& bits, const SubjectInfo& info);
-Case F64Killer(BitSource& bits, const SubjectInfo& info);
+Case UlpExtremes(BitSource& bits, const SubjectInfo& info);
 Case Caps(BitSource& bits, const SubjectInfo& info);
-Case LongWalk(BitSource& bits, const SubjectInfo& info);
+Case LongRows(BitSource& bits, const SubjectInfo& info);
 
 // recipes_magnitudes.cc
 Case Needles(BitSource& bits, const SubjectInfo& info);
-Case Sliver1e30(BitSource& bits, const SubjectInfo& info);
+Case FarSlivers(BitSource& bits, const SubjectInfo& info);
 Case OffsetCancellation(BitSource& bits, const SubjectInfo& info);
 Case Subnormal(BitSource& bits, const SubjectInfo& info);
-Case OverflowProducts(BitSource& bits, const SubjectInfo& info);
-Case BothEnds(BitSource& bits, const SubjectInfo& info);
+Case ProductOverflow(BitSource& bits, const SubjectInfo& info);
+Case LargestAndSmallest(BitSource& bits, const SubjectInfo& info);
 Case MixedMagnitude(BitSource& bits, const SubjectInfo& info);
-Case GuardBand(BitSource& bits, const SubjectInfo& info);
+Case CoordinateLimits(BitSource& bits, const SubjectInfo& info);
 
 // recipes_range.cc
 Case LeastAreas(BitSource& bits, const SubjectInfo& info);
 Case RowsAndColumns(BitSource& bits, const SubjectInfo& info);
 Case RangeEnds(BitSource& bits, const SubjectInfo& info);
 Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info);
-Case TinyEnds(BitSource& bits, const SubjectInfo& info);
-Case SubPixel(BitSource& bits, const SubjectInfo& info);
-Case DecidingTies(BitSource& bits, const SubjectInfo& info);
-Case FullTargets(BitSource& bits, const SubjectInfo& info);
+Case RoundedDifferences(BitSource& bits, const SubjectInfo& info);
+Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info);
+Case DecidingSnapTies(BitSource& bits, const SubjectInfo& info);
+Case FullCoverage(BitSource& bits, const SubjectInfo& info);
 /// Triangles one vertex of which decides a sample by how it is snapped.
 void AddDecidingTies(Sketch& sketch);
 
@@ -57,11 +57,11 @@ Case ClosedFolds(BitSource& bits, const SubjectInfo& info);
 Case NearRepeats(BitSource& bits, const SubjectInfo& info);
 Case SparseIndices(BitSource& bits, const SubjectInfo& info);
 
-// recipes_promises.cc: what is next to a promise that only some profiles make.
+// recipes_profile_keys.cc: what is next to what only some profiles make.
 Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info);
-Case ExtentEnds(BitSource& bits, const SubjectInfo& info);
-Case NoClipEnds(BitSource& bits, const SubjectInfo& info);
-Case TargetEnds(BitSource& bits, const SubjectInfo& info);
+Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info);
+Case GuardBandEnds(BitSource& bits, const SubjectInfo& info);
+Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info);
 
 // recipes_degenerate.cc
 Case SnapTies(BitSource& bits, const SubjectInfo& info);

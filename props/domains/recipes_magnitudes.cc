@@ -67,7 +67,7 @@ Case Needles(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case Sliver1e30(BitSource& bits, const SubjectInfo& info) {
+Case FarSlivers(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   SometimesIgnoreLimit(sketch);
   const InputLattice& lattice = sketch.lattice();
@@ -142,7 +142,7 @@ Case Subnormal(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case OverflowProducts(BitSource& bits, const SubjectInfo& info) {
+Case ProductOverflow(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   SometimesIgnoreLimit(sketch);
   const Range range = RangeOf(sketch);
@@ -164,7 +164,7 @@ Case OverflowProducts(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case BothEnds(BitSource& bits, const SubjectInfo& info) {
+Case LargestAndSmallest(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   SometimesIgnoreLimit(sketch);
   const Range range = RangeOf(sketch);
@@ -209,7 +209,7 @@ Case MixedMagnitude(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case GuardBand(BitSource& bits, const SubjectInfo& info) {
+Case CoordinateLimits(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   SometimesIgnoreLimit(sketch);
   const int subpixel_bits = sketch.profile().snap.IsNone() ? 8 : sketch.profile().snap.bits;

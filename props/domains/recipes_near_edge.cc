@@ -24,7 +24,7 @@ double Reach(const Sketch& sketch, double most) {
 
 }  // namespace
 
-Case EdgesThroughCentres(BitSource& bits, const SubjectInfo& info) {
+Case EdgesThroughSamples(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -60,7 +60,7 @@ Case NearEdge(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case HardestPixels(BitSource& bits, const SubjectInfo& info) {
+Case HardestSamples(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   // A long edge on a uniform grid, moved by whole pixels: its hardest pixel goes into the target.
   const double reach = Reach(sketch, std::ldexp(1.0, static_cast<int>(bits.Int(11, 15))));
@@ -93,7 +93,7 @@ Case HardestVertices(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case F64Killer(BitSource& bits, const SubjectInfo& info) {
+Case UlpExtremes(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   // From next to the target's corner, where an ulp is smallest, through a sample, to far away,
   // where it is largest: the differences need more bits than the products leave.
@@ -123,7 +123,7 @@ Case Caps(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case LongWalk(BitSource& bits, const SubjectInfo& info) {
+Case LongRows(BitSource& bits, const SubjectInfo& info) {
   const int length = 1 << bits.Int(9, 14);
   const int across = static_cast<int>(bits.Int(1, 4));
   const bool along_y = bits.Chance(64);
@@ -138,7 +138,7 @@ Case LongWalk(BitSource& bits, const SubjectInfo& info) {
   const double top = sketch.Uniform(0, 1);
   sketch.AddTriangle({place(0, top), place(end, top), place(end, top + slant)});
   // And an edge along the whole walk that passes a sample near its far end as closely as it can.
-  const Point2 p = sketch.profile().lattice.At(along_y ? across / 2 : length - 1 - length / 64,
+  const Point2 p = sketch.profile().pattern.At(along_y ? across / 2 : length - 1 - length / 64,
                                                along_y ? length - 1 - length / 64 : across / 2);
   const double ahead = sketch.Uniform(0.25, 1);
   const Point2 drawn = place(ahead, sketch.Uniform(0.25, across));

@@ -29,7 +29,7 @@ Case UniformSubpixel(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case Centres(BitSource& bits, const SubjectInfo& info) {
+Case VerticesOnSamples(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -62,7 +62,7 @@ Case AxisAligned(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case Windings(BitSource& bits, const SubjectInfo& info) {
+Case VertexOrders(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   const std::int32_t a = sketch.Add(sketch.Place());
   const std::int32_t b = sketch.Add(sketch.Place());
@@ -74,7 +74,7 @@ Case Windings(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAsIs);
 }
 
-Case SizeLadder(BitSource& bits, const SubjectInfo& info) {
+Case TargetSizes(BitSource& bits, const SubjectInfo& info) {
   const int side = bits.OneOf(std::span<const int>(kSides));
   const int most = std::min(side, kMostSamples / side);
   const int other = static_cast<int>(bits.Chance(128) ? most : bits.Int(1, most));

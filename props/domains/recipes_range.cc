@@ -1,4 +1,4 @@
-// Triangles as large as the profile promises, edges whose ends differ by every order of magnitude,
+// Triangles as large as the profile states, edges whose ends differ by every order of magnitude,
 // ties of the snap that decide a sample, and targets that are covered all over.
 #include <algorithm>
 #include <array>
@@ -93,7 +93,7 @@ Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case TinyEnds(BitSource& bits, const SubjectInfo& info) {
+Case RoundedDifferences(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   const bool is_float32 = sketch.lattice().precision() == Precision::kFloat32;
   const int least = is_float32 ? -149 : -1074;
@@ -126,7 +126,7 @@ Case TinyEnds(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case SubPixel(BitSource& bits, const SubjectInfo& info) {
+Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   const std::int64_t triangles = bits.Int(1, 6);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -183,14 +183,14 @@ void AddDecidingTies(Sketch& sketch) {
   }
 }
 
-Case DecidingTies(BitSource& bits, const SubjectInfo& info) {
+Case DecidingSnapTies(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   AddDecidingTies(sketch);
   return sketch.Done(Finish::kAnyOrder);
 }
 
-Case FullTargets(BitSource& bits, const SubjectInfo& info) {
-  const auto samples = static_cast<int>(info.profile.lattice.locations.size());
+Case FullCoverage(BitSource& bits, const SubjectInfo& info) {
+  const auto samples = static_cast<int>(info.profile.pattern.locations.size());
   const int most = std::max(16, 512 / std::max(1, samples));
   const int width = static_cast<int>(bits.Int(most / 2, most));
   const int height = static_cast<int>(bits.Int(most / 4, most / 2));

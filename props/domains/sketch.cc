@@ -33,7 +33,7 @@ Precision DrawPrecision(BitSource& bits, const SubjectInfo& info) {
 Sketch::Sketch(BitSource& source, const SubjectInfo& info) : Sketch(source, info, 1, 1) {
   case_.scene.width = DrawSide(source);
   case_.scene.height = DrawSide(source);
-  if (info.profile.targets.empty()) return;
+  if (info.profile.by_target_size.empty()) return;
   profile_ = ForTarget(info.profile, width(), height());
   lattice_ = InputLattice(profile_, lattice_.precision());
 }
@@ -52,8 +52,8 @@ Sketch::Sketch(BitSource& source, const SubjectInfo& info, int width, int height
 Point2 Sketch::Sample() {
   const int i = static_cast<int>(bits_->Int(0, width() - 1));
   const int j = static_cast<int>(bits_->Int(0, height() - 1));
-  const int s = static_cast<int>(bits_->Int(0, profile().lattice.samples() - 1));
-  return profile().lattice.At(i, j, s);
+  const int s = static_cast<int>(bits_->Int(0, profile().pattern.samples() - 1));
+  return profile().pattern.At(i, j, s);
 }
 
 double Sketch::Coordinate(int extent, bool along_y) {
@@ -62,7 +62,7 @@ double Sketch::Coordinate(int extent, bool along_y) {
   const auto pixel = static_cast<double>(bits_->Int(-margin, extent + margin));
   double x = pixel;
   if (kind < 4) {
-    const Point2 place = bits_->OneOf(std::span<const Point2>(profile().lattice.locations));
+    const Point2 place = bits_->OneOf(std::span<const Point2>(profile().pattern.locations));
     x = pixel + (along_y ? place.y : place.x);
   } else if (kind == 4) {
     x = pixel + (bits_->Chance(128) ? 0.5 : 0.0);

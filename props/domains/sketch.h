@@ -34,7 +34,7 @@ class Sketch {
   const Profile& profile() const { return profile_; }
   int width() const { return case_.scene.width; }
   int height() const { return case_.scene.height; }
-  /// The promised range; for real geometry one whose edge values are still of a readable size.
+  /// The stated range; for real geometry one whose edge values are still of a readable size.
   double Range() const { return std::min(lattice_.limit(), 0x1p24); }
   /// Its other end: not the negative of the first for a fixed-point input.
   double LeastOfRange() const { return std::max(lattice_.lowest(), -0x1p24); }

@@ -92,10 +92,10 @@ Scene SplittingTriangle(BitSource& bits, const ModelSpace& space, const Model& a
   // An edge can be brought through a sample only on a grid.
   const bool through_a = b.snap.IsNone() || (a_first && !a.snap.IsNone());
   const Model& through = through_a ? a : b;
-  const SampleLattice& lattice = space.LatticeOf(through);
-  const int s = static_cast<int>(bits.Int(0, lattice.samples() - 1));
+  const SamplePattern& pattern = space.PatternOf(through);
+  const int s = static_cast<int>(bits.Int(0, pattern.samples() - 1));
   const int column = static_cast<int>(bits.Int(0, kSide - 1));
-  const Point2 sample = lattice.At(column, static_cast<int>(bits.Int(0, kSide - 1)), s);
+  const Point2 sample = pattern.At(column, static_cast<int>(bits.Int(0, kSide - 1)), s);
 
   constexpr int kTries = 32;
   Point2 first;
@@ -122,11 +122,53 @@ Scene SplittingTriangle(BitSource& bits, const ModelSpace& space, const Model& a
   return Triangle3({rounded(first), IsFloat(far) ? far : rounded(far), third}, bits);
 }
 
+Scene AimlessTriangle(BitSource& bits) {
+  constexpr int kAimlessSide = 16;
+  const auto anywhere = [&] {
+    const double share = std::ldexp(static_cast<double>(bits.Bits(24)), -24);
+    return static_cast<double>(static_cast<float>(kAimlessSide * (1.5 * share - 0.25)));
+  };
+  const std::int64_t kind = bits.Int(0, 3);
+  const double steps = std::ldexp(1.0, static_cast<int>(bits.Int(0, 4)));
+  std::array<Point2, 3> corners;
+  for (Point2& p : corners) {
+    p.x = anywhere();
+    p.y = anywhere();
+    if (kind % 2 == 1)
+      p = {std::nearbyint(p.x * steps) / steps, std::nearbyint(p.y * steps) / steps};
+  }
+  if (kind == 2) {
+    Point2 sample;
+    sample.x = static_cast<double>(bits.Int(0, kAimlessSide - 1)) + 0.5;
+    sample.y = static_cast<double>(bits.Int(0, kAimlessSide - 1)) + 0.5;
+    Point2 step;
+    step.x = static_cast<double>(bits.Int(-32, 32)) / 8;
+    step.y = static_cast<double>(bits.Int(-32, 32)) / 8;
+    const bool by_ulps = bits.Chance(128);
+    const double beside = std::ldexp(1.0, -static_cast<int>(bits.Int(6, 20)));
+    const auto nudged = [&](double x) {
+      const std::int64_t times = bits.Int(-2, 2);
+      if (by_ulps) return double{MoveByUlps(static_cast<float>(x), times)};
+      return double{static_cast<float>(x + beside * static_cast<double>(times))};
+    };
+    const auto before = static_cast<double>(bits.Int(1, 4));
+    const auto after = static_cast<double>(bits.Int(1, 4));
+    corners[0].x = nudged(sample.x - before * step.x);
+    corners[0].y = nudged(sample.y - before * step.y);
+    corners[1].x = nudged(sample.x + after * step.x);
+    corners[1].y = nudged(sample.y + after * step.y);
+  }
+  Scene scene = Triangle3(corners, bits);
+  scene.width = kAimlessSide;
+  scene.height = kAimlessSide;
+  return scene;
+}
+
 Scene OrdinaryTriangle(BitSource& bits, const SubjectInfo& info) {
   constexpr auto kDomains = std::to_array<std::string_view>(
-      {"near-edge", "edges-through-centres", "snap-ties", "uniform-subpixel", "centres",
+      {"near-edge", "edges-through-samples", "snap-ties", "uniform-subpixel", "vertices-on-samples",
        "shared-snap-ties", "caps", "needles", "axis-aligned", "mixed-magnitude", "signed-zeros",
-       "hardest-vertex", "f64-killer"});
+       "hardest-vertex", "ulp-extremes"});
   const Domain& domain = *FindDomain(bits.OneOf(std::span<const std::string_view>(kDomains)));
   SubjectInfo asked = info;
   asked.input = Precision::kFloat32;

@@ -18,6 +18,12 @@ namespace rasterproof::props {
 /// Returns:    float32 vertices; a small target.
 Scene SplittingTriangle(BitSource& bits, const ModelSpace& space, const Model& a, const Model& b);
 
+/// One triangle on 16 x 16 pixels and a little beside: corners anywhere; every other one's on
+/// multiples of 1 to 1/16 pixel; every fourth with an edge through a sample, or next to it.
+///
+/// Returns:    float32 vertices.
+Scene AimlessTriangle(BitSource& bits);
+
 /// One triangle for a subject of this profile: near-edge, between subpixels, far away, ordinary.
 Scene OrdinaryTriangle(BitSource& bits, const SubjectInfo& info);
 

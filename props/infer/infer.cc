@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/question.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
-#include "props/infer/declarations.h"
 #include "props/infer/locate.h"
+#include "props/infer/nearest.h"
 #include "props/infer/race.h"
+#include "props/infer/stated_keys.h"
 #include "props/shrink/shrink.h"
 
 namespace rasterproof::props {
@@ -34,24 +37,32 @@ bool Differs(const Observer& observer, const Case& c, const CoverageCounts& seen
 Case Shrunken(Observer& observer, const Case& c) {
   constexpr std::uint64_t kBudget = 600;
   const auto differs = [&](const Case& candidate) {
-    return !observer.HasBrokenOff() && candidate.options == DrawOptions{} &&
-           !candidate.scene.clip_space && candidate.scene.precision == c.scene.precision &&
-           WithinLimits(candidate.scene, candidate.profile) &&
-           IsUnclipped(candidate.scene, candidate.profile) &&
-           Differs(observer, candidate, observer.Draw(candidate.scene));
+    const bool may_be = !observer.HasBrokenOff() && candidate.options == DrawOptions{} &&
+                        !candidate.scene.clip_space &&
+                        candidate.scene.precision == c.scene.precision &&
+                        WithinLimits(candidate.scene, candidate.profile) &&
+                        IsUnclipped(candidate.scene, candidate.profile);
+    if (!may_be) return false;
+    const std::vector<CoverageCounts> seen = observer.Draw(std::span(&candidate.scene, 1));
+    return !seen.empty() && seen.front().size() != 0 && Differs(observer, candidate, seen.front());
   };
   return differs(c) ? Shrink(c, differs, kBudget).minimal : c;
 }
 
-void NameNearest(Observer& observer, const ModelSpace& space, Race& race, int checks,
+// By triangles that aim at no pair of models, which near ones would lose by chance.
+void NameNearest(Observer& observer, const Location& location, const InferOptions& options,
                  Inference& inference) {
-  race.Check(checks);
-  if (observer.HasBrokenOff()) return;
+  const ModelSpace space(location.y_axis,
+                         WithUsualPatterns(location.patterns, observer.stated().pattern),
+                         observer.stated());
+  const std::vector<Experiment> experiments =
+      AimlessExperiments(observer, options.seed, options.nearest_checks);
+  if (observer.HasBrokenOff() || experiments.empty()) return;
   Model nearest;
-  inference.nearest = race.Nearest(&nearest);
+  inference.nearest = Nearest(observer, space, experiments, &nearest);
   // The profile's limit is the subject's own: what is beyond it is no witness.
   inference.nearest->profile.coordinate_limit = observer.info().profile.coordinate_limit;
-  if (const Experiment* against = race.FirstAgainst(nearest)) {
+  if (const Experiment* against = FirstAgainst(nearest, observer, space, experiments)) {
     inference.witness = Shrunken(observer, CaseOf(against->scene, space.ProfileOf(nearest)));
   }
 }
@@ -64,17 +75,17 @@ void RunRace(Race& race, const InferOptions& options) {
 }
 
 void Conclude(Observer& observer, const ModelSpace& space, const Race& race, Inference& inference) {
-  const Profile& declared = observer.declared();
+  const Profile& stated = observer.stated();
   for (const Model& model : race.left()) {
     inference.remaining.push_back(space.ProfileOf(model));
-    inference.remaining.back().coordinate_limit = declared.coordinate_limit;
+    inference.remaining.back().coordinate_limit = stated.coordinate_limit;
   }
-  inference.declarations = VerifyDeclarations(declared, inference.facing, inference.remaining);
+  inference.statements = VerifyStatements(stated, inference.facing, inference.remaining);
   if (inference.Agrees()) return;
   for (const Experiment& experiment : race.experiments()) {
-    const Case c = CaseOf(experiment.scene, declared);
+    const Case c = CaseOf(experiment.scene, stated);
     if (!Differs(observer, c, experiment.seen)) continue;
-    inference.against_declared = Shrunken(observer, c);
+    inference.against_stated = Shrunken(observer, c);
     break;
   }
 }
@@ -105,7 +116,7 @@ void FindModels(Observer& observer, const InferOptions& options, Inference& infe
   const Location location = Locate(observer);
   if (observer.HasBrokenOff()) return;
   inference.facing = observer.facing();
-  const ModelSpace space(location.y_axis, location.lattices, observer.declared());
+  const ModelSpace space(location.y_axis, location.patterns, observer.stated());
   inference.models = space.models().size();
   Race race(observer, space, options.seed);
   RunRace(race, options);
@@ -117,13 +128,13 @@ void FindModels(Observer& observer, const InferOptions& options, Inference& infe
   inference.message = location.complaint.empty()
                           ? "each model draws some triangle in another way than the subject"
                           : location.complaint;
-  NameNearest(observer, space, race, options.checks, inference);
+  NameNearest(observer, location, options, inference);
 }
 
 // What was found so far rests on draws that came; what it was about to show does not.
 void BreakOff(const Observer& observer, Inference& inference) {
   inference.remaining.clear();
-  inference.against_declared.reset();
+  inference.against_stated.reset();
   inference.witness.reset();
   inference.is_inconclusive =
       observer.stop() == Stop::kTooSlow || observer.stop() == Stop::kDeadline;
@@ -138,7 +149,7 @@ void BreakOff(const Observer& observer, Inference& inference) {
 }  // namespace
 
 bool Inference::Agrees() const {
-  return std::ranges::all_of(declarations, &DeclarationVerdict::agrees);
+  return std::ranges::all_of(statements, &StatementVerdict::agrees);
 }
 
 Inference Infer(Subject& subject, const InferOptions& options) {

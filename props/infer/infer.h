@@ -18,21 +18,23 @@ struct InferOptions {
   std::uint64_t seed = 1;
   /// Cases drawn without a pair of models in mind, after the pairs: where elimination did not look.
   int checks = 400;
+  /// The same for the nearest model where none fits: near ones differ in few samples.
+  int nearest_checks = 1200;
 };
 
 /// The model that comes nearest where none fits.
 struct NearestModel {
   Profile profile;
   std::uint64_t wrong_samples = 0;
-  std::uint64_t samples = 0;  ///< in the triangles' boxes: inside-or-outside decisions
+  std::uint64_t samples = 0;  ///< of all experiments
   std::uint64_t wrong_experiments = 0;
   std::uint64_t experiments = 0;
 };
 
-/// What became of one declaration.
-struct DeclarationVerdict {
-  std::string declaration;  ///< "subpixel bits", "fill rule", ...
-  std::string declared;
+/// What became of one statement.
+struct StatementVerdict {
+  std::string statement;  ///< "subpixel bits", "tie rule", ...
+  std::string stated;
   std::string found;  ///< every value among the remaining models, " or " between
   bool agrees = false;
 };
@@ -49,18 +51,18 @@ struct Inference {
   std::string message;
   std::optional<Case> witness;
   std::optional<NearestModel> nearest;
-  /// Each declaration of the subject's profile against what was found; empty if none fits.
-  std::vector<DeclarationVerdict> declarations;
-  /// A case in which the declared model itself is wrong.
-  std::optional<Case> against_declared;
+  /// Each statement of the subject's profile against what was found; empty if none fits.
+  std::vector<StatementVerdict> statements;
+  /// A case in which the stated model itself is wrong.
+  std::optional<Case> against_stated;
   double seconds = 0;
 
-  /// True if what is declared left no room for experiments, or the subject was too slow: the
+  /// True if what is stated left no room for experiments, or the subject was too slow: the
   /// message says which, and why.
   bool is_inconclusive = false;
 
   bool Fits() const { return !remaining.empty(); }
-  /// False if a declaration is contradicted.
+  /// False if a statement is contradicted.
   bool Agrees() const;
 };
 
@@ -70,10 +72,11 @@ struct Inference {
 ///
 /// Domain:     a subject that draws float32 scenes and takes coordinates up to 1026 (its profile's
 ///             limit bounds what is drawn beside); a fixed-point input is given its integers, in
-///             range. Nothing that it declares is believed but the number of samples, the kind of
-///             its counts, its limits (coordinates, largest extent, no-clip rectangle) and what it
-///             leaves open. Of `targets` the model of the smallest is found.
-/// Error:      none: a subject that throws or refuses fits no model, and says why.
+///             range. Nothing that it states is believed but the number of samples, the kind of
+///             its counts, its limits (coordinates, largest extent, guard-band rectangle) and what
+///             it leaves open. Of `by_target_size` the model of the smallest is found.
+/// Error:      none: a subject that throws fits no model, and says why. A scene that it refuses is
+///             no experiment, unless it is one of the first, which show where the samples lie.
 Inference Infer(Subject& subject, const InferOptions& options = {});
 
 }  // namespace rasterproof::props

@@ -114,19 +114,19 @@ Point2 InPixels(SampleReading p) {
   return {static_cast<double>(p.x) / kPerPixel, static_cast<double>(p.y) / kPerPixel};
 }
 
-void AddCandidate(std::vector<LatticeCandidate>& candidates,
+void AddCandidate(std::vector<PatternCandidate>& candidates,
                   const std::vector<SampleReading>& places, int shift) {
-  LatticeCandidate candidate{.lattice = {{}}, .half_off = shift != 0};
+  PatternCandidate candidate{.pattern = {{}}, .half_off = shift != 0};
   for (const SampleReading& p : places) {
     const SampleReading moved{p.x + shift, p.y + shift};
     if (!IsInPixel(moved)) return;
-    candidate.lattice.locations.push_back(InPixels(moved));
+    candidate.pattern.locations.push_back(InPixels(moved));
   }
   candidates.push_back(std::move(candidate));
 }
 
 // One sample's readings are all followed up; of several samples each is taken at its first.
-std::vector<LatticeCandidate> CandidatesFor(const std::vector<SampleReading>& seen) {
+std::vector<PatternCandidate> CandidatesFor(const std::vector<SampleReading>& seen) {
   std::vector<std::vector<SampleReading>> readings;
   if (seen.size() == 1) {
     for (const SampleReading& place : PlacesSeenAs(seen.front())) readings.push_back({place});
@@ -137,7 +137,7 @@ std::vector<LatticeCandidate> CandidatesFor(const std::vector<SampleReading>& se
       readings.back().push_back(places.empty() ? p : places.front());
     }
   }
-  std::vector<LatticeCandidate> candidates;
+  std::vector<PatternCandidate> candidates;
   for (const int shift : {0, kPerPixel / 2, -kPerPixel / 2}) {
     for (const std::vector<SampleReading>& places : readings)
       AddCandidate(candidates, places, shift);
@@ -148,20 +148,20 @@ std::vector<LatticeCandidate> CandidatesFor(const std::vector<SampleReading>& se
 }  // namespace
 
 std::string TooLittleRoom(const SubjectInfo& info) {
-  const Profile& declared = info.profile;
-  const auto& transform = declared.transform;
+  const Profile& stated = info.profile;
+  const auto& transform = stated.transform;
   if (!info.takes_window && transform && transform->viewport != ViewportForm::kNone) {
     return "its viewport takes no vertex to most of the places that infer looks at; infer a "
            "variant that takes window space, or whose viewport is none";
   }
-  if (!declared.crossing.IsNone()) {
-    return "it rounds where edges cross rows, as declared: on a grid that holds the samples that "
+  if (!stated.scanline_rounding.IsNone()) {
+    return "it rounds where edges cross rows, as stated: on a grid that holds the samples that "
            "cannot be told from samples that lie elsewhere";
   }
-  Profile small = ForTarget(declared, kShort, kShort);
+  Profile small = ForTarget(stated, kShort, kShort);
   for (const auto& [width, height] : {std::pair{kLong, kShort}, {kShort, kLong}, {32, 32}}) {
-    if (ForTarget(declared, width, height) != small) {
-      return "the declared models of its targets part at less than " + std::to_string(kLong) +
+    if (ForTarget(stated, width, height) != small) {
+      return "the stated models of its targets part at less than " + std::to_string(kLong) +
              " pixels a side";
     }
   }
@@ -170,16 +170,17 @@ std::string TooLittleRoom(const SubjectInfo& info) {
     const std::array<Vertex, 3> v = Corners(probe, probe.triangles[0]);
     if (!WithinLimits(probe, small) || !IsUnwrapped(probe, small)) {
       return "it needs coordinates up to " + std::to_string(kFarthestProbe) +
-             ", which the declared profile does not promise";
+             ", which the stated profile does not state";
     }
     if (!IsUnclipped(probe, small)) {
-      return "the declared no-clip rectangle does not hold coordinates from 2 to " +
+      return "the stated guard-band rectangle does not hold coordinates from 2 to " +
              std::to_string(kFarthestProbe);
     }
-    if (small.max_extent &&
-        Exceeds({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}, *small.max_extent)) {
+    if (small.max_primitive_extent &&
+        Exceeds({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])},
+                *small.max_primitive_extent)) {
       return "it needs triangles of " + std::to_string(kFarthestProbe - 2) +
-             " pixels a side, larger than what is declared to be drawn";
+             " pixels a side, larger than what is stated to be drawn";
     }
   }
   return "";
@@ -210,16 +211,16 @@ Location Locate(Observer& observer) {
     location.complaint_scene = front_scene;
   }
   std::vector<SampleReading> seen;
-  for (int s = 0; s < observer.info().profile.lattice.samples(); ++s) {
+  for (int s = 0; s < observer.info().profile.pattern.samples(); ++s) {
     const int x = Probe(observer, false, location.y_axis, s);
     seen.push_back({x, Probe(observer, true, location.y_axis, s)});
   }
-  location.lattices = CandidatesFor(seen);
-  if (std::ranges::all_of(location.lattices, &LatticeCandidate::half_off)) {
+  location.patterns = CandidatesFor(seen);
+  if (std::ranges::all_of(location.patterns, &PatternCandidate::half_off)) {
     // Nothing that a plain grid explains: the race is run all the same, to name the nearest.
-    SampleLattice centres;
+    SamplePattern centres;
     centres.locations.assign(seen.size(), {0.5, 0.5});
-    location.lattices.insert(location.lattices.begin(), {centres, false});
+    location.patterns.insert(location.patterns.begin(), {centres, false});
   }
   return location;
 }

@@ -14,13 +14,13 @@ namespace rasterproof::props {
 
 struct Location {
   YAxis y_axis = YAxis::kDown;
-  std::vector<LatticeCandidate> lattices;
+  std::vector<PatternCandidate> patterns;
   /// Empty, or why no model can fit; then the rest is a guess.
   std::string complaint;
   Scene complaint_scene;
 };
 
-/// Why what is declared leaves no room for the experiments that Locate needs; empty if it does.
+/// Why what is stated leaves no room for the experiments that Locate needs; empty if it does.
 std::string TooLittleRoom(const SubjectInfo& info);
 
 /// Draws four scenes and tells the observer what facings mean.

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "exact/coverage.h"
 #include "model/snap.h"
 
@@ -18,9 +18,9 @@ constexpr std::array<SnapRule, 5> kRules{SnapRule::kNearestEven, SnapRule::kNear
                                          SnapRule::kHalfUp, SnapRule::kFloor, SnapRule::kTruncate};
 
 // The constants that differences are taken from: the pixel's centre, or a place of the samples.
-std::vector<double> OriginsOf(const SampleLattice& lattice) {
+std::vector<double> OriginsOf(const SamplePattern& pattern) {
   std::vector<double> origins{0.5};
-  for (const double c : {lattice.locations.front().x, lattice.locations.front().y}) {
+  for (const double c : {pattern.locations.front().x, pattern.locations.front().y}) {
     if (c != 0 && std::ranges::find(origins, c) == origins.end()) origins.push_back(c);
   }
   return origins;
@@ -33,13 +33,13 @@ bool IsOnGrid(double x, int bits) {
 
 // Every snap whose grid holds the integers, or, if `half_off`, only their neighbours half a pixel
 // off. (Where c is no grid point and not 1/2, the samples' place would not be what it seems.)
-std::vector<Snap> SnapsFor(const LatticeCandidate& candidate) {
+std::vector<Snap> SnapsFor(const PatternCandidate& candidate) {
   std::vector<Snap> snaps;
   if (!candidate.half_off) snaps.push_back({});
   for (int bits = 0; bits <= kMaxSubpixelBits; ++bits) {
     for (const SnapRule rule : kRules) {
       if (!candidate.half_off) snaps.push_back({bits, rule});
-      for (const double origin : OriginsOf(candidate.lattice)) {
+      for (const double origin : OriginsOf(candidate.pattern)) {
         if (IsOnGrid(origin, bits) == candidate.half_off) continue;
         if (candidate.half_off && origin != 0.5) continue;
         snaps.push_back({bits, rule, SnapForm::kExactDifference, origin});
@@ -58,7 +58,7 @@ bool IsAtMost(const CoverageCounts& a, const CoverageCounts& b) {
 
 }  // namespace
 
-FillRule RuleOf(std::uint8_t rule) {
+TieRule RuleOf(std::uint8_t rule) {
   if (rule == kInclusiveRule) return {.inclusive = true};
   if (rule > kInclusiveRule) return {.exclusive = true};
   return kConsistentRules[rule];
@@ -70,12 +70,11 @@ bool MovesNothing(const Snap& snap, const Profile& profile) {
   return snap.form == SnapForm::kCoordinate || IsOnGrid(snap.origin, snap.bits);
 }
 
-ModelSpace::ModelSpace(YAxis y_axis, std::vector<LatticeCandidate> lattices,
-                       const Profile& declared)
-    : y_axis_(y_axis), lattices_(std::move(lattices)), declared_(declared) {
-  for (std::size_t l = 0; l < lattices_.size(); ++l) {
-    for (const Snap& snap : SnapsFor(lattices_[l])) {
-      if (!snap.IsNone() && MovesNothing(snap, declared)) continue;
+ModelSpace::ModelSpace(YAxis y_axis, std::vector<PatternCandidate> patterns, const Profile& stated)
+    : y_axis_(y_axis), patterns_(std::move(patterns)), stated_(stated) {
+  for (std::size_t l = 0; l < patterns_.size(); ++l) {
+    for (const Snap& snap : SnapsFor(patterns_[l])) {
+      if (!snap.IsNone() && MovesNothing(snap, stated)) continue;
       for (std::uint8_t rule = 0; rule < kRuleCount; ++rule) {
         models_.push_back({snap, rule, static_cast<std::uint8_t>(l)});
       }
@@ -84,24 +83,24 @@ ModelSpace::ModelSpace(YAxis y_axis, std::vector<LatticeCandidate> lattices,
 }
 
 Profile ModelSpace::ProfileOf(const Model& model) const {
-  Profile profile = declared_;
+  Profile profile = stated_;
   profile.name = "inferred";
   profile.snap = model.snap;
-  profile.lattice = LatticeOf(model);
+  profile.pattern = PatternOf(model);
   profile.y_axis = y_axis_;
-  profile.fill_rule = RuleOf(model.rule);
+  profile.tie_rule = RuleOf(model.rule);
   profile.contract = Contract::kSampleExact;
   profile.freedom = {};
-  profile.targets.clear();
+  profile.by_target_size.clear();
   return profile;
 }
 
 CoverageCounts Prediction::Draw(const Scene& snapped, const Model& model, std::uint8_t rule) const {
   Profile profile;
-  profile.lattice = space_.LatticeOf(model);
+  profile.pattern = space_.PatternOf(model);
   profile.y_axis = space_.y_axis();
-  profile.fill_rule = RuleOf(rule);
-  profile.max_extent = space_.declared().max_extent;
+  profile.tie_rule = RuleOf(rule);
+  profile.max_primitive_extent = space_.stated().max_primitive_extent;
   CoverageCounts counts = exact::Coverage(snapped, profile);
   if (facing_ == FacingReport::kNotTold) JoinFacings(counts);
   return counts;
@@ -117,7 +116,7 @@ const CoverageCounts& Prediction::ByRule(Drawn& drawn, const Model& model,
 Prediction::Drawn& Prediction::On(const Model& model) {
   Scene snapped = scene_;
   snapped.precision = Precision::kFloat64;
-  Placed placed{{}, model.lattice};
+  Placed placed{{}, model.pattern};
   for (Vertex& v : snapped.vertices) {
     v.x = SnapCoordinate(v.x, model.snap);
     v.y = SnapCoordinate(v.y, model.snap);
@@ -145,11 +144,12 @@ const CoverageCounts& Prediction::Of(const Model& model) {
 
 Prediction::Legal Prediction::LegalUnder(const Model& model) {
   Drawn& drawn = On(model);
-  const Profile& declared = space_.declared();
+  const Profile& stated = space_.stated();
   const CoverageCounts& least = Of(model);
-  const bool overdraw = declared.overdraw && drawn.has_ties && model.rule < kInclusiveRule;
-  return {least, overdraw ? ByRule(drawn, model, kInclusiveRule) : least,
-          drawn.is_flat && declared.zero_area == ZeroArea::kUnspecified};
+  const bool edge_samples =
+      stated.shares_edge_samples && drawn.has_ties && model.rule < kInclusiveRule;
+  return {least, edge_samples ? ByRule(drawn, model, kInclusiveRule) : least,
+          drawn.is_flat && stated.degenerate_triangles == DegenerateTriangles::kUnspecified};
 }
 
 bool Prediction::Explains(const Model& model, const CoverageCounts& seen) {

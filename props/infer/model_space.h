@@ -20,18 +20,18 @@ namespace rasterproof::props {
 struct Model {
   Snap snap;
   std::uint8_t rule = 0;     ///< 0 to 7: kConsistentRules; 8: inclusive; 9: exclusive
-  std::uint8_t lattice = 0;  ///< which of the candidates for the sample locations
+  std::uint8_t pattern = 0;  ///< which of the candidates for the sample locations
 
   friend bool operator==(const Model&, const Model&) = default;
 };
 
 inline constexpr std::uint8_t kInclusiveRule = 8;
 inline constexpr std::uint8_t kRuleCount = 10;
-FillRule RuleOf(std::uint8_t rule);
+TieRule RuleOf(std::uint8_t rule);
 
 /// Where the samples may lie, given where they seem to lie under a grid that holds the integers.
-struct LatticeCandidate {
-  SampleLattice lattice;
+struct PatternCandidate {
+  SamplePattern pattern;
   /// True if it explains the same sights only for models whose grid is half a pixel off.
   bool half_off = false;
 };
@@ -39,23 +39,23 @@ struct LatticeCandidate {
 /// All models of one y axis.
 class ModelSpace {
  public:
-  /// `declared`: what no experiment is for, such as fixed-point input. Snaps that leave every
+  /// `stated`: what no experiment is for, such as fixed-point input. Snaps that leave every
   /// coordinate of such an input where it is are one model, that without a snap.
-  ModelSpace(YAxis y_axis, std::vector<LatticeCandidate> lattices, const Profile& declared);
+  ModelSpace(YAxis y_axis, std::vector<PatternCandidate> patterns, const Profile& stated);
 
   const std::vector<Model>& models() const { return models_; }
-  const SampleLattice& LatticeOf(const Model& model) const {
-    return lattices_[model.lattice].lattice;
+  const SamplePattern& PatternOf(const Model& model) const {
+    return patterns_[model.pattern].pattern;
   }
   YAxis y_axis() const { return y_axis_; }
-  const Profile& declared() const { return declared_; }
-  /// The model as a profile that promises it, and all else that is declared, named by what it is.
+  const Profile& stated() const { return stated_; }
+  /// The model as a profile that states it, and all else that is stated, named by what it is.
   Profile ProfileOf(const Model& model) const;
 
  private:
   YAxis y_axis_;
-  std::vector<LatticeCandidate> lattices_;
-  Profile declared_;
+  std::vector<PatternCandidate> patterns_;
+  Profile stated_;
   std::vector<Model> models_;
 };
 
@@ -70,8 +70,8 @@ class Prediction {
       : scene_(scene), space_(space), facing_(facing) {}
 
   const CoverageCounts& Of(const Model& model);
-  /// Whether what was seen is legal under the model, given what the declared profile leaves open:
-  /// overdraw, and triangles of zero area.
+  /// Whether what was seen is legal under the model, given what the stated profile leaves open:
+  /// edge_samples, and triangles of zero area.
   bool Explains(const Model& model, const CoverageCounts& seen);
   /// Whether no picture is legal under both.
   bool Parts(const Model& a, const Model& b);
@@ -79,7 +79,7 @@ class Prediction {
  private:
   struct Placed {
     std::vector<double> coordinates;
-    std::uint8_t lattice;
+    std::uint8_t pattern;
     friend auto operator<=>(const Placed&, const Placed&) = default;
   };
   struct Drawn {

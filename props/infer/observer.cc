@@ -17,7 +17,7 @@ namespace rasterproof::props {
 Observer::Observer(Subject& subject)
     : subject_(subject),
       judged_{{}, DescriptionOf(subject), subject.Info().profile, {}, {}, {}},
-      declared_(ForTarget(subject.Info().profile, kSmallTarget, kSmallTarget)) {}
+      stated_(ForTarget(subject.Info().profile, kSmallTarget, kSmallTarget)) {}
 
 Scene Observer::AsGiven(const Scene& scene) const {
   Scene given = scene;
@@ -25,7 +25,7 @@ Scene Observer::AsGiven(const Scene& scene) const {
   return given;
 }
 
-std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes) {
+std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes, bool may_refuse) {
   std::vector<CoverageCounts> seen;
   if (HasBrokenOff()) return seen;
   std::vector<Check> checks(scenes.size());
@@ -37,6 +37,10 @@ std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes) {
   for (Answers& answers : Put(subject_, requests)) {
     ++draws_;
     last_scene_ = scenes[seen.size()];
+    if (may_refuse && answers.stop == Stop::kRefused) {
+      seen.emplace_back();
+      continue;
+    }
     stop_ = answers.stop;
     why_ = std::move(answers.why);
     if (HasBrokenOff()) break;
@@ -46,29 +50,29 @@ std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes) {
 }
 
 CoverageCounts Observer::Raw(const Scene& scene) {
-  std::vector<CoverageCounts> seen = Ask({&scene, 1});
+  std::vector<CoverageCounts> seen = Ask({&scene, 1}, false);
   if (!seen.empty()) return std::move(seen.front());
-  return {scene.width, scene.height, info().profile.lattice.samples()};
+  return {scene.width, scene.height, info().profile.pattern.samples()};
 }
 
 std::vector<CoverageCounts> Observer::Draw(std::span<const Scene> scenes) {
   std::vector<CoverageCounts> counts;
-  for (CoverageCounts& seen : Ask(scenes)) counts.push_back(Normal(std::move(seen)));
+  for (CoverageCounts& seen : Ask(scenes, true)) counts.push_back(Normal(std::move(seen)));
   return counts;
 }
 
 std::optional<Scene> Observer::Given(const Scene& scene) const {
   // Where the subject may take a vertex, not where a grid of its own may put it.
-  Profile ungridded = declared_;
+  Profile ungridded = stated_;
   ungridded.snap = {};
   Scene given = scene;
-  if (declared_.fixed) given.precision = PrecisionOf(*declared_.fixed);
+  if (stated_.fixed) given.precision = PrecisionOf(*stated_.fixed);
   const InputLattice lattice(ungridded, given.precision);
   for (Vertex& v : given.vertices) {
     v.x = lattice.RoundWithinLimit(v.x);
     v.y = lattice.RoundWithinLimit(v.y);
   }
-  return IsUnclipped(given, declared_) ? std::optional(given) : std::nullopt;
+  return IsUnclipped(given, stated_) ? std::optional(given) : std::nullopt;
 }
 
 CoverageCounts Observer::Normal(CoverageCounts counts) const {

@@ -39,8 +39,8 @@ class Observer {
   /// The same in the form in which Expected() puts an exact draw: facings as on screen, or all in
   /// front.
   CoverageCounts Draw(const Scene& scene) { return Normal(Raw(scene)); }
-  /// The counts of several scenes, in as few calls as the subject can do with. Fewer if it breaks
-  /// off.
+  /// The counts of several scenes, in as few calls as the subject can do with; of one that it
+  /// refuses, counts of no samples. Fewer if it breaks off.
   std::vector<CoverageCounts> Draw(std::span<const Scene> scenes);
   CoverageCounts Expected(CoverageCounts exact) const;
 
@@ -49,10 +49,10 @@ class Observer {
   /// Whether the subject tells facings itself, and none need be worked out.
   bool TellsFacings() const { return info().coverage == CoverageKind::kFacingCounts; }
   const SubjectInfo& info() const { return subject_.Info(); }
-  /// The declared profile, as it is on the small targets of all experiments.
-  const Profile& declared() const { return declared_; }
+  /// The stated profile, as it is on the small targets of all experiments.
+  const Profile& stated() const { return stated_; }
   /// The scene with its vertices where the subject can be given them: on the integers of a
-  /// fixed-point input, within the declared limit. Nothing if it still breaks what is declared of
+  /// fixed-point input, within the stated limit. Nothing if it still breaks what is stated of
   /// the scenes that are judged.
   std::optional<Scene> Given(const Scene& scene) const;
   std::uint64_t draws() const { return draws_; }
@@ -66,12 +66,12 @@ class Observer {
  private:
   // In the space that the subject takes.
   Scene AsGiven(const Scene& scene) const;
-  std::vector<CoverageCounts> Ask(std::span<const Scene> scenes);
+  std::vector<CoverageCounts> Ask(std::span<const Scene> scenes, bool may_refuse);
   CoverageCounts Normal(CoverageCounts counts) const;
 
   Subject& subject_;
   JudgedCase judged_;  ///< whose draws are asked for
-  Profile declared_;
+  Profile stated_;
   FacingReport facing_ = FacingReport::kNotTold;
   std::uint64_t draws_ = 0;
   Scene last_scene_;

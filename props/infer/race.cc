@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "props/infer/directed.h"
-#include "props/judging/redraw.h"
 
 namespace rasterproof::props {
 namespace {
@@ -22,21 +21,19 @@ constexpr int kFailuresInARow = 8;
 // by what the last triangle left.
 constexpr int kInOneCall = 16;
 
-std::uint64_t Decisions(const Scene& scene, const Profile& profile) {
-  Case c;
-  c.scene = scene;
-  c.profile = profile;
-  return DecisionsOf(c);
-}
-
 }  // namespace
 
-void Race::Run(const Scene& scene) { Learn(scene, observer_.Draw(scene)); }
+bool Race::Run(const Scene& scene) {
+  std::vector<CoverageCounts> seen = observer_.Draw(std::span(&scene, 1));
+  return !seen.empty() && Learn(scene, std::move(seen.front()));
+}
 
-void Race::Learn(const Scene& scene, CoverageCounts seen) {
+bool Race::Learn(const Scene& scene, CoverageCounts seen) {
+  if (seen.size() == 0) return false;  // refused
   Prediction prediction(scene, space_, observer_.facing());
   std::erase_if(left_, [&](const Model& model) { return !prediction.Explains(model, seen); });
   experiments_.push_back({scene, std::move(seen)});
+  return true;
 }
 
 bool Race::SplitPair(const Model& a, const Model& b, int tries) {
@@ -46,8 +43,8 @@ bool Race::SplitPair(const Model& a, const Model& b, int tries) {
     if (!scene) continue;
     Prediction prediction(*scene, space_, observer_.facing());
     if (!prediction.Parts(a, b)) continue;
-    Run(*scene);
-    return true;
+    if (Run(*scene)) return true;
+    if (observer_.HasBrokenOff()) return false;
   }
   return false;
 }
@@ -111,46 +108,6 @@ void Race::Check(int count) {
     drawn_ += static_cast<std::uint64_t>(tried);
     count -= tried;
   }
-}
-
-NearestModel Race::Nearest(Model* nearest) const {
-  // The first half of the models by a part of the experiments, and so on: halving.
-  std::vector<Model> models = space_.models();
-  std::vector<std::uint64_t> wrong(models.size());
-  std::vector<std::uint64_t> wrong_experiments(models.size());
-  std::vector<std::size_t> race(models.size());
-  std::iota(race.begin(), race.end(), std::size_t{0});
-  std::size_t next = 0;
-  for (std::size_t part = 16; next < experiments_.size(); part *= 2) {
-    for (; next < std::min(part, experiments_.size()); ++next) {
-      const Experiment& experiment = experiments_[next];
-      Prediction prediction(experiment.scene, space_, observer_.facing());
-      for (const std::size_t m : race) {
-        const std::uint64_t samples = Compare(experiment.seen, prediction.Of(models[m])).wrong;
-        wrong[m] += samples;
-        wrong_experiments[m] += samples != 0 ? 1 : 0;
-      }
-    }
-    std::ranges::sort(race, {}, [&](std::size_t m) { return std::pair(wrong_experiments[m], m); });
-    race.resize(std::max<std::size_t>(race.size() / 2, std::min<std::size_t>(race.size(), 32)));
-  }
-  const std::size_t best = race.front();
-  *nearest = models[best];
-  NearestModel found;
-  found.profile = space_.ProfileOf(models[best]);
-  found.wrong_samples = wrong[best];
-  found.wrong_experiments = wrong_experiments[best];
-  found.experiments = experiments_.size();
-  for (const Experiment& e : experiments_) found.samples += Decisions(e.scene, found.profile);
-  return found;
-}
-
-const Experiment* Race::FirstAgainst(const Model& model) const {
-  for (const Experiment& experiment : experiments_) {
-    Prediction prediction(experiment.scene, space_, observer_.facing());
-    if (!prediction.Explains(model, experiment.seen)) return &experiment;
-  }
-  return nullptr;
 }
 
 }  // namespace rasterproof::props

@@ -25,8 +25,9 @@ class Race {
   Race(Observer& observer, const ModelSpace& space, std::uint64_t seed)
       : observer_(observer), space_(space), seed_(seed), left_(space.models()) {}
 
-  /// Draws the scene with the subject and strikes out the models that draw another picture.
-  void Run(const Scene& scene);
+  /// Draws the scene with the subject and strikes out the models that draw another picture. Returns
+  /// whether it was drawn.
+  bool Run(const Scene& scene);
   /// Runs triangles on which two remaining models differ until none is found for any pair.
   void Split();
   /// Runs triangles without a pair in mind.
@@ -34,13 +35,9 @@ class Race {
 
   const std::vector<Model>& left() const { return left_; }
   const std::vector<Experiment>& experiments() const { return experiments_; }
-  /// The model with the fewest wrong experiments; it was struck out if none fits.
-  NearestModel Nearest(Model* nearest) const;
-  /// The first experiment that the model does not explain; nullptr if it explains all.
-  const Experiment* FirstAgainst(const Model& model) const;
 
  private:
-  void Learn(const Scene& scene, CoverageCounts seen);
+  bool Learn(const Scene& scene, CoverageCounts seen);
   bool SplitPair(const Model& a, const Model& b, int tries);
   void SplitAtRandom();
 

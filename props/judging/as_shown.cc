@@ -1,6 +1,7 @@
 #include "props/judging/as_shown.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace rasterproof::props {
@@ -13,13 +14,13 @@ bool IsJudgedAsShown(CoverageKind coverage, std::size_t triangles, std::uint64_t
 bool IsJudgedAsShown(const SubjectInfo& info, const Scene& scene) {
   return IsJudgedAsShown(
       info.coverage, scene.triangles.size(),
-      CoverageCounts::Size(scene.width, scene.height, info.profile.lattice.samples()));
+      CoverageCounts::Size(scene.width, scene.height, info.profile.pattern.samples()));
 }
 
 bool IsJudgedAsShown(const Description& subject, const Case& c) {
   return IsJudgedAsShown(
       subject.info.coverage, c.scene.triangles.size(),
-      CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.lattice.samples()));
+      CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.pattern.samples()));
 }
 
 CoverageCounts AsShown(CoverageCounts counts) {
@@ -28,6 +29,11 @@ CoverageCounts AsShown(CoverageCounts counts) {
     counts.back[k] = 0;
   }
   return counts;
+}
+
+Verdict NeverHolds(Verdict verdict) {
+  if (verdict.outcome == Outcome::kViolated) return verdict;
+  return {Outcome::kNotExercised, 0, 0, std::string(kJudgedAsShown), std::nullopt};
 }
 
 }  // namespace rasterproof::props

@@ -10,6 +10,7 @@
 #include "core/coverage.h"
 #include "core/scene.h"
 #include "core/subject_info.h"
+#include "core/verdict.h"
 #include "props/judging/gate.h"
 
 namespace rasterproof::props {
@@ -30,10 +31,14 @@ bool IsJudgedAsShown(const Description& subject, const Case& c);
 /// What one call that shows no counts shows of these: 1 in `front` where anything covers.
 CoverageCounts AsShown(CoverageCounts counts);
 
-/// Why a claim about counts or facings says nothing of such a mesh.
+/// Why a property about counts or facings says nothing of such a mesh.
 inline constexpr std::string_view kJudgedAsShown =
     "the mesh is too large to be drawn triangle by triangle: of one call with all of it, this "
     "subject shows no counts and no facings";
+
+/// What a verdict on counts comes to where the draw is judged as it is shown: it can be violated,
+/// but never holds, since how often a sample is covered does not show.
+Verdict NeverHolds(Verdict verdict);
 
 }  // namespace rasterproof::props
 

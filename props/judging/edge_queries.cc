@@ -64,7 +64,7 @@ struct ImageValue {
   double scaled_bound = 0;
 };
 
-// Nothing where the image is no input, or a bound claims nothing.
+// Nothing where the image is no input, or a bound states nothing.
 std::optional<ImageValue> ImageOf(const Case& c, const Description& subject,
                                   const BoundedEdge& edge, const EdgeMap& map) {
   const EdgeQuery& q = edge.query;
@@ -74,7 +74,7 @@ std::optional<ImageValue> ImageOf(const Case& c, const Description& subject,
   if (!a || !b || !at) return std::nullopt;
   const double image_bound = subject.edges->ErrorBound(*a, *b, *at);
   const double scaled_bound = std::fabs(map.factor) * edge.bound;
-  if (!Claims(image_bound) || !Claims(scaled_bound)) return std::nullopt;
+  if (!IsStated(image_bound) || !IsStated(scaled_bound)) return std::nullopt;
   return ImageValue{{*a, *b, *at}, image_bound, 0, map.factor, scaled_bound};
 }
 
@@ -99,7 +99,7 @@ std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeBounds& bound
   std::vector<BoundedEdge> edges;
   for (const EdgeQuery& q : SomeEdgeQueries(c)) {
     const double bound = bounds.ErrorBound(q.a, q.b, q.place.at);
-    if (Claims(bound)) edges.push_back({q, bound});
+    if (IsStated(bound)) edges.push_back({q, bound});
   }
   return edges;
 }
@@ -112,11 +112,11 @@ Questions ValuesAt(std::span<const BoundedEdge> edges) {
   return questions;
 }
 
-Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& claim,
+Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& property,
                       const std::string& observed, const std::string& expected) {
   return Verdict::Violated(
       exercised,
-      claim + ": edge " + HexText(q.a) + " -> " + HexText(q.b) + " at " + HexText(q.place.at),
+      property + ": edge " + HexText(q.a) + " -> " + HexText(q.b) + " at " + HexText(q.place.at),
       WitnessAt(q.triangle, q.edge, q.place, observed, expected));
 }
 

@@ -1,4 +1,4 @@
-// What the edge, incremental and symmetry claims ask an edge evaluator about.
+// What the edge, incremental and symmetry properties ask an edge evaluator about.
 #ifndef RASTERPROOF_PROPS_JUDGING_EDGE_QUERIES_H_
 #define RASTERPROOF_PROPS_JUDGING_EDGE_QUERIES_H_
 
@@ -27,9 +27,9 @@ struct EdgeQuery {
   SamplePlace place;
 };
 
-/// What a claim about edge values needs.
+/// What a property about edge values needs.
 inline constexpr Gate kAsksEdgeValues{
-    .shows = Shows::kEdgeValues, .promise = Promise::kNone, .unwrapped = true};
+    .shows = Shows::kEdgeValues, .contract = ContractNeeded::kNone, .unwrapped = true};
 
 /// A query where the subject states a bound on its value.
 struct BoundedEdge {
@@ -38,14 +38,14 @@ struct BoundedEdge {
 };
 
 /// Every edge of a few triangles, at samples near any of that triangle's edges, where the subject's
-/// bound claims anything.
+/// bound properties anything.
 std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeBounds& bounds);
 
 /// Asks for the value at each.
 Questions ValuesAt(std::span<const BoundedEdge> edges);
 
-/// A violation at a query: what the claim says, and the values that contradict it.
-Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& claim,
+/// A violation at a query: what the property says, and the values that contradict it.
+Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& property,
                       const std::string& observed, const std::string& expected);
 
 /// "E = p/q" for the witness: the exact value of E(a, b; p).
@@ -63,7 +63,7 @@ struct EdgeMap {
 };
 
 /// Whether the subject's values at the images are `factor` times its values, up to the sum of the
-/// bounds it claims for both. Asked only where every image is exact, of the subject's input format,
+/// bounds it states for both. Asked only where every image is exact, of the subject's input format,
 /// on the subpixel grid and within the limit. A violation says `wrong`.
 ///
 /// Domain:     factor a power of two of either sign; a subject that shows edge values.

@@ -122,6 +122,6 @@ bool HasSign(double x, int sign) {
   return (x > 0) - (x < 0) == sign;
 }
 
-bool Claims(double bound) { return std::isfinite(bound) && bound >= 0; }
+bool IsStated(double bound) { return std::isfinite(bound) && bound >= 0; }
 
 }  // namespace rasterproof::props

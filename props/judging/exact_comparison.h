@@ -29,8 +29,8 @@ bool AgreeWithin(double x, double y, int sign, double bound_x, double bound_y);
 /// Returns whether x is a number of this sign; both zeros have sign 0.
 bool HasSign(double x, int sign);
 
-/// Returns whether a bound that a subject gave claims anything.
-bool Claims(double bound);
+/// Returns whether a bound that a subject gave properties anything.
+bool IsStated(double bound);
 
 }  // namespace rasterproof::props
 

@@ -22,7 +22,7 @@ bool HasNoArea(const Scene& scene, const std::array<Vertex, 3>& v) {
 std::vector<std::size_t> FlatTriangles(const Case& c) {
   // What the profile drops for its extent has an area all the same.
   Profile all_sizes = c.profile;
-  all_sizes.max_extent.reset();
+  all_sizes.max_primitive_extent.reset();
   const Scene snapped = c.scene.clip_space ? c.scene : SnapScene(c.scene, all_sizes);
   std::vector<std::size_t> flat;
   for (std::size_t t = 0; t < snapped.triangles.size(); ++t) {

@@ -20,7 +20,7 @@ namespace rasterproof::props {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-// Exact weights are rationals, some ten microseconds each.
+// Exact barycentrics are rationals, some ten microseconds each.
 constexpr std::size_t kMostFragments = 24;
 // All tolerances below take the format's fl(x op y) = (x op y)(1 + d), |d| <= u, and a product or a
 // quotient that underflows as off by eta / 2 more. They are worked out in double, to first order in
@@ -38,10 +38,10 @@ constexpr double kEdgeUnderflows = 2;
 // of the values' magnitudes.
 constexpr double kAreaSumErrorMultiplier = 2;
 
-// Of a depth, in u of max |z| times W = sum |l_i|, which is at least 1 because the weights sum to
-// one. By weights: a product, and two additions of partial sums, 3 W. By deltas from one vertex,
-// with z of one sign: a difference and a product for each of two weights, 2 W; two additions of
-// partial sums of at most 1 + W each, 4 W.
+// Of a depth, in u of max |z| times W = sum |l_i|, which is at least 1 because the barycentrics sum
+// to one. By barycentrics: a product, and two additions of partial sums, 3 W. By deltas from one
+// vertex, with z of one sign: a difference and a product for each of two barycentrics, 2 W; two
+// additions of partial sums of at most 1 + W each, 4 W.
 constexpr double kDepthErrorMultiplier = 6;
 
 // Where sums of products stay below this, nothing that the forms compute overflows: what they round
@@ -72,7 +72,7 @@ double EdgeTolerance(Point2 a, Point2 b, Point2 p, Precision precision) {
                                kEdgeUnderflows * SmallestSubnormal(precision));
 }
 
-bool Overflows(const WeightQuery& q, Precision precision) {
+bool Overflows(const BarycentricQuery& q, Precision precision) {
   const double most = MostSumOfProducts(precision);
   for (int i = 0; i < 3; ++i) {
     if (!(SumOfProducts(EdgeStart(q.v, i), EdgeEnd(q.v, i), q.place.at) < most)) return true;
@@ -86,20 +86,21 @@ double DepthOf(std::size_t vertex) { return 0.125 * static_cast<double>(1 + 3 * 
 double DepthTolerance(const SubjectInfo& info, const Fragment& f) {
   if (info.fragments.depth_error > 0) return info.fragments.depth_error;
   const double u = UnitRoundoff(info.input);
-  const std::array<exact::Rational, 3> weights = ExactWeights(f.query);
-  // Weights that are off by t_i move the depth by at most sum t_i max |z|, by weights or, z being
-  // of one sign, by deltas.
-  double weight_error = 0;
+  const std::array<exact::Rational, 3> barycentrics = ExactBarycentrics(f.query);
+  // Barycentrics that are off by t_i move the depth by at most sum t_i max |z|, by barycentrics or,
+  // z being of one sign, by deltas.
+  double barycentric_error = 0;
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    weight_error += f.weight_tolerances[i];
-    size += std::fabs(weights[i].ToDouble()) + f.weight_tolerances[i];
+    barycentric_error += f.barycentric_tolerances[i];
+    size += std::fabs(barycentrics[i].ToDouble()) + f.barycentric_tolerances[i];
   }
   const double largest = std::max({std::fabs(f.z[0]), std::fabs(f.z[1]), std::fabs(f.z[2])});
-  return kSecondOrderFactor * (weight_error + kDepthErrorMultiplier * u * size) * largest;
+  return kSecondOrderFactor * (barycentric_error + kDepthErrorMultiplier * u * size) * largest;
 }
 
-// What a triangle's edge values can be off at a sample, for the ways to turn them into weights.
+// What a triangle's edge values can be off at a sample, for the ways to turn them into
+// barycentrics.
 struct EdgeErrors {
   std::array<double, 3> value{};      // |E_i|, at most
   std::array<double, 3> tolerance{};  // of E_i
@@ -107,7 +108,7 @@ struct EdgeErrors {
   double area_tolerance = 0;          // of the area, computed by itself or as the sum of the E_i
 };
 
-EdgeErrors EdgeErrorsAt(const WeightQuery& q, Precision precision) {
+EdgeErrors EdgeErrorsAt(const BarycentricQuery& q, Precision precision) {
   EdgeErrors errors;
   double sum = 0;
   double sum_tolerance = 0;
@@ -128,11 +129,11 @@ EdgeErrors EdgeErrorsAt(const WeightQuery& q, Precision precision) {
   return errors;
 }
 
-// What the drawing shows at its k-th sample. Nothing if the winner has no area.
+// What the drawing shows at its k-th sample. Nothing if the visible triangle has no area.
 std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const Scene& owners,
                                    const Case& c, const SubjectInfo& info) {
   Fragment f;
-  f.query.triangle = drawing.winners[k];
+  f.query.triangle = drawing.primitive_ids[k];
   const Triangle& t = owners.triangles[static_cast<std::size_t>(f.query.triangle)];
   const std::array<Vertex, 3> corners = Corners(owners, t);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -145,19 +146,19 @@ std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const 
   const Witness at = WitnessAtIndex(drawing.counts, k);
   f.query.place = PlaceOf(c, at.x, at.y, at.sample);
   f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
-  f.weights = drawing.weights[k];
+  f.barycentrics = drawing.barycentrics[k];
   f.depth = drawing.depths[k];
-  f.weight_tolerances = WeightTolerances(info, f.query);
+  f.barycentric_tolerances = BarycentricTolerances(info, f.query);
   f.depth_tolerance = DepthTolerance(info, f);
   return f;
 }
 
-// `owners` holds the vertices that the weights belong to.
+// `owners` holds the vertices that the barycentrics belong to.
 std::vector<Fragment> SomeFragments(const Drawing& drawing, const Scene& owners, const Case& c,
                                     const SubjectInfo& info) {
   std::vector<std::size_t> covered;
-  for (std::size_t k = 0; k < drawing.winners.size(); ++k) {
-    if (drawing.winners[k] != kNoTriangle) covered.push_back(k);
+  for (std::size_t k = 0; k < drawing.primitive_ids.size(); ++k) {
+    if (drawing.primitive_ids[k] != kNoPrimitive) covered.push_back(k);
   }
   std::vector<Fragment> fragments;
   for (std::size_t n = 0; n < covered.size(); n += covered.size() / kMostFragments + 1) {
@@ -169,28 +170,29 @@ std::vector<Fragment> SomeFragments(const Drawing& drawing, const Scene& owners,
 
 }  // namespace
 
-std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuery& q) {
-  const double declared = info.fragments.weight_error;
-  if (declared > 0) return {declared, declared, declared};
+std::array<double, 3> BarycentricTolerances(const SubjectInfo& info, const BarycentricQuery& q) {
+  const double stated = info.fragments.barycentric_error;
+  if (stated > 0) return {stated, stated, stated};
   if (Overflows(q, info.input)) return {kNothing, kNothing, kNothing};
   const double u = UnitRoundoff(info.input);
   const EdgeErrors errors = EdgeErrorsAt(q, info.input);
   if (!(errors.area > errors.area_tolerance)) return {kNothing, kNothing, kNothing};
-  std::array<double, 3> weight{};    // |l_i|, at most
-  std::array<double, 3> quotient{};  // tolerance of E_i over the area
+  std::array<double, 3> barycentric{};  // |l_i|, at most
+  std::array<double, 3> quotient{};     // tolerance of E_i over the area
   for (std::size_t i = 0; i < 3; ++i) {
-    weight[i] = errors.value[i] / errors.area;
-    quotient[i] = kSecondOrderFactor *
-                      ((errors.tolerance[i] + weight[i] * errors.area_tolerance) / errors.area +
-                       u * weight[i]) +
-                  SmallestSubnormal(info.input);
+    barycentric[i] = errors.value[i] / errors.area;
+    quotient[i] =
+        kSecondOrderFactor *
+            ((errors.tolerance[i] + barycentric[i] * errors.area_tolerance) / errors.area +
+             u * barycentric[i]) +
+        SmallestSubnormal(info.input);
   }
   std::array<double, 3> tolerances = quotient;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
     // (1 - l_j) - l_k, in either order: a difference of at most 1 + |l|, and the last rounding.
-    const double rounded = u * (1 + std::max(weight[j], weight[k]) + weight[i]);
+    const double rounded = u * (1 + std::max(barycentric[j], barycentric[k]) + barycentric[i]);
     tolerances[i] =
         std::max(quotient[i], kSecondOrderFactor * (quotient[j] + quotient[k] + rounded));
   }
@@ -201,7 +203,7 @@ Asked AskFragments(const Case& c, const Description& subject,
                    Verdict (*judge)(const std::vector<Fragment>&)) {
   Scene scene = c.scene;
   for (std::size_t k = 0; k < scene.vertices.size(); ++k) scene.vertices[k].z = DepthOf(k);
-  const bool snapped = subject.info.fragments.weights_of == WeightsOf::kSnapped;
+  const bool snapped = subject.info.fragments.barycentrics_of == BarycentricsOf::kSnapped;
   Scene owners = snapped ? SnapScene(scene, c.profile) : scene;
   Questions questions;
   questions.draws.push_back(WholeCallOf(scene, c.profile, c.options));
@@ -213,9 +215,9 @@ Asked AskFragments(const Case& c, const Description& subject,
 }
 
 Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
-                          const std::string& claim, const std::string& observed,
+                          const std::string& property, const std::string& observed,
                           const std::string& expected) {
-  return WeightViolation(fragment.query, entry, exercised, claim, observed, expected);
+  return BarycentricViolation(fragment.query, entry, exercised, property, observed, expected);
 }
 
 }  // namespace rasterproof::props

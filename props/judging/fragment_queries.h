@@ -1,4 +1,5 @@
-// The fragments that the claims about weights and depths look at, and how far off each may be.
+// The fragments that the properties about barycentrics and depths look at, and how far off each may
+// be.
 #ifndef RASTERPROOF_PROPS_JUDGING_FRAGMENT_QUERIES_H_
 #define RASTERPROOF_PROPS_JUDGING_FRAGMENT_QUERIES_H_
 
@@ -10,29 +11,30 @@
 #include "core/case.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
-#include "props/judging/weight_queries.h"
+#include "props/judging/barycentric_queries.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
 
 /// What the subject shows at one covered sample, and what it may be off.
 struct Fragment {
-  WeightQuery query;  ///< the winner, by the vertices that the weights belong to
+  BarycentricQuery
+      query;  ///< the visible triangle, by the vertices that the barycentrics belong to
   std::array<double, 3> z{};
-  std::array<double, 3> weights{};
+  std::array<double, 3> barycentrics{};
   double depth = 0;
-  /// NaN where nothing is claimed. See WeightTolerances().
-  std::array<double, 3> weight_tolerances{};
+  /// NaN where nothing is stated. See BarycentricTolerances().
+  std::array<double, 3> barycentric_tolerances{};
   double depth_tolerance = 0;
 };
 
 /// Asks for all that a call shows of the case, its vertices at depths of our own choice, and judges
-/// some of the covered samples, evenly spread. Winners without area by the declared vertices are
+/// some of the covered samples, evenly spread. PrimitiveIds without area by the stated vertices are
 /// left out.
 Asked AskFragments(const Case& c, const Description& subject,
                    Verdict (*judge)(const std::vector<Fragment>&));
 
-/// How far the weights of p may be off: the declared error for each. If none is declared, the most
+/// How far the barycentrics of p may be off: the stated error for each. If none is stated, the most
 /// that the usual forms give in the subject's format: five-operation edge functions over the area,
 /// computed by itself or as their sum,
 ///     q_i = (d_i + |l_i| d) / (|area| - d) + u |l_i|,   d_i = 4 u S_i,
@@ -40,13 +42,13 @@ Asked AskFragments(const Case& c, const Description& subject,
 /// with S the sum of the absolute products, because computed values e = E_i + d_i and a = area + d
 /// give |e / a - E_i / area| = |d_i area - E_i d| / |area a|; and one minus the other two,
 ///     q_j + q_k + u (1 + max(|l_j|, |l_k|) + |l_i|).
-/// It grows with the triangle's conditioning, and claims nothing (NaN) where the area itself may
+/// It grows with the triangle's conditioning, and states nothing (NaN) where the area itself may
 /// vanish.
-std::array<double, 3> WeightTolerances(const SubjectInfo& info, const WeightQuery& q);
+std::array<double, 3> BarycentricTolerances(const SubjectInfo& info, const BarycentricQuery& q);
 
 /// A violation at a fragment.
 Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
-                          const std::string& claim, const std::string& observed,
+                          const std::string& property, const std::string& observed,
                           const std::string& expected);
 
 }  // namespace rasterproof::props

@@ -142,7 +142,7 @@ std::optional<int> FacingInEveryModel(const Places& places) {
 
 enum class Drops : std::uint8_t { kNever, kAlways, kInSomeModels };
 
-Drops DropsOf(const Places& places, const std::optional<MaxExtent>& most) {
+Drops DropsOf(const Places& places, const std::optional<MaxPrimitiveExtent>& most) {
   if (!most) return Drops::kNever;
   const auto low = [](const LegalPlaces& p) { return p.low; };
   const auto high = [](const LegalPlaces& p) { return p.high; };
@@ -213,7 +213,7 @@ std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool
     const std::optional<PlacedVertex> corner = Placed(v[k], clip_space, profile, reach);
     if (!corner) return std::nullopt;
     placed[k] = *corner;
-    const bool leaves = !clip_space && LeavesBy(corner->legal, v[k], profile.no_clip);
+    const bool leaves = !clip_space && LeavesBy(corner->legal, v[k], profile.guard_band);
     triangle.is_clipped = triangle.is_clipped || leaves;
   }
   const double clipped = triangle.is_clipped ? kMovedOutlineMargin : 0;
@@ -253,7 +253,7 @@ OpenTriangles::OpenTriangles(const Case& c) {
       continue;
     }
     most_moved_ = std::max(most_moved_, placed->most_moved);
-    const Drops drops = DropsOf(placed->places, profile.max_extent);
+    const Drops drops = DropsOf(placed->places, profile.max_primitive_extent);
     if (drops == Drops::kAlways) continue;
     if (HaveOnePlace(v[0], v[1]) || HaveOnePlace(v[1], v[2]) || HaveOnePlace(v[2], v[0])) continue;
     const std::optional<int> facing = FacingInEveryModel(placed->places);
@@ -293,9 +293,10 @@ Scene UnsnappedScene(const Case& c) {
   Scene scene = c.scene;
   for (Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> v = Corners(c.scene, t);
-    if (!profile.max_extent || !std::ranges::all_of(v, IsFinite)) continue;
+    if (!profile.max_primitive_extent || !std::ranges::all_of(v, IsFinite)) continue;
     const auto placed = PlacedCorners(v, false, profile, reach);
-    if (DropsOf(placed->places, profile.max_extent) == Drops::kAlways) t = {t[0], t[0], t[0]};
+    if (DropsOf(placed->places, profile.max_primitive_extent) == Drops::kAlways)
+      t = {t[0], t[0], t[0]};
   }
   if (!profile.fixed) return scene;
   for (Vertex& v : scene.vertices) {
@@ -306,7 +307,7 @@ Scene UnsnappedScene(const Case& c) {
 
 bool IsUnclippedInEveryModel(const Case& c) {
   const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  if (!profile.no_clip) return true;
+  if (!profile.guard_band) return true;
   const Reach reach = ReachOf(c, profile);
   return std::ranges::none_of(c.scene.triangles, [&](const Triangle& t) {
     const std::array<Vertex, 3> v = Corners(c.scene, t);

@@ -68,8 +68,8 @@ bool TellsFacings(const Description& subject);
 /// every legal model, and what is not need not be.
 Scene UnsnappedScene(const Case& c);
 
-/// Returns whether no legal model puts a vertex that a triangle uses outside the profile's no-clip
-/// rectangle.
+/// Returns whether no legal model puts a vertex that a triangle uses outside the profile's
+/// guard-band rectangle.
 ///
 /// Domain:     a window-space case.
 bool IsUnclippedInEveryModel(const Case& c);

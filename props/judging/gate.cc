@@ -35,22 +35,23 @@ Wanted WantedBy(Shows shows) {
     case Shows::kSteps:
       return {[](const D& d) {
                 return d.edges != nullptr &&
-                       (!d.info.edges.shows_values || d.info.edges.shows_walks);
+                       (!d.info.edges.shows_values || d.info.edges.shows_steps);
               },
-              "the subject shows no walks",
+              "the subject shows no steps",
               "the subject shows edge values and states a finite bound there"};
     case Shows::kBarycentrics:
-      return {[](const D& d) { return d.weights != nullptr; }, "the subject shows no weights",
-              "the subject shows weights and states a finite bound there"};
+      return {[](const D& d) { return d.barycentrics != nullptr; },
+              "the subject shows no barycentrics",
+              "the subject shows barycentrics and states a finite bound there"};
     case Shows::kFragments:
       return {[](const D& d) { return d.info.coverage == CoverageKind::kFragments; },
               "the subject shows no fragments", "the subject shows fragments"};
     case Shows::kPrimitiveIds:
-      return {[](const D& d) { return ShowsWinners(d.info); },
-              "the subject does not show which triangle wins", "the subject shows winners"};
+      return {[](const D& d) { return ShowsPrimitiveIds(d.info); },
+              "the subject does not show primitive ids", "the subject shows primitive ids"};
     case Shows::kTiles:
       return {[](const D& d) { return d.info.takes_tiles; },
-              "the subject's tiles, if any, can't be chosen", "the subject takes a size of tiles"};
+              "the subject's tiles, if any, can't be chosen", "the subject takes a tile size"};
     case Shows::kThreads:
       return {[](const D& d) { return d.info.takes_threads; }, "the subject draws in one thread",
               "the subject takes a number of threads"};
@@ -72,56 +73,61 @@ Verdict NotExercised(std::string_view why) {
 }
 
 bool LeavesAChoice(const Profile& profile, const Gate& gate) {
-  return !profile.freedom.IsNone() || (profile.overdraw && !gate.judges_overdraw);
+  return !profile.freedom.IsNone() ||
+         (profile.shares_edge_samples && !gate.judges_shared_edge_samples);
 }
 
-std::optional<std::string> ContractDoesNotPromise(const Profile& profile, const Gate& gate) {
-  if (gate.promise == Promise::kNone) return std::nullopt;
-  if (gate.promise == Promise::kAny && profile.contract != Contract::kNone) return std::nullopt;
+std::optional<std::string> ContractDoesNotState(const Profile& profile, const Gate& gate) {
+  if (gate.contract == ContractNeeded::kNone) return std::nullopt;
+  if (gate.contract == ContractNeeded::kAny && profile.contract != Contract::kNone)
+    return std::nullopt;
   switch (profile.contract) {
     case Contract::kSampleExact:
-      if (!LeavesAChoice(profile, gate) || gate.any_model || gate.promise == Promise::kWatertight) {
+      if (!LeavesAChoice(profile, gate) || gate.any_model ||
+          gate.contract == ContractNeeded::kWatertight) {
         return std::nullopt;
       }
       return profile.freedom.IsNone() ? "the profile leaves it open how often an edge is drawn"
                                       : "the profile leaves the grid points or the tie rule free";
     case Contract::kWatertight:
-      if (gate.promise == Promise::kWatertight) return std::nullopt;
-      return "the profile's contract promises watertight meshes only";
+      if (gate.contract == ContractNeeded::kWatertight) return std::nullopt;
+      return "the profile's contract states watertight meshes only";
     case Contract::kClosed:
-      if (gate.promise == Promise::kClosed) return std::nullopt;
-      return "the profile's contract promises closed surfaces only";
+      if (gate.contract == ContractNeeded::kClosed) return std::nullopt;
+      return "the profile's contract states closed surfaces only";
     case Contract::kConservativeOver:
     case Contract::kConservativeUnder:
-      return "the profile's contract promises a bound on coverage only";
+      return "the profile's contract states a bound on coverage only";
     case Contract::kNone:
       break;
   }
-  return "the profile's contract promises nothing about coverage";
+  return "the profile's contract states nothing about coverage";
 }
 
 // Of clip space no profile with such a rectangle says anything.
 bool MayBeClipped(const Gate& gate) {
-  return gate.judges_clipped || gate.promise == Promise::kNone || gate.space == Space::kClip;
+  return gate.judges_clipped || gate.contract == ContractNeeded::kNone ||
+         gate.space == Space::kClip;
 }
 
-// Weights belong to the vertices as given or to their grid points, which a profile may leave free.
-bool LeavesWeightsOpen(const SubjectInfo& info, const Profile& profile) {
+// Barycentrics belong to the vertices as given or to their grid points, which a profile may leave
+// free.
+bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile) {
   const bool chooses_points = profile.freedom.snap_tolerance != 0 ||
                               profile.contract == Contract::kWatertight ||
                               profile.contract == Contract::kClosed;
-  return info.fragments.weights_of == WeightsOf::kSnapped && chooses_points;
+  return info.fragments.barycentrics_of == BarycentricsOf::kSnapped && chooses_points;
 }
 
-std::optional<std::string> ProfileDoesNotPromise(const Gate& gate, const SubjectInfo& info,
-                                                 const Profile& profile) {
+std::optional<std::string> ProfileDoesNotState(const Gate& gate, const SubjectInfo& info,
+                                               const Profile& profile) {
   for (const ProfileRule& rule : gate.rules) {
     if (!rule.holds(profile)) return std::string(rule.why_not);
   }
-  if (gate.shows == Shows::kFragments && LeavesWeightsOpen(info, profile)) {
-    return "the profile leaves the grid points free that the weights belong to";
+  if (gate.shows == Shows::kFragments && LeavesBarycentricsOpen(info, profile)) {
+    return "the profile leaves the grid points free that the barycentrics belong to";
   }
-  return ContractDoesNotPromise(profile, gate);
+  return ContractDoesNotState(profile, gate);
 }
 
 std::optional<std::string> SubjectLacks(const Gate& gate, const Description& subject) {
@@ -164,7 +170,7 @@ std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, con
       (c.options.scissor && !info.takes_scissor)) {
     return NotExercised("the case is culled or cut, and the subject does neither");
   }
-  if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || c.profile.no_clip)) {
+  if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || c.profile.guard_band)) {
     return NotExercised("the case is in clip space, the profile speaks of window space");
   }
   if (!Takes(info, c.scene)) {
@@ -192,17 +198,17 @@ void Add(std::string& words, std::string_view more) {
   words += more;
 }
 
-std::string_view PromiseWords(Promise promise) {
-  switch (promise) {
-    case Promise::kNone:
+std::string_view ContractWords(ContractNeeded contract) {
+  switch (contract) {
+    case ContractNeeded::kNone:
       break;
-    case Promise::kAny:
+    case ContractNeeded::kAny:
       return "any contract but none";
-    case Promise::kClosed:
+    case ContractNeeded::kClosed:
       return "contract sample-exact or closed";
-    case Promise::kWatertight:
+    case ContractNeeded::kWatertight:
       return "contract sample-exact or watertight";
-    case Promise::kSampleExact:
+    case ContractNeeded::kSampleExact:
       return "contract sample-exact";
   }
   return "";
@@ -214,15 +220,15 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) return why;
   const Profile& profile = subject.info.profile;
   // What models by target size say is asked for each case.
-  return profile.targets.empty() ? ProfileDoesNotPromise(gate, subject.info, profile)
-                                 : ContractDoesNotPromise(profile, gate);
+  return profile.by_target_size.empty() ? ProfileDoesNotState(gate, subject.info, profile)
+                                        : ContractDoesNotState(profile, gate);
 }
 
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c) {
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) {
     return Verdict::NotApplicable(*std::move(why));
   }
-  if (std::optional<std::string> why = ProfileDoesNotPromise(gate, subject.info, c.profile)) {
+  if (std::optional<std::string> why = ProfileDoesNotState(gate, subject.info, c.profile)) {
     return Verdict::NotApplicable(*std::move(why));
   }
   if (std::optional<Verdict> refusal = CannotDraw(gate, subject.info, c)) return refusal;
@@ -235,7 +241,7 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   if (!gate.beyond_limits) {
     if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
     if (!MayBeClipped(gate) && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
-      return NotExercised("a triangle leaves the profile's no-clip rectangle");
+      return NotExercised("a triangle leaves the profile's guard-band rectangle");
     }
   }
   if (!gate.asks_oracle) return std::nullopt;
@@ -247,19 +253,19 @@ std::string WordsOf(const Gate& gate) {
   std::string words;
   Add(words, WantedBy(gate.shows).words);
   const bool is_said = std::ranges::any_of(gate.rules, &ProfileRule::names_contract);
-  if (!is_said) Add(words, PromiseWords(gate.promise));
-  if (gate.promise == Promise::kSampleExact && !gate.any_model) {
+  if (!is_said) Add(words, ContractWords(gate.contract));
+  if (gate.contract == ContractNeeded::kSampleExact && !gate.any_model) {
     Add(words, "no grid points or tie rule left free");
     const bool counts_ties = std::ranges::any_of(
         gate.rules, [](const ProfileRule& rule) { return rule.words == kCountsTies.words; });
-    if (!gate.judges_overdraw && !counts_ties) Add(words, kCountsTies.words);
+    if (!gate.judges_shared_edge_samples && !counts_ties) Add(words, kCountsTies.words);
   }
   for (const ProfileRule& rule : gate.rules) Add(words, rule.words);
   if (gate.space == Space::kWindow) Add(words, "window space");
   if (gate.space == Space::kClip) Add(words, "clip space");
   if (!gate.beyond_limits) Add(words, "coordinates within the limits");
   if (gate.unwrapped) Add(words, "no coordinate wraps");
-  if (!gate.beyond_limits && !MayBeClipped(gate)) Add(words, "no corner outside no_clip");
+  if (!gate.beyond_limits && !MayBeClipped(gate)) Add(words, "no corner outside guard_band");
   if (gate.asks_oracle) Add(words, "a scene that the oracle decides");
   Add(words, gate.where);
   return words.empty() ? "every scene that the subject takes" : words;

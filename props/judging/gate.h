@@ -1,4 +1,4 @@
-// Whether a claim may be judged of a subject, and on a case: as data.
+// Whether a property may be judged of a subject, and on a case: as data.
 #ifndef RASTERPROOF_PROPS_JUDGING_GATE_H_
 #define RASTERPROOF_PROPS_JUDGING_GATE_H_
 
@@ -15,13 +15,13 @@
 
 namespace rasterproof::props {
 
-/// A subject as claims see it, before it is asked anything.
+/// A subject as properties see it, before it is asked anything.
 ///
 /// The bounds are what it states, not what it measures: pure functions of the question.
 struct Description {
   SubjectInfo info;
-  const EdgeBounds* edges = nullptr;           ///< of its edge values; nullptr: it shows none
-  const BarycentricBounds* weights = nullptr;  ///< of its barycentrics; nullptr: it shows none
+  const EdgeBounds* edges = nullptr;                ///< of its edge values; nullptr: it shows none
+  const BarycentricBounds* barycentrics = nullptr;  ///< of its barycentrics; nullptr: it shows none
 };
 
 enum class Space : std::uint8_t { kWindow, kClip, kEither };
@@ -41,9 +41,9 @@ enum class Shows : std::uint8_t {
   kBatches
 };
 
-/// The weakest promise about coverage that the claim follows from.
-enum class Promise : std::uint8_t {
-  kNone,        ///< the claim is not about the coverage that a contract promises
+/// The weakest contract about coverage that the property follows from.
+enum class ContractNeeded : std::uint8_t {
+  kNone,        ///< the property is not about the coverage that a contract states
   kAny,         ///< every contract but `none`
   kClosed,      ///< `closed` or `sample-exact`
   kWatertight,  ///< `watertight` or `sample-exact`, whichever grid points and tie rule are chosen
@@ -55,27 +55,27 @@ struct ProfileRule {
   bool (*holds)(const Profile&);
   std::string_view words;       ///< completes "the profile ...": "owns shared edges"
   std::string_view why_not;     ///< a sentence, for where it does not hold
-  bool names_contract = false;  ///< the words say what the gate's promise would
+  bool names_contract = false;  ///< the words say what the gate's contract would
 };
 
-/// What a claim needs before it may be judged.
+/// What a property needs before it may be judged.
 struct Gate {
   Space space = Space::kWindow;
   Shows shows = Shows::kCoverage;
-  Promise promise = Promise::kSampleExact;
+  ContractNeeded contract = ContractNeeded::kSampleExact;
   /// True for what every model has, whichever one the subject chose among the legal ones.
   bool any_model = false;
-  /// True if samples that the profile's overdraw leaves open are told from the others.
-  bool judges_overdraw = false;
+  /// True if samples that the profile's edge_samples leaves open are told from the others.
+  bool judges_shared_edge_samples = false;
   /// True for what holds though clipping has moved the edges of triangles that leave the profile's
-  /// no-clip rectangle.
+  /// guard-band rectangle.
   bool judges_clipped = false;
-  /// True for what is also claimed of triangles of zero area whose coverage the profile leaves
+  /// True for what is also stated of triangles of zero area whose coverage the profile leaves
   /// unspecified: a crash or a write outside the target is no freedom of theirs.
   bool judges_degenerates = false;
-  /// True for what is claimed beyond the profile's limits as well.
+  /// True for what is stated beyond the profile's limits as well.
   bool beyond_limits = false;
-  /// True for what is not claimed where a coordinate wraps.
+  /// True for what is not stated where a coordinate wraps.
   bool unwrapped = false;
   /// True for what counts by facing alone can show: a mesh that is judged as the subject shows it
   /// has none (judging/as_shown.h).
@@ -83,24 +83,24 @@ struct Gate {
   std::span<const ProfileRule> rules = {};
   /// True for what is judged by what the oracle says of the case's scene.
   bool asks_oracle = false;
-  /// What of a case that is let through the claim is about, in words, where that is less than all:
-  /// "two triangles or more". Its `ask` sees to it.
+  /// What of a case that is let through the property is about, in words, where that is less than
+  /// all: "two triangles or more". Its `ask` sees to it.
   std::string_view where = {};
 };
 
-/// The gate of a claim that is about less of a case.
+/// The gate of a property that is about less of a case.
 constexpr Gate Where(Gate gate, std::string_view where) {
   gate.where = where;
   return gate;
 }
 
-/// Returns why the claim does not apply to the subject, whatever the case, or nothing if it may.
+/// Returns why the property does not apply to the subject, whatever the case, or nothing if it may.
 ///
 /// Domain:     the profile that the subject is judged by. Where it states models by target size,
 ///             the gate's rules are asked for each case, the contract now.
 std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject);
 
-/// Returns the verdict to give instead of judging, or nothing if the claim may be judged.
+/// Returns the verdict to give instead of judging, or nothing if the property may be judged.
 ///
 /// Not applicable: as DoesNotApply; the subject does not take scenes of this kind or precision; or
 ///                 the oracle is asked and does not decide the scene.
@@ -108,8 +108,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 ///                 does not take; it is of clip space, under a snapped profile, and not wholly in
 ///                 front of the eye; the profile has keys that speak of window space alone; a
 ///                 coordinate is beyond the profile's limit, or wraps; a triangle leaves the
-///                 profile's no-clip rectangle; the claim needs facings, and the mesh is judged as
-///                 it is shown.
+///                 profile's guard-band rectangle; the property needs facings, and the mesh is
+///                 judged as it is shown.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c);
 
 /// What DoesNotApply and Refusal ask for, in words, and `where`: as docs/mathematics.md and
@@ -119,15 +119,15 @@ std::string WordsOf(const Gate& gate);
 /// The case's drawing options without culling and scissor.
 DrawOptions WholeTarget(const Case& c);
 
-// Rules that several claims have.
+// Rules that several properties have.
 inline constexpr ProfileRule kOwnsEdges{
-    [](const Profile& p) { return p.fill_rule.IsConsistent(); },
-    "a fill rule that gives each sample of a shared edge to one side",
-    "the fill rule does not give each sample of a shared edge to one side"};
+    [](const Profile& p) { return p.tie_rule.IsConsistent(); },
+    "a tie rule that gives each sample of a shared edge to one side",
+    "the tie rule does not give each sample of a shared edge to one side"};
 inline constexpr ProfileRule kClosesEdges{
-    [](const Profile& p) { return p.fill_rule.IsConsistent() || !p.fill_rule.exclusive; },
-    "a fill rule that owns shared edges", "an exclusive fill rule covers shared edges never"};
-inline constexpr ProfileRule kCountsTies{[](const Profile& p) { return !p.overdraw; },
+    [](const Profile& p) { return p.tie_rule.IsConsistent() || !p.tie_rule.exclusive; },
+    "a tie rule that owns shared edges", "an exclusive tie rule covers shared edges never"};
+inline constexpr ProfileRule kCountsTies{[](const Profile& p) { return !p.shares_edge_samples; },
                                          "no shared ties",
                                          "the profile leaves it open how often an edge is drawn"};
 inline constexpr ProfileRule kSaysWhatSinglesCover{

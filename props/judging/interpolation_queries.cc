@@ -19,7 +19,7 @@ constexpr std::array<std::array<double, 3>, 3> kDepths{{{1, 1, 1}, {1, 4, 0.5}, 
 
 std::vector<InterpolationQuery> SomeInterpolations(const Case& c) {
   std::vector<InterpolationQuery> queries;
-  for (const WeightQuery& q : SomeWeightQueries(c)) {
+  for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {
     std::size_t turn = 0;  // the two sets of unequal w take turns
     for (const std::array<double, 3>& attribute : SomeAttributes(c, q)) {
       for (const std::size_t set : {std::size_t{0}, 1 + turn++ % 2}) {
@@ -34,8 +34,8 @@ std::vector<InterpolationQuery> SomeInterpolations(const Case& c) {
 
 std::string_view InterpolationName(InterpolationForm form) {
   switch (form) {
-    case InterpolationForm::kWeights:
-      return "by weights";
+    case InterpolationForm::kBarycentrics:
+      return "by barycentrics";
     case InterpolationForm::kDeltas:
       return "by deltas";
     case InterpolationForm::kPerspective:
@@ -63,7 +63,7 @@ Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
     const Point2 p = q.at.place.at;
     for (const InterpolationForm form : forms) {
       const double bound = bounds.InterpolationErrorBound(form, q.corners, q.attribute, p);
-      if (!Claims(bound)) continue;
+      if (!IsStated(bound)) continue;
       unanswered.push_back({q, form, bound});
       questions.interpolations.push_back({form, q.corners, q.attribute, p});
     }
@@ -87,10 +87,10 @@ Verdict InterpolationsStayWithinTheirBound(const std::vector<InterpolationAnswer
     ++exercised;
     const Distance distance = CompareWithExact(value, *exact, bound);
     if (!distance.within) {
-      return WeightViolation(q.at, -1, exercised,
-                             "value interpolated " + std::string(InterpolationName(form)) +
-                                 " outside its proven bound",
-                             HexText(value), exact->ToString() + " within " + HexText(bound));
+      return BarycentricViolation(q.at, -1, exercised,
+                                  "value interpolated " + std::string(InterpolationName(form)) +
+                                      " outside its proven bound",
+                                  HexText(value), exact->ToString() + " within " + HexText(bound));
     }
     worst = std::max(worst, distance.ratio);
   }

@@ -1,4 +1,4 @@
-// What the interpolation claims ask a weight evaluator about.
+// What the interpolation properties ask a barycentric evaluator about.
 #ifndef RASTERPROOF_PROPS_JUDGING_INTERPOLATION_QUERIES_H_
 #define RASTERPROOF_PROPS_JUDGING_INTERPOLATION_QUERIES_H_
 
@@ -10,14 +10,14 @@
 #include "core/evaluators.h"
 #include "core/verdict.h"
 #include "exact/rational.h"
-#include "props/judging/weight_queries.h"
+#include "props/judging/barycentric_queries.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
 
 /// Something to interpolate at a query.
 struct InterpolationQuery {
-  WeightQuery at;
+  BarycentricQuery at;
   std::array<Corner, 3> corners;
   std::array<double, 3> attribute;
 };
@@ -35,12 +35,12 @@ std::optional<exact::Rational> ExactInterpolation(InterpolationForm form,
 /// A value that the subject interpolates, and the bound that it states on its error.
 struct InterpolationAnswer {
   InterpolationQuery query;
-  InterpolationForm form = InterpolationForm::kWeights;
+  InterpolationForm form = InterpolationForm::kBarycentrics;
   double bound = 0;
   double value = 0;
 };
 
-/// Asks for the values at the queries, in those of the forms where the subject's bound claims
+/// Asks for the values at the queries, in those of the forms where the subject's bound properties
 /// anything, and judges them all at once.
 Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
                         const std::vector<InterpolationForm>& forms,

@@ -26,7 +26,7 @@ Case OnTheGrid(const Case& c) {
   Case window = c;
   window.scene = exact::SnapClipScene(c.scene, c.profile);
   window.profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  window.profile.targets.clear();
+  window.profile.by_target_size.clear();
   window.profile.snap = {};
   return window;
 }
@@ -55,8 +55,8 @@ MeshFacings FacingsFromTheEye(const Scene& scene) {
 // Signed coverage *is* the winding number (docs/mathematics.md, sections 4 and 6).
 std::vector<std::int64_t> WindingAroundTheEye(const Case& c) {
   Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  profile.targets.clear();
-  if (!profile.fill_rule.IsConsistent()) profile.fill_rule = kTopLeft;
+  profile.by_target_size.clear();
+  if (!profile.tie_rule.IsConsistent()) profile.tie_rule = kTopLeft;
   const CoverageCounts counts = exact::Coverage(c.scene, profile);
   std::vector<std::int64_t> winding(counts.size());
   for (std::size_t k = 0; k < counts.size(); ++k) winding[k] = counts.Signed(k);

@@ -1,4 +1,4 @@
-// What exact arithmetic says of a mesh, in window space and around the eye.
+// Exact facings and winding numbers of a mesh, in window space and around the eye.
 #ifndef RASTERPROOF_PROPS_JUDGING_MESH_MODEL_H_
 #define RASTERPROOF_PROPS_JUDGING_MESH_MODEL_H_
 

@@ -38,8 +38,8 @@ std::vector<std::uint32_t> Joined(const CoverageCounts& counts) {
 
 }  // namespace
 
-std::vector<FillRule> AllowedRules(const Profile& profile) {
-  if (!profile.freedom.any_tie_rule) return {profile.fill_rule};
+std::vector<TieRule> AllowedRules(const Profile& profile) {
+  if (!profile.freedom.any_tie_rule) return {profile.tie_rule};
   return {kConsistentRules.begin(), kConsistentRules.end()};
 }
 
@@ -56,7 +56,7 @@ ModelSearch::ModelSearch(const Case& c) : triangles_(c.scene.triangles), one_(c)
   one_.profile = profile;
   one_.profile.snap.bits = Snap::kNone;
   one_.profile.fixed.reset();
-  one_.profile.targets.clear();
+  one_.profile.by_target_size.clear();
   one_.scene.precision = Precision::kFloat64;
   one_.scene.vertices.resize(3);
   one_.scene.triangles = {{0, 1, 2}};
@@ -68,12 +68,14 @@ std::uint8_t ModelSearch::RulesThatDraw(const std::array<Point2, 3>& corners,
   Scene scene = one_.scene;
   for (std::size_t k = 0; k < 3; ++k) scene.vertices[k] = {corners[k].x, corners[k].y, 0, 1};
   Profile profile = one_.profile;
-  const auto draws_it = [&](const FillRule& rule) {
-    profile.fill_rule = rule;
+  const auto draws_it = [&](const TieRule& rule) {
+    profile.tie_rule = rule;
     return Joined(exact::Coverage(scene, profile, one_.options));
   };
   const auto all = static_cast<std::uint8_t>((1U << rules_.size()) - 1);
-  if (profile.zero_area == ZeroArea::kUnspecified && exact::Facing(corners) == 0) return all;
+  if (profile.degenerate_triangles == DegenerateTriangles::kUnspecified &&
+      exact::Facing(corners) == 0)
+    return all;
   const std::vector<std::uint32_t> first = draws_it(rules_.front());
   // A triangle has no sample on its edges, and all rules draw it alike, iff `inclusive` and two
   // opposite rules do: of opposite shifts at most one leads from an edge or a vertex inside.

@@ -9,13 +9,13 @@
 
 #include "core/case.h"
 #include "core/coverage.h"
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 
 namespace rasterproof::props {
 
 /// The eight consistent tie rules, or only the profile's own.
-std::vector<FillRule> AllowedRules(const Profile& profile);
+std::vector<TieRule> AllowedRules(const Profile& profile);
 
 /// Searches the choices that the freedom of a profile leaves: one grid point for every vertex (by
 /// position, for snapping is a function of it) and one tie rule for all.
@@ -65,7 +65,7 @@ class ModelSearch {
 
   std::vector<Triangle> triangles_;
   Case one_;  ///< one triangle, placed by choice and not by the profile's snap
-  std::vector<FillRule> rules_;
+  std::vector<TieRule> rules_;
   std::vector<std::size_t> position_of_vertex_;   // by index in the scene
   std::vector<std::vector<Point2>> grid_points_;  // by position
   std::vector<Observation> observations_;

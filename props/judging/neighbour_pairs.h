@@ -1,25 +1,59 @@
-// Judging two neighbouring triangles at a time.
+// Two neighbouring triangles, and the samples beside the edge that they share.
 #ifndef RASTERPROOF_PROPS_JUDGING_NEIGHBOUR_PAIRS_H_
 #define RASTERPROOF_PROPS_JUDGING_NEIGHBOUR_PAIRS_H_
 
-#include <functional>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "core/case.h"
+#include "props/judging/mesh_freedom.h"
 #include "props/judging/mesh_neighbours.h"
+#include "props/judging/places.h"
+#include "props/judging/visible_edge.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
 
-/// Asks for a few pairs of the case's neighbours, each pair alone and with a check of its own. A
-/// check holds if every sample of their union within a pixel of the shared edge, and no nearer to
-/// any other of their edges, is covered as CompareWithItsWinding says: exactly once. What lies
-/// nearer to their outline is the business of EmbeddedMeshSamplesAreCoveredOnce and of the claims
-/// about the model. A pair that folds or overlaps has no check.
-///
-/// `takes` chooses among the pairs. Either space; triangle and edge of the witness are those of the
-/// case, and the edge is the one nearest to the witness's sample.
-Asked CompareNeighbours(const Case& c, const Description& subject,
-                        const std::function<bool(const Neighbours&)>& takes);
+/// A few pairs of the case's neighbours that fold in no legal model, spread evenly.
+class NeighbourPair {
+ public:
+  static std::vector<Neighbours> Some(const Case& c);
+
+  /// The pair alone. Either space.
+  NeighbourPair(const Case& c, const Neighbours& pair);
+
+  /// The case with no other triangle.
+  const Case& Alone() const { return alone_; }
+  /// Whether nothing is said of the pair: a legal model folds it or flattens it.
+  bool IsOpen() const { return open_.IsFolded() || open_.IsFlat(); }
+
+  /// The samples within a pixel of the shared edge that are nearer to it than to any other edge of
+  /// the two: a disc around such a sample reaches the shared edge and no other, so that it lies
+  /// inside the two triangles together. Away from their outline, where that may move: by the step
+  /// to which a scanline's crossings are rounded, or by what a legal choice leaves open.
+  std::vector<SamplePlace> SamplesBesideTheEdge() const;
+  /// Whether a legal choice could turn a triangle that covers the sample: it is not judged.
+  bool CanTurnAt(const SamplePlace& sample) const { return open_.CanTurnAt(sample.at); }
+  /// Whether both triangles may have the sample, which lies on the edge.
+  bool MayShare(const SamplePlace& sample, std::size_t index, std::uint32_t count) const;
+
+  /// `so_far` violated by a sample that is covered so often; on the case that the pair is of.
+  Verdict CoveredTimes(std::uint32_t count, const SamplePlace& sample, Verdict so_far) const;
+
+ private:
+  bool SharedEdgeIsNearest(Point2 p) const;
+
+  Neighbours pair_;
+  Case alone_;
+  OpenParts open_;
+  SharedTies ties_;
+  std::optional<VisibleEdge> shared_;
+  Point2 low_, high_;  ///< of the shared edge, a pixel further; all there is in clip space
+  std::vector<VisibleEdge> outer_;
+  double outer_moves_ = 0;  ///< by so many pixels, at most
+};
 
 }  // namespace rasterproof::props
 

@@ -1,4 +1,4 @@
-// The neighbourhood of a mesh's outline, where what it covers is not always promised.
+// The neighbourhood of a mesh's outline, where what it covers is not always stated.
 #ifndef RASTERPROOF_PROPS_JUDGING_OUTLINE_H_
 #define RASTERPROOF_PROPS_JUDGING_OUTLINE_H_
 

@@ -53,7 +53,7 @@ class PlaceCollector {
     const int count = std::min(per_edge, last - first + 1);
     for (int k = 0; k < count; ++k) {
       const int across = first + Spread(k, count, last - first + 1);
-      for (int sample = 0; sample < std::min(2, case_.profile.lattice.samples()); ++sample) {
+      for (int sample = 0; sample < std::min(2, case_.profile.pattern.samples()); ++sample) {
         AddAcross(a, b, steep, across, sample);
       }
     }
@@ -78,7 +78,7 @@ class PlaceCollector {
  private:
   // `across` counts window units of the axis that is walked; rows count from the top.
   void AddAcross(Point2 a, Point2 b, bool steep, int across, int sample) {
-    const Point2& location = case_.profile.lattice.locations[static_cast<std::size_t>(sample)];
+    const Point2& location = case_.profile.pattern.locations[static_cast<std::size_t>(sample)];
     if (steep) {
       const double x = Crossing(a.x, a.y, b.x, b.y, across + location.y);
       const int column = ClampedFloor(x - location.x, case_.scene.width);
@@ -111,7 +111,7 @@ Scene PlacedScene(const Case& c) {
 
 SamplePlace PlaceOf(const Case& c, int x, int row, int sample) {
   const int line = c.profile.y_axis == YAxis::kDown ? row : c.scene.height - 1 - row;
-  return {x, row, sample, c.profile.lattice.At(x, line, sample)};
+  return {x, row, sample, c.profile.pattern.At(x, line, sample)};
 }
 
 std::vector<CornersPlace> SomeTriangles(const Case& c, int limit) {

@@ -1,4 +1,5 @@
-// The triangles, samples and walks of a case that a property looks at: few, and near the edges.
+// The triangles, samples and runs of steps of a case that a property looks at: few, and near the
+// edges.
 #ifndef RASTERPROOF_PROPS_JUDGING_PLACES_H_
 #define RASTERPROOF_PROPS_JUDGING_PLACES_H_
 

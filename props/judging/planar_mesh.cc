@@ -11,90 +11,18 @@
 #include <vector>
 
 #include "core/scene.h"
-#include "model/snap_scene.h"
 #include "props/judging/as_shown.h"
-#include "props/judging/free_choices.h"
+#include "props/judging/mesh_freedom.h"
 #include "props/judging/mesh_model.h"
-#include "props/judging/outline.h"
 #include "props/judging/redraw.h"
-#include "props/judging/thin_triangles.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
 namespace {
 
-bool SharesTies(const Profile& profile) { return profile.overdraw || profile.fill_rule.inclusive; }
-
-// The samples that more than one triangle of a mesh may cover: those on its edges, where the
-// profile lets every triangle have them. Where the edges may lie elsewhere: those near them.
-class SharedTies {
- public:
-  explicit SharedTies(const Case& c) {
-    if (!SharesTies(c.profile)) return;
-    if (LegalReach(c) != 0) {
-      edges_ = Outline::OfAllEdges(c, LegalReach(c));
-      return;
-    }
-    most_ = CoverageUnder(c, {.inclusive = true}, WholeTarget(c));
-  }
-
-  bool Allow(std::uint32_t count, std::size_t index, Point2 at) const {
-    return most_.size() != 0 ? count <= most_.Count(index) : edges_.IsNear(at);
-  }
-
- private:
-  CoverageCounts most_;
-  Outline edges_;
-};
-
-bool LiesAroundTheEye(const Scene& scene) {
-  return scene.clip_space &&
-         std::ranges::any_of(scene.vertices, [](const Vertex& v) { return !(v.w > 0); });
-}
-
-// What a legal choice leaves open of a mesh: where its outline lies, and what it can turn.
-class OpenParts {
- public:
-  OpenParts(const Case& c, const MeshView& view) {
-    const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
-    if (one_model || LiesAroundTheEye(c.scene)) {
-      const MeshFacings facings = FacingsOf(c);
-      is_folded_ = facings.folded;
-      is_flat_ = !one_model && facings.degenerate != 0;
-    }
-    if (one_model) {
-      if (view.spares_outline) outline_ = Outline(c);
-      return;
-    }
-    double most_moved = LegalReach(c);
-    if (LiesAroundTheEye(c.scene)) {
-      thin_ = ThinTriangles(c, most_moved);
-    } else {
-      open_ = OpenTriangles(c);
-      is_folded_ = open_.RestIsFolded();
-      most_moved = open_.MostMoved();
-    }
-    outline_ = Outline::OfMoved(c, most_moved);
-  }
-
-  bool IsFolded() const { return is_folded_; }
-  /// Around the eye: nothing is said of triangles in a plane with it.
-  bool IsFlat() const { return is_flat_; }
-  bool IsBesideTheOutline(Point2 p) const { return outline_.IsNear(p); }
-  bool CanTurnAt(Point2 p) const { return open_.CanCover(p) || thin_.AreNear(p); }
-
- private:
-  bool is_folded_ = false;
-  bool is_flat_ = false;
-  Outline outline_;
-  OpenTriangles open_;
-  ThinTriangles thin_;
-};
-
 // What is judged of a mesh, and what is expected there.
 struct JudgedMesh {
   Case c;
-  MeshView view;
   OpenParts open;
   std::vector<std::int64_t> winding;
   SharedTies ties;
@@ -127,10 +55,7 @@ class MeshJudge {
     const auto least = static_cast<std::uint32_t>(std::abs(mesh_.winding[k]));
     const bool is_right = count == least || (count > least && mesh_.ties.Allow(count, k, place.at));
     if (is_right && least == 0) return std::nullopt;
-    if ((mesh_.view.looks_at && !mesh_.view.looks_at(place)) ||
-        mesh_.open.IsBesideTheOutline(place.at)) {
-      return std::nullopt;
-    }
+    if (mesh_.open.IsBesideTheOutline(place.at)) return std::nullopt;
     if (mesh_.open.CanTurnAt(place.at)) {
       ++not_judged_;
       return std::nullopt;
@@ -155,8 +80,8 @@ class MeshJudge {
 
 }  // namespace
 
-Asked CompareWithItsWinding(Case c, MeshView view, const Description& subject) {
-  OpenParts open(c, view);
+Asked CompareWithItsWinding(const Case& c, const Description& subject) {
+  OpenParts open(c, /*spares_outline=*/false);
   if (open.IsFolded()) return NothingAsked("the snapped mesh is folded");
   if (open.IsFlat()) return NothingAsked("the mesh has triangles in a plane with the eye");
   std::vector<std::int64_t> winding = WindingOf(c);
@@ -167,12 +92,11 @@ Asked CompareWithItsWinding(Case c, MeshView view, const Description& subject) {
   const bool as_shown = IsJudgedAsShown(subject, c);
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
-  auto mesh = std::make_shared<const JudgedMesh>(JudgedMesh{
-      std::move(c), std::move(view), std::move(open), std::move(winding), std::move(ties)});
+  auto mesh = std::make_shared<const JudgedMesh>(
+      JudgedMesh{c, std::move(open), std::move(winding), std::move(ties)});
   return OneCheck(std::move(questions), [mesh = std::move(mesh), as_shown](const Answers& answers) {
     Verdict verdict = MeshJudge(*mesh).Of(answers.draws[0]->counts);
-    if (!as_shown || verdict.outcome == Outcome::kViolated) return verdict;
-    return Verdict{Outcome::kNotExercised, 0, 0, std::string(kJudgedAsShown), std::nullopt};
+    return as_shown ? NeverHolds(std::move(verdict)) : verdict;
   });
 }
 

@@ -3,22 +3,12 @@
 #define RASTERPROOF_PROPS_JUDGING_PLANAR_MESH_H_
 
 #include <array>
-#include <functional>
 
 #include "core/case.h"
 #include "props/judging/gate.h"
-#include "props/judging/places.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
-
-/// Which samples of a mesh are judged.
-struct MeshView {
-  /// Says which samples count as exercised and may fail; empty: every one.
-  std::function<bool(const SamplePlace&)> looks_at;
-  /// True if samples beside the mesh's outline are another claim's business.
-  bool spares_outline = false;
-};
 
 /// Asks for the case's mesh, culling and scissor off, and compares every count with the mesh's
 /// winding number. Window space, or clip space: a mesh in front of the eye, or one that lies around
@@ -28,20 +18,20 @@ struct MeshView {
 /// model, and no winding number exceeds 1 in size. Then all areas have one sign, so the count *is*
 /// the size of the signed coverage, and that is the winding number.
 ///
-/// Shared ties: where the profile lets every triangle have the samples on its edges (overdraw
-/// allowed, the inclusive fill rule), a sample inside must be covered at least once, and away from
-/// edges once.
+/// Shared ties: where the profile lets every triangle have the samples on its edges (edge_samples
+/// may be shared, the inclusive tie rule), a sample inside must be covered at least once, and away
+/// from edges once.
 ///
-/// A watertight subject promises where its meshes have no gap, not where their outline lies: for it
-/// samples near the outline (a T-junction is one) are not judged, whatever the view. So with a mesh
-/// that the subject clips (the profile's no_clip), and one whose grid points it may choose. Nor are
-/// samples that a triangle can cover which a legal choice turns over or flattens; all others are:
-/// what covers them has one facing in every legal model, so that the argument above holds. They are
-/// counted as not judged.
+/// A watertight subject states where its meshes have no gap, not where their outline lies: for it
+/// samples near the outline (a T-junction is one) are not judged. So with a mesh that the subject
+/// clips (the profile's guard_band), and one whose grid points it may choose. Nor are samples that
+/// a triangle can cover which a legal choice turns over or flattens; all others are: what covers
+/// them has one facing in every legal model, so that the argument above holds. They are counted as
+/// not judged.
 ///
 /// A mesh that is judged as it is shown (judging/as_shown.h) can fail, by a gap or by what is
 /// covered outside, but never holds: how often a sample is covered does not show.
-Asked CompareWithItsWinding(Case c, MeshView view, const Description& subject);
+Asked CompareWithItsWinding(const Case& c, const Description& subject);
 
 /// What the profile must say of meshes that cover each sample inside.
 inline constexpr std::array kPlanarMeshRules{kClosesEdges};

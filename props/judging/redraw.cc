@@ -29,8 +29,8 @@ std::uint64_t PixelsBetween(double low, double high, int size) {
 
 DrawJob JobOf(std::shared_ptr<const Scene> scene, const Profile& profile,
               const DrawOptions& options) {
-  DrawJob job(std::move(scene), options, profile.lattice.samples());
-  job.wants = kCoverageAndIds;
+  DrawJob job(std::move(scene), options, profile.pattern.samples());
+  job.wants = kCoverageAndPrimitiveIds;
   return job;
 }
 
@@ -81,8 +81,9 @@ Asked CompareVariations(const Case& c, const std::vector<Variation>& variations)
       check.bases = {0};
     }
     check.questions.draws.push_back(WholeCallOf(variation.scene, c.profile, WholeTarget(c)));
-    check.judge = [&c, claim = variation.claim](const Answers& answers) {
-      return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c), claim);
+    check.judge = [&c, property = variation.property](const Answers& answers) {
+      return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c),
+                        property);
     };
     asked.checks.push_back(std::move(check));
   }
@@ -90,7 +91,7 @@ Asked CompareVariations(const Case& c, const std::vector<Variation>& variations)
 }
 
 bool HasTheModelOf(const Case& c, int width, int height) {
-  return IsTargetSize(width, height, c.profile.lattice.samples()) &&
+  return IsTargetSize(width, height, c.profile.pattern.samples()) &&
          ForTarget(c.profile, width, height) == ForTarget(c.profile, c.scene.width, c.scene.height);
 }
 
@@ -102,7 +103,7 @@ Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {
 }
 
 std::uint64_t DecisionsOf(const Case& c) {
-  const auto samples = static_cast<std::uint64_t>(c.profile.lattice.samples());
+  const auto samples = static_cast<std::uint64_t>(c.profile.pattern.samples());
   std::uint64_t decisions = 0;
   std::optional<Scene> wrapped;
   if (!IsUnwrapped(c.scene, c.profile)) {
@@ -115,7 +116,7 @@ std::uint64_t DecisionsOf(const Case& c) {
     const std::array<Vertex, 3> v = Corners(scene, t);
     if (!std::ranges::all_of(v, IsFinite)) continue;
     if (c.scene.clip_space) {
-      decisions += CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.lattice.samples());
+      decisions += CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.pattern.samples());
       continue;
     }
     const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
@@ -127,19 +128,19 @@ std::uint64_t DecisionsOf(const Case& c) {
   return decisions;
 }
 
-CoverageCounts CoverageUnder(const Case& c, const FillRule& rule, const DrawOptions& options) {
+CoverageCounts CoverageUnder(const Case& c, const TieRule& rule, const DrawOptions& options) {
   Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  profile.targets.clear();
-  profile.fill_rule = rule;
+  profile.by_target_size.clear();
+  profile.tie_rule = rule;
   return exact::Coverage(c.scene, profile, options);
 }
 
 Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
-                   std::uint64_t exercised, const std::string& claim) {
+                   std::uint64_t exercised, const std::string& property) {
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(exercised);
   Verdict verdict = Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
-                                      "coverage differs from " + claim + " at " +
+                                      "coverage differs from " + property + " at " +
                                           std::to_string(difference.wrong) + " of " +
                                           std::to_string(difference.samples) + " samples",
                                       WitnessOfCounts(observed, expected, difference.first_wrong));
@@ -149,10 +150,10 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
 
 namespace {
 
-// What the profile's overdraw leaves open is taken as it was drawn: on an edge, anything from what
-// the fill rule gives to every triangle that has it.
-void AcceptOverdraw(const Case& c, bool as_shown, const CoverageCounts& observed,
-                    CoverageCounts& expected) {
+// What the profile's edge_samples leaves open is taken as it was drawn: on an edge, anything from
+// what the tie rule gives to every triangle that has it.
+void AcceptSharedEdgeSamples(const Case& c, bool as_shown, const CoverageCounts& observed,
+                             CoverageCounts& expected) {
   CoverageCounts most = CoverageUnder(c, {.inclusive = true}, c.options);
   if (as_shown) most = AsShown(std::move(most));
   for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -171,8 +172,8 @@ Asked CompareWithTheModel(const Case& c, const Description& subject) {
     const CoverageCounts& observed = answers.draws[0]->counts;
     CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
     if (as_shown) expected = AsShown(std::move(expected));
-    if (c.profile.overdraw && c.profile.fill_rule.IsConsistent()) {
-      AcceptOverdraw(c, as_shown, observed, expected);
+    if (c.profile.shares_edge_samples && c.profile.tie_rule.IsConsistent()) {
+      AcceptSharedEdgeSamples(c, as_shown, observed, expected);
     }
     return SameCounts(observed, expected, DecisionsOf(c), "the model's");
   });

@@ -17,14 +17,14 @@
 
 namespace rasterproof::props {
 
-/// Asks for the counts of a scene, from zero, by facing: what claims about counts compare with an
-/// oracle.
+/// Asks for the counts of a scene, from zero, by facing: what properties about counts compare with
+/// an oracle.
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 /// The same of triangle t alone, of a scene that several draws share.
 DrawQuestion CountsOfOne(const std::shared_ptr<const Scene>& scene, std::size_t t,
                          const Profile& profile, const DrawOptions& options);
-/// Asks for the coverage and the ids that one call shows of a scene: what claims compare draws by.
-/// Made of parts, a mesh would be the same triangles alone in whatever order.
+/// Asks for the coverage and the ids that one call shows of a scene: what properties compare draws
+/// by. Made of parts, a mesh would be the same triangles alone in whatever order.
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 
 /// A draw that later checks compare with: nothing is judged. Its drawing is number 0 of the case.
@@ -37,7 +37,7 @@ Check CheckAgainstBase(
 /// Another scene that should cover what the case covers.
 struct Variation {
   Scene scene;
-  std::string claim;  ///< completes "coverage differs from ..."
+  std::string property;  ///< completes "coverage differs from ..."
 };
 
 /// Asks for the case and its variations, culling and scissor off, each in one call, and holds if
@@ -58,18 +58,18 @@ Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles);
 /// each finite triangle.
 std::uint64_t DecisionsOf(const Case& c);
 
-/// What the canonical model of the case's profile counts under another fill rule.
-CoverageCounts CoverageUnder(const Case& c, const FillRule& rule, const DrawOptions& options);
+/// What the canonical model of the case's profile counts under another tie rule.
+CoverageCounts CoverageUnder(const Case& c, const TieRule& rule, const DrawOptions& options);
 
 /// Holds if the counts are equal; else violated, with the first sample that differs.
 ///
-/// `claim` completes the sentence of the message: "coverage differs from ...".
+/// `property` completes the sentence of the message: "coverage differs from ...".
 Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
-                   std::uint64_t exercised, const std::string& claim);
+                   std::uint64_t exercised, const std::string& property);
 
 /// Asks for the case as its options say. Holds if the counts are those of the profile's canonical
-/// model, or what is left of them where the profile allows overdraw; of a mesh that is judged as it
-/// is shown, if what is covered is what the model covers.
+/// model, or what is left of them where the profile allows edge_samples; of a mesh that is judged
+/// as it is shown, if what is covered is what the model covers.
 ///
 /// Domain:     a case and a description that outlive what is returned.
 Asked CompareWithTheModel(const Case& c, const Description& subject);

@@ -15,7 +15,7 @@
 
 namespace rasterproof::props {
 
-/// Where front minus back is promised, each sample of an edge is given to one side, once.
+/// Where front minus back is stated, each sample of an edge is given to one side, once.
 inline constexpr std::array kSignedCoverageRules{kCountsTies, kOwnsEdges};
 
 /// The samples that are not judged: beside an outline, and where a triangle can lie whose facing or

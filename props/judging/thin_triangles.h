@@ -1,4 +1,4 @@
-// Clip-space triangles that a legal choice of the subject's could turn over.
+// Clip-space triangles that a legal choice could turn over.
 #ifndef RASTERPROOF_PROPS_JUDGING_THIN_TRIANGLES_H_
 #define RASTERPROOF_PROPS_JUDGING_THIN_TRIANGLES_H_
 
@@ -11,7 +11,7 @@ namespace rasterproof::props {
 
 /// How far the subject may have moved what the profile's canonical model places, in pixels: 0 where
 /// one model is legal, the grid points that a tolerance leaves free, or kMovedOutlineMargin where
-/// the grid is not promised at all, on each axis.
+/// the grid is not stated at all, on each axis.
 double LegalReach(const Case& c);
 
 /// The triangles of a clip-space case, around the eye as they may lie, that may turn over or vanish

@@ -20,11 +20,11 @@ namespace {
 
 using exact::Rational;
 
-// A distance is lambda_i times area over a length. The weight brings its own bound; the area in the
-// scale brings |lambda_i| times the area's relative error, which the weight's bound contains
-// already (so: twice). What remains is the length and the products. Edge components: one rounding
-// each, u. Squares: 2u + u. Their sum: u more. Root: half of that and u: 3u. Quotient and product:
-// 2u. Second-order terms are below u. 16 u leaves room for forms that add a step or two.
+// A distance is lambda_i times area over a length. The barycentric brings its own bound; the area
+// in the scale brings |lambda_i| times the area's relative error, which the barycentric's bound
+// contains already (so: twice). What remains is the length and the products. Edge components: one
+// rounding each, u. Squares: 2u + u. Their sum: u more. Root: half of that and u: 3u. Quotient and
+// product: 2u. Second-order terms are below u. 16 u leaves room for forms that add a step or two.
 constexpr double kWireframeErrorMultiplier = 16;
 
 double UnitRoundoff(Precision precision) {
@@ -46,7 +46,7 @@ bool IsWithin(double observed, const Rational& square, double bound) {
 
 // What one edge's distance should be at a query.
 struct ExpectedDistance {
-  WeightQuery query;
+  BarycentricQuery query;
   int edge = 0;
   std::size_t question = 0;  // the number of the query's question
   Rational square;           // of the exact distance
@@ -54,22 +54,22 @@ struct ExpectedDistance {
   double bound = 0;          // how far off it may be
 };
 
-double BoundOf(const WireframeScale& exact, double weight_bound, double distance,
+double BoundOf(const WireframeScale& exact, double barycentric_bound, double distance,
                Precision precision) {
-  return 2 * weight_bound * exact.scale +
+  return 2 * barycentric_bound * exact.scale +
          kWireframeErrorMultiplier * UnitRoundoff(precision) * distance + LeastSubnormal(precision);
 }
 
 Verdict AreAsExpected(const std::vector<ExpectedDistance>& expected, const Answers& answers,
-                      const std::string& claim) {
+                      const std::string& property) {
   std::uint64_t exercised = 0;
   double worst = 0;
   for (const ExpectedDistance& e : expected) {
     const double observed = answers.distances[e.question][static_cast<std::size_t>(e.edge)];
     ++exercised;
     if (!std::isfinite(observed) || !IsWithin(observed, e.square, e.bound)) {
-      return WeightViolation(e.query, e.edge, exercised, claim, HexText(observed),
-                             HexText(e.rounded) + " within " + HexText(e.bound));
+      return BarycentricViolation(e.query, e.edge, exercised, property, HexText(observed),
+                                  HexText(e.rounded) + " within " + HexText(e.bound));
     }
     worst = std::max(worst, std::fabs(observed - e.rounded) / e.bound);
   }
@@ -85,27 +85,28 @@ double RoundedRoot(const Rational& square) {
 }
 
 Asked AskDistances(const Case& c, const Description& subject, WireframeForm form,
-                   WireframeMeaning meaning, std::string claim) {
+                   WireframeMeaning meaning, std::string property) {
   std::vector<ExpectedDistance> expected;
   Questions questions;
-  for (const WeightQuery& q : SomeWeightQueries(c)) {
+  for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {
     if (!q.inside) continue;
-    const std::array<double, 3> weight_bounds =
-        subject.weights->WeightErrorBounds(BarycentricForm::kVertexArea, q.v, q.place.at);
+    const std::array<double, 3> barycentric_bounds =
+        subject.barycentrics->BarycentricErrorBounds(BarycentricForm::kVertexArea, q.v, q.place.at);
     for (int i = 0; i < 3; ++i) {
-      const double weight_bound = weight_bounds[static_cast<std::size_t>(i)];
+      const double barycentric_bound = barycentric_bounds[static_cast<std::size_t>(i)];
       const std::optional<WireframeScale> exact = meaning(q, i);
-      if (!exact || !Claims(weight_bound)) continue;
+      if (!exact || !IsStated(barycentric_bound)) continue;
       const double rounded = RoundedRoot(exact->exact_square);
-      const double bound = BoundOf(*exact, weight_bound, rounded, subject.info.input);
-      if (!Claims(bound)) continue;
+      const double bound = BoundOf(*exact, barycentric_bound, rounded, subject.info.input);
+      if (!IsStated(bound)) continue;
       expected.push_back({q, i, questions.distances.size(), exact->exact_square, rounded, bound});
     }
     questions.distances.push_back({form, q.v, q.place.at});
   }
-  return OneCheck(std::move(questions),
-                  [expected = std::move(expected), claim = std::move(claim)](
-                      const Answers& answers) { return AreAsExpected(expected, answers, claim); });
+  return OneCheck(std::move(questions), [expected = std::move(expected),
+                                         property = std::move(property)](const Answers& answers) {
+    return AreAsExpected(expected, answers, property);
+  });
 }
 
 }  // namespace rasterproof::props

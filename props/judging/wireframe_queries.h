@@ -8,12 +8,12 @@
 #include "core/case.h"
 #include "core/evaluators.h"
 #include "exact/rational.h"
-#include "props/judging/weight_queries.h"
+#include "props/judging/barycentric_queries.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
 
-/// What a form promises at one edge: `scale` times lambda_i is the distance it measures.
+/// What a form states at one edge: `scale` times lambda_i is the distance it measures.
 struct WireframeScale {
   exact::Rational exact_square;  ///< square of the exact distance
   double scale = 0;              ///< distance per unit of lambda_i, rounded
@@ -23,13 +23,13 @@ struct WireframeScale {
 double RoundedRoot(const exact::Rational& square);
 
 /// Nothing if the edge has no length.
-using WireframeMeaning = std::optional<WireframeScale> (*)(const WeightQuery& q, int edge);
+using WireframeMeaning = std::optional<WireframeScale> (*)(const BarycentricQuery& q, int edge);
 
 /// Asks for the distances in the closed triangle. Holds if they mean what `meaning` says, up to
 /// (2 bound_i + kWireframeErrorMultiplier u |lambda_i|) scale + the least subnormal, where bound_i
-/// is the bound claimed for weight i over the vertex area.
+/// is the bound stated for barycentric i over the vertex area.
 Asked AskDistances(const Case& c, const Description& subject, WireframeForm form,
-                   WireframeMeaning meaning, std::string claim);
+                   WireframeMeaning meaning, std::string property);
 
 }  // namespace rasterproof::props
 

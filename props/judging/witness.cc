@@ -43,7 +43,7 @@ struct LegalCounts {
 
 LegalCounts LegalCountsOf(const Case& c, const DrawOptions& options) {
   const bool any_owner = c.profile.freedom.any_tie_rule;
-  const bool draws_again = c.profile.overdraw || any_owner;
+  const bool draws_again = c.profile.shares_edge_samples || any_owner;
   LegalCounts legal{any_owner ? CoverageUnder(c, {.exclusive = true}, options)
                               : exact::Coverage(c.scene, c.profile, options),
                     {}};

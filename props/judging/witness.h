@@ -1,4 +1,4 @@
-// Writing down where a claim failed.
+// Writing down where a property failed.
 #ifndef RASTERPROOF_PROPS_JUDGING_WITNESS_H_
 #define RASTERPROOF_PROPS_JUDGING_WITNESS_H_
 
@@ -18,7 +18,7 @@ namespace rasterproof::props {
 std::string HexText(double x);
 std::string HexText(Point2 p);
 
-/// Where an edge or weight claim failed.
+/// Where an edge or barycentric property failed.
 Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string observed,
                   std::string expected);
 

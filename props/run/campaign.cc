@@ -32,7 +32,7 @@ constexpr double kSlowSeconds = 1;
 std::uint64_t SizeOf(const Case& c) {
   const auto samples = std::uint64_t{1} * static_cast<std::uint64_t>(c.scene.width) *
                        static_cast<std::uint64_t>(c.scene.height) *
-                       static_cast<std::uint64_t>(c.profile.lattice.samples());
+                       static_cast<std::uint64_t>(c.profile.pattern.samples());
   return samples * (1 + c.scene.triangles.size());
 }
 
@@ -149,7 +149,7 @@ class Campaign {
     if (is_outside_) pace_.is_slow = true;
     const std::string why =
         pace_.hangs ? "no answer within one time limit, which is all that a case gets since "
-                      "another claim saw the subject hang"
+                      "another property saw the subject hang"
                     : verdict.message;
     return tally_.Inconclusive(c.origin + ": " + why);
   }

@@ -60,7 +60,7 @@ struct CampaignOptions {
 
 /// Returns what was found. Stops at the first violation and shrinks it.
 ///
-/// kHolds         some case put the claim to the test, and none failed.
+/// kHolds         some case put the property to the test, and none failed.
 /// kNotExercised  none did. Also if a near-edge domain gave no sample on or within 256 lattice
 ///                steps of an edge in all its cases (four at least): a dead generator is no pass.
 /// kNotApplicable the property does not apply to the subject, as its gate says before any case is

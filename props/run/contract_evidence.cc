@@ -10,7 +10,7 @@
 #include "core/draw_options.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
-#include "props/claims/contract_claims.h"
+#include "props/properties/contract_properties.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"
@@ -18,7 +18,7 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr std::uint64_t kProbesOfAClaim = 24;
+constexpr std::uint64_t kProbesOfAProperty = 24;
 
 // Draws the canonical model: what it can't be asked, no subject of the profile can.
 class ModelSubject final : public Subject {
@@ -37,12 +37,12 @@ class ModelSubject final : public Subject {
 
 bool CanBePutToTheTest(const SubjectInfo& info) {
   ModelSubject subject(info);
-  for (const std::string_view name : ClaimsOf(info.profile.contract)) {
-    const Property& claim = *FindProperty(name);
-    if (DomainsFor(info, claim).empty()) continue;
-    for (std::uint64_t n = 0; n < kProbesOfAClaim; ++n) {
-      const Case c = DrawCase(info, claim, kDefaultSeed, n);
-      if (RunCase(subject, claim, c).exercised != 0) return true;
+  for (const std::string_view name : PropertiesOf(info.profile.contract)) {
+    const Property& property = *FindProperty(name);
+    if (DomainsFor(info, property).empty()) continue;
+    for (std::uint64_t n = 0; n < kProbesOfAProperty; ++n) {
+      const Case c = DrawCase(info, property, kDefaultSeed, n);
+      if (RunCase(subject, property, c).exercised != 0) return true;
     }
   }
   return false;
@@ -55,19 +55,20 @@ struct Key {
 };
 
 constexpr auto kKeys = std::to_array<Key>(
-    {{"fill_rule", [](Profile& p) { p.fill_rule = {}; }},
-     {"overdraw", [](Profile& p) { p.overdraw = false; }},
-     {"no_clip", [](Profile& p) { p.no_clip.reset(); }},
-     {"crossing", [](Profile& p) { p.crossing = {}; }},
+    {{"tie_rule", [](Profile& p) { p.tie_rule = {}; }},
+     {"edge_samples", [](Profile& p) { p.shares_edge_samples = false; }},
+     {"guard_band", [](Profile& p) { p.guard_band.reset(); }},
+     {"scanline_rounding", [](Profile& p) { p.scanline_rounding = {}; }},
      {"fixed", [](Profile& p) { p.fixed.reset(); }},
-     {"max_extent", [](Profile& p) { p.max_extent.reset(); }},
-     {"zero_area", [](Profile& p) { p.zero_area = ZeroArea::kNothing; }},
+     {"max_primitive_extent", [](Profile& p) { p.max_primitive_extent.reset(); }},
+     {"degenerate_triangles",
+      [](Profile& p) { p.degenerate_triangles = DegenerateTriangles::kNothing; }},
      {"coordinate_limit", [](Profile& p) { p.coordinate_limit = Profile{}.coordinate_limit; }},
      {"snap_tolerance", [](Profile& p) { p.freedom.snap_tolerance = 0; }},
      {"any_tie_rule", [](Profile& p) { p.freedom.any_tie_rule = false; }},
      {"snap_form", [](Profile& p) { p.snap.form = SnapForm::kCoordinate; }},
      {"subpixel_bits", [](Profile& p) { p.snap = {}; }},
-     {"targets", [](Profile& p) { p.targets.clear(); }},
+     {"by_target_size", [](Profile& p) { p.by_target_size.clear(); }},
      {"transform", [](Profile& p) { p.transform.reset(); }}});
 
 // The keys that are set and that change things when they alone are left out; and if there are none,
@@ -90,22 +91,23 @@ std::string KeysInTheWay(const SubjectInfo& info) {
 }
 
 bool IsOf(Contract contract, const PropertyResult& result) {
-  return std::ranges::find(ClaimsOf(contract), result.property) != ClaimsOf(contract).end();
+  return std::ranges::find(PropertiesOf(contract), result.property) != PropertiesOf(contract).end();
 }
 
 std::string Why(const SubjectInfo& info, std::uint64_t cases, std::uint64_t refused) {
   const std::string contract(ContractName(info.profile.contract));
   if (cases != 0 && refused == cases) {
-    return "no claim of the contract " + contract +
+    return "no property of the contract " + contract +
            " was put to the test: the subject refused every case";
   }
   if (CanBePutToTheTest(info)) {
-    return "no claim of the contract " + contract +
+    return "no property of the contract " + contract +
            " was put to the test by the cases that were drawn: raise --cases";
   }
   const std::string keys = KeysInTheWay(info);
-  return "no claim of the profile's contract " + contract + " can be put to the test: " +
-         (keys.empty() ? "the subject takes none of the scenes that its claims are about" : keys);
+  return "no property of the profile's contract " + contract + " can be put to the test: " +
+         (keys.empty() ? "the subject takes none of the scenes that its properties are about"
+                       : keys);
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ Counterexample Confirmed(Subject& subject, const Property& property, const Case&
   Counterexample first =
       RunOnceMore(Afresh(subject, options, budget).Get(), property, failing, failure.trial.verdict);
   if (first.outcome != Outcome::kViolated) return found;
-  first.message += "; smaller cases fail only now and then";
+  first.message += "; smaller cases fail only sometimes";
   return first;
 }
 

@@ -33,7 +33,7 @@ struct Counterexample {
 /// What a failing case comes to when it is run once more, alone.
 ///
 /// Returns:    violated with what is said then. If it does not fail again: inconclusive with both
-///             answers; violated all the same for claims about sequences of calls, which say
+///             answers; violated all the same for properties about sequences of calls, which say
 ///             themselves that equal draws are equal, and if it could not be run again.
 Counterexample RunOnceMore(Subject& subject, const Property& property, const Case& failing,
                            const Verdict& seen);

@@ -21,13 +21,13 @@
 
 namespace rasterproof::props {
 
-/// Where a fault of ours is met: in a claim on a case, or on one of many.
+/// Where a fault of ours is met: in a property on a case, or on one of many.
 ///
 /// Domain:     at least one case.
 std::string PlaceOfFault(const Property& property, std::span<const Case> cases);
 
-/// Works out what claims and the oracle do: whatever they throw is a fault of ours. What the oracle
-/// does not decide is told by the gate, before it is asked.
+/// Works out what properties and the oracle do: whatever they throw is a fault of ours. What the
+/// oracle does not decide is told by the gate, before it is asked.
 ///
 /// Error:      JudgingFault, which names the place.
 template <class Work>
@@ -87,7 +87,7 @@ class CaseInHand {
   std::size_t next_ = 0;
   std::vector<std::shared_ptr<const Drawing>> drawn_;
   Verdict sum_ = Verdict::Held(0);
-  Verdict violation_;  ///< as the claim says it
+  Verdict violation_;  ///< as the property says it
   std::optional<Trial> trial_;
 };
 

@@ -13,14 +13,14 @@
 namespace rasterproof::props {
 
 Description DescriptionOf(Subject& subject) {
-  return {subject.Info(), subject.Edges(), subject.Weights()};
+  return {subject.Info(), subject.Edges(), subject.Barycentrics()};
 }
 
 Description AsJudged(Description subject) {
   if (!OwnsTransform(subject.info)) return subject;
   subject.info = AsSeenByRecipes(subject.info);
   subject.edges = nullptr;
-  subject.weights = nullptr;
+  subject.barycentrics = nullptr;
   return subject;
 }
 
@@ -33,7 +33,8 @@ JudgedCase Judged(const Case& given, const Description& subject, bool judges_deg
     judged.places.emplace(given.scene, c.scene);
   }
   c.profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  if (c.profile.zero_area == ZeroArea::kNothing || judges_degenerates) return judged;
+  if (c.profile.degenerate_triangles == DegenerateTriangles::kNothing || judges_degenerates)
+    return judged;
   if (c.scene.clip_space && !c.profile.snap.IsNone()) {
     judged.instead = {Outcome::kNotExercised, 0, 0,
                       "the area after the division and snapping is not decided", std::nullopt};

@@ -1,4 +1,4 @@
-// The case as a claim sees it, and the way back to the case as it was given.
+// The case as a property sees it, and the way back to the case as it was given.
 #ifndef RASTERPROOF_PROPS_RUN_JUDGED_CASE_H_
 #define RASTERPROOF_PROPS_RUN_JUDGED_CASE_H_
 
@@ -20,8 +20,8 @@ namespace rasterproof::props {
 /// Domain:     a subject that outlives what is returned.
 Description DescriptionOf(Subject& subject);
 
-/// The subject as claims about the cases that it is given see it: behind a transform of its own, a
-/// taker of window space without edge values and weights.
+/// The subject as properties about the cases that it is given see it: behind a transform of its
+/// own, a taker of window space without edge values and barycentrics.
 Description AsJudged(Description subject);
 
 /// A case under the model of its target's size; in window space behind a transform of the

@@ -1,4 +1,4 @@
-// Judging many cases at once, so that their draws share calls.
+// Judges several cases at a time, so that their draws share calls to the subject.
 #ifndef RASTERPROOF_PROPS_RUN_LOOK_AHEAD_H_
 #define RASTERPROOF_PROPS_RUN_LOOK_AHEAD_H_
 

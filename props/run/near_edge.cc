@@ -84,7 +84,7 @@ class Counter {
       const Vertex& a = v[(e + 1) % 3];
       const Vertex& b = v[(e + 2) % 3];
       const ProjectedEdge edge{Projected(a), Projected(b), a, b, projected};
-      for (int s = 0; s < profile_.lattice.samples(); ++s) CountEdge(edge, s);
+      for (int s = 0; s < profile_.pattern.samples(); ++s) CountEdge(edge, s);
     }
   }
 
@@ -94,7 +94,7 @@ class Counter {
     const bool steep = std::fabs(dy) >= std::fabs(dx);  // then walk down the rows
     const long double major = steep ? dy : dx;
     if (major == 0) return;
-    const Point2 location = profile_.lattice.locations[static_cast<std::size_t>(s)];
+    const Point2 location = profile_.pattern.locations[static_cast<std::size_t>(s)];
     const double offset = steep ? location.y : location.x;
     const long double from = steep ? edge.a.y : edge.a.x;
     const long double to = steep ? edge.b.y : edge.b.x;
@@ -109,7 +109,7 @@ class Counter {
 
   // The two samples of one row or column between which the edge passes.
   void CountLine(const ProjectedEdge& edge, int s, bool steep, int line) {
-    const Point2 location = profile_.lattice.locations[static_cast<std::size_t>(s)];
+    const Point2 location = profile_.pattern.locations[static_cast<std::size_t>(s)];
     const long double along = line + (steep ? location.y : location.x);
     const long double offset = steep ? location.x : location.y;
     const LongPoint a = steep ? edge.a : LongPoint{edge.a.y, edge.a.x};
@@ -124,7 +124,7 @@ class Counter {
         static_cast<int>(std::clamp<long double>(std::floor(at - offset), -2, places));
     for (int place = std::max(0, before); place <= std::min(places - 1, before + 1); ++place) {
       const Point2 p =
-          steep ? profile_.lattice.At(place, line, s) : profile_.lattice.At(line, place, s);
+          steep ? profile_.pattern.At(place, line, s) : profile_.pattern.At(line, place, s);
       CountPair(edge, p, std::fabs(place + offset - at), error, steep ? p.x : p.y);
     }
   }

@@ -2,7 +2,7 @@
 //
 // Such a subject is given clip space and held to what its transform, computed operation by
 // operation, makes of it. Properties see a window-space subject and the transformed case: all that
-// is claimed of window space holds for it.
+// is stated of window space holds for it.
 #ifndef RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 #define RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 

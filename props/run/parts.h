@@ -24,8 +24,8 @@ struct Part {
 ///
 /// kFacingCounts: the draw itself. kCounts: triangles that face one way by the canonical model of
 /// the profile (in clip space by their quotients on its grid) in one call, in their order, those
-/// that face the other way in another. kMask, kWinners, kFragments: every triangle by itself, so
-/// that overlaps show; of a mesh too large for that the draw itself, as it is shown
+/// that face the other way in another. kMask, kPrimitiveIds, kFragments: every triangle by itself,
+/// so that overlaps show; of a mesh too large for that the draw itself, as it is shown
 /// (IsJudgedAsShown). A triangle of no area counts as front: it should cover nothing. Where the
 /// profile leaves other models legal the facing is a guess (OpenTriangles).
 std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const Profile& profile);

@@ -14,7 +14,7 @@ namespace rasterproof::props {
 namespace {
 
 // What a transform rounds otherwise by an ulp shows where the snap has a tie, and hardly elsewhere.
-constexpr std::string_view kTies = "deciding-ties";
+constexpr std::string_view kTies = "deciding-snap-ties";
 constexpr std::size_t kTiesOfTransforms = 8;
 // What a legal choice turns is most of what freedom can go wrong by.
 constexpr std::string_view kFolds = "folds";
@@ -46,8 +46,8 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
   for (const std::string_view name : property.domains) {
     const Domain* domain = FindDomain(name);
     if (domain == nullptr || Suits(*domain, info)) continue;
-    // What the profile does not promise is no scene that the subject could not take.
-    if (domain->is_promised != nullptr && !domain->is_promised(info.profile)) continue;
+    // What the profile does not state is no scene that the subject could not take.
+    if (domain->is_stated != nullptr && !domain->is_stated(info.profile)) continue;
     left_out += left_out.empty() ? "not drawn, the subject takes no such scenes: " : ", ";
     left_out += name;
   }
@@ -55,11 +55,11 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
 }
 
 // FNV-1a, 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/
-std::uint64_t FirstIndex(std::string_view claim) {
+std::uint64_t FirstIndex(std::string_view property) {
   constexpr std::uint64_t kWindows = 10'000;
   constexpr std::uint64_t kWindow = 1000;
   std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char letter : claim) {
+  for (const char letter : property) {
     hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
   }
   return hash % kWindows * kWindow;
@@ -84,7 +84,7 @@ Case DrawCase(const SubjectInfo& info, const CaseName& name) {
   if (!Suits(*domain, info)) {
     throw InputError("case '" + text + "'",
                      "subject " + info.name + " takes no scenes of domain " + name.domain +
-                         ", or its profile does not promise what they are about",
+                         ", or its profile does not state what they are about",
                      "choose another domain, subject or profile");
   }
   PhiloxSource bits(name.seed, name.index, domain->number);

@@ -18,18 +18,18 @@ namespace rasterproof::props {
 
 /// The domains of the property whose scenes the subject takes, in the property's order; one that
 /// is to be drawn more often than others stands there as often: folds eight times for every
-/// subject, deciding-ties eight times for one that owns its transform.
+/// subject, deciding-snap-ties eight times for one that owns its transform.
 std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& property);
 
 /// Names the domains that DomainsFor leaves out, and why; empty if it leaves none out.
 std::string LeftOutDomains(const SubjectInfo& info, const Property& property);
 
-/// The first index of the claim's cases in every domain: claims that draw from one domain see
+/// The first index of the property's cases in every domain: states that draw from one domain see
 /// different cases, so that one rare scene among the first of a domain is not all that they see or
 /// miss together.
 ///
-/// Returns:    a multiple of 1000 below 10^7, by the claim's name alone.
-std::uint64_t FirstIndex(std::string_view claim);
+/// Returns:    a multiple of 1000 below 10^7, by the property's name alone.
+std::uint64_t FirstIndex(std::string_view property);
 
 /// The name of what a run over these domains (at least one) takes as its case `number`: of domain
 /// number % n, the next one from `first` on that the run has not had of it. Worked out from

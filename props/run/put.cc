@@ -217,16 +217,16 @@ class Putting {
     Guarded(answers, [&] {
       const EdgeEvaluator* const edges = subject_.Edges();
       if (!questions.edges.empty()) answers.edges = edges->Values(questions.edges);
-      if (!questions.steps.empty()) answers.steps = edges->Walks(questions.steps);
-      const WeightEvaluator* const weights = subject_.Weights();
+      if (!questions.steps.empty()) answers.steps = edges->Steps(questions.steps);
+      const BarycentricEvaluator* const barycentrics = subject_.Barycentrics();
       for (const BarycentricQuestion& q : questions.barycentrics) {
-        answers.barycentrics.push_back(weights->Weights(q.form, q.v, q.p));
+        answers.barycentrics.push_back(barycentrics->Barycentrics(q.form, q.v, q.p));
       }
       for (const InterpolationQuestion& q : questions.interpolations) {
-        answers.interpolations.push_back(weights->Interpolate(q.form, q.v, q.attribute, q.p));
+        answers.interpolations.push_back(barycentrics->Interpolate(q.form, q.v, q.attribute, q.p));
       }
       for (const DistanceQuestion& q : questions.distances) {
-        answers.distances.push_back(weights->EdgeDistances(q.form, q.v, q.p));
+        answers.distances.push_back(barycentrics->EdgeDistances(q.form, q.v, q.p));
       }
     });
   }

@@ -77,7 +77,7 @@ PropertyResult Tally::Concluded() const {
   const std::string dead = DeadDomains();
   const bool holds = result.exercised != 0 && dead.empty();
   result.outcome = holds ? Outcome::kHolds : Outcome::kNotExercised;
-  if (result.exercised == 0) AddSentence(result.message, "no case put the claim to the test");
+  if (result.exercised == 0) AddSentence(result.message, "no case put the property to the test");
   AddSentence(result.message, dead);
   if (holds && result.cases_refused != 0) {
     AddSentence(result.message, "holds where it did not refuse: " + SoFar());

@@ -16,12 +16,12 @@
 
 namespace rasterproof::props {
 
-/// Of the cases that would have put the claim to the test, at most so many may be refused: beyond
-/// that, what holds was hardly asked. Scenes beyond the profile's limits don't count: who states
-/// a limit may refuse what lies beyond it.
+/// Of the cases that would have put the property to the test, at most so many may be refused:
+/// beyond that, what holds was hardly asked. Scenes beyond the profile's limits don't count: who
+/// states a limit may refuse what lies beyond it.
 inline constexpr double kMostRefusedShare = 0.5;
 
-/// Counts cases, how often they put the claim to the test, and how near to edges they came.
+/// Counts cases, how often they put the property to the test, and how near to edges they came.
 class Tally {
  public:
   /// Starts with the property's words, nothing run, and the domains that are left out named.

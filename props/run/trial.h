@@ -21,8 +21,8 @@ struct Trial {
   bool met_a_deadline = false;  ///< it had no time left that it was given (SubjectDeadline)
 };
 
-/// A fault of ours, met while a claim was judged: the message says of which claim and case. What
-/// the subject's own calls throw is none.
+/// A fault of ours, met while a property was judged: the message says of which property and case.
+/// What the subject's own calls throw is none.
 class JudgingFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

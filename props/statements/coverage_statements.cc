@@ -108,12 +108,12 @@ bool InclusiveTestsCountTheDiagonalTwice() {
          PassesInclusively({At(0, 0), At(2, 2), At(2, 0)}, p);
 }
 
-StatementTally QuotientsAreWeightsForPositiveArea(std::uint64_t seed, int count) {
+StatementTally QuotientsAreBarycentricsForPositiveArea(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.ProperTriangle();
     if (Edge(t[0], t[1], t[2]).Sign() < 0) return nullopt;
     const Vec2 p = draws.Coin() ? draws.PointInside(t) : draws.Point();
-    const Weights3 l = WeightsOf(t, p);
+    const Barycentrics3 l = BarycentricsOf(t, p);
     return PassesInclusively(t, p) == IsInside(t, p) && Combined(l, t) == p;
   });
 }
@@ -127,27 +127,27 @@ bool DegenerateTrianglePassesAndDividesByZero() {
          IsInside(reversed, At(1, 1)) && !PassesInclusively(reversed, At(1, 1));
 }
 
-StatementTally EdgesOverTheAreaAreWeights(std::uint64_t seed, int count) {
+StatementTally EdgesOverTheAreaAreBarycentrics(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
-    const Weights3 l = WeightsOf(t, p);
+    const Barycentrics3 l = BarycentricsOf(t, p);
     return optional(Combined(l, t) == p && l[0] + l[1] + l[2] == Rational(1));
   });
 }
 
-bool AllWithinOne(const Weights3& l) {
-  for (const Rational& weight : l) {
-    if (weight.Sign() < 0 || weight > Rational(1)) return false;
+bool AllWithinOne(const Barycentrics3& l) {
+  for (const Rational& barycentric : l) {
+    if (barycentric.Sign() < 0 || barycentric > Rational(1)) return false;
   }
   return true;
 }
 
-StatementTally InsideIsNoWeightNegative(std::uint64_t seed, int count) {
+StatementTally InsideIsNoBarycentricNegative(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Coin() ? draws.PointInside(t) : draws.Point();
-    const Weights3 l = WeightsOf(t, p);
+    const Barycentrics3 l = BarycentricsOf(t, p);
     // The sum is one inside and outside; with it, "at most one" follows from "not negative".
     return optional(l[0] + l[1] + l[2] == Rational(1) && IsInside(t, p) == AllWithinOne(l));
   });
@@ -155,7 +155,7 @@ StatementTally InsideIsNoWeightNegative(std::uint64_t seed, int count) {
 
 bool SumIsOneOutsideToo() {
   const Triangle2 t{At(0, 0), At(4, 0), At(0, 4)};
-  const Weights3 l = WeightsOf(t, At(2, -1));
+  const Barycentrics3 l = BarycentricsOf(t, At(2, -1));
   return !IsInside(t, At(2, -1)) && l[0] + l[1] + l[2] == Rational(1);
 }
 
@@ -221,7 +221,7 @@ bool GreaterYIsBelowWithYDown() {
 
 // Top-left by flags: strictly inside, or on edges that are all top or left.
 bool CoversByFlags(const Triangle2& t, const Vec2& p) {
-  const Weights3 l = WeightsOf(t, p);
+  const Barycentrics3 l = BarycentricsOf(t, p);
   for (std::size_t i = 0; i < 3; ++i) {
     if (l[i].Sign() < 0) return false;
     if (l[i].Sign() > 0) continue;
@@ -258,9 +258,9 @@ StatementTally HubIsOwnedOnce(std::uint64_t seed, int count) {
       rim[k] = hub + draws.Positive() * At(kSpokes[k].x, kSpokes[k].y);
     }
     bool holds = true;
-    for (const FillRule& rule :
-         {FillRule{}, FillRule{-1, +1}, FillRule{+1, -1}, FillRule{-1, -1}, FillRule{+1, +1, true},
-          FillRule{-1, +1, true}, FillRule{+1, -1, true}, FillRule{-1, -1, true}}) {
+    for (const TieRule& rule :
+         {TieRule{}, TieRule{-1, +1}, TieRule{+1, -1}, TieRule{-1, -1}, TieRule{+1, +1, true},
+          TieRule{-1, +1, true}, TieRule{+1, -1, true}, TieRule{-1, -1, true}}) {
       int owners = 0;
       for (std::size_t k = 0; k < rim.size(); ++k) {
         const Vec2& next = rim[(k + 1) % rim.size()];
@@ -317,16 +317,16 @@ constexpr std::array kStatements{
               "the square (0,0)-(2,2) split by its diagonal: (1,1) passes for both halves",
               InclusiveTestsCountOnceOffTheEdges, InclusiveTestsCountTheDiagonalTwice},
     Statement{
-        "C5", "If all three values are at least zero, dividing by the area gives the weights.",
+        "C5", "If all three values are at least zero, dividing by the area gives the barycentrics.",
         Truth::kWrong, "area > 0, tested before",
         "(0,0), (2,2), (4,4), P = (1,1): passes, 0/0; and every triangle of negative area fails",
-        QuotientsAreWeightsForPositiveArea, DegenerateTrianglePassesAndDividesByZero},
+        QuotientsAreBarycentricsForPositiveArea, DegenerateTrianglePassesAndDividesByZero},
     Statement{"C6", "w0 = E12 / area, w1 = E20 / area, w2 = E01 / area belong to v0, v1, v2.",
-              Truth::kTrue, "", "", EdgesOverTheAreaAreWeights, nullptr},
-    Statement{"C7", "Weights are arbitrary; inside means all in [0, 1] and a sum of one.",
+              Truth::kTrue, "", "", EdgesOverTheAreaAreBarycentrics, nullptr},
+    Statement{"C7", "Barycentrics are arbitrary; inside means all in [0, 1] and a sum of one.",
               Truth::kImprecise, "the sum is one at every point, and inside means none is negative",
               "(0,0), (4,0), (0,4), P = (2,-1): outside, and the sum is one",
-              InsideIsNoWeightNegative, SumIsOneOutsideToo},
+              InsideIsNoBarycentricNegative, SumIsOneOutsideToo},
     Statement{"C10", "A left edge is one of ascending Y.", Truth::kConditional,
               "clockwise with y up, or counter-clockwise with y down",
               "y down, clockwise: (0,0), (4,0), (0,4) has the left edge (0,4) -> (0,0)",

@@ -85,17 +85,17 @@ bool HalfIsNegativeForTheOtherWinding() {
 }
 
 // lambda by the edges C->B, A->C, B->A over E_AC(B).
-Weights3 WeightsByReversedEdges(const Triangle2& t, const Vec2& p) {
+Barycentrics3 BarycentricsByReversedEdges(const Triangle2& t, const Vec2& p) {
   const Rational whole = Edge(t[0], t[2], t[1]);
   return {Edge(t[2], t[1], p) / whole, Edge(t[0], t[2], p) / whole, Edge(t[1], t[0], p) / whole};
 }
 
-StatementTally WeightsByReversedEdgesAreRight(std::uint64_t seed, int count) {
+StatementTally BarycentricsByReversedEdgesAreRight(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
-    const Weights3 l = WeightsByReversedEdges(t, p);
-    // Reproducing the point and summing to one determines the weights.
+    const Barycentrics3 l = BarycentricsByReversedEdges(t, p);
+    // Reproducing the point and summing to one determines the barycentrics.
     return optional(Combined(l, t) == p && l[0] + l[1] + l[2] == Rational(1));
   });
 }
@@ -123,7 +123,7 @@ bool NumeratorsAreNegativeForTheOtherWinding() {
 
 StatementTally SumIsOneEverywhere(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
-    const Weights3 l = WeightsByReversedEdges(draws.ProperTriangle(), draws.Point());
+    const Barycentrics3 l = BarycentricsByReversedEdges(draws.ProperTriangle(), draws.Point());
     return optional(l[0] + l[1] + l[2] == Rational(1));
   });
 }
@@ -217,7 +217,7 @@ StatementTally InteriorIsWhereAllArePositive(std::uint64_t seed, int count) {
     const Triangle2 t = draws.ProperTriangle();
     if (Edge(t[0], t[1], t[2]).Sign() < 0) return nullopt;
     const Vec2 p = draws.Coin() ? draws.PointInside(t) : draws.Point();
-    const Weights3 l = WeightsOf(t, p);
+    const Barycentrics3 l = BarycentricsOf(t, p);
     const bool interior = l[0].Sign() > 0 && l[1].Sign() > 0 && l[2].Sign() > 0;
     return AllPositive(t, p) == interior;
   });
@@ -245,12 +245,13 @@ constexpr std::array kStatements{
     Statement{"H5",
               "lambda_A = E_CB(P) / E_AC(B), lambda_B = E_AC(P) / E_AC(B), "
               "lambda_C = E_BA(P) / E_AC(B).",
-              Truth::kTrue, "", "", WeightsByReversedEdgesAreRight, nullptr},
+              Truth::kTrue, "", "", BarycentricsByReversedEdgesAreRight, nullptr},
     Statement{"H6", "Their numerators are twice the areas of the three parts.", Truth::kConditional,
               "orient2d(A, B, C) > 0 and P in the triangle",
               "A = (0,0), B = (0,4), C = (4,0), P = (1,1)", NumeratorsAreAreas,
               NumeratorsAreNegativeForTheOtherWinding},
-    Statement{"H7", "The weights sum to one.", Truth::kTrue, "", "", SumIsOneEverywhere, nullptr},
+    Statement{"H7", "The barycentrics sum to one.", Truth::kTrue, "", "", SumIsOneEverywhere,
+              nullptr},
     Statement{"H8", "A step of 1 or L along x or y adds or subtracts dY, dX or L times them.",
               Truth::kTrue, "", "", EightIncrementsHold, nullptr},
     Statement{"H9", "A step costs one addition in place of five operations.", Truth::kTrue, "", "",
@@ -268,6 +269,6 @@ constexpr std::array kStatements{
 
 }  // namespace
 
-std::span<const Statement> EdgeStatements() { return kStatements; }
+std::span<const Statement> EdgeInfo() { return kStatements; }
 
 }  // namespace rasterproof::props

@@ -169,7 +169,8 @@ StatementTally ProjectedEdgeLiesInTheTriangleWithTheEye(std::uint64_t seed, int 
 
 bool ProjectedEndLiesOutsideForANearVertex() { return !MeetsTheImagePlane(Eye(0, 0, 0.5)); }
 
-// Where the ray r (p, 1), r > 0, meets the triangle, told from the plane and its own weights in it.
+// Where the ray r (p, 1), r > 0, meets the triangle, told from the plane and its own barycentrics
+// in it.
 optional<bool> RayHits(const std::array<Vec3, 3>& v, const Vec2& p) {
   const Vec3 normal = Cross(v[1] - v[0], v[2] - v[0]);
   const Rational along = Dot(normal, OnTheImage(p));

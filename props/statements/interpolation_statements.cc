@@ -1,4 +1,4 @@
-// Statements C8, C9, C14, C15: what weights interpolate.
+// Statements C8, C9, C14, C15: what barycentrics interpolate.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace {
 using std::nullopt;
 using std::optional;
 
-Rational Weighted(const Weights3& l, const Weights3& z) {
+Rational Weighted(const Barycentrics3& l, const Barycentrics3& z) {
   return l[0] * z[0] + l[1] * z[1] + l[2] * z[2];
 }
 
-StatementTally DeltasEqualWeights(std::uint64_t seed, int count) {
+StatementTally DeltasEqualBarycentrics(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
-    const Weights3 l = WeightsOf(draws.ProperTriangle(), draws.Point());
-    const Weights3 z{draws.Number(), draws.Number(), draws.Number()};
+    const Barycentrics3 l = BarycentricsOf(draws.ProperTriangle(), draws.Point());
+    const Barycentrics3 z{draws.Number(), draws.Number(), draws.Number()};
     return optional(Weighted(l, z) == z[0] + l[1] * (z[1] - z[0]) + l[2] * (z[2] - z[0]));
   });
 }
@@ -35,7 +35,7 @@ struct Seen {
   std::array<Vec3, 3> v;
   Triangle2 screen;
   Vec2 p;
-  Weights3 l;
+  Barycentrics3 l;
 };
 
 // A triangle in front of the eye and a screen position inside it.
@@ -48,7 +48,7 @@ optional<Seen> DrawSeen(Draws& draws) {
   for (std::size_t i = 0; i < 3; ++i) seen.screen[i] = Projected(seen.v[i]);
   if (Orient2d(seen.screen[0], seen.screen[1], seen.screen[2]).Sign() == 0) return nullopt;
   seen.p = draws.PointInside(seen.screen);
-  seen.l = WeightsOf(seen.screen, seen.p);
+  seen.l = BarycentricsOf(seen.screen, seen.p);
   return seen;
 }
 
@@ -56,7 +56,7 @@ StatementTally DepthIsAffineForEqualZOnly(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const optional<Seen> seen = DrawSeen(draws);
     if (!seen) return nullopt;
-    const Weights3 z{seen->v[0].z, seen->v[1].z, seen->v[2].z};
+    const Barycentrics3 z{seen->v[0].z, seen->v[1].z, seen->v[2].z};
     const Rational depth = DepthByPlane(seen->v, seen->p);
     const Rational reciprocal =
         seen->l[0] / z[0] + seen->l[1] / z[1] + seen->l[2] / z[2];  // the correction: 1/z is affine
@@ -65,23 +65,23 @@ StatementTally DepthIsAffineForEqualZOnly(std::uint64_t seed, int count) {
   });
 }
 
-// Z = (1, 4, 1) in the middle of edge 01: 5/2 by weights, 8/5 on the plane.
+// Z = (1, 4, 1) in the middle of edge 01: 5/2 by barycentrics, 8/5 on the plane.
 bool DepthIsNotAffine() {
   const std::array<Vec3, 3> v{Vec3{Rational(0), Rational(0), Rational(1)},
                               Vec3{Rational(16), Rational(0), Rational(4)},
                               Vec3{Rational(0), Rational(4), Rational(1)}};
   const Triangle2 screen{Projected(v[0]), Projected(v[1]), Projected(v[2])};
   const Vec2 middle = Rational(0.5) * (screen[0] + screen[1]);
-  const Weights3 l = WeightsOf(screen, middle);
+  const Barycentrics3 l = BarycentricsOf(screen, middle);
   return Weighted(l, {Rational(1), Rational(4), Rational(1)}) == Rational(2.5) &&
          DepthByPlane(v, middle) == Rational(8) / Rational(5);
 }
 
-StatementTally WeightsReproduceAnyPoint(std::uint64_t seed, int count) {
+StatementTally BarycentricsReproduceAnyPoint(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
-    return optional(Combined(WeightsOf(t, p), t) == p);
+    return optional(Combined(BarycentricsOf(t, p), t) == p);
   });
 }
 
@@ -92,7 +92,7 @@ StatementTally ScreenAffineAttributesAreInterpolated(std::uint64_t seed, int cou
     const Rational offset = draws.Number();
     const auto attribute = [&](const Vec2& at) { return Dot(slope, at) + offset; };
     const Vec2 p = draws.Point();
-    return optional(Weighted(WeightsOf(t, p),
+    return optional(Weighted(BarycentricsOf(t, p),
                              {attribute(t[0]), attribute(t[1]), attribute(t[2])}) == attribute(p));
   });
 }
@@ -106,13 +106,13 @@ bool SurfaceColourIsNotAffineOnScreen() {
 
 constexpr std::array kStatements{
     Statement{"C8", "Z is Z0 + l1 (Z1 - Z0) + l2 (Z2 - Z0): two multiplications, two additions.",
-              Truth::kTrue, "", "", DeltasEqualWeights, nullptr},
+              Truth::kTrue, "", "", DeltasEqualBarycentrics, nullptr},
     Statement{"C9", "The camera depth is the weighted sum of the vertices' camera depths.",
               Truth::kWrong, "equal depths; otherwise 1/Z is the weighted sum of 1/Z_i",
               "Z = (1, 4, 1), middle of edge 01: 5/2 for 8/5", DepthIsAffineForEqualZOnly,
               DepthIsNotAffine},
     Statement{"C14", "P is the weighted sum of the vertices.", Truth::kTrue, "", "",
-              WeightsReproduceAnyPoint, nullptr},
+              BarycentricsReproduceAnyPoint, nullptr},
     Statement{"C15", "Any attribute is the weighted sum of the vertices' attributes.",
               Truth::kConditional, "an attribute that is affine on the screen",
               "a colour along the edge of C9: 1/2 for 1/5", ScreenAffineAttributesAreInterpolated,

@@ -2,17 +2,17 @@
 
 namespace rasterproof::props {
 
-Weights3 WeightsOf(const Triangle2& t, const Vec2& p) {
+Barycentrics3 BarycentricsOf(const Triangle2& t, const Vec2& p) {
   const Rational area = Edge(t[0], t[1], t[2]);
   return {Edge(t[1], t[2], p) / area, Edge(t[2], t[0], p) / area, Edge(t[0], t[1], p) / area};
 }
 
-Vec2 Combined(const Weights3& l, const Triangle2& t) {
+Vec2 Combined(const Barycentrics3& l, const Triangle2& t) {
   return l[0] * t[0] + l[1] * t[1] + l[2] * t[2];
 }
 
 bool IsInside(const Triangle2& t, const Vec2& p) {
-  const Weights3 l = WeightsOf(t, p);
+  const Barycentrics3 l = BarycentricsOf(t, p);
   return l[0].Sign() >= 0 && l[1].Sign() >= 0 && l[2].Sign() >= 0;
 }
 

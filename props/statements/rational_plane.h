@@ -51,12 +51,12 @@ inline Rational Orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 using Triangle2 = std::array<Vec2, 3>;
-using Weights3 = std::array<Rational, 3>;
+using Barycentrics3 = std::array<Rational, 3>;
 
 /// lambda_i = E(edge opposite v_i; p) / E(v0, v1; v2).
-Weights3 WeightsOf(const Triangle2& t, const Vec2& p);
-Vec2 Combined(const Weights3& l, const Triangle2& t);
-/// In the closed triangle, by weights: for triangles of non-zero area.
+Barycentrics3 BarycentricsOf(const Triangle2& t, const Vec2& p);
+Vec2 Combined(const Barycentrics3& l, const Triangle2& t);
+/// In the closed triangle, by barycentrics: for triangles of non-zero area.
 bool IsInside(const Triangle2& t, const Vec2& p);
 /// (2 T)^2 by Heron's formula, which knows nothing of signs and axes.
 Rational SquaredDoubleArea(const Vec2& a, const Vec2& b, const Vec2& c);

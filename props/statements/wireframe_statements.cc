@@ -1,4 +1,4 @@
-// Statements W1 to W16: weights that belong to edges, and wireframes drawn with them.
+// Statements W1 to W16: barycentrics that belong to edges, and wireframes drawn with them.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,36 +14,36 @@ using std::optional;
 
 Vec2 At(double x, double y) { return {Rational(x), Rational(y)}; }
 
-// The text numbers weights by edges: ABP, BCP, PCA over ABC.
-Weights3 ByEdge(const Triangle2& t, const Vec2& p) {
+// The text numbers barycentrics by edges: ABP, BCP, PCA over ABC.
+Barycentrics3 ByEdge(const Triangle2& t, const Vec2& p) {
   const Rational whole = Orient2d(t[0], t[1], t[2]);
   return {Orient2d(t[0], t[1], p) / whole, Orient2d(t[1], t[2], p) / whole,
           Orient2d(p, t[2], t[0]) / whole};
 }
 
-StatementTally EdgeWeightsBelongToCAB(std::uint64_t seed, int count) {
+StatementTally EdgeBarycentricsBelongToCAB(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
-    const Weights3 by_edge = ByEdge(t, p);
-    const Weights3 by_vertex = WeightsOf(t, p);
+    const Barycentrics3 by_edge = ByEdge(t, p);
+    const Barycentrics3 by_vertex = BarycentricsOf(t, p);
     return optional(by_edge[0] == by_vertex[2] && by_edge[1] == by_vertex[0] &&
                     by_edge[2] == by_vertex[1]);
   });
 }
 
-StatementTally VerticesAreUnitWeights(std::uint64_t seed, int count) {
+StatementTally VerticesAreUnitBarycentrics(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const auto is = [&](const Vec2& p, double l0, double l1, double l2) {
-      return ByEdge(t, p) == Weights3{Rational(l0), Rational(l1), Rational(l2)};
+      return ByEdge(t, p) == Barycentrics3{Rational(l0), Rational(l1), Rational(l2)};
     };
     return optional(is(t[0], 0, 1, 0) && is(t[1], 0, 0, 1) && is(t[2], 1, 0, 0));
   });
 }
 
 // As the code computes them: lengths of cross products, and one minus the others.
-Weights3 ByLengths(const Triangle2& t, const Vec2& p) {
+Barycentrics3 ByLengths(const Triangle2& t, const Vec2& p) {
   const Rational whole = Cross(t[1] - t[0], t[2] - t[1]).Abs();
   const Rational l0 = Cross(t[1] - t[0], p - t[1]).Abs() / whole;
   const Rational l1 = Cross(t[2] - t[1], p - t[2]).Abs() / whole;
@@ -61,10 +61,10 @@ StatementTally LengthsAreRightInside(std::uint64_t seed, int count) {
 Vec2 OutsidePoint() { return At(2, -1); }
 Triangle2 RightTriangle() { return {At(0, 0), At(4, 0), At(0, 4)}; }
 
-// At (2,-1) the weights are (-1/4, 3/4, 1/2), and by lengths (1/4, 3/4, 0).
+// At (2,-1) the barycentrics are (-1/4, 3/4, 1/2), and by lengths (1/4, 3/4, 0).
 bool LengthsMakeAnOutsidePointLookInside() {
-  const Weights3 right{Rational(-0.25), Rational(0.75), Rational(0.5)};
-  const Weights3 wrong{Rational(0.25), Rational(0.75), Rational(0)};
+  const Barycentrics3 right{Rational(-0.25), Rational(0.75), Rational(0.5)};
+  const Barycentrics3 wrong{Rational(0.25), Rational(0.75), Rational(0)};
   return ByEdge(RightTriangle(), OutsidePoint()) == right &&
          ByLengths(RightTriangle(), OutsidePoint()) == wrong;
 }
@@ -73,21 +73,21 @@ StatementTally SignedAreasSumToOne(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Triangle2 t = draws.AnyTriangle();
     if (Orient2d(t[0], t[1], t[2]).Sign() == 0) return nullopt;
-    const Weights3 l = ByEdge(t, draws.Point());
+    const Barycentrics3 l = ByEdge(t, draws.Point());
     return l[0] + l[1] + l[2] == Rational(1);
   });
 }
 
 bool UnsignedAreasSumToMoreOutside() {
-  const Weights3 l = ByEdge(RightTriangle(), OutsidePoint());
+  const Barycentrics3 l = ByEdge(RightTriangle(), OutsidePoint());
   return l[0].Abs() + l[1].Abs() + l[2].Abs() == Rational(1.5);
 }
 
-StatementTally WeightIsADistanceInHeights(std::uint64_t seed, int count) {
+StatementTally BarycentricIsADistanceInHeights(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
-    const Weights3 l = ByEdge(t, p);
+    const Barycentrics3 l = ByEdge(t, p);
     // lambda_0 is about edge AB, whose opposite vertex is C.
     const Rational height = SquaredDistance(t[0], t[1], t[2]);
     return optional(l[0] * l[0] * height == SquaredDistance(t[0], t[1], p) &&
@@ -95,7 +95,7 @@ StatementTally WeightIsADistanceInHeights(std::uint64_t seed, int count) {
   });
 }
 
-bool WeightIsNotADistanceInPixels() {
+bool BarycentricIsNotADistanceInPixels() {
   const Triangle2 t = RightTriangle();
   return ByEdge(t, t[2])[0] == Rational(1) && SquaredDistance(t[0], t[1], t[2]) == Rational(16);
 }
@@ -161,12 +161,12 @@ StatementTally VerticesAreReconstructed(std::uint64_t seed, int count) {
     const Vec2 dpdu = t[1] - t[0];
     const Vec2 dpdv = t[2] - t[0];
     const Vec2 p = t[0] + u * dpdu + v * dpdv;
-    const Weights3 by_edge{v, Rational(1) - u - v, u};
+    const Barycentrics3 by_edge{v, Rational(1) - u - v, u};
     return optional(Reconstructed(p, u, v, dpdu, dpdv) == t && ByEdge(t, p) == by_edge);
   });
 }
 
-// u, v as weights of A and B: P = u A + v B + (1 - u - v) C has dP/du = A - C, dP/dv = B - C.
+// u, v as barycentrics of A and B: P = u A + v B + (1 - u - v) C has dP/du = A - C, dP/dv = B - C.
 bool OtherParametersReconstructAnotherVertex() {
   const Triangle2 t = RightTriangle();
   const Triangle2 found =
@@ -199,19 +199,19 @@ bool OppositeNamingGivesTheAltitudeFromB() {
 }
 
 // Squared heights with a = AB, b = BC, c = CA: H_a from A, H_b from B, H_c from C.
-Weights3 SquaredHeights(const Triangle2& t) {
+Barycentrics3 SquaredHeights(const Triangle2& t) {
   const Vec2 a = t[1] - t[0];
   const Vec2 b = t[2] - t[1];
   const Vec2 c = t[0] - t[2];
   return {SquaredHeight(a, b), SquaredHeight(b, c), SquaredHeight(c, a)};
 }
 
-StatementTally DistancesPairWeightAndHeightOfOneVertex(std::uint64_t seed, int count) {
+StatementTally DistancesPairBarycentricAndHeightOfOneVertex(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
-    const Weights3 l = ByEdge(t, p);
-    const Weights3 h = SquaredHeights(t);
+    const Barycentrics3 l = ByEdge(t, p);
+    const Barycentrics3 h = SquaredHeights(t);
     return optional(l[0] * l[0] * h[2] == SquaredDistance(t[0], t[1], p) &&
                     l[1] * l[1] * h[0] == SquaredDistance(t[1], t[2], p) &&
                     l[2] * l[2] * h[1] == SquaredDistance(t[2], t[0], p));
@@ -222,8 +222,8 @@ StatementTally DistancesPairWeightAndHeightOfOneVertex(std::uint64_t seed, int c
 bool PrintedPairingIsSwapped() {
   const Triangle2 t = NarrowTriangle();
   const Vec2 p = At(1, 0.5);
-  const Weights3 l = ByEdge(t, p);
-  const Weights3 h = SquaredHeights(t);
+  const Barycentrics3 l = ByEdge(t, p);
+  const Barycentrics3 h = SquaredHeights(t);
   return l[2] * l[2] * h[0] != SquaredDistance(t[1], t[2], p) &&
          l[1] * l[1] * h[1] != SquaredDistance(t[2], t[0], p);
 }
@@ -282,18 +282,18 @@ bool EqualVerticesDivideByZero() {
   return Dot(side, side).Sign() == 0;
 }
 
-StatementTally EdgeWeightsReproduceThePoint(std::uint64_t seed, int count) {
+StatementTally EdgeBarycentricsReproduceThePoint(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Vec2 p = draws.Point();
-    const Weights3 l = ByEdge(t, p);
+    const Barycentrics3 l = ByEdge(t, p);
     return optional(l[0] * t[2] + l[1] * t[0] + l[2] * t[1] == p);
   });
 }
 
-StatementTally InterpolatedUnitsAreScreenWeightsForEqualW(std::uint64_t seed, int count) {
+StatementTally InterpolatedUnitsAreScreenBarycentricsForEqualW(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
-    const Weights3 l = WeightsOf(draws.ProperTriangle(), draws.Point());
+    const Barycentrics3 l = BarycentricsOf(draws.ProperTriangle(), draws.Point());
     const Rational w = draws.Positive();
     const Rational over_w = l[0] / w + l[1] / w + l[2] / w;
     return optional(l[0] / w / over_w == l[0]);
@@ -301,21 +301,21 @@ StatementTally InterpolatedUnitsAreScreenWeightsForEqualW(std::uint64_t seed, in
 }
 
 // w = (1, 4, 1), middle of edge 01: interpolated with perspective (4/5, 1/5, 0), on screen 1/2.
-bool InterpolatedUnitsAreSurfaceWeights() {
+bool InterpolatedUnitsAreSurfaceBarycentrics() {
   const Rational first = Rational(0.5);
   const Rational second = Rational(0.5) / Rational(4);
   return first / (first + second) == Rational(4) / Rational(5);
 }
 
-StatementTally InsideWeightsAreNotNegative(std::uint64_t seed, int count) {
+StatementTally InsideBarycentricsAreNotNegative(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
-    const Weights3 l = ByEdge(t, draws.PointInside(t));
+    const Barycentrics3 l = ByEdge(t, draws.PointInside(t));
     return optional(l[0].Sign() >= 0 && l[1].Sign() >= 0 && l[2].Sign() >= 0);
   });
 }
 
-StatementTally WeightVanishesOnItsEdge(std::uint64_t seed, int count) {
+StatementTally BarycentricVanishesOnItsEdge(std::uint64_t seed, int count) {
   return Over(seed, count, [](Draws& draws) {
     const Triangle2 t = draws.ProperTriangle();
     const Rational s = draws.Part();
@@ -327,39 +327,40 @@ StatementTally WeightVanishesOnItsEdge(std::uint64_t seed, int count) {
 
 constexpr std::array kStatements{
     Statement{"W1", "lambda_0 = ABP/ABC, lambda_1 = BCP/ABC, lambda_2 = PCA/ABC go with C, A, B.",
-              Truth::kTrue, "", "", EdgeWeightsBelongToCAB, nullptr},
-    Statement{"W2", "At A the weights are (0,1,0), at B (0,0,1), at C (1,0,0).", Truth::kTrue, "",
-              "", VerticesAreUnitWeights, nullptr},
+              Truth::kTrue, "", "", EdgeBarycentricsBelongToCAB, nullptr},
+    Statement{"W2", "At A the barycentrics are (0,1,0), at B (0,0,1), at C (1,0,0).", Truth::kTrue,
+              "", "", VerticesAreUnitBarycentrics, nullptr},
     Statement{"W3", "The areas may be taken as lengths of cross products.", Truth::kConditional,
               "P in the closed triangle",
               "(0,0), (4,0), (0,4), P = (2,-1): (1/4, 3/4, 0) for (-1/4, 3/4, 1/2)",
               LengthsAreRightInside, LengthsMakeAnOutsidePointLookInside},
-    Statement{"W4", "The weights sum to one because the areas are normalised.", Truth::kConditional,
-              "signed areas, the whole not zero", "unsigned at the point of W3: 3/2",
-              SignedAreasSumToOne, UnsignedAreasSumToMoreOutside},
+    Statement{"W4", "The barycentrics sum to one because the areas are normalised.",
+              Truth::kConditional, "signed areas, the whole not zero",
+              "unsigned at the point of W3: 3/2", SignedAreasSumToOne,
+              UnsignedAreasSumToMoreOutside},
     Statement{"W5", "lambda_i is the signed distance from edge i, +1 at its vertex.",
               Truth::kConditional, "in units of that height, not of pixels",
-              "(0,0), (4,0), (0,4): 1 at C, four pixels from AB", WeightIsADistanceInHeights,
-              WeightIsNotADistanceInPixels},
-    Statement{"W6", "lambda_i <= (|d/dx| + |d/dy|) W draws edges of one width.",
-              Truth::kConditional,
-              "weights affine on screen; widths between W and sqrt(2) W, W only along the axes",
-              "a diagonal edge: sqrt(2) W", DerivativeWidthIsBetweenOneAndRootTwo,
-              DiagonalEdgesAreDrawnWider},
+              "(0,0), (4,0), (0,4): 1 at C, four pixels from AB", BarycentricIsADistanceInHeights,
+              BarycentricIsNotADistanceInPixels},
+    Statement{
+        "W6", "lambda_i <= (|d/dx| + |d/dy|) W draws edges of one width.", Truth::kConditional,
+        "barycentrics affine on screen; widths between W and sqrt(2) W, W only along the axes",
+        "a diagonal edge: sqrt(2) W", DerivativeWidthIsBetweenOneAndRootTwo,
+        DiagonalEdgesAreDrawnWider},
     Statement{"W7", "The shader's step() is the formula's lambda <= width.", Truth::kMismatch,
               "lambda is not equal to the width", "lambda = width = 1/4: formula yes, code no",
               FormulaAndCodeAgreeOffEquality, FormulaAndCodeDifferAtEquality},
     Statement{"W8", "A = P - u dPdu - v dPdv, B = A + dPdu, C = A + dPdv.", Truth::kConditional,
               "P = A + u (B - A) + v (C - A); then lambda = (v, 1 - u - v, u)",
-              "u and v as weights of A and B: C is found in A's place", VerticesAreReconstructed,
-              OtherParametersReconstructAnotherVertex},
+              "u and v as barycentrics of A and B: C is found in A's place",
+              VerticesAreReconstructed, OtherParametersReconstructAnotherVertex},
     Statement{"W9", "H_a = |(a.b / b.b) b - a| is the height of A.", Truth::kConditional,
               "a = AB, b = BC, c = CA", "a opposite A in (0,0), (4,0), (0,2): the height of B",
               ProjectionGivesTheAltitudeFromA, OppositeNamingGivesTheAltitudeFromB},
     Statement{"W10", "The distances are D_a = H_c l0, D_b = H_a l2, D_c = H_b l1.", Truth::kWrong,
               "D_a = H_c l0, D_b = H_a l1, D_c = H_b l2",
               "(0,0), (4,0), (0,2), P = (1,1/2): both swapped ones differ",
-              DistancesPairWeightAndHeightOfOneVertex, PrintedPairingIsSwapped},
+              DistancesPairBarycentricAndHeightOfOneVertex, PrintedPairingIsSwapped},
     Statement{"W11", "min D <= W finds what is within W of an edge.", Truth::kConditional,
               "P in the closed triangle: D measures lines, not segments",
               "(0,0), (4,0), (0,4), P = (10,0): on a line, six pixels from the edge",
@@ -368,15 +369,16 @@ constexpr std::array kStatements{
               "b is not the null vector; then it is |a x b| / |b|", "two equal vertices: 0/0",
               ProjectionEqualsCrossOverBase, EqualVerticesDivideByZero},
     Statement{"W13", "P = lambda_0 C + lambda_1 A + lambda_2 B.", Truth::kTrue, "", "",
-              EdgeWeightsReproduceThePoint, nullptr},
-    Statement{"W14", "Unit vectors given as vertex attributes come out as the fragment's weights.",
-              Truth::kConditional, "equal w, or interpolation without perspective",
-              "w = (1, 4, 1), middle of edge 01: 4/5 for 1/2",
-              InterpolatedUnitsAreScreenWeightsForEqualW, InterpolatedUnitsAreSurfaceWeights},
-    Statement{"W15", "Inside no weight is negative.", Truth::kTrue, "", "",
-              InsideWeightsAreNotNegative, nullptr},
+              EdgeBarycentricsReproduceThePoint, nullptr},
+    Statement{
+        "W14", "Unit vectors given as vertex attributes come out as the fragment's barycentrics.",
+        Truth::kConditional, "equal w, or interpolation without perspective",
+        "w = (1, 4, 1), middle of edge 01: 4/5 for 1/2",
+        InterpolatedUnitsAreScreenBarycentricsForEqualW, InterpolatedUnitsAreSurfaceBarycentrics},
+    Statement{"W15", "Inside no barycentric is negative.", Truth::kTrue, "", "",
+              InsideBarycentricsAreNotNegative, nullptr},
     Statement{"W16", "On AB lambda_0 is zero, on BC lambda_1, on CA lambda_2.", Truth::kTrue, "",
-              "", WeightVanishesOnItsEdge, nullptr},
+              "", BarycentricVanishesOnItsEdge, nullptr},
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 # One step of an incremental walk: half an ulp of the binade that the sum lies in, 2^(m - p - 1)
 # for |sum| <= 2^m, wherever the binade is; nothing among subnormals (Hauser, ACM TOPLAS 18, 1996).
-# WalkErrorBounds in reference/bounds.h rests on it.
+# SteppingErrorBounds in reference/bounds.h rests on it.
 # Run: gappa -Eprecision=240 increment.g
 
 @f = float<ieee_32, ne>;

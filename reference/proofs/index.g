@@ -1,5 +1,5 @@
 # The index form: a whole number of pixels times the step, fused with the start, is one rounding,
-# however many pixels. A product of an integer and a float never underflows. (WalkErrorBounds,
+# however many pixels. A product of an integer and a float never underflows. (SteppingErrorBounds,
 # reference/bounds.h.) Run: gappa -Eprecision=240 index.g
 
 @f = float<ieee_32, ne>;

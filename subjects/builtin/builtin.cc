@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "reference/barycentrics.h"
 #include "reference/proved.h"
 #include "reference/rasterize.h"
-#include "reference/weights.h"
 
 namespace rasterproof::subjects {
 namespace {
@@ -24,8 +24,8 @@ class BuiltinSubject final : public Subject {
       info_.name += kCanonicalSuffix;
       info_.summary += "; each edge from its lexicographically smaller end";
     }
-    if (ShowsWeights()) {
-      for (Proof& proof : reference::WeightProofs()) info_.proofs.push_back(std::move(proof));
+    if (ShowsBarycentrics()) {
+      for (Proof& proof : reference::BarycentricProofs()) info_.proofs.push_back(std::move(proof));
     }
   }
 
@@ -39,13 +39,13 @@ class BuiltinSubject final : public Subject {
     return canonical_ ? method_.canonical_edges : method_.edges;
   }
 
-  const WeightEvaluator* Weights() const override {
-    return ShowsWeights() ? &reference::ReferenceWeights(info_.input) : nullptr;
+  const BarycentricEvaluator* Barycentrics() const override {
+    return ShowsBarycentrics() ? &reference::ReferenceBarycentrics(info_.input) : nullptr;
   }
 
  private:
-  // The reference's weights take window-space vertices as they are: not snapped, not divided.
-  bool ShowsWeights() const { return info_.takes_window && info_.profile.snap.IsNone(); }
+  // The reference's barycentrics take window-space vertices as they are: not snapped, not divided.
+  bool ShowsBarycentrics() const { return info_.takes_window && info_.profile.snap.IsNone(); }
 
   const reference::Method& method_;
   bool canonical_;

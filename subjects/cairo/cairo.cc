@@ -64,7 +64,7 @@ class CairoBitmap {
   std::size_t stride_ = 0;
 };
 
-// The documentation of CAIRO_ANTIALIAS_NONE promises a bilevel mask and no more.
+// The documentation of CAIRO_ANTIALIAS_NONE states a bilevel mask and no more.
 constexpr const char* kProfile = R"({"name": "cairo", "subpixel_bits": 8,
   "snap_rule": "nearest-even", "contract": "none", "coordinate_limit": 8388607})";
 

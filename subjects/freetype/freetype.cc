@@ -77,7 +77,7 @@ class FreetypeBitmap {
 // TrueType's rule, which FT_RASTER_FLAG_DEFAULT follows, takes centres on any outline as inside:
 // two outlines with a common edge share the samples on it.
 constexpr const char* kProfile = R"({"name": "freetype-mono", "subpixel_bits": 6,
-  "snap_rule": "nearest-even", "fill_rule": "inclusive", "contract": "none",
+  "snap_rule": "nearest-even", "tie_rule": "inclusive", "contract": "none",
   "coordinate_limit": 32767})";
 
 }  // namespace

@@ -54,7 +54,7 @@ class GdBitmap {
 // Its manual says no more than "filled polygon"; the outline is drawn as well, so that neighbours
 // overlap by design.
 constexpr const char* kProfile = R"({"name": "gd", "subpixel_bits": 0,
-  "snap_rule": "nearest-even", "fill_rule": "inclusive", "sample_locations": [[0, 0]],
+  "snap_rule": "nearest-even", "tie_rule": "inclusive", "sample_locations": [[0, 0]],
   "contract": "none", "coordinate_limit": "0x1p30"})";
 
 }  // namespace

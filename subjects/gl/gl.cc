@@ -14,7 +14,8 @@ using rasterproof::subjects::GlSubmission;
 // none out (OpenGL 4.6, 14.6.1). llvmpipe reports 8 subpixel bits and has them; softpipe reports 4
 // and snaps nothing.
 #ifndef RASTERPROOF_GL_CLIP_SPACE
-constexpr const char* kProfile = R"({"name": "gl", "subpixel_bits": )" RASTERPROOF_GL_BITS R"(,
+constexpr const char* kProfile =
+    R"({"name": ")" RASTERPROOF_GL_NAME R"(", "subpixel_bits": )" RASTERPROOF_GL_BITS R"(,
   "snap_rule": "nearest-even", "contract": "watertight", "coordinate_limit": 8192})";
 constexpr std::uint32_t kTakes = 0;
 #else

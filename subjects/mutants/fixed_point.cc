@@ -15,7 +15,7 @@ namespace {
 int SignOf(std::int64_t n) { return (n > 0) - (n < 0); }
 
 // The sample moves by (+-e, +-e^2), or by (+-e^2, +-e): whether it then is on the positive side.
-bool Owns(const GridEdge& edge, const FillRule& rule) {
+bool Owns(const GridEdge& edge, const TieRule& rule) {
   if (!rule.IsConsistent()) return rule.inclusive;
   const int along_x = rule.sign_x * SignOf(edge.b.y - edge.a.y);
   const int along_y = rule.sign_y * SignOf(edge.a.x - edge.b.x);
@@ -33,7 +33,8 @@ class FixedPoint final : public Subject {
     info_.takes_threads = true;
     bits_ = std::max(8, stages_.profile.snap.bits);
     if (info_.profile.fixed) bits_ = std::max(bits_, info_.profile.fixed->fraction_bits);
-    for (const TargetModel& model : info_.profile.targets) bits_ = std::max(bits_, model.snap.bits);
+    for (const TargetModel& model : info_.profile.by_target_size)
+      bits_ = std::max(bits_, model.snap.bits);
   }
 
   const SubjectInfo& OwnInfo() const override { return info_; }
@@ -106,7 +107,7 @@ bool FixedPoint::IsTooLarge(const std::array<GridPoint, 3>& v) const {
   const std::int64_t width = right.x - left.x;
   const std::int64_t height = bottom.y - top.y;
   if (stages_.too_large) return stages_.too_large(width, height);
-  const MaxExtent& most = *info_.profile.max_extent;
+  const MaxPrimitiveExtent& most = *info_.profile.max_primitive_extent;
   return width > Units(most.width) || height > Units(most.height);
 }
 
@@ -119,7 +120,7 @@ FixedPoint::Target FixedPoint::Prepare(const Scene& scene, const DrawOptions& op
                    std::min(scene.height, s->y1)};
   }
   const bool y_up = info_.profile.y_axis == YAxis::kUp;
-  for (const Point2& l : model_.lattice.locations) {
+  for (const Point2& l : model_.pattern.locations) {
     target.offsets.push_back({Units(l.x), Units(y_up ? -(scene.height - 1) - l.y : l.y)});
   }
   return target;
@@ -152,7 +153,7 @@ std::optional<GridTriangle> FixedPoint::SetUp(const Scene& scene, std::size_t nu
     triangle.v[i] = *p;
   }
   const std::array<GridPoint, 3>& v = triangle.v;
-  if (info_.profile.max_extent && IsTooLarge(v)) return std::nullopt;
+  if (info_.profile.max_primitive_extent && IsTooLarge(v)) return std::nullopt;
   const std::int64_t area = stages_.area ? stages_.area(v) : GridEdge{v[0], v[1]}.At(v[2]);
   if (area == 0 && !stages_.draws_flat) return std::nullopt;
   triangle.front = area > 0;
@@ -163,7 +164,7 @@ std::optional<GridTriangle> FixedPoint::SetUp(const Scene& scene, std::size_t nu
   if (stages_.facing) stages_.facing(triangle);
   for (std::size_t i = 0; i < 3; ++i) {
     GridEdge edge{triangle.v[(i + 1) % 3], triangle.v[(i + 2) % 3]};
-    edge.owns = area == 0 || Owns(edge, model_.fill_rule);
+    edge.owns = area == 0 || Owns(edge, model_.tie_rule);
     triangle.edges[i] = edge;
   }
   if (stages_.edges) stages_.edges(triangle);

@@ -64,7 +64,7 @@ Profile FixedPointProfile();
 /// The stages of the rasterizer, in their order. An empty function leaves its stage sound; a mutant
 /// fills in one or two.
 struct FixedStages {
-  /// What the subject promises, and what the sound stages do.
+  /// What the subject states, and what the sound stages do.
   Profile profile = FixedPointProfile();
   int tile = 8;  ///< where the options leave it to the subject
 

@@ -56,10 +56,10 @@ class FreeChoice final : public Subject {
 
   Drawing Show(const DrawJob& job) override {
     Drawing drawing = Subject::Show(job);
-    if (!ShowsWinners(info_)) return drawing;
+    if (!ShowsPrimitiveIds(info_)) return drawing;
     const std::size_t size = drawing.counts.size();
-    drawing.winners.assign(size, kNoTriangle);
-    drawing.weights.resize(size);
+    drawing.primitive_ids.assign(size, kNoPrimitive);
+    drawing.barycentrics.resize(size);
     drawing.depths.resize(size);
     const Scene scene = SceneOf(job);
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
@@ -153,23 +153,23 @@ class FreeChoice final : public Subject {
     }
     // Another rule is another rasterizer.
     FreeStages ruled = stages_;
-    ruled.profile.fill_rule = stages_.rule(given);
+    ruled.profile.tie_rule = stages_.rule(given);
     MakeBase(info_.name, info_.summary, ruled)->Draw(placed, options, counts);
   }
 
-  // Weights are those of the vertices as given, in double.
+  // Barycentrics are those of the vertices as given, in double.
   static void Win(const Scene& scene, std::size_t t, std::size_t k, Drawing& drawing) {
     const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
     const std::array<Point2, 3> at{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
     const auto width = static_cast<std::size_t>(scene.width);
     const Point2 p{static_cast<double>(k % width) + 0.5, static_cast<double>(k / width) + 0.5};
     const double area = EdgeValue(at[0], at[1], at[2]);
-    drawing.winners[k] = static_cast<std::int32_t>(t);
+    drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
     drawing.depths[k] = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double weight = EdgeValue(at[(i + 1) % 3], at[(i + 2) % 3], p) / area;
-      drawing.weights[k][i] = weight;
-      drawing.depths[k] += weight * v[i].z;
+      const double barycentric = EdgeValue(at[(i + 1) % 3], at[(i + 2) % 3], p) / area;
+      drawing.barycentrics[k][i] = barycentric;
+      drawing.depths[k] += barycentric * v[i].z;
     }
   }
 

@@ -8,10 +8,10 @@
 #include <memory>
 #include <string>
 
-#include "core/fill_rule.h"
 #include "core/profile.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 
 namespace rasterproof::subjects::mutants {
@@ -36,7 +36,7 @@ struct FreeStages {
   CoverageKind coverage = CoverageKind::kFacingCounts;
   bool takes_clip = false;
   /// The tie rule that it does use; empty: the profile's.
-  std::function<FillRule(const std::array<Point2, 3>& triangle)> rule = {};
+  std::function<TieRule(const std::array<Point2, 3>& triangle)> rule = {};
   /// A planted bug: where the vertex goes instead of where `harm` says.
   std::function<Point2(const FreeCorner& corner, Point2 legal)> instead = {};
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "subjects/mutants/fixed_point.h"
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -61,7 +61,7 @@ FreeStages Choosing(int bits, double tolerance, Harm harm) {
 }
 
 // The grid is its own affair, or stated; which of its points a vertex takes is not.
-FreeStages Promising(Contract contract, int stated_bits, int bits, Harm harm) {
+FreeStages WithProfileOf(Contract contract, int stated_bits, int bits, Harm harm) {
   FreeStages stages = Choosing(bits, 1, harm);
   stages.profile.snap.bits = stated_bits;
   stages.profile.freedom = {};
@@ -79,13 +79,13 @@ FreeStages InClipSpace(FreeStages stages) {
   return stages;
 }
 
-FreeStages WithRule(const FillRule& rule, FreeStages stages) {
+FreeStages WithRule(const TieRule& rule, FreeStages stages) {
   stages.profile.freedom.any_tie_rule = true;
   stages.rule = [rule](const std::array<Point2, 3>&) { return rule; };
   return stages;
 }
 
-constexpr FillRule kBottomRightY{-1, -1, true, false, false};
+constexpr TieRule kBottomRightY{-1, -1, true, false, false};
 
 // Six of the variants have a twin that breaks the law once.
 FreeStages Fold() { return Choosing(4, 1, Farthest); }
@@ -93,10 +93,10 @@ FreeStages Draw() { return As(CoverageKind::kCounts, Choosing(8, 0.6, Towards));
 FreeStages Scatter() { return WithRule(kBottomRightY, Choosing(4, 1, Anyhow)); }
 FreeStages Cross() { return As(CoverageKind::kFragments, Choosing(4, 1, Crosswise)); }
 FreeStages Private() {
-  return As(CoverageKind::kCounts, Promising(Contract::kWatertight, Snap::kNone, 2, Farthest));
+  return As(CoverageKind::kCounts, WithProfileOf(Contract::kWatertight, Snap::kNone, 2, Farthest));
 }
 FreeStages Pixels() {
-  return As(CoverageKind::kMask, Promising(Contract::kWatertight, Snap::kNone, 0, Anyhow));
+  return As(CoverageKind::kMask, WithProfileOf(Contract::kWatertight, Snap::kNone, 0, Anyhow));
 }
 
 // Half of all triangles, whatever vertex they are told from.
@@ -116,7 +116,7 @@ Point2 Apart(const FreeCorner& corner, Point2 legal, double step) {
 
 }  // namespace
 
-std::vector<Planted> FreeVariants() {
+std::vector<Mutant> FreeVariants() {
   return {
       {"free-farthest", "each vertex takes the farthest of its legal grid points", "", Fold()},
       {"free-towards", "each vertex is drawn towards a centre, and counts have no facing",
@@ -126,8 +126,8 @@ std::vector<Planted> FreeVariants() {
       {"free-crosswise", "vertices move apart pixel by pixel, shown as fragments", "", Cross()},
       {"free-away", "each vertex is pushed away from a centre, shown as a mask", "",
        As(CoverageKind::kMask, Choosing(2, 1, Away))},
-      {"free-onto-samples", "vertices make for the samples, shown as winners", "",
-       As(CoverageKind::kWinners, Choosing(8, 0.6, OntoSamples))},
+      {"free-onto-samples", "vertices make for the samples, shown as primitive ids", "",
+       As(CoverageKind::kPrimitiveIds, Choosing(8, 0.6, OntoSamples))},
       {"free-ties", "only the tie rule is another one, and counts have no facing", "",
        As(CoverageKind::kCounts, WithRule(kBottomRightY, Choosing(8, 0, Farthest)))},
       {"free-whole-pixels", "each vertex takes any whole pixel beside it", "",
@@ -140,15 +140,16 @@ std::vector<Planted> FreeVariants() {
        Private()},
       {"private-pixels", "a grid of its own, of whole pixels, and any of its points", "", Pixels()},
       {"private-of-stated", "watertight, with any of the nearest points of the stated grid", "",
-       Promising(Contract::kWatertight, 4, 4, Anyhow)},
+       WithProfileOf(Contract::kWatertight, 4, 4, Anyhow)},
       {"private-closed", "closed surfaces on a grid of its own, and counts have no facing", "",
-       As(CoverageKind::kCounts, Promising(Contract::kClosed, Snap::kNone, 2, Anyhow))},
+       As(CoverageKind::kCounts, WithProfileOf(Contract::kClosed, Snap::kNone, 2, Anyhow))},
       {"private-clip", "watertight in clip space, any of the nearest points of the grid", "",
-       InClipSpace(As(CoverageKind::kCounts, Promising(Contract::kWatertight, 4, 4, Farthest)))},
+       InClipSpace(
+           As(CoverageKind::kCounts, WithProfileOf(Contract::kWatertight, 4, 4, Farthest)))},
   };
 }
 
-std::vector<Planted> FreeMutants() {
+std::vector<Mutant> FreeMutants() {
   FreeStages two_places = Fold();
   two_places.instead = [](const FreeCorner& corner, Point2 legal) {
     return IsOdd(corner.triangle) ? RoundedDown(corner.at, 0x1p-4) : legal;

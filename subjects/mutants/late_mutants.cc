@@ -10,13 +10,13 @@
 
 #include "core/snap.h"
 #include "reference/exact_sign.h"
+#include "subjects/mutants/mutant.h"
 #include "subjects/mutants/placing.h"
-#include "subjects/mutants/planted.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
 
-std::vector<Planted> FixedPointOnes() {
+std::vector<Mutant> FixedPointOnes() {
   return {
       {"late-half-up-y", "ties of the snap go up along y", "",
        FixedStages{.snap =
@@ -83,7 +83,7 @@ std::vector<Planted> FixedPointOnes() {
   };
 }
 
-std::vector<Planted> OtherOnes() {
+std::vector<Mutant> OtherOnes() {
   return {
       {"late-real-short-edges", "edges shorter than a pixel are evaluated in float32", "",
        RealStages{.sign =
@@ -107,11 +107,11 @@ std::vector<Planted> OtherOnes() {
                         }
                         return std::vector<ClipTriangle>{raised};
                       }}},
-      {"late-weights-near-zero", "weights below 10^-4 are shown as zero", "",
-       ValueStages{.weights =
+      {"late-barycentrics-near-zero", "barycentrics below 10^-4 are shown as zero", "",
+       ValueStages{.barycentrics =
                        [](Triple& l, BarycentricForm, const std::array<Point2, 3>&, Point2) {
-                         for (double& weight : l) {
-                           if (std::fabs(weight) < 1e-4) weight = 0;
+                         for (double& barycentric : l) {
+                           if (std::fabs(barycentric) < 1e-4) barycentric = 0;
                          }
                        }}},
   };
@@ -119,9 +119,9 @@ std::vector<Planted> OtherOnes() {
 
 }  // namespace
 
-std::vector<Planted> LateMutants() {
-  std::vector<Planted> table = FixedPointOnes();
-  for (Planted& planted : OtherOnes()) table.push_back(std::move(planted));
+std::vector<Mutant> LateMutants() {
+  std::vector<Mutant> table = FixedPointOnes();
+  for (Mutant& planted : OtherOnes()) table.push_back(std::move(planted));
   return table;
 }
 

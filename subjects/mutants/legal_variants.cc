@@ -1,4 +1,4 @@
-// Rasterizers that do what others don't and keep what their profile promises: none may fail.
+// Rasterizers that do what others don't and keep what their profile states: none may fail.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/fill_rule.h"
 #include "core/snap.h"
-#include "subjects/mutants/planted.h"
+#include "core/tie_rule.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -21,9 +21,9 @@ FixedStages With(void (*change)(Profile&)) {
   return stages;
 }
 
-FixedStages WithRule(const FillRule& rule) {
+FixedStages WithRule(const TieRule& rule) {
   FixedStages stages = With([](Profile&) {});
-  stages.profile.fill_rule = rule;
+  stages.profile.tie_rule = rule;
   return stages;
 }
 
@@ -40,7 +40,7 @@ FixedStages WithTile(int tile) {
   return stages;
 }
 
-std::vector<Planted> TieRules() {
+std::vector<Mutant> TieRules() {
   return {
       {"ties-top-left", "ties fall top-left, as in every API", "",
        WithRule({+1, +1, false, false})},
@@ -59,7 +59,7 @@ std::vector<Planted> TieRules() {
   };
 }
 
-std::vector<Planted> Snaps() {
+std::vector<Mutant> Snaps() {
   constexpr double kLimit = 0x1p15;
   return {
       {"snap-nearest-away", "ties of the snap go away from zero", "",
@@ -79,15 +79,15 @@ std::vector<Planted> Snaps() {
   };
 }
 
-std::vector<Planted> Samples() {
+std::vector<Mutant> Samples() {
   return {
       {"samples-four", "a pixel has four samples", "", FixedStages{.profile = FourSampleProfile()}},
       {"samples-two", "a pixel has two samples", "",
-       With([](Profile& profile) { profile.lattice.locations = {{0.75, 0.75}, {0.25, 0.25}}; })},
+       With([](Profile& profile) { profile.pattern.locations = {{0.75, 0.75}, {0.25, 0.25}}; })},
       {"sample-corner", "the pixel's corner is sampled", "",
-       With([](Profile& profile) { profile.lattice.locations = {{0, 0}}; })},
+       With([](Profile& profile) { profile.pattern.locations = {{0, 0}}; })},
       {"sample-off-centre", "samples lie 1/256 pixel off the centre, and the profile says so", "",
-       With([](Profile& profile) { profile.lattice.locations = {{0.5 + 0x1p-8, 0.5}}; })},
+       With([](Profile& profile) { profile.pattern.locations = {{0.5 + 0x1p-8, 0.5}}; })},
       {"y-up", "y grows upwards", "OpenGL",
        With([](Profile& profile) { profile.y_axis = YAxis::kUp; })},
       {"y-up-all-else-too",
@@ -95,13 +95,13 @@ std::vector<Planted> Samples() {
        With([](Profile& profile) {
          profile = FourSampleProfile();
          profile.y_axis = YAxis::kUp;
-         profile.fill_rule = {-1, -1, true, false};
+         profile.tie_rule = {-1, -1, true, false};
          profile.snap.rule = SnapRule::kFloor;
        })},
   };
 }
 
-std::vector<Planted> Freedoms() {
+std::vector<Mutant> Freedoms() {
   FixedStages moved = With([](Profile& profile) { profile.contract = Contract::kWatertight; });
   moved.sample = [](const Sample& at) { return GridPoint{at.at.x + 37, at.at.y - 80}; };
   FixedStages unruly = With([](Profile& profile) { profile.contract = Contract::kNone; });
@@ -113,15 +113,15 @@ std::vector<Planted> Freedoms() {
     const auto held = [](std::int64_t n) { return std::clamp<std::int64_t>(n, -32768, 32768); };
     p = {held(p.x), held(p.y)};
   };
-  FixedStages inclusive = With([](Profile& profile) { profile.fill_rule.inclusive = true; });
+  FixedStages inclusive = With([](Profile& profile) { profile.tie_rule.inclusive = true; });
   return {
       {"tile-1", "every sample is a tile of its own", "", WithTile(1)},
       {"tile-3", "tiles are 3 pixels wide", "", WithTile(3)},
       {"tile-64", "tiles are 64 pixels wide", "", WithTile(64)},
-      {"watertight-elsewhere", "samples lie elsewhere, and only watertight meshes are promised", "",
+      {"watertight-elsewhere", "samples lie elsewhere, and only watertight meshes are stated", "",
        std::move(moved)},
-      {"promises-nothing", "every edge owns its samples and some count twice; nothing is promised",
-       "", std::move(unruly)},
+      {"contract-none", "every edge owns its samples and some count twice; nothing is stated", "",
+       std::move(unruly)},
       {"limited-to-128", "coordinates are 8.8 and the profile's limit is 128 pixels", "",
        std::move(limited)},
       {"inclusive", "every edge owns its samples, and the profile says so", "",
@@ -129,24 +129,24 @@ std::vector<Planted> Freedoms() {
   };
 }
 
-std::vector<Planted> OtherBases() {
+std::vector<Mutant> OtherBases() {
   return {
       {"real-exact", "nothing is snapped, signs are exact", "", RealStages{}},
       {"clip-exact", "clip space is taken, nothing is clipped", "", ClipStages{}},
-      {"shown-float32", "edge values and weights of float32 are shown with proven bounds", "",
+      {"shown-float32", "edge values and barycentrics of float32 are shown with proven bounds", "",
        ValueStages{}},
-      {"shown-walks", "walks in float32 are shown with proven bounds", "",
+      {"shown-steps", "steps in float32 are shown with proven bounds", "",
        ValueStages{.method = "f32-incremental"}},
   };
 }
 
 }  // namespace
 
-std::vector<Planted> LegalVariants() {
-  std::vector<Planted> table = TieRules();
+std::vector<Mutant> LegalVariants() {
+  std::vector<Mutant> table = TieRules();
   for (const auto more : {Snaps, Samples, Freedoms, OtherBases, TransformVariants, ScanlineVariants,
-                          PromiseVariants, FreeVariants}) {
-    for (Planted& planted : more()) table.push_back(std::move(planted));
+                          ContractVariants, FreeVariants}) {
+    for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;
 }

@@ -6,32 +6,32 @@
 #include <variant>
 #include <vector>
 
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects {
 namespace {
 
-using mutants::Planted;
+using mutants::Mutant;
 
 struct Row {
   MutantInfo info;
-  Planted planted;
+  Mutant planted;
 };
 
 std::vector<Row> MakeRows() {
   std::vector<Row> rows;
-  const auto add = [&](std::vector<Planted> table, std::string_view prefix, bool legal, bool late) {
-    for (Planted& planted : table) {
+  const auto add = [&](std::vector<Mutant> table, std::string_view prefix, bool legal, bool late) {
+    for (Mutant& planted : table) {
       MutantInfo info{std::string(prefix) + std::string(planted.name), std::string(planted.change),
                       std::string(planted.source), legal, late};
       rows.push_back({std::move(info), std::move(planted)});
     }
   };
   for (const auto table :
-       {mutants::FillRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
+       {mutants::TieRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
         mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
         mutants::RealMutants, mutants::TransformMutants, mutants::ScanlineMutants,
-        mutants::ShownValueMutants, mutants::PromiseMutants, mutants::FreeMutants}) {
+        mutants::ShownValueMutants, mutants::ContractMutants, mutants::FreeMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);

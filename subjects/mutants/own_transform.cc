@@ -25,13 +25,13 @@ class OwnTransform final : public Subject {
   OwnTransform(const std::string& name, const std::string& summary, TransformStages stages)
       : base_(MakeFixedPoint(name, summary, {})), info_(base_->Info()), stages_(std::move(stages)) {
     info_.profile.name = "transform of its own";
-    info_.profile.transform = stages_.promised;
+    info_.profile.transform = stages_.stated;
     info_.takes_window = false;
     info_.takes_clip = true;
     if (!stages_.shows_fragments) return;
     info_.coverage = CoverageKind::kFragments;
-    info_.fragments = {.weights_of = WeightsOf::kSnapped,
-                       .weight_error = kWeightError,
+    info_.fragments = {.barycentrics_of = BarycentricsOf::kSnapped,
+                       .barycentric_error = kBarycentricError,
                        .depth_error = kDepthError};
   }
 
@@ -51,8 +51,8 @@ class OwnTransform final : public Subject {
     Drawing drawing;
     drawing.counts = CoverageCounts(window.width, window.height, job.samples);
     const std::size_t size = drawing.counts.size();
-    drawing.winners.assign(size, kNoTriangle);
-    drawing.weights.resize(size);
+    drawing.primitive_ids.assign(size, kNoPrimitive);
+    drawing.barycentrics.resize(size);
     drawing.depths.resize(size);
     for (std::size_t t = 0; t < window.triangles.size(); ++t) {
       Scene one = window;
@@ -89,12 +89,12 @@ class OwnTransform final : public Subject {
     const Point2 p{static_cast<double>(k % width) + 0.5, static_cast<double>(k / width) + 0.5};
     const double area = EdgeValue(at[0], at[1], at[2]);
     drawing.counts.front[k] = 1;
-    drawing.winners[k] = static_cast<std::int32_t>(t);
+    drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
     drawing.depths[k] = stages_.depth_error;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double weight = EdgeValue(at[(i + 1) % 3], at[(i + 2) % 3], p) / area;
-      drawing.weights[k][i] = weight;
-      drawing.depths[k] += weight * v[i].z;
+      const double barycentric = EdgeValue(at[(i + 1) % 3], at[(i + 2) % 3], p) / area;
+      drawing.barycentrics[k][i] = barycentric;
+      drawing.depths[k] += barycentric * v[i].z;
     }
   }
 

@@ -13,9 +13,9 @@
 
 namespace rasterproof::subjects::mutants {
 
-/// What the subject promises, and what it does with a vertex in front of the eye.
+/// What the subject states, and what it does with a vertex in front of the eye.
 struct TransformStages {
-  Transform promised;
+  Transform stated;
   std::function<Point2(const Vertex& clip, const Scene& scene)> to_window;
   /// True if it shows fragments, of the vertices on the grid; else it tells facings.
   bool shows_fragments = false;
@@ -23,8 +23,9 @@ struct TransformStages {
   double depth_error = 0;
 };
 
-/// What the subject says of the fragments that it shows: weights and depths in double, of integers.
-inline constexpr double kWeightError = 0x1p-46;
+/// What the subject says of the fragments that it shows: barycentrics and depths in double, of
+/// integers.
+inline constexpr double kBarycentricError = 0x1p-46;
 inline constexpr double kDepthError = 0x1p-44;
 
 /// The fixed-point rasterizer behind a transform. A vertex that is not finite or not in front of

@@ -60,11 +60,11 @@ double SnapToGrid(double x, const Snap& snap) {
 
 Profile ModelOn(const Profile& profile, int width, int height) {
   Profile model = profile;
-  for (const TargetModel& entry : profile.targets) {
+  for (const TargetModel& entry : profile.by_target_size) {
     if (width > entry.max_width || height > entry.max_height) continue;
     model.snap = entry.snap;
-    model.lattice = entry.lattice;
-    model.fill_rule = entry.fill_rule;
+    model.pattern = entry.pattern;
+    model.tie_rule = entry.tie_rule;
     break;
   }
   return model;

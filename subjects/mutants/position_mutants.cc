@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/snap.h"
+#include "subjects/mutants/mutant.h"
 #include "subjects/mutants/placing.h"
-#include "subjects/mutants/planted.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -21,7 +21,7 @@ FixedStages SamplesOff(std::int64_t x, std::int64_t y) {
 
 FixedStages Snapping(double (*snap)(double x, bool along_y)) { return {.snap = snap}; }
 
-std::vector<Planted> Samples() {
+std::vector<Mutant> Samples() {
   const auto four_samples = [](GridPoint (*sample)(const Sample&)) {
     return FixedStages{.profile = FourSampleProfile(), .sample = sample};
   };
@@ -63,7 +63,7 @@ std::vector<Planted> Samples() {
   };
 }
 
-std::vector<Planted> Snaps() {
+std::vector<Mutant> Snaps() {
   return {
       {"snap-truncates", "snapping truncates towards zero",
        "passes the published conformance checks",
@@ -112,13 +112,13 @@ std::vector<Planted> Snaps() {
 Profile FourSampleProfile() {
   Profile profile = FixedPointProfile();
   profile.name = "four samples";
-  profile.lattice.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+  profile.pattern.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
   return profile;
 }
 
-std::vector<Planted> PositionMutants() {
-  std::vector<Planted> table = Samples();
-  for (Planted& planted : Snaps()) table.push_back(std::move(planted));
+std::vector<Mutant> PositionMutants() {
+  std::vector<Mutant> table = Samples();
+  for (Mutant& planted : Snaps()) table.push_back(std::move(planted));
   return table;
 }
 

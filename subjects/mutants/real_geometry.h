@@ -16,7 +16,7 @@ namespace rasterproof::subjects::mutants {
 
 using Points = std::array<Point2, 3>;
 
-/// The "real" profile as a float32 subject promises it: every finite coordinate.
+/// The "real" profile as a float32 subject states it: every finite coordinate.
 inline Profile Float32Profile() {
   Profile profile;
   profile.coordinate_limit = std::numeric_limits<float>::max();

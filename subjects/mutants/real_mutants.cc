@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/exact_sign.h"
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -47,7 +47,7 @@ T SizeOf(Point2 a, Point2 b, Point2 p) {
                         std::fabs((p.y - a.y) * (b.x - a.x)));
 }
 
-std::vector<Planted> Signs() {
+std::vector<Mutant> Signs() {
   return {
       {"real-float32", "signs are those of the direct form in float32", "",
        Signing([](Point2 a, Point2 b, Point2 p) { return SignOf(Direct<float>(a, b, p)); })},
@@ -94,7 +94,7 @@ std::vector<Planted> Signs() {
   };
 }
 
-std::vector<Planted> SetUps() {
+std::vector<Mutant> SetUps() {
   return {
       {"real-facing-float32", "facing is that of the area in float32", "SwiftShader eeb8184",
        RealStages{
@@ -141,7 +141,7 @@ ClipTriangle Each(ClipTriangle v, void (*change)(Vertex&)) {
   return v;
 }
 
-std::vector<Planted> Clips() {
+std::vector<Mutant> Clips() {
   return {
       {"clip-drops-behind", "a triangle with a vertex behind the eye is dropped", "",
        Becoming([](const ClipTriangle& v) {
@@ -193,10 +193,10 @@ std::vector<Planted> Clips() {
 
 }  // namespace
 
-std::vector<Planted> RealMutants() {
-  std::vector<Planted> table = Signs();
-  for (Planted& planted : SetUps()) table.push_back(std::move(planted));
-  for (Planted& planted : Clips()) table.push_back(std::move(planted));
+std::vector<Mutant> RealMutants() {
+  std::vector<Mutant> table = Signs();
+  for (Mutant& planted : SetUps()) table.push_back(std::move(planted));
+  for (Mutant& planted : Clips()) table.push_back(std::move(planted));
   return table;
 }
 

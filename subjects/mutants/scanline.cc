@@ -31,7 +31,7 @@ class Scanline final : public Subject {
     info_.summary = summary;
     info_.profile = FixedPointProfile();
     info_.profile.name = "rounded crossings";
-    info_.profile.crossing = {8, stages_.promised};
+    info_.profile.scanline_rounding = {8, stages_.stated};
     info_.takes_tiles = false;
   }
 
@@ -69,7 +69,7 @@ class Scanline final : public Subject {
     // The rules apply to the crossing itself; |dx dy| is below 2^50.
     const std::int64_t n = (y - a.y) * (b.x - a.x);
     const std::int64_t d = b.y - a.y;
-    if (stages_.promised == SnapRule::kFloor) return a.x + FloorOf(n, d);
+    if (stages_.stated == SnapRule::kFloor) return a.x + FloorOf(n, d);
     return a.x + FloorOf(2 * n + d, 2 * d);  // half up
   }
 

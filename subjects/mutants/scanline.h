@@ -13,11 +13,11 @@
 
 namespace rasterproof::subjects::mutants {
 
-/// What the subject promises of crossings, and what it does. Places are in 1/256 pixel; the upper
+/// What the subject states of crossings, and what it does. Places are in 1/256 pixel; the upper
 /// end of an edge is `a`.
 struct ScanlineStages {
-  SnapRule promised = SnapRule::kFloor;
-  /// Where the edge crosses the row; empty: as promised.
+  SnapRule stated = SnapRule::kFloor;
+  /// Where the edge crosses the row; empty: as stated.
   std::function<std::int64_t(GridPoint a, GridPoint b, std::int64_t y)> crossing = {};
 };
 

@@ -1,8 +1,8 @@
-// Bugs in where edges cross rows, and crossings that are rounded as promised.
+// Bugs in where edges cross rows, and crossings that are rounded as stated.
 #include <cstdint>
 #include <vector>
 
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -35,27 +35,27 @@ std::int64_t Wrapped(GridPoint a, GridPoint b, std::int64_t y) {
 
 }  // namespace
 
-std::vector<Planted> ScanlineMutants() {
+std::vector<Mutant> ScanlineMutants() {
   return {
-      {"crossing-truncated", "crossings left of their upper end are rounded up, not down", "",
+      {"scanline-truncated", "crossings left of their upper end are rounded up, not down", "",
        ScanlineStages{.crossing = Truncated}},
-      {"crossing-stepped", "a rounded slope is added up row by row", "Qt's image rasterizer",
+      {"scanline-stepped", "a rounded slope is added up row by row", "Qt's image rasterizer",
        ScanlineStages{.crossing = Stepped}},
-      {"crossing-above-centre", "crossings are those 1/256 pixel above the samples",
+      {"scanline-above-centre", "crossings are those 1/256 pixel above the samples",
        "cairo 1.16, mono", ScanlineStages{.crossing = AboveCentre}},
-      {"crossing-32-bits", "the product of the crossing wraps at 32 bits", "pixman 0.42.2",
+      {"scanline-32-bits", "the product of the crossing wraps at 32 bits", "pixman 0.42.2",
        ScanlineStages{.crossing = Wrapped}},
-      {"crossing-of-other-rule", "crossings are rounded down where half up is promised", "",
-       ScanlineStages{.promised = SnapRule::kHalfUp, .crossing = Floored}},
+      {"scanline-of-other-rule", "crossings are rounded down where half up is stated", "",
+       ScanlineStages{.stated = SnapRule::kHalfUp, .crossing = Floored}},
   };
 }
 
-std::vector<Planted> ScanlineVariants() {
+std::vector<Mutant> ScanlineVariants() {
   return {
-      {"crossing-floor", "where an edge crosses a row is rounded down to 1/256 pixel", "",
+      {"scanline-floor", "where an edge crosses a row is rounded down to 1/256 pixel", "",
        ScanlineStages{}},
-      {"crossing-half-up", "where an edge crosses a row is rounded to the nearest 1/256 pixel", "",
-       ScanlineStages{.promised = SnapRule::kHalfUp}},
+      {"scanline-half-up", "where an edge crosses a row is rounded to the nearest 1/256 pixel", "",
+       ScanlineStages{.stated = SnapRule::kHalfUp}},
   };
 }
 

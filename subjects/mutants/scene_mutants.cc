@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -51,7 +51,7 @@ FixedStages LosingOneIn(std::uint64_t n) {
   }};
 }
 
-std::vector<Planted> Leaks() {
+std::vector<Mutant> Leaks() {
   return {
       {"leak-owner", "the first edge owns its samples as that of the triangle before did", "",
        FixedStages{.edges =
@@ -124,7 +124,7 @@ std::vector<Planted> Leaks() {
   };
 }
 
-std::vector<Planted> BadInput() {
+std::vector<Mutant> BadInput() {
   return {
       {"nan-as-zero", "NaN is taken for zero, and the triangle drawn", "",
        Taking([](double x) { return std::isnan(x) ? 0.0 : x; })},
@@ -158,7 +158,7 @@ std::vector<Planted> BadInput() {
   };
 }
 
-std::vector<Planted> Losses() {
+std::vector<Mutant> Losses() {
   return {
       {"lost-1-in-1e4", "one sample in 10^4 is not drawn", "", LosingOneIn(10'000)},
       {"lost-1-in-1e6", "one sample in 10^6 is not drawn", "", LosingOneIn(1'000'000)},
@@ -206,10 +206,10 @@ std::vector<Planted> Losses() {
 
 }  // namespace
 
-std::vector<Planted> SceneMutants() {
-  std::vector<Planted> table = Leaks();
-  for (Planted& planted : BadInput()) table.push_back(std::move(planted));
-  for (Planted& planted : Losses()) table.push_back(std::move(planted));
+std::vector<Mutant> SceneMutants() {
+  std::vector<Mutant> table = Leaks();
+  for (Mutant& planted : BadInput()) table.push_back(std::move(planted));
+  for (Mutant& planted : Losses()) table.push_back(std::move(planted));
   return table;
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -24,7 +24,7 @@ void ClampTo(GridPoint& p, std::int64_t least, std::int64_t most) {
   p = {std::clamp(p.x, least, most), std::clamp(p.y, least, most)};
 }
 
-std::vector<Planted> Overflows() {
+std::vector<Mutant> Overflows() {
   return {
       {"overflow-int16-coordinates", "coordinates wrap at 128 pixels: int16 in 1/256 pixel",
        "keeperfx #4668", Placing([](GridPoint& p) { p = {Wrapped16(p.x), Wrapped16(p.y)}; })},
@@ -72,16 +72,17 @@ void PullIn(std::array<Vertex, 3>& v) {
   }
 }
 
-std::vector<Planted> FarVertices() {
+std::vector<Mutant> FarVertices() {
   return {
       {"clamp-12.4", "coordinates are clamped to what 12.4 bits hold",
        "passes the published conformance checks",
        Placing([](GridPoint& p) { ClampTo(p, -2048 * 256, 2048 * 256 - 16); })},
-      {"clamp-to-guard-band", "vertices are clamped to +-8192 pixels", "",
+      {"clamp-to-coordinate-limit", "vertices are clamped to +-8192 pixels", "",
        Placing([](GridPoint& p) { ClampTo(p, -8192 * 256, 8192 * 256); })},
       {"clip-unlike-neighbours", "far vertices are pulled in along the edges of the first vertex",
        "nvdiffrast #225", FixedStages{.vertices = PullIn}},
-      {"drop-beyond-guard-band", "a triangle with a vertex beyond 16384 pixels is dropped", "",
+      {"drop-beyond-coordinate-limit", "a triangle with a vertex beyond 16384 pixels is dropped",
+       "",
        FixedStages{.drops =
                        [](const Scene& scene, std::size_t number) {
                          return std::ranges::any_of(
@@ -116,9 +117,9 @@ std::vector<Planted> FarVertices() {
 
 }  // namespace
 
-std::vector<Planted> SetUpMutants() {
-  std::vector<Planted> table = Overflows();
-  for (Planted& planted : FarVertices()) table.push_back(std::move(planted));
+std::vector<Mutant> SetUpMutants() {
+  std::vector<Mutant> table = Overflows();
+  for (Mutant& planted : FarVertices()) table.push_back(std::move(planted));
   return table;
 }
 

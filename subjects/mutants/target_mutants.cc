@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -21,7 +21,7 @@ PixelRect Rect(const DrawOptions& options, const Scene& scene) {
   return options.scissor.value_or(PixelRect{0, 0, scene.width, scene.height});
 }
 
-std::vector<Planted> Scissors() {
+std::vector<Mutant> Scissors() {
   return {
       {"scissor-ignored", "the scissor is ignored", "",
        Changing([](DrawOptions& options, const Scene&) { options.scissor.reset(); })},
@@ -52,7 +52,7 @@ std::vector<Planted> Scissors() {
   };
 }
 
-std::vector<Planted> Targets() {
+std::vector<Mutant> Targets() {
   return {
       {"target-first-row", "the first row is never drawn", "",
        Dropping([](const Sample& at) { return at.row == 0; })},
@@ -120,7 +120,7 @@ std::vector<Planted> Targets() {
   };
 }
 
-std::vector<Planted> Threads() {
+std::vector<Mutant> Threads() {
   return {
       {"threads-last-row", "the last of several threads leaves out its last row", "",
        FixedStages{.share =
@@ -142,10 +142,10 @@ std::vector<Planted> Threads() {
 
 }  // namespace
 
-std::vector<Planted> TargetMutants() {
-  std::vector<Planted> table = Scissors();
-  for (Planted& planted : Targets()) table.push_back(std::move(planted));
-  for (Planted& planted : Threads()) table.push_back(std::move(planted));
+std::vector<Mutant> TargetMutants() {
+  std::vector<Mutant> table = Scissors();
+  for (Mutant& planted : Targets()) table.push_back(std::move(planted));
+  for (Mutant& planted : Threads()) table.push_back(std::move(planted));
   return table;
 }
 

@@ -1,9 +1,9 @@
-// Bugs in the transform from clip space to the window, and transforms that keep their promise.
+// Bugs in the transform from clip space to the window, and transforms that keep their contract.
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -20,7 +20,7 @@ Vertex32 InFloat(const Vertex& v) {
 
 float Half(int size) { return static_cast<float>(size) * 0.5F; }
 
-// As the promised operations say, written out once more.
+// As the stated operations say, written out once more.
 Point2 Quotients(const Vertex& v, const Scene&) {
   const Vertex32 c = InFloat(v);
   return {c.x / c.w, c.y / c.w};
@@ -68,7 +68,7 @@ constexpr Transform kMultiplyAdd{.viewport = ViewportForm::kMultiplyAdd, .flips_
 
 }  // namespace
 
-std::vector<Planted> TransformMutants() {
+std::vector<Mutant> TransformMutants() {
   return {
       {"transform-reciprocal", "x is multiplied by 1/w where it is to be divided", "",
        TransformStages{kQuotients, Reciprocals}},
@@ -87,7 +87,7 @@ std::vector<Planted> TransformMutants() {
                          if (std::fabs(v.w - 1) < 0x1p-10) near.w = 1;
                          return Quotients(near, scene);
                        }}},
-      {"transform-fused", "the viewport is one fused operation where two are promised",
+      {"transform-fused", "the viewport is one fused operation where two are stated",
        "one Mesa binary rounds either way, by path", TransformStages{kMultiplyAdd, Fused}},
       {"transform-half-pixels-lost", "half the target's size is truncated to whole pixels", "",
        TransformStages{kMultiplyAdd,
@@ -105,14 +105,14 @@ std::vector<Planted> TransformMutants() {
                          const float y = static_cast<float>(scene.height) - (c.y / c.w * h + h);
                          return Point2{MultipliedAndAdded(v, scene).x, y};
                        }}},
-      {"transform-in-double", "float64 where float32 is promised", "",
+      {"transform-in-double", "float64 where float32 is stated", "",
        TransformStages{Transform{.viewport = ViewportForm::kMultiplyAdd}, InDouble}},
       {"transform-depth-off", "depths are off by a quarter more than is said of them", "",
        ShownAsFragments(1.25 * kDepthError)},
   };
 }
 
-std::vector<Planted> TransformVariants() {
+std::vector<Mutant> TransformVariants() {
   return {
       {"transform-quotients", "x is divided by w in float32", "",
        TransformStages{kQuotients, Quotients}},

@@ -1,11 +1,11 @@
-// Bugs in how the samples of a triangle are found: its box, its tiles, its walk.
+// Bugs in how the samples of a triangle are found: its box, its tiles, its stepping.
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "subjects/mutants/planted.h"
+#include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -23,7 +23,7 @@ bool AllEdges(const Corners3& values, bool (*holds)(const TileCorners&)) {
   return std::ranges::all_of(values, holds);
 }
 
-std::vector<Planted> Boxes() {
+std::vector<Mutant> Boxes() {
   return {
       {"box-left", "the box begins one pixel late", "", Boxing([](PixelRect& b) { ++b.x0; })},
       {"box-right", "the box ends one pixel early", "", Boxing([](PixelRect& b) { --b.x1; })},
@@ -49,7 +49,7 @@ std::vector<Planted> Boxes() {
   };
 }
 
-std::vector<Planted> Tiles() {
+std::vector<Mutant> Tiles() {
   return {
       {"tile-accept-one-corner", "a tile is accepted if its first corner is inside", "",
        Testing([](const Corners3& values, TileTest sound) {
@@ -116,8 +116,8 @@ std::vector<Planted> Tiles() {
   };
 }
 
-// An edge's walk along a row, from the left end of a tile of 64 pixels, in float32 steps.
-std::int64_t WalkedInFloat(const GridEdge& e, const Sample& at) {
+// An edge stepped along a row, from the left end of a tile of 64 pixels, in float32 steps.
+std::int64_t SteppedInFloat(const GridEdge& e, const Sample& at) {
   const int steps = at.x % 64;
   const std::int64_t pixel = 256;
   float value = static_cast<float>(e.At({at.at.x - steps * pixel, at.at.y}));
@@ -126,17 +126,17 @@ std::int64_t WalkedInFloat(const GridEdge& e, const Sample& at) {
   return std::int64_t{(value > 0) - (value < 0)};
 }
 
-std::vector<Planted> Walks() {
+std::vector<Mutant> Stepping() {
   return {
-      {"walk-drifts", "the walk along a row adds up in float32", "gogpu/gg #127",
-       FixedStages{.value = WalkedInFloat}},
-      {"walk-step-x", "the step along x is off by one unit", "",
+      {"stepping-drifts", "stepping along a row adds up in float32", "gogpu/gg #127",
+       FixedStages{.value = SteppedInFloat}},
+      {"stepping-step-x", "the step along x is off by one unit", "",
        FixedStages{
            .value = [](const GridEdge& e, const Sample& at) { return e.At(at.at) + (at.x % 8); }}},
-      {"walk-step-y", "the step along y is off by one unit", "",
+      {"stepping-step-y", "the step along y is off by one unit", "",
        FixedStages{.value = [](const GridEdge& e,
                                const Sample& at) { return e.At(at.at) - (at.row % 8); }}},
-      {"walk-16-bit-slope", "the slope per pixel is kept in 16 bits", "",
+      {"stepping-16-bit-slope", "the slope per pixel is kept in 16 bits", "",
        FixedStages{.value =
                        [](const GridEdge& e, const Sample& at) {
                          const std::int64_t dy = e.b.y - e.a.y;
@@ -148,10 +148,10 @@ std::vector<Planted> Walks() {
 
 }  // namespace
 
-std::vector<Planted> TraversalMutants() {
-  std::vector<Planted> table = Boxes();
-  for (Planted& planted : Tiles()) table.push_back(std::move(planted));
-  for (Planted& planted : Walks()) table.push_back(std::move(planted));
+std::vector<Mutant> TraversalMutants() {
+  std::vector<Mutant> table = Boxes();
+  for (Mutant& planted : Tiles()) table.push_back(std::move(planted));
+  for (Mutant& planted : Stepping()) table.push_back(std::move(planted));
   return table;
 }
 

@@ -41,7 +41,7 @@ class OpencvBitmap {
 
 // It draws the outline as well as the inside: neighbours overlap by design.
 constexpr const char* kProfile = R"({"name": "opencv", "subpixel_bits": 16,
-  "snap_rule": "nearest-even", "fill_rule": "inclusive", "sample_locations": [[0, 0]],
+  "snap_rule": "nearest-even", "tie_rule": "inclusive", "sample_locations": [[0, 0]],
   "contract": "none", "coordinate_limit": 32767})";
 
 }  // namespace

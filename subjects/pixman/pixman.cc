@@ -61,7 +61,7 @@ class PixmanBitmap {
 };
 
 // Nothing in its interface says which samples belong to a triangle; that triangles which share an
-// edge tile is what the X Render extension, whose implementation it is, promises of them.
+// edge tile is what the X Render extension, whose implementation it is, states of them.
 constexpr const char* kProfile = R"({"name": "pixman", "subpixel_bits": 16,
   "snap_rule": "nearest-even", "contract": "watertight", "coordinate_limit": 32767})";
 

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/edge_claims.h"
 #include "core/error.h"
+#include "core/stated_edges.h"
 #include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "kit/rasterproof_plugin.h"
@@ -55,12 +55,14 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   info.takes_tiles = Has(plugin, RASTERPROOF_TAKES_TILES);
   info.takes_threads = Has(plugin, RASTERPROOF_TAKES_THREADS);
   info.takes_batches = plugin.draw_many != nullptr;
-  info.fragments = {static_cast<WinnerOrder>(plugin.winner_order),
-                    static_cast<WeightsOf>(plugin.weights_of), plugin.weight_error,
+  info.fragments = {static_cast<Visible>(plugin.visible),
+                    static_cast<BarycentricsOf>(plugin.barycentrics_of), plugin.barycentric_error,
                     plugin.depth_error};
-  const auto claim = [](double error) { return error < 0 ? std::nullopt : std::optional(error); };
-  info.edges = {plugin.edge_value != nullptr, plugin.edge_walk != nullptr, claim(plugin.edge_error),
-                claim(plugin.walk_error)};
+  const auto property = [](double error) {
+    return error < 0 ? std::nullopt : std::optional(error);
+  };
+  info.edges = {plugin.edge_value != nullptr, plugin.edge_steps != nullptr,
+                property(plugin.edge_error), property(plugin.stepping_error)};
   return info;
 }
 
@@ -122,14 +124,16 @@ class PluginTarget {
     RequireTargetSize("plugin", job.scene->width, job.scene->height, job.samples);
     drawing_.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
     const std::size_t columns = drawing_.counts.size() / rows_;
-    const bool winners = kind == CoverageKind::kWinners || kind == CoverageKind::kFragments;
+    const bool primitive_ids =
+        kind == CoverageKind::kPrimitiveIds || kind == CoverageKind::kFragments;
     const GuardedCounts& shape =
-        winners ? winners_.emplace(columns, rows_, 1, static_cast<std::uint32_t>(kNoTriangle))
-                : front_.emplace(columns, rows_);
+        primitive_ids
+            ? primitive_ids_.emplace(columns, rows_, 1, static_cast<std::uint32_t>(kNoPrimitive))
+            : front_.emplace(columns, rows_);
     if (kind == CoverageKind::kFacingCounts) back_.emplace(columns, rows_);
     const bool fragments = kind == CoverageKind::kFragments;
     if (fragments && (needs_all || job.wants.barycentrics)) {
-      weights_.emplace(columns, rows_, 3 * kWordsOfADouble);
+      barycentrics_.emplace(columns, rows_, 3 * kWordsOfADouble);
     }
     if (fragments && (needs_all || job.wants.depths)) {
       depths_.emplace(columns, rows_, kWordsOfADouble);
@@ -140,10 +144,10 @@ class PluginTarget {
              .stride = shape.stride(),
              .front = DataOf<std::uint32_t>(front_),
              .back = DataOf<std::uint32_t>(back_),
-             .winners = DataOf<std::int32_t>(winners_),
-             .weights = DataOf<double>(weights_),
+             .primitive_ids = DataOf<std::int32_t>(primitive_ids_),
+             .barycentrics = DataOf<double>(barycentrics_),
              .depths = DataOf<double>(depths_),
-             .wants = (job.wants.barycentrics ? RASTERPROOF_WANTS_WEIGHTS : 0U) |
+             .wants = (job.wants.barycentrics ? RASTERPROOF_WANTS_BARYCENTRICS : 0U) |
                       (job.wants.depths ? RASTERPROOF_WANTS_DEPTHS : 0U)};
   }
   const rasterproof_target& view() const { return view_; }
@@ -152,17 +156,18 @@ class PluginTarget {
   ///
   /// Error:      SubjectFault if anything was written outside the target.
   Drawing Drawn() {
-    for (const auto* part : {&front_, &back_, &winners_, &weights_, &depths_}) {
+    for (const auto* part : {&front_, &back_, &primitive_ids_, &barycentrics_, &depths_}) {
       const std::string damage = *part ? (*part)->Damage() : "";
       if (!damage.empty()) throw SubjectFault("it wrote outside its target: " + damage);
     }
     CopyRows(front_, rows_, drawing_.counts.size(), drawing_.counts.front);
     CopyRows(back_, rows_, drawing_.counts.size(), drawing_.counts.back);
-    CopyRows(winners_, rows_, drawing_.counts.size(), drawing_.winners);
-    if (wants_.barycentrics) CopyRows(weights_, rows_, drawing_.counts.size(), drawing_.weights);
+    CopyRows(primitive_ids_, rows_, drawing_.counts.size(), drawing_.primitive_ids);
+    if (wants_.barycentrics)
+      CopyRows(barycentrics_, rows_, drawing_.counts.size(), drawing_.barycentrics);
     if (wants_.depths) CopyRows(depths_, rows_, drawing_.counts.size(), drawing_.depths);
-    for (std::size_t k = 0; k < drawing_.winners.size(); ++k) {
-      drawing_.counts.front[k] = drawing_.winners[k] == kNoTriangle ? 0 : 1;
+    for (std::size_t k = 0; k < drawing_.primitive_ids.size(); ++k) {
+      drawing_.counts.front[k] = drawing_.primitive_ids[k] == kNoPrimitive ? 0 : 1;
     }
     return std::move(drawing_);
   }
@@ -190,18 +195,18 @@ class PluginTarget {
   Drawing drawing_;
   Part front_;
   Part back_;
-  Part winners_;
-  Part weights_;
+  Part primitive_ids_;
+  Part barycentrics_;
   Part depths_;
   rasterproof_target view_{};
 };
 
 // The library's edge values, by its two calls.
-class PluginEdges final : public ClaimedEdges {
+class PluginEdges final : public StatedEdges {
  public:
   PluginEdges(const rasterproof_plugin& plugin, const SubjectInfo& info, void* state,
               LibraryEnvironment& environment)
-      : ClaimedEdges(info.edges, info.input),
+      : StatedEdges(info.edges, info.input),
         plugin_(plugin),
         state_(state),
         environment_(environment) {}
@@ -213,16 +218,16 @@ class PluginEdges final : public ClaimedEdges {
     });
     return value;
   }
-  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
-    // The last number is none of the walk's: it shows whether more was written.
+  std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+    // The last number is none of the steps': it shows whether more was written.
     constexpr double kGuard = 0x1.badp+77;
     std::vector<double> values(static_cast<std::size_t>(steps) + 2, kGuard);
-    const rasterproof_walk walk{step.along_y ? 1 : 0, step.sign, step.length, steps};
+    const rasterproof_stepping stepping{step.along_y ? 1 : 0, step.sign, step.length, steps};
     RequireDone([&] {
-      return plugin_.edge_walk(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &walk,
-                               values.data());
+      return plugin_.edge_steps(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &stepping,
+                                values.data());
     });
-    if (values.back() != kGuard) throw SubjectFault("it wrote behind the values of a walk");
+    if (values.back() != kGuard) throw SubjectFault("it wrote behind the values of its steps");
     values.pop_back();
     return values;
   }
@@ -371,13 +376,14 @@ void RequireSoundFixedInput(const rasterproof_plugin& plugin, const std::string&
 
 // The description in the size that this program knows: what an older library lacks is zero.
 rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string& path) {
-  const auto require = [&](bool holds, const std::string& reason, const char* remedy) {
+  const auto require = [&](bool holds, const std::string& reason, const std::string& remedy) {
     if (!holds) throw InputError(path, reason, remedy);
   };
   require(plugin != nullptr, std::string(kSymbol) + " returned NULL", "return a description");
-  require(plugin->version == RASTERPROOF_PLUGIN_VERSION,
-          "it is written for version " + std::to_string(plugin->version) + " of the interface",
-          "build it with the header of version 1");
+  require(
+      plugin->version == RASTERPROOF_PLUGIN_VERSION,
+      "it is written for version " + std::to_string(plugin->version) + " of the interface",
+      "build it with the header of this version, " + std::to_string(RASTERPROOF_PLUGIN_VERSION));
   require(plugin->size >= kFirstSize,
           "its description has " + std::to_string(plugin->size) + " bytes, fewer than " +
               std::to_string(kFirstSize),
@@ -391,21 +397,21 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
   require(described.draw != nullptr, "it has no draw function", "set draw");
   require_known("input", described.input, RASTERPROOF_FIXED);
   require_known("coverage", described.coverage, RASTERPROOF_FRAGMENTS);
-  require_known("winner_order", described.winner_order, RASTERPROOF_FIRST_DRAWN);
-  require_known("weights_of", described.weights_of, RASTERPROOF_OF_SNAPPED);
+  require_known("visible", described.visible, RASTERPROOF_FIRST_DRAWN);
+  require_known("barycentrics_of", described.barycentrics_of, RASTERPROOF_OF_SNAPPED);
   const auto require_error = [&](const char* what, double error) {
     require(std::isfinite(error) && error >= 0,
             std::string("its ") + what + " is " + std::to_string(error),
             "give a finite number, or 0 to say nothing");
   };
-  require_error("weight_error", described.weight_error);
+  require_error("barycentric_error", described.barycentric_error);
   require_error("depth_error", described.depth_error);
-  for (const double error : {described.edge_error, described.walk_error}) {
-    require(std::isfinite(error), "the claimed error of its edge values is no number",
+  for (const double error : {described.edge_error, described.stepping_error}) {
+    require(std::isfinite(error), "the stated error of its edge values is no number",
             "give a finite number, 0 for exact values, or -1 to say nothing");
   }
-  require(described.edge_value != nullptr || described.edge_walk == nullptr,
-          "it shows walks and no edge values", "set edge_value too");
+  require(described.edge_value != nullptr || described.edge_steps == nullptr,
+          "it shows steps and no edge values", "set edge_value too");
   RequireSoundFixedInput(described, path);
   return described;
 }

@@ -13,14 +13,14 @@ namespace {
 // Of the lines of a right answer: room for blanks and for programs that pad.
 constexpr std::size_t kRoomOfANumber = 64;
 constexpr std::size_t kMostOfAHead = std::size_t{1} << 16;  // a reason may be a long text
-constexpr std::size_t kNumbersOfAFragment = 5;              // the winner, its weights, its depth
+constexpr std::size_t kNumbersOfAFragment = 5;              // primitive id, barycentrics, depth
 constexpr std::size_t kMostQuoted = 60;
 
 constexpr std::size_t MostOfARow(std::size_t numbers) { return (numbers + 1) * kRoomOfANumber; }
 
 std::string_view AnswerWord(Outputs answered) {
-  if (!answered.ids) return "counts";
-  return answered.barycentrics || answered.depths ? "fragments" : "ids";
+  if (!answered.primitive_ids) return "counts";
+  return answered.barycentrics || answered.depths ? "fragments" : "primitive-ids";
 }
 
 // What follows `WORD ID` on the line if it begins so.
@@ -94,30 +94,31 @@ void ReadCounts(const CoverageCounts& shape, std::vector<std::uint32_t>& side,
            });
 }
 
-void RequireWinner(std::int32_t winner, std::size_t triangles) {
-  if (winner >= kNoTriangle && winner < static_cast<std::int64_t>(triangles)) return;
-  throw SubjectFault("it says that triangle " + std::to_string(winner) +
-                     " won a sample, of a scene of " + std::to_string(triangles));
+void RequirePrimitiveId(std::int32_t id, std::size_t triangles) {
+  if (id >= kNoPrimitive && id < static_cast<std::int64_t>(triangles)) return;
+  throw SubjectFault("it says that triangle " + std::to_string(id) +
+                     " is visible at a sample, of a scene of " + std::to_string(triangles) +
+                     " triangles");
 }
 
 // `answered` is what the answer holds, `wants` what of it is kept.
-void ReadWinners(Drawing& drawing, std::size_t triangles, Outputs answered, Outputs wants,
-                 const NextLine& next_line) {
+void ReadPrimitiveIds(Drawing& drawing, std::size_t triangles, Outputs answered, Outputs wants,
+                      const NextLine& next_line) {
   const std::size_t size = drawing.counts.size();
-  drawing.winners.resize(size);
-  if (answered.barycentrics && wants.barycentrics) drawing.weights.resize(size);
+  drawing.primitive_ids.resize(size);
+  if (answered.barycentrics && wants.barycentrics) drawing.barycentrics.resize(size);
   if (answered.depths && wants.depths) drawing.depths.resize(size);
   const auto read = [&](RowReader& row, std::size_t index, std::size_t column,
                         std::size_t columns) {
-    const auto winner = row.Next<std::int32_t>(column, columns);
-    RequireWinner(winner, triangles);
-    drawing.winners[index] = winner;
-    if (winner == kNoTriangle) return;
+    const auto id = row.Next<std::int32_t>(column, columns);
+    RequirePrimitiveId(id, triangles);
+    drawing.primitive_ids[index] = id;
+    if (id == kNoPrimitive) return;
     drawing.counts.front[index] = 1;
     if (answered.barycentrics) {
-      std::array<double, 3> weights{};
-      for (double& weight : weights) weight = row.Next<double>(column, columns);
-      if (!drawing.weights.empty()) drawing.weights[index] = weights;
+      std::array<double, 3> barycentrics{};
+      for (double& barycentric : barycentrics) barycentric = row.Next<double>(column, columns);
+      if (!drawing.barycentrics.empty()) drawing.barycentrics[index] = barycentrics;
     }
     if (answered.depths) {
       const auto depth = row.Next<double>(column, columns);
@@ -141,14 +142,14 @@ void AddRows(TextWriter& text, const CoverageCounts& shape, const Add& add) {
   }
 }
 
-void AddWinners(TextWriter& text, const Drawing& drawing, Outputs answered) {
+void AddPrimitiveIds(TextWriter& text, const Drawing& drawing, Outputs answered) {
   AddRows(text, drawing.counts, [&](std::size_t k) {
-    text.AddNumber(drawing.winners[k]);
-    if (drawing.winners[k] == kNoTriangle) return;
+    text.AddNumber(drawing.primitive_ids[k]);
+    if (drawing.primitive_ids[k] == kNoPrimitive) return;
     if (answered.barycentrics) {
-      for (const double weight : drawing.weights[k]) {
+      for (const double barycentric : drawing.barycentrics[k]) {
         text.Add(' ');
-        text.AddNumber(weight);
+        text.AddNumber(barycentric);
       }
     }
     if (answered.depths) {
@@ -162,8 +163,8 @@ void AddWinners(TextWriter& text, const Drawing& drawing, Outputs answered) {
 
 Outputs Answered(CoverageKind kind, Outputs wants) {
   const bool shows_fragments = kind == CoverageKind::kFragments;
-  const bool shows_ids = kind == CoverageKind::kWinners || shows_fragments;
-  return {.ids = shows_ids && wants != kCoverageAlone,
+  const bool shows_primitive_ids = kind == CoverageKind::kPrimitiveIds || shows_fragments;
+  return {.primitive_ids = shows_primitive_ids && wants != kCoverageAlone,
           .barycentrics = shows_fragments && wants.barycentrics,
           .depths = shows_fragments && wants.depths};
 }
@@ -176,8 +177,8 @@ std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind ki
   text.AddNumber(id);
   text.Add('\n');
   const CoverageCounts& counts = drawing.counts;
-  if (answered.ids) {
-    AddWinners(text, drawing, answered);
+  if (answered.primitive_ids) {
+    AddPrimitiveIds(text, drawing, answered);
     return text.Take();
   }
   AddRows(text, counts, [&](std::size_t k) { text.AddNumber(counts.front[k]); });
@@ -193,8 +194,8 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
   RequireHead(next_line(kMostOfAHead), AnswerWord(answered), id, info.name);
   Drawing drawing;
   drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
-  if (answered.ids) {
-    ReadWinners(drawing, job.Triangles().size(), answered, job.wants, next_line);
+  if (answered.primitive_ids) {
+    ReadPrimitiveIds(drawing, job.Triangles().size(), answered, job.wants, next_line);
     return drawing;
   }
   ReadCounts(drawing.counts, drawing.counts.front, next_line);
@@ -206,7 +207,7 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
 
 std::uint64_t AnsweredRequest(std::string_view line) {
   for (const std::string_view word :
-       {"counts ", "ids ", "fragments ", "values ", "fault ", "refused "}) {
+       {"counts ", "primitive-ids ", "fragments ", "values ", "fault ", "refused "}) {
     std::uint64_t id = 0;
     if (line.starts_with(word) && WordReader(line.substr(word.size())).Number(id)) return id;
   }

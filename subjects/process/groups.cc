@@ -23,9 +23,9 @@ namespace rasterproof::subjects {
 namespace {
 
 constexpr std::size_t kMostGroups = 1024;
-constexpr pid_t kClaimed = -1;
+constexpr pid_t kReserved = -1;
 
-// In memory that the keeper shares. 0: a free place; kClaimed: a child that is not there yet.
+// In memory that the keeper shares. 0: a free place; kReserved: a child that is not there yet.
 using Groups = std::array<std::atomic<pid_t>, kMostGroups>;
 static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
@@ -106,10 +106,10 @@ int StartKeeper() {
   return 0;
 }
 
-std::atomic<pid_t>* ClaimPlace() {
+std::atomic<pid_t>* ReservePlace() {
   for (std::atomic<pid_t>& group : *groups.load()) {
     pid_t free = 0;
-    if (group.compare_exchange_strong(free, kClaimed)) return &group;
+    if (group.compare_exchange_strong(free, kReserved)) return &group;
   }
   return nullptr;
 }
@@ -151,7 +151,7 @@ pid_t ForkGroup() {
       return -1;
     }
   }
-  std::atomic<pid_t>* const place = ClaimPlace();
+  std::atomic<pid_t>* const place = ReservePlace();
   if (place == nullptr) {
     errno = EAGAIN;
     return -1;

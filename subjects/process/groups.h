@@ -1,4 +1,4 @@
-// The process groups of the children of this process, none of which outlives it.
+// Process groups of child processes: no child outlives this process.
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_GROUPS_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_GROUPS_H_
 

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include "core/edge_claims.h"
 #include "core/error.h"
 #include "core/evaluators.h"
 #include "core/quoted.h"
+#include "core/stated_edges.h"
 #include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "core/target_size.h"
@@ -116,12 +116,12 @@ class ProcessSubject::Child {
         if (process_.ReadsNoMore()) throw SubjectFault("it closed its input and gave no answer");
         throw OutOfTime(patience.time);
       case PipeEnd::kDeadline:
-        throw SubjectDeadline("the time that it was given was up before it answered (--seconds)");
+        throw SubjectDeadline("its time was up before it answered (--seconds)");
       case PipeEnd::kInterrupted:
         throw SubjectTooSlow(kInterruptedText);
       case PipeEnd::kTooLong:
         throw SubjectFault("a line of its answer goes on behind " + std::to_string(most_bytes) +
-                           " bytes, more than any right answer's to this scene");
+                           " bytes, more than any right answer to this scene has");
       case PipeEnd::kClosed:
         break;
     }
@@ -145,15 +145,15 @@ class ProcessSubject::Child {
 };
 
 // The child's edge values. A question that is put again gets the answer afresh.
-class ProcessSubject::ShownEdges final : public ClaimedEdges {
+class ProcessSubject::ShownEdges final : public StatedEdges {
  public:
   explicit ShownEdges(ProcessSubject& subject)
-      : ClaimedEdges(subject.info_.edges, subject.info_.input), subject_(subject) {}
+      : StatedEdges(subject.info_.edges, subject.info_.input), subject_(subject) {}
   double Value(Point2 a, Point2 b, Point2 p) const override {
     return Values(std::array{EdgeQuestion{a, b, p}}).front();
   }
-  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
-    return Walks(std::array{StepsQuestion{a, b, p, step, steps}}).front();
+  std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+    return Steps(std::array{StepsQuestion{a, b, p, step, steps}}).front();
   }
   std::vector<double> Values(std::span<const EdgeQuestion> questions) const override {
     std::vector<EdgeRequest> requests;
@@ -162,7 +162,7 @@ class ProcessSubject::ShownEdges final : public ClaimedEdges {
     for (const auto& answer : subject_.AskValues(requests)) values.push_back(answer.front());
     return values;
   }
-  std::vector<std::vector<double>> Walks(std::span<const StepsQuestion> questions) const override {
+  std::vector<std::vector<double>> Steps(std::span<const StepsQuestion> questions) const override {
     std::vector<EdgeRequest> requests;
     for (const auto& [a, b, p, step, steps] : questions) {
       requests.push_back({0, a, b, p, step, steps});
@@ -282,8 +282,7 @@ std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest
 
 // The child is in the hands of who asks it: whatever goes wrong, the next one starts a fresh one.
 std::unique_ptr<ProcessSubject::Child> ProcessSubject::TakeChild() {
-  if (Clock::now() >= deadline_)
-    throw SubjectDeadline("the time that it was given was up (--seconds)");
+  if (Clock::now() >= deadline_) throw SubjectDeadline("its time was up (--seconds)");
   if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
   std::unique_ptr<Child> child = std::move(child_);
   child->RequireSilence();

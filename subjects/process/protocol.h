@@ -10,7 +10,7 @@
 // narrowed), or inf, -inf, nan. The answer to a request depends on what the program shows:
 //     counts ID      HEIGHT lines of WIDTH * SAMPLES integers, top row first; as many lines again
 //                    with the counts of the back faces if the program tells facings apart
-//     ids ID         HEIGHT lines of as many indices of triangles; -1 where none won the sample
+//     primitive-ids ID HEIGHT lines of as many indices of triangles; -1 where none won the sample
 //     fragments ID   the same, but each index (not -1) is followed by W0 W1 W2 DEPTH
 // Or one line: `refused ID REASON`, or `fault ID REASON` for what it found out about itself.
 //
@@ -18,14 +18,15 @@
 // words that come over the pipe no more often than they save something:
 //     same       in place of VERTICES: those of the request before; no lines of vertices follow
 //     wants=...  not all that the program shows. coverage: the answer is `counts ID`, 1 where
-//                anything won the sample. ids: it is `ids ID`. ids,barycentrics or ids,depths: it
-//                is `fragments ID`, and behind each index come W0 W1 W2 alone, or DEPTH alone.
+//                anything won the sample. primitive-ids: it is `primitive-ids ID`.
+//                primitive-ids,barycentrics or primitive-ids,depths: it is `fragments ID`, and
+//                behind each index come W0 W1 W2 alone, or DEPTH alone.
 // The first request of a call has vertices of its own. What a program says in version 1 is the same
 // in version 2.
 //
 // A program that shows edge values is asked for them in one line:
 //     edge ID AX AY BX BY PX PY                             E(a, b; p), evaluated afresh
-//     walk ID AX AY BX BY PX PY x|y +1|-1 LENGTH STEPS      from p, STEPS steps of LENGTH pixels
+//     steps ID AX AY BX BY PX PY x|y +1|-1 LENGTH STEPS      from p, STEPS steps of LENGTH pixels
 // and answers `values ID V ...`: one number, or STEPS + 1, the first of them at p.
 //
 // A program that takes batches may be told `batch N` before N requests: it may draw them in one
@@ -68,7 +69,7 @@ struct EdgeRequest {
   Point2 a;
   Point2 b;
   Point2 p;
-  std::optional<Step> step;  ///< of a walk; nothing: the value at p alone
+  std::optional<Step> step;  ///< of a run of steps; nothing: the value at p alone
   int steps = 0;
 
   std::size_t Values() const { return static_cast<std::size_t>(steps) + 1; }
@@ -83,7 +84,7 @@ std::string BatchText(std::size_t n);
 std::string RequestsText(std::span<const EdgeRequest> requests);
 
 /// What the answer to a job that wants these outputs holds beside coverage: of what the subject
-/// shows. Ids come with weights and depths, whose they are.
+/// shows. Ids come with barycentrics and depths, whose they are.
 Outputs Answered(CoverageKind kind, Outputs wants);
 
 /// Reads requests of every version, one after the other.

@@ -32,9 +32,9 @@ bool HaveTheSameVertices(const Scene& a, const Scene& b) {
 std::string_view WantsText(Outputs wants, CoverageKind kind) {
   const Outputs answered = Answered(kind, wants);
   if (answered == Answered(kind, kEverything)) return "";
-  if (!answered.ids) return " wants=coverage";
-  if (answered.barycentrics) return " wants=ids,barycentrics";
-  return answered.depths ? " wants=ids,depths" : " wants=ids";
+  if (!answered.primitive_ids) return " wants=coverage";
+  if (answered.barycentrics) return " wants=primitive-ids,barycentrics";
+  return answered.depths ? " wants=primitive-ids,depths" : " wants=primitive-ids";
 }
 
 void AddOptions(TextWriter& text, const DrawOptions& options, const SubjectInfo& info) {
@@ -151,10 +151,10 @@ Outputs ParseWants(std::string_view text, const std::string& where) {
   if (text == "coverage") return wants;
   while (!text.empty()) {
     const std::string_view name = text.substr(0, text.find(','));
-    if (name != "ids" && name != "barycentrics" && name != "depths") {
-      Malformed(where, "wants=coverage, or any of ids,barycentrics,depths");
+    if (name != "primitive-ids" && name != "barycentrics" && name != "depths") {
+      Malformed(where, "wants=coverage, or any of primitive-ids,barycentrics,depths");
     }
-    wants.ids = true;
+    wants.primitive_ids = true;
     wants.barycentrics = wants.barycentrics || name == "barycentrics";
     wants.depths = wants.depths || name == "depths";
     text.remove_prefix(std::min(name.size() + 1, text.size()));
@@ -203,7 +203,7 @@ std::string BatchText(std::size_t n) { return "batch " + std::to_string(n) + "\n
 std::string RequestsText(std::span<const EdgeRequest> requests) {
   TextWriter text;
   for (const EdgeRequest& request : requests) {
-    text.Add(request.step ? "walk " : "edge ");
+    text.Add(request.step ? "steps " : "edge ");
     text.AddNumber(request.id);
     for (const Point2& at : {request.a, request.b, request.p}) {
       for (const double x : {at.x, at.y}) {
@@ -341,21 +341,21 @@ std::optional<EdgeRequest> RequestReader::NextEdgeRequest() {
   if (!Peek()) return std::nullopt;
   WordReader words(line_);
   const std::string_view word = words.Word();
-  const bool walks = word == "walk";
-  if (!walks && word != "edge") return std::nullopt;
+  const bool steps = word == "steps";
+  if (!steps && word != "edge") return std::nullopt;
   has_line_ = false;
-  const std::string where = "edge or walk line";
+  const std::string where = "edge or steps line";
   EdgeRequest request;
   request.id = Number<std::uint64_t>(words, where);
   for (Point2* const at : {&request.a, &request.b, &request.p}) {
     at->x = Number<double>(words, where);
     at->y = Number<double>(words, where);
   }
-  if (walks) {
+  if (steps) {
     const std::string_view axis = words.Word();
     const std::string_view sign = words.Word();
     if ((axis != "x" && axis != "y") || (sign != "+1" && sign != "-1")) {
-      Malformed(where, "a walk along x or y, by +1 or -1");
+      Malformed(where, "a stepping along x or y, by +1 or -1");
     }
     request.step = Step{axis == "y", sign == "-1" ? -1 : +1, Number<int>(words, where)};
     request.steps = Number<int>(words, where);
@@ -364,7 +364,7 @@ std::optional<EdgeRequest> RequestReader::NextEdgeRequest() {
     }
   }
   if (!words.AtEnd()) {
-    Malformed(where, "edge ID AX AY BX BY PX PY, or walk with x|y +1|-1 LENGTH STEPS behind");
+    Malformed(where, "edge ID AX AY BX BY PX PY, or steps with x|y +1|-1 LENGTH STEPS behind");
   }
   return request;
 }

@@ -35,8 +35,8 @@ void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind)
   const bool fits = counts.width == target.width && counts.height == target.height &&
                     counts.samples == target.samples && counts.front.size() == target.size() &&
                     counts.back.size() == target.size() &&
-                    (!answered.ids || drawing.winners.size() == target.size()) &&
-                    (!answered.barycentrics || drawing.weights.size() == target.size()) &&
+                    (!answered.primitive_ids || drawing.primitive_ids.size() == target.size()) &&
+                    (!answered.barycentrics || drawing.barycentrics.size() == target.size()) &&
                     (!answered.depths || drawing.depths.size() == target.size());
   if (!fits) throw SubjectFault("its drawing has not the shape of the target, or lacks a part");
 }
@@ -70,7 +70,7 @@ std::string ValuesOf(const Subject& subject, const EdgeRequest& request) {
     const double value = edges->Value(a, b, p);
     return ValuesText(id, {&value, 1});
   }
-  return ValuesText(id, edges->Walk(a, b, p, *step, steps));
+  return ValuesText(id, edges->Steps(a, b, p, *step, steps));
 }
 
 }  // namespace

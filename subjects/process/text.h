@@ -1,4 +1,4 @@
-// Numbers and words of the protocol's lines: written and read without a stream or a copy.
+// Reads and writes the numbers and words of protocol lines, without streams or copies.
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_TEXT_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_TEXT_H_
 

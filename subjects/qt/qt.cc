@@ -56,7 +56,7 @@ class QtBitmap {
 };
 
 // QPainter's documentation describes which pixels a shape without antialiasing takes for integer
-// coordinates only; nothing is promised of neighbours.
+// coordinates only; nothing is stated of neighbours.
 constexpr const char* kProfile = R"({"name": "qt5", "subpixel_bits": 6,
   "snap_rule": "floor", "contract": "none", "coordinate_limit": 32767})";
 

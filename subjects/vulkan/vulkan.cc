@@ -18,7 +18,8 @@ constexpr rasterproof::subjects::VulkanDriver kDriver{
 // Basic Polygon Rasterization). The bits are those that the device reports.
 const std::string& Profile() {
   static const std::string profile =
-      R"({"name": "vulkan", "subpixel_bits": )" + std::to_string(RASTERPROOF_VULKAN_BITS) +
+      R"({"name": ")" RASTERPROOF_VULKAN_NAME R"(", "subpixel_bits": )" +
+      std::to_string(RASTERPROOF_VULKAN_BITS) +
       R"(, "snap_rule": "nearest-even", "contract": "watertight", "coordinate_limit": )" +
       std::to_string(kDriver.half_viewport) + "}";
   return profile;

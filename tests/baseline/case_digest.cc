@@ -1,9 +1,9 @@
 #include "tests/baseline/case_digest.h"
 
-#include "core/fill_rule.h"
 #include "core/profile.h"
-#include "core/sample_lattice.h"
+#include "core/sample_pattern.h"
 #include "core/snap.h"
+#include "core/tie_rule.h"
 
 namespace rasterproof::baseline {
 namespace {
@@ -21,12 +21,12 @@ void Add(const Snap& snap, Digest& digest) {
   digest.Number(origin);
 }
 
-void Add(const SampleLattice& lattice, Digest& digest) {
+void Add(const SamplePattern& lattice, Digest& digest) {
   digest.Word(lattice.locations.size());
   for (const Point2& at : lattice.locations) digest.Number(at.x).Number(at.y);
 }
 
-void Add(const FillRule& rule, Digest& digest) {
+void Add(const TieRule& rule, Digest& digest) {
   const auto& [sign_x, sign_y, y_first, inclusive, exclusive] = rule;
   digest.Integer(sign_x).Integer(sign_y).Integer(y_first).Integer(inclusive).Integer(exclusive);
 }
@@ -42,7 +42,7 @@ void Add(const FixedInput& fixed, Digest& digest) {
   digest.Integer(integer_bits).Integer(fraction_bits).Integer(is_signed).Integer(wraps);
 }
 
-void Add(const MaxExtent& extent, Digest& digest) {
+void Add(const MaxPrimitiveExtent& extent, Digest& digest) {
   const auto& [width, height] = extent;
   digest.Number(width).Number(height);
 }
@@ -53,11 +53,11 @@ void Add(const WindowBox& box, Digest& digest) {
 }
 
 void Add(const TargetModel& model, Digest& digest) {
-  const auto& [max_width, max_height, snap, lattice, fill_rule] = model;
+  const auto& [max_width, max_height, snap, lattice, tie_rule] = model;
   digest.Integer(max_width).Integer(max_height);
   Add(snap, digest);
   Add(lattice, digest);
-  Add(fill_rule, digest);
+  Add(tie_rule, digest);
 }
 
 template <class T>
@@ -67,25 +67,25 @@ void AddIfAny(const std::optional<T>& value, Digest& digest) {
 }
 
 void Add(const Profile& profile, Digest& digest) {
-  const auto& [name, snap, crossing, lattice, y_axis, fill_rule, contract, freedom, transform,
-               coordinate_limit, zero_area, infinite_vertex, overdraw, targets, fixed, max_extent,
-               no_clip] = profile;
+  const auto& [name, snap, crossing, lattice, y_axis, tie_rule, contract, freedom, transform,
+               coordinate_limit, degenerate_triangles, infinite_vertex, edge_samples, targets,
+               fixed, max_primitive_extent, guard_band] = profile;
   static_cast<void>(name);
   Add(snap, digest);
   Add(crossing, digest);
   Add(lattice, digest);
   digest.Integer(static_cast<int>(y_axis));
-  Add(fill_rule, digest);
+  Add(tie_rule, digest);
   digest.Integer(static_cast<int>(contract));
   digest.Number(freedom.snap_tolerance).Integer(freedom.any_tie_rule);
   AddIfAny(transform, digest);
-  digest.Number(coordinate_limit).Integer(static_cast<int>(zero_area));
-  digest.Integer(static_cast<int>(infinite_vertex)).Integer(overdraw);
+  digest.Number(coordinate_limit).Integer(static_cast<int>(degenerate_triangles));
+  digest.Integer(static_cast<int>(infinite_vertex)).Integer(edge_samples);
   digest.Word(targets.size());
   for (const TargetModel& model : targets) Add(model, digest);
   AddIfAny(fixed, digest);
-  AddIfAny(max_extent, digest);
-  AddIfAny(no_clip, digest);
+  AddIfAny(max_primitive_extent, digest);
+  AddIfAny(guard_band, digest);
 }
 
 void AddTarget(const Scene& scene, Digest& digest) {

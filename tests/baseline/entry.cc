@@ -14,16 +14,16 @@ struct Trials::Parts {
   const props::Property* property = nullptr;
 };
 
-std::vector<std::string> ClaimNames() {
+std::vector<std::string> PropertyNames() {
   std::vector<std::string> names;
   for (const props::Property& property : props::Catalog()) names.emplace_back(property.name);
   return names;
 }
 
-Trials::Trials(std::unique_ptr<Subject> raw, const std::string& claim)
+Trials::Trials(std::unique_ptr<Subject> raw, const std::string& property)
     : parts_(std::make_unique<Parts>()) {
   parts_->subject = Recording(std::move(raw), parts_->record);
-  parts_->property = props::FindProperty(claim);
+  parts_->property = props::FindProperty(property);
 }
 
 Trials::~Trials() = default;

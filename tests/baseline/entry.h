@@ -1,5 +1,5 @@
-// All that the baseline asks of the suite: claims by name, cases, verdicts. What changes beneath
-// changes this one file and recording.cc.
+// All that the baseline asks of the suite: properties by name, cases, verdicts. What changes
+// beneath changes this one file and recording.cc.
 #ifndef RASTERPROOF_TESTS_BASELINE_ENTRY_H_
 #define RASTERPROOF_TESTS_BASELINE_ENTRY_H_
 
@@ -15,8 +15,8 @@
 
 namespace rasterproof::baseline {
 
-/// The names of all claims, in the catalogue's order.
-std::vector<std::string> ClaimNames();
+/// The names of all properties, in the catalogue's order.
+std::vector<std::string> PropertyNames();
 
 /// What came of one case.
 struct Tried {
@@ -26,16 +26,16 @@ struct Tried {
   Record record;  ///< what reached the subject on the way
 };
 
-/// One claim about one subject, which is made as the command makes it.
+/// One property about one subject, which is made as the command makes it.
 class Trials {
  public:
-  /// Domain:     a name of ClaimNames(); a subject that nothing wraps.
-  Trials(std::unique_ptr<Subject> raw, const std::string& claim);
+  /// Domain:     a name of PropertyNames(); a subject that nothing wraps.
+  Trials(std::unique_ptr<Subject> raw, const std::string& property);
   ~Trials();
 
   /// The case that a campaign of this seed runs as number `index`.
   ///
-  /// Error:      InputError if the subject takes scenes of none of the claim's domains.
+  /// Error:      InputError if the subject takes scenes of none of the property's domains.
   Case Draw(std::uint64_t seed, std::uint64_t index) const;
   Tried Try(const Case& c);
 

@@ -22,13 +22,13 @@ namespace rasterproof::baseline {
 namespace {
 
 constexpr std::array<std::string_view, 5> kCoverageNames{"facing-counts", "counts", "mask",
-                                                         "winners", "fragments"};
+                                                         "primitive_ids", "fragments"};
 constexpr std::array<std::string_view, 5> kSpaceNames{"window", "clip", "transform", "fixed",
                                                       "free-snap"};
 constexpr std::array<std::string_view, 4> kMannerNames{"", ":refuses", ":breaks-down",
-                                                       ":nan-weights"};
+                                                       ":nan-barycentrics"};
 
-Profile PromisedProfile(ModelSpace space) {
+Profile StatedProfile(ModelSpace space) {
   Profile profile = *PresetProfile("d3d11");
   profile.name = "model";
   profile.infinite_vertex = InfiniteVertex::kNothing;
@@ -59,7 +59,7 @@ SubjectInfo ModelInfo(const ModelSettings& settings) {
   SubjectInfo info;
   info.name = ModelName(settings);
   info.summary = "the oracle as a rasterizer";
-  info.profile = PromisedProfile(settings.space);
+  info.profile = StatedProfile(settings.space);
   info.coverage = settings.coverage;
   info.takes_window = settings.space != ModelSpace::kTransform;
   info.takes_clip = settings.space == ModelSpace::kClip || settings.space == ModelSpace::kTransform;
@@ -67,10 +67,11 @@ SubjectInfo ModelInfo(const ModelSettings& settings) {
   info.takes_culling = settings.coverage == CoverageKind::kFacingCounts;
   info.takes_batches =
       settings.coverage == CoverageKind::kMask || settings.coverage == CoverageKind::kFragments;
-  if (settings.space == ModelSpace::kFixed) info.fragments.order = WinnerOrder::kFirstDrawn;
-  if (settings.space == ModelSpace::kTransform) info.fragments.weights_of = WeightsOf::kSnapped;
+  if (settings.space == ModelSpace::kFixed) info.fragments.visible = Visible::kFirstDrawn;
+  if (settings.space == ModelSpace::kTransform)
+    info.fragments.barycentrics_of = BarycentricsOf::kSnapped;
   if (settings.space == ModelSpace::kFreeSnap) {
-    info.fragments.weight_error = 0x1p-20;
+    info.fragments.barycentric_error = 0x1p-20;
     info.fragments.depth_error = 0x1p-16;
   }
   return info;
@@ -117,19 +118,19 @@ class Model final : public Subject {
 
   Drawing Show(const DrawJob& job) override {
     Drawing drawing = Subject::Show(job);
-    if (!ShowsWinners(info_)) return drawing;
+    if (!ShowsPrimitiveIds(info_)) return drawing;
     const Scene seen = Seen(SceneOf(job));
-    drawing.winners.assign(drawing.counts.size(), kNoTriangle);
+    drawing.primitive_ids.assign(drawing.counts.size(), kNoPrimitive);
     for (std::size_t t = 0; t < seen.triangles.size(); ++t) {
       const CoverageCounts covered =
           exact::Coverage(Alone(seen, seen.triangles[t]), window_profile_, job.options);
       for (std::size_t k = 0; k < covered.size(); ++k) {
-        const bool wins =
-            drawing.winners[k] == kNoTriangle || info_.fragments.order == WinnerOrder::kLastDrawn;
-        if (wins && covered.Count(k) != 0) drawing.winners[k] = static_cast<std::int32_t>(t);
+        const bool wins = drawing.primitive_ids[k] == kNoPrimitive ||
+                          info_.fragments.visible == Visible::kLastDrawn;
+        if (wins && covered.Count(k) != 0) drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
       }
     }
-    if (info_.coverage == CoverageKind::kFragments) AddWeights(seen, drawing);
+    if (info_.coverage == CoverageKind::kFragments) AddBarycentrics(seen, drawing);
     return drawing;
   }
 
@@ -167,40 +168,41 @@ class Model final : public Subject {
   }
 
   // In double, from the corners that it says: the projected ones in clip space.
-  void AddWeights(const Scene& seen, Drawing& drawing) const {
-    const bool snaps = info_.fragments.weights_of == WeightsOf::kSnapped && !seen.clip_space;
+  void AddBarycentrics(const Scene& seen, Drawing& drawing) const {
+    const bool snaps =
+        info_.fragments.barycentrics_of == BarycentricsOf::kSnapped && !seen.clip_space;
     const Scene placed = snaps ? SnapScene(seen, window_profile_) : seen;
-    drawing.weights.resize(drawing.counts.size());
+    drawing.barycentrics.resize(drawing.counts.size());
     drawing.depths.resize(drawing.counts.size());
     const auto samples = static_cast<std::size_t>(drawing.counts.samples);
     const auto width = static_cast<std::size_t>(drawing.counts.width);
     for (std::size_t k = 0; k < drawing.counts.size(); ++k) {
-      if (drawing.winners[k] == kNoTriangle) continue;
+      if (drawing.primitive_ids[k] == kNoPrimitive) continue;
       const std::size_t pixel = k / samples;
       const Point2 p =
-          info_.profile.lattice.At(static_cast<int>(pixel % width), static_cast<int>(pixel / width),
+          info_.profile.pattern.At(static_cast<int>(pixel % width), static_cast<int>(pixel / width),
                                    static_cast<int>(k % samples));
-      const auto t = static_cast<std::size_t>(drawing.winners[k]);
-      Weigh(Corners(placed, placed.triangles[t]), p, drawing.weights[k], drawing.depths[k]);
-      if (settings_.manner == ModelManner::kNanWeights) Spoil(k, drawing);
+      const auto t = static_cast<std::size_t>(drawing.primitive_ids[k]);
+      Weigh(Corners(placed, placed.triangles[t]), p, drawing.barycentrics[k], drawing.depths[k]);
+      if (settings_.manner == ModelManner::kNanBarycentrics) Spoil(k, drawing);
     }
   }
 
-  static void Weigh(const std::array<Vertex, 3>& v, Point2 p, std::array<double, 3>& weights,
+  static void Weigh(const std::array<Vertex, 3>& v, Point2 p, std::array<double, 3>& barycentrics,
                     double& depth) {
     std::array<Point2, 3> at;
     for (std::size_t i = 0; i < 3; ++i) at[i] = {v[i].x / v[i].w, v[i].y / v[i].w};
     const double area = EdgeValue(at[0], at[1], at[2]);
     depth = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      weights[i] = EdgeValue(at[(i + 1) % 3], at[(i + 2) % 3], p) / area;
-      depth += weights[i] * v[i].z;
+      barycentrics[i] = EdgeValue(at[(i + 1) % 3], at[(i + 2) % 3], p) / area;
+      depth += barycentrics[i] * v[i].z;
     }
   }
 
   static void Spoil(std::size_t k, Drawing& drawing) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    if (k % 7 == 3) drawing.weights[k][k % 3] = kNan;
+    if (k % 7 == 3) drawing.barycentrics[k][k % 3] = kNan;
     if (k % 11 == 5) drawing.depths[k] = kNan;
   }
 
@@ -210,7 +212,7 @@ class Model final : public Subject {
 };
 
 constexpr std::array<CoverageKind, 5> kKinds{CoverageKind::kFacingCounts, CoverageKind::kCounts,
-                                             CoverageKind::kMask, CoverageKind::kWinners,
+                                             CoverageKind::kMask, CoverageKind::kPrimitiveIds,
                                              CoverageKind::kFragments};
 
 void AddModels(ModelManner manner, const std::vector<ModelSpace>& spaces,
@@ -241,7 +243,7 @@ std::vector<ModelSettings> AllModels() {
   AddModels(ModelManner::kRefuses, {ModelSpace::kWindow, ModelSpace::kClip, ModelSpace::kTransform},
             kinds, models);
   AddModels(ModelManner::kBreaksDown, {ModelSpace::kWindow, ModelSpace::kTransform}, kinds, models);
-  AddModels(ModelManner::kNanWeights, spaces, {CoverageKind::kFragments}, models);
+  AddModels(ModelManner::kNanBarycentrics, spaces, {CoverageKind::kFragments}, models);
   return models;
 }
 

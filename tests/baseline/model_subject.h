@@ -26,7 +26,7 @@ enum class ModelManner : std::uint8_t {
   kSound,
   kRefuses,     ///< a third of the scenes, or a twelfth where each triangle is a scene
   kBreaksDown,  ///< over one scene in sixteen: a fault, a hang, a foreign exception, no time left
-  kNanWeights   ///< some weights and depths are no numbers
+  kNanBarycentrics  ///< some barycentrics and depths are no numbers
 };
 
 struct ModelSettings {

@@ -43,15 +43,15 @@ class RecordingEdges final : public EdgeEvaluator {
   double ErrorBound(Point2 a, Point2 b, Point2 p) const override {
     return edges_.ErrorBound(a, b, p);
   }
-  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
-    Digest& digest = record_.walks.Next();
+  std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const override {
+    Digest& digest = record_.steps.Next();
     AddPoints({a, b, p}, digest);
     digest.Integer(step.along_y).Integer(step.sign).Integer(step.length).Integer(steps);
-    return edges_.Walk(a, b, p, step, steps);
+    return edges_.Steps(a, b, p, step, steps);
   }
-  std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                      int steps) const override {
-    return edges_.WalkErrorBounds(a, b, p, step, steps);
+  std::vector<double> SteppingErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                          int steps) const override {
+    return edges_.SteppingErrorBounds(a, b, p, step, steps);
   }
 
  private:
@@ -59,20 +59,20 @@ class RecordingEdges final : public EdgeEvaluator {
   Record& record_;
 };
 
-class RecordingWeights final : public WeightEvaluator {
+class RecordingBarycentrics final : public BarycentricEvaluator {
  public:
-  RecordingWeights(const WeightEvaluator& weights, Record& record)
-      : weights_(weights), record_(record) {}
+  RecordingBarycentrics(const BarycentricEvaluator& barycentrics, Record& record)
+      : barycentrics_(barycentrics), record_(record) {}
 
-  Numbers3 Weights(BarycentricForm form, const Points3& v, Point2 p) const override {
-    AddQuery(static_cast<int>(form), v, p, record_.weights.Next());
-    return weights_.Weights(form, v, p);
+  Numbers3 Barycentrics(BarycentricForm form, const Points3& v, Point2 p) const override {
+    AddQuery(static_cast<int>(form), v, p, record_.barycentrics.Next());
+    return barycentrics_.Barycentrics(form, v, p);
   }
-  Numbers3 WeightErrorBounds(BarycentricForm form, const Points3& v, Point2 p) const override {
-    return weights_.WeightErrorBounds(form, v, p);
+  Numbers3 BarycentricErrorBounds(BarycentricForm form, const Points3& v, Point2 p) const override {
+    return barycentrics_.BarycentricErrorBounds(form, v, p);
   }
   double SumErrorBound(BarycentricForm form, const Points3& v, Point2 p) const override {
-    return weights_.SumErrorBound(form, v, p);
+    return barycentrics_.SumErrorBound(form, v, p);
   }
   double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
                      const Numbers3& attribute, Point2 p) const override {
@@ -82,19 +82,19 @@ class RecordingWeights final : public WeightEvaluator {
       digest.Number(v[i].w).Number(attribute[i]);
     }
     AddPoint(p, digest);
-    return weights_.Interpolate(form, v, attribute, p);
+    return barycentrics_.Interpolate(form, v, attribute, p);
   }
   double InterpolationErrorBound(InterpolationForm form, const std::array<Corner, 3>& v,
                                  const Numbers3& attribute, Point2 p) const override {
-    return weights_.InterpolationErrorBound(form, v, attribute, p);
+    return barycentrics_.InterpolationErrorBound(form, v, attribute, p);
   }
   Numbers3 EdgeDistances(WireframeForm form, const Points3& v, Point2 p) const override {
     AddQuery(static_cast<int>(form), v, p, record_.distances.Next());
-    return weights_.EdgeDistances(form, v, p);
+    return barycentrics_.EdgeDistances(form, v, p);
   }
 
  private:
-  const WeightEvaluator& weights_;
+  const BarycentricEvaluator& barycentrics_;
   Record& record_;
 };
 
@@ -103,12 +103,15 @@ class RecordingSubject final : public Subject {
   RecordingSubject(std::unique_ptr<Subject> subject, Record& record)
       : subject_(std::move(subject)), record_(record) {
     if (subject_->Edges() != nullptr) edges_.emplace(*subject_->Edges(), record);
-    if (subject_->Weights() != nullptr) weights_.emplace(*subject_->Weights(), record);
+    if (subject_->Barycentrics() != nullptr)
+      barycentrics_.emplace(*subject_->Barycentrics(), record);
   }
 
   const SubjectInfo& OwnInfo() const override { return subject_->OwnInfo(); }
   const EdgeEvaluator* Edges() const override { return edges_ ? &*edges_ : nullptr; }
-  const WeightEvaluator* Weights() const override { return weights_ ? &*weights_ : nullptr; }
+  const BarycentricEvaluator* Barycentrics() const override {
+    return barycentrics_ ? &*barycentrics_ : nullptr;
+  }
   bool SharesCalls() const override { return subject_->SharesCalls(); }
   void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
     subject_->SetDeadline(deadline);
@@ -154,7 +157,7 @@ class RecordingSubject final : public Subject {
   std::unique_ptr<Subject> subject_;
   Record& record_;
   std::optional<RecordingEdges> edges_;
-  std::optional<RecordingWeights> weights_;
+  std::optional<RecordingBarycentrics> barycentrics_;
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ struct Record {
   Stream calls;
   // Queries, each kind by itself: no two kinds have an order among them. Bounds are no queries.
   Stream edges;
-  Stream walks;
-  Stream weights;
+  Stream steps;
+  Stream barycentrics;
   Stream interpolations;
   Stream distances;
 };

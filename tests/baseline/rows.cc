@@ -42,8 +42,9 @@ std::string StreamText(const Stream& stream) {
 std::string QueriesText(const Record& record) {
   std::string text;
   for (const auto& [name, stream] :
-       {std::pair{"edges", record.edges}, std::pair{"walks", record.walks},
-        std::pair{"weights", record.weights}, std::pair{"interpolations", record.interpolations},
+       {std::pair{"edges", record.edges}, std::pair{"steps", record.steps},
+        std::pair{"barycentrics", record.barycentrics},
+        std::pair{"interpolations", record.interpolations},
         std::pair{"distances", record.distances}}) {
     if (stream.count == 0) continue;
     text += fmt::format("{}{}:{}", text.empty() ? "" : " ", name, StreamText(stream));
@@ -85,16 +86,16 @@ std::string CaseRow(std::string_view key, const Case& c, Trials& trials) {
 }
 
 // The rows of one seed, for a subject that no other case was shown to.
-std::string SeedRows(const NamedSubject& subject, const std::string& claim, std::uint64_t seed,
+std::string SeedRows(const NamedSubject& subject, const std::string& property, std::uint64_t seed,
                      std::uint64_t cases) {
-  Trials trials(subject.make(), claim);
+  Trials trials(subject.make(), property);
   std::string rows;
   for (std::uint64_t index = 0; index < cases; ++index) {
-    const std::string key = fmt::format("{}\t{}\t{}", claim, seed, index);
+    const std::string key = fmt::format("{}\t{}\t{}", property, seed, index);
     try {
       rows += CaseRow(key, trials.Draw(seed, index), trials);
     } catch (const InputError& error) {
-      // The subject takes no case of the claim's: the next ones neither.
+      // The subject takes no case of the property's: the next ones neither.
       return rows + fmt::format("{}\t-\tno case\t0\t0\t0\t{}\t-\t-\t-\t-\t-\n", key,
                                 Escaped(error.what()));
     }
@@ -102,10 +103,10 @@ std::string SeedRows(const NamedSubject& subject, const std::string& claim, std:
   return rows;
 }
 
-std::string DigestRow(const std::string& claim, const std::string& rows) {
+std::string DigestRow(const std::string& property, const std::string& rows) {
   std::uint64_t count = 0;
   for (const char letter : rows) count += letter == '\n' ? 1 : 0;
-  return fmt::format("{}\t{}\t{:016x}\n", claim, count, Digest().Text(rows).value());
+  return fmt::format("{}\t{}\t{:016x}\n", property, count, Digest().Text(rows).value());
 }
 
 }  // namespace
@@ -116,14 +117,14 @@ std::string HeaderRow(const DumpOptions& options) {
          "compared\tdraws\tcalls\tqueries\n";
 }
 
-std::string ClaimRows(const NamedSubject& subject, const std::string& claim,
-                      const DumpOptions& options) {
-  if (!subject.claim.empty() && subject.claim != claim) return "";
+std::string PropertyRows(const NamedSubject& subject, const std::string& property,
+                         const DumpOptions& options) {
+  if (!subject.property.empty() && subject.property != property) return "";
   std::string rows;
   for (const std::uint64_t seed : options.seeds) {
-    rows += SeedRows(subject, claim, seed, subject.is_bug ? options.bug_cases : options.cases);
+    rows += SeedRows(subject, property, seed, subject.is_bug ? options.bug_cases : options.cases);
   }
-  return options.digests ? DigestRow(claim, rows) : rows;
+  return options.digests ? DigestRow(property, rows) : rows;
 }
 
 }  // namespace rasterproof::baseline

@@ -12,18 +12,18 @@ namespace rasterproof::baseline {
 
 struct DumpOptions {
   std::vector<std::uint64_t> seeds{1, 2, 3};
-  std::uint64_t cases = 64;      ///< a claim and seed
+  std::uint64_t cases = 64;      ///< a property and seed
   std::uint64_t bug_cases = 16;  ///< the same for subjects with a bug
-  bool digests = false;          ///< one row a claim: how many rows, and their digest
+  bool digests = false;          ///< one row a property: how many rows, and their digest
 };
 
 /// The first row: the names of the columns. Those of scripts/compare_dumps.
 std::string HeaderRow(const DumpOptions& options);
 
-/// All rows of the claim about the subject, which is made afresh for each seed. None if it is not
-/// asked about that claim.
-std::string ClaimRows(const NamedSubject& subject, const std::string& claim,
-                      const DumpOptions& options);
+/// All rows of the property about the subject, which is made afresh for each seed. None if it is
+/// not asked about that property.
+std::string PropertyRows(const NamedSubject& subject, const std::string& property,
+                         const DumpOptions& options);
 
 }  // namespace rasterproof::baseline
 

@@ -31,11 +31,11 @@ std::vector<NamedSubject> DrawnSubjects() {
   const SubjectInfo snapped = props::testing::SnappedInfo(8);
   const SubjectInfo coarse = props::testing::SnappedInfo(4);
   return {
-      DrawnBy("faultless", false, [=] { return props::testing::Faultless(real); }),
-      DrawnBy("faultless-float64", false, [=] { return props::testing::Faultless(doubles); }),
-      DrawnBy("faultless-any-space", false, [=] { return props::testing::Faultless(any_space); }),
-      DrawnBy("faultless-snap8", false, [=] { return props::testing::Faultless(snapped); }),
-      DrawnBy("faultless-snap4", false, [=] { return props::testing::Faultless(coarse); }),
+      DrawnBy("sound", false, [=] { return props::testing::Sound(real); }),
+      DrawnBy("sound-float64", false, [=] { return props::testing::Sound(doubles); }),
+      DrawnBy("sound-any-space", false, [=] { return props::testing::Sound(any_space); }),
+      DrawnBy("sound-snap8", false, [=] { return props::testing::Sound(snapped); }),
+      DrawnBy("sound-snap4", false, [=] { return props::testing::Sound(coarse); }),
       DrawnBy("other-bits", true,
               [=] {
                 return props::testing::WithProfile(snapped, [](Profile& p) { p.snap.bits = 7; });
@@ -58,15 +58,17 @@ std::vector<NamedSubject> DrawnSubjects() {
 std::vector<NamedSubject> PlantedSubjects() {
   std::vector<NamedSubject> subjects;
   std::map<std::string_view, int> numbers;
-  for (const props::Plant& plant : props::Plants()) {
-    const int number = ++numbers[plant.property];
-    const auto make = [plant] {
-      return std::make_unique<props::PlantedSubject>(subjects::MakeBuiltin(plant.sound), plant.bug);
+  for (const props::PlantedBug& bug : props::PlantedBugs()) {
+    const int number = ++numbers[bug.property];
+    const auto make = [bug] {
+      return std::make_unique<props::PlantedSubject>(subjects::MakeBuiltin(bug.sound), bug.bug);
     };
-    subjects.push_back(
-        {.name = fmt::format("plant:{}:{}", plant.property, number), .is_bug = true, .make = make});
-    // It works out exact weights for every draw: too slow for the others, which models answer too.
-    if (plant.bug.show) subjects.back().claim = plant.property;
+    subjects.push_back({.name = fmt::format("planted-bug:{}:{}", bug.property, number),
+                        .is_bug = true,
+                        .make = make});
+    // It works out exact barycentrics for every draw: too slow for the others, which models answer
+    // too.
+    if (bug.bug.show) subjects.back().property = bug.property;
   }
   return subjects;
 }

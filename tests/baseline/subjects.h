@@ -18,12 +18,12 @@ struct NamedSubject {
   bool is_bug = false;
   /// Makes it afresh, without what wraps it.
   std::function<std::unique_ptr<Subject>()> make;
-  /// The one claim that it is asked about. Empty: all are.
-  std::string_view claim = {};
+  /// The one property that it is asked about. Empty: all are.
+  std::string_view property = {};
 };
 
 /// Built-in methods, models of every output kind, mutants, legal variants, and what the tests of
-/// the engines plant. Names are unique.
+/// the engines hold. Names are unique.
 std::vector<NamedSubject> AllSubjects();
 
 }  // namespace rasterproof::baseline

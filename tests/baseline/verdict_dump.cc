@@ -1,4 +1,4 @@
-// Writes every verdict down: subject by claim by seed by case, for comparing two builds of the
+// Writes every verdict down: subject by property by seed by case, for comparing two builds of the
 // suite by scripts/compare_dumps. A tool of the tests, no part of the product.
 #include <algorithm>
 #include <atomic>
@@ -28,16 +28,17 @@ namespace {
 
 constexpr std::string_view kUsage =
     "usage: verdict_dump --out DIR [--cases 64] [--bug-cases 16] [--seeds 1,2,3] [--only GLOB]...\n"
-    "                    [--claim GLOB]... [--jobs 2] [--digests]\n"
+    "                    [--property GLOB]... [--jobs 2] [--digests]\n"
     "       verdict_dump --list\n"
-    "Writes DIR/SUBJECT.txt, one row a claim, seed and case; --digests: one row a claim. Subjects\n"
+    "Writes DIR/SUBJECT.txt, one row a property, seed and case; --digests: one row a property. "
+    "Subjects\n"
     "with a bug get --bug-cases. A GLOB has * for any letters; one of several is enough.\n";
 
 struct CommandLine {
   std::string out;
   DumpOptions dump;
   std::vector<std::string> only;
-  std::vector<std::string> claims;
+  std::vector<std::string> properties;
   std::uint64_t jobs = 2;
   bool list = false;
 };
@@ -93,8 +94,8 @@ CommandLine Parse(const std::vector<std::string>& words) {
       line.dump.seeds = ToNumbers(value());
     } else if (option == "--only") {
       line.only.push_back(value());
-    } else if (option == "--claim") {
-      line.claims.push_back(value());
+    } else if (option == "--property") {
+      line.properties.push_back(value());
     } else if (option == "--jobs") {
       line.jobs = std::max<std::uint64_t>(ToNumber(value()), 1);
     } else if (option == "--digests") {
@@ -122,24 +123,24 @@ void WriteFile(const std::filesystem::path& path, std::string_view text) {
   if (!file) throw std::runtime_error(path.string() + " can't be written");
 }
 
-// All claims about all subjects, shared out among workers. What is written depends on neither the
-// workers nor their number: every claim is put to a subject of its own.
+// All properties about all subjects, shared out among workers. What is written depends on neither
+// the workers nor their number: every property is put to a subject of its own.
 class Dump {
  public:
   Dump(std::vector<NamedSubject> subjects, const CommandLine& line)
       : subjects_(std::move(subjects)), line_(line) {
-    for (const std::string& claim : ClaimNames()) {
-      if (MatchesAny(line.claims, claim)) claims_.push_back(claim);
+    for (const std::string& property : PropertyNames()) {
+      if (MatchesAny(line.properties, property)) stated_.push_back(property);
     }
     pages_.resize(subjects_.size());
     for (Page& page : pages_) {
-      page.rows.resize(claims_.size());
-      page.missing = claims_.size();
+      page.rows.resize(stated_.size());
+      page.missing = stated_.size();
     }
   }
 
   void Run() {
-    if (claims_.empty()) throw std::invalid_argument("there is no such claim");
+    if (stated_.empty()) throw std::invalid_argument("there is no such property");
     std::vector<std::thread> workers;
     for (std::uint64_t n = 0; n < line_.jobs; ++n) workers.emplace_back([this] { Work(); });
     for (std::thread& worker : workers) worker.join();
@@ -148,28 +149,28 @@ class Dump {
 
  private:
   struct Page {
-    std::vector<std::string> rows;  // by claim
+    std::vector<std::string> rows;  // by property
     std::size_t missing = 0;
   };
 
   void Work() {
     try {
-      const std::size_t all = subjects_.size() * claims_.size();
+      const std::size_t all = subjects_.size() * stated_.size();
       for (std::size_t n = next_++; n < all; n = next_++) {
-        DumpClaim(n / claims_.size(), n % claims_.size());
+        DumpProperty(n / stated_.size(), n % stated_.size());
       }
     } catch (...) {  // handed on by Run
       const std::lock_guard lock(mutex_);
       error_ = std::current_exception();
-      next_ = subjects_.size() * claims_.size();
+      next_ = subjects_.size() * stated_.size();
     }
   }
 
-  void DumpClaim(std::size_t subject, std::size_t claim) {
-    std::string rows = ClaimRows(subjects_[subject], claims_[claim], line_.dump);
+  void DumpProperty(std::size_t subject, std::size_t property) {
+    std::string rows = PropertyRows(subjects_[subject], stated_[property], line_.dump);
     const std::lock_guard lock(mutex_);
     Page& page = pages_[subject];
-    page.rows[claim] = std::move(rows);
+    page.rows[property] = std::move(rows);
     if (--page.missing != 0) return;
     WriteFile(std::filesystem::path(line_.out) / FileName(subjects_[subject].name),
               HeaderRow(line_.dump) + fmt::format("{}", fmt::join(page.rows, "")));
@@ -179,7 +180,7 @@ class Dump {
 
   std::vector<NamedSubject> subjects_;
   const CommandLine& line_;
-  std::vector<std::string> claims_;
+  std::vector<std::string> stated_;
   std::vector<Page> pages_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // of all below and of the pages

@@ -10,11 +10,11 @@ import tempfile
 import unittest
 
 DUMP, ROOT = sys.argv[1:3]
-# A method with edge values and weights, a mutant that holds state, a bug, models with every way to
-# answer.
-SUBJECTS = ("f32-direct", "mutant:target-every-third-draw", "plant:BatchDrawsLikeSingleCalls:1",
-            "model:counts:window:breaks-down", "model:fragments:transform:nan-weights",
-            "model:mask:clip:refuses")  # fmt: skip
+# A method with edge values and barycentrics, a mutant that holds state, a bug, models with every
+# way to answer.
+SUBJECTS = ("f32-direct", "mutant:target-every-third-draw",
+            "planted-bug:BatchDrawsLikeSingleCalls:1", "model:counts:window:breaks-down",
+            "model:fragments:transform:nan-barycentrics", "model:mask:clip:refuses")  # fmt: skip
 
 
 class VerdictDumpTest(unittest.TestCase):
@@ -28,7 +28,7 @@ class VerdictDumpTest(unittest.TestCase):
                               stderr=subprocess.PIPE, check=False)  # fmt: skip
 
     def dump(self, name, *more, subjects=SUBJECTS):
-        """Returns the folder of a dump of one seed, four cases a claim."""
+        """Returns the folder of a dump of one seed, four cases a property."""
         out = self.root / name
         only = [word for subject in subjects for word in ("--only", subject)]
         done = self.run_command(DUMP, "--out", out, "--seeds", "7", "--cases", "4", "--bug-cases",
@@ -49,33 +49,33 @@ class VerdictDumpTest(unittest.TestCase):
         text = "".join(path.read_text() for path in self.dump("all").iterdir())
         for outcome in ("holds", "violated", "refused", "inconclusive", "not applicable"):
             self.assertIn(f"\t{outcome}\t", text)
-        for query in ("edges:", "walks:", "weights:", "interpolations:", "distances:"):
+        for query in ("edges:", "steps:", "barycentrics:", "interpolations:", "distances:"):
             self.assertIn(query, text)
         self.assertNotIn("FAULT", text)
 
     def test_a_case_is_another_one_under_another_seed(self):
-        claim = ("--claim", "ReversedEdgeChangesSign")
-        one = self.dump("one", *claim, subjects=SUBJECTS[:1])
-        two = self.dump("two", *claim, "--seeds", "8", subjects=SUBJECTS[:1])
+        property = ("--property", "ReversedEdgeChangesSign")
+        one = self.dump("one", *property, subjects=SUBJECTS[:1])
+        two = self.dump("two", *property, "--seeds", "8", subjects=SUBJECTS[:1])
         drawn = [row.split("\t")[3] for folder in (one, two)
                  for row in (folder / "f32-direct.txt").read_text().splitlines()[1:]]  # fmt: skip
         self.assertEqual(len(drawn), 8)
         self.assertEqual(len(set(drawn)), 8)
 
     def test_digests_differ_where_a_row_does(self):
-        claim = ("--claim", "VertexRotation*", "--digests")
-        one = self.dump("one", *claim, subjects=SUBJECTS[:1])
-        two = self.dump("two", *claim, subjects=SUBJECTS[:1])
+        property = ("--property", "VertexRotation*", "--digests")
+        one = self.dump("one", *property, subjects=SUBJECTS[:1])
+        two = self.dump("two", *property, subjects=SUBJECTS[:1])
         self.assertEqual(self.compare(one, two).returncode, 0)
-        three = self.dump("three", *claim, "--seeds", "8", subjects=SUBJECTS[:1])
+        three = self.dump("three", *property, "--seeds", "8", subjects=SUBJECTS[:1])
         done = self.compare(one, three)
         self.assertEqual(done.returncode, 1)
         self.assertIn("  digest 1\n", done.stdout)
 
     def test_a_verdict_that_changed_is_shown_with_its_case(self):
-        claim = ("--claim", "VertexRotation*")
-        one = self.dump("one", *claim, subjects=SUBJECTS[:1])
-        two = self.dump("two", *claim, subjects=SUBJECTS[:1])
+        property = ("--property", "VertexRotation*")
+        one = self.dump("one", *property, subjects=SUBJECTS[:1])
+        two = self.dump("two", *property, subjects=SUBJECTS[:1])
         path = two / "f32-direct.txt"
         text = path.read_text()
         self.assertIn("\tholds\t", text)
@@ -87,9 +87,9 @@ class VerdictDumpTest(unittest.TestCase):
         self.assertEqual(self.compare("--ignore", "outcome", one, two).returncode, 0)
 
     def test_a_row_or_a_subject_that_is_gone_is_a_difference(self):
-        claim = ("--claim", "VertexRotation*")
-        one = self.dump("one", *claim, subjects=SUBJECTS[:2])
-        two = self.dump("two", *claim, subjects=SUBJECTS[:2])
+        property = ("--property", "VertexRotation*")
+        one = self.dump("one", *property, subjects=SUBJECTS[:2])
+        two = self.dump("two", *property, subjects=SUBJECTS[:2])
         path = two / "f32-direct.txt"
         path.write_text("\n".join(path.read_text().split("\n")[:-2]) + "\n")
         self.assertIn("row missing 1", self.compare(one, two).stdout)
@@ -103,7 +103,7 @@ class VerdictDumpTest(unittest.TestCase):
 
     def test_an_option_or_subject_that_does_not_exist_is_refused(self):
         out = ("--out", self.root)
-        for words in ((*out, "--only", "no-such"), (*out, "--claim", "NoSuch"),
+        for words in ((*out, "--only", "no-such"), (*out, "--property", "NoSuch"),
                       (*out, "--case", "3"), (*out, "--seeds", "1,x"), ("--out",), ()):  # fmt: skip
             self.assertEqual(self.run_command(DUMP, *words).returncode, 2, words)
 

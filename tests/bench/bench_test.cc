@@ -104,8 +104,8 @@ TEST(BenchTest, CountsGapsAndOverlapsApart) {
   const BenchResult result = RunOnce({&gap, &overlap});
   for (const BenchRow& row : result.rows) {
     const bool gaps = row.subject == "gap";
-    EXPECT_EQ(row.against_real.gaps != 0, gaps) << row.family;
-    EXPECT_EQ(row.against_real.overlaps != 0, !gaps) << row.family;
+    EXPECT_EQ(row.against_real.missing != 0, gaps) << row.family;
+    EXPECT_EQ(row.against_real.unexpected != 0, !gaps) << row.family;
   }
 }
 
@@ -126,7 +126,7 @@ TEST(BenchTest, ProfilesThatDifferOnlyInTheirTieRuleHaveTruthsOfTheirOwn) {
   top_left.info_.profile.snap.bits = 1;
   Draughtsman bottom_right = top_left;
   bottom_right.info_.name = "bottom-right";
-  bottom_right.info_.profile.fill_rule = *FillRuleFromName("bottom-right");
+  bottom_right.info_.profile.tie_rule = *TieRuleFromName("bottom-right");
   for (const BenchRow& row : RunOnce({&top_left, &bottom_right}).rows) {
     EXPECT_EQ(row.against_own.wrong, 0U) << row.family << row.subject;
   }

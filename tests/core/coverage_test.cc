@@ -15,8 +15,8 @@ TEST(CoverageTest, GapsAndOverlapsAreReportedApart) {
   EXPECT_EQ(difference.samples, 3U);
   EXPECT_EQ(difference.covered, 2U);
   EXPECT_EQ(difference.wrong, 2U);
-  EXPECT_EQ(difference.gaps, 1U);
-  EXPECT_EQ(difference.overlaps, 1U);
+  EXPECT_EQ(difference.missing, 1U);
+  EXPECT_EQ(difference.unexpected, 1U);
   EXPECT_EQ(difference.first_wrong, 1U);
 }
 
@@ -27,7 +27,7 @@ TEST(CoverageTest, AWrongFacingIsWrongButNeitherGapNorOverlap) {
   observed.back = {1};
   const CoverageDifference difference = Compare(observed, expected);
   EXPECT_EQ(difference.wrong, 1U);
-  EXPECT_EQ(difference.gaps + difference.overlaps, 0U);
+  EXPECT_EQ(difference.missing + difference.unexpected, 0U);
 }
 
 }  // namespace

@@ -70,16 +70,16 @@ TEST(SameModel, LooksAtWhatCountsDependOn) {
   b.contract = Contract::kNone;
   b.coordinate_limit = 1;
   b.freedom.any_tie_rule = true;
-  b.overdraw = true;
+  b.shares_edge_samples = true;
   EXPECT_TRUE(SameModel(a, b));
-  b.crossing = {8, SnapRule::kFloor};
+  b.scanline_rounding = {8, SnapRule::kFloor};
   EXPECT_FALSE(SameModel(a, b));
-  a.crossing = b.crossing;
+  a.scanline_rounding = b.scanline_rounding;
   a.transform = Transform{};
   EXPECT_FALSE(SameModel(a, b));
   b.transform = a.transform;
   EXPECT_TRUE(SameModel(a, b));
-  b.max_extent = MaxExtent{1, 1};
+  b.max_primitive_extent = MaxPrimitiveExtent{1, 1};
   EXPECT_FALSE(SameModel(a, b));
 }
 

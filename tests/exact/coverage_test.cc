@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/fill_rule.h"
 #include "core/profile.h"
 #include "core/scene.h"
-#include "exact/winners.h"
+#include "core/tie_rule.h"
+#include "exact/primitive_ids.h"
 
 namespace rasterproof::exact {
 namespace {
@@ -63,7 +63,7 @@ const Scene kSquareOfCentres =
 TEST(Coverage, KeepsTheSidesThatTheRuleNames) {
   const auto rows_of = [](const char* rule) {
     Profile profile;
-    profile.fill_rule = *FillRuleFromName(rule);
+    profile.tie_rule = *TieRuleFromName(rule);
     return RowsOf(kSquareOfCentres, profile);
   };
   EXPECT_EQ(rows_of("top-left"), (Picture{"1100", "1100", "0000", "0000"}));
@@ -80,7 +80,7 @@ TEST(Coverage, TellsWhichAxisOfTheShiftGoesFirstOnADiagonal) {
   const Scene scene = MakeScene(3, 3, {{0, 3}, {3, 0}, {0, 0}}, {{0, 1, 2}});
   const auto rows_of = [&](const char* rule) {
     Profile profile;
-    profile.fill_rule = *FillRuleFromName(rule);
+    profile.tie_rule = *TieRuleFromName(rule);
     return RowsOf(scene, profile);
   };
   EXPECT_EQ(rows_of("top-left"), (Picture{"110", "100", "000"}));
@@ -107,7 +107,7 @@ TEST(Coverage, TakesAsymmetricSampleLocationsFromThePixelsOwnCorner) {
   const Scene scene =
       MakeScene(2, 2, {{0, 0}, {2, 0}, {2, 0.25}, {0, 0.25}}, {{0, 1, 2}, {0, 2, 3}});
   Profile profile;
-  profile.lattice.locations = {{0.5, 0.125}, {0.5, 0.875}};
+  profile.pattern.locations = {{0.5, 0.125}, {0.5, 0.875}};
   CoverageCounts counts = Coverage(scene, profile);
   EXPECT_EQ(counts.Count(counts.Index(0, 0, 0)), 1U);
   EXPECT_EQ(counts.Count(counts.Index(0, 0, 1)), 0U);
@@ -156,7 +156,7 @@ TEST(Coverage, IsRightForCoordinatesOfBothEndsAtOnce) {
   const Scene below =
       MakeScene(2, 1, {{1e30, 1e30}, {0x1p99, -0x1p99}, {-0x1p99, 0x1p99}}, {{0, 1, 2}});
   Profile corner;
-  corner.lattice.locations = {{0, 0}};
+  corner.pattern.locations = {{0, 0}};
   EXPECT_EQ(RowsOf(above), (Picture{"00"}));
   EXPECT_EQ(RowsOf(below), (Picture{"11"}));
   EXPECT_EQ(RowsOf(above, corner), (Picture{"00"}));
@@ -194,7 +194,7 @@ TEST(Coverage, IsInstantFarOffAndOnTheLargestTargets) {
 TEST(Coverage, CountsSamplesAndNotPixelsAgainstTheLargestTarget) {
   Scene scene = MakeScene(16384, 16384, {{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
   Profile four = *PresetProfile("real");
-  four.lattice.locations.assign(4, {0.5, 0.5});
+  four.pattern.locations.assign(4, {0.5, 0.5});
   EXPECT_THROW(Coverage(scene, four), InputError);
 }
 
@@ -218,7 +218,7 @@ TEST(Coverage, SnapsInTheProfilesOwnAxes) {
   const Scene scene =
       MakeScene(1, 1, {{-9, 0.5 + 0x1p-10}, {9, 0.5 + 0x1p-10}, {0, -9}}, {{0, 1, 2}});
   EXPECT_EQ(RowsOf(scene, up), (Picture{"1"})) << "the top side snaps onto the centre from above";
-  up.fill_rule = *FillRuleFromName("bottom-left");
+  up.tie_rule = *TieRuleFromName("bottom-left");
   EXPECT_EQ(RowsOf(scene, up), (Picture{"0"}));
 }
 
@@ -238,9 +238,9 @@ TEST(Coverage, SnapsTheRationalQuotientOfClipSpace) {
 
 TEST(Coverage, RefusesSampleLocationsThatCouldRound) {
   Profile profile;
-  profile.lattice.locations = {{1.0 / 3, 0.5}};
+  profile.pattern.locations = {{1.0 / 3, 0.5}};
   EXPECT_THROW(Coverage(kSquareOfCentres, profile), InputError);
-  profile.lattice.locations = {{0.5, 1}};
+  profile.pattern.locations = {{0.5, 1}};
   EXPECT_THROW(Coverage(kSquareOfCentres, profile), InputError);
 }
 
@@ -263,8 +263,8 @@ TEST(WhyNotDecided, SaysBeforehandWhatCoverageThrows) {
   undecided[0].first.vertices[0].w = 0;
   undecided[1].first.vertices[0] = {1e300, 0, 0, 1e-300};
   undecided[2].second.snap.form = SnapForm::kExactDifference;
-  undecided[3].second.max_extent = MaxExtent{4, 4};
-  undecided[4].second.lattice.locations = {{1.0 / 3, 0.5}};
+  undecided[3].second.max_primitive_extent = MaxPrimitiveExtent{4, 4};
+  undecided[4].second.pattern.locations = {{1.0 / 3, 0.5}};
   undecided[5].first.width = 0;
   std::set<std::string> reasons;
   for (const auto& [c, profile] : undecided) {
@@ -294,23 +294,23 @@ TEST(Covers, AsksOnePointUnderTheRule) {
 }
 
 // The last or first triangle that covers a sample, by the coverage of each alone.
-std::vector<std::int32_t> WinnersOneByOne(const Scene& scene, const Profile& profile,
-                                          const DrawOptions& options, WinnerOrder order) {
-  std::vector<std::int32_t> winners;
+std::vector<std::int32_t> PrimitiveIdsOneByOne(const Scene& scene, const Profile& profile,
+                                               const DrawOptions& options, Visible order) {
+  std::vector<std::int32_t> primitive_ids;
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     Scene one = scene;
     one.triangles = {scene.triangles[t]};
     const CoverageCounts alone = Coverage(one, profile, options);
-    winners.resize(alone.size(), kNoTriangle);
+    primitive_ids.resize(alone.size(), kNoPrimitive);
     for (std::size_t k = 0; k < alone.size(); ++k) {
-      const bool wins = order == WinnerOrder::kLastDrawn || winners[k] == kNoTriangle;
-      if (alone.Count(k) != 0 && wins) winners[k] = static_cast<std::int32_t>(t);
+      const bool wins = order == Visible::kLastDrawn || primitive_ids[k] == kNoPrimitive;
+      if (alone.Count(k) != 0 && wins) primitive_ids[k] = static_cast<std::int32_t>(t);
     }
   }
-  return winners;
+  return primitive_ids;
 }
 
-TEST(Winners, AreTheLastOrTheFirstOfTheTrianglesThatCoverASample) {
+TEST(PrimitiveIds, AreTheLastOrTheFirstOfTheTrianglesThatCoverASample) {
   Scene scene = MakeScene(9, 7, {}, {});
   std::mt19937_64 bits(7);
   for (int k = 0; k < 60; ++k) {
@@ -319,18 +319,18 @@ TEST(Winners, AreTheLastOrTheFirstOfTheTrianglesThatCoverASample) {
   }
   for (std::int32_t t = 0; t < 20; ++t) scene.triangles.push_back({t, t + 20, t + 40});
   Profile four;
-  four.lattice.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+  four.pattern.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
   four.y_axis = YAxis::kUp;
   for (const bool clip_space : {false, true}) {
     scene.clip_space = clip_space;
-    for (const WinnerOrder order : {WinnerOrder::kLastDrawn, WinnerOrder::kFirstDrawn}) {
+    for (const Visible order : {Visible::kLastDrawn, Visible::kFirstDrawn}) {
       for (const Cull cull : {Cull::kNone, Cull::kBack}) {
         for (const Profile& profile : {Profile{}, four}) {
           DrawOptions options;
           options.cull = cull;
           options.scissor = PixelRect{1, 1, 8, 7};
-          EXPECT_EQ(Winners(scene, profile, options, order),
-                    WinnersOneByOne(scene, profile, options, order));
+          EXPECT_EQ(PrimitiveIds(scene, profile, options, order),
+                    PrimitiveIdsOneByOne(scene, profile, options, order));
         }
       }
     }

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 #include "tests/exact/families.h"
 #include "tests/exact/naive.h"
@@ -141,10 +141,10 @@ TEST(ShiftedEdgeSign, IsTheSignAtTheMovedSampleUnderEveryRule) {
   for (int k = 0; k < 4000; ++k) {
     const Family family = k % 2 == 0 ? Family::kHalfPixels : static_cast<Family>(k % kFamilies);
     const auto [a, b, p] = draw.EdgeAndPoint(family);
-    const FillRule rule = draw.AnyProfile().fill_rule;
+    const TieRule rule = draw.AnyProfile().tie_rule;
     const int truth = sgn(NaiveEdge(NaiveAt(a), NaiveAt(b), NaiveShifted(NaiveAt(p), rule)));
     for (const Decider decider : kDeciders) {
-      ASSERT_EQ(ShiftedEdgeSign(a, b, p, rule, decider), truth) << FillRuleName(rule);
+      ASSERT_EQ(ShiftedEdgeSign(a, b, p, rule, decider), truth) << TieRuleName(rule);
     }
     if (EdgeSign(a, b, p) == 0 && truth != 0) ++ties;
   }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/draw_options.h"
-#include "core/fill_rule.h"
+#include "core/tie_rule.h"
 #include "core/ulp.h"
 
 namespace rasterproof::exact {
@@ -176,10 +176,10 @@ Scene Draw::SmallScene(Family family, bool clip_space) {
 
 Profile Draw::AnyProfile() {
   Profile profile;
-  profile.fill_rule = {static_cast<std::int8_t>(Sign()), static_cast<std::int8_t>(Sign()),
-                       Below(2) == 0, Below(9) == 0};
+  profile.tie_rule = {static_cast<std::int8_t>(Sign()), static_cast<std::int8_t>(Sign()),
+                      Below(2) == 0, Below(9) == 0};
   profile.y_axis = Below(2) == 0 ? YAxis::kDown : YAxis::kUp;
-  if (Below(3) == 0) profile.lattice.locations = {{0.25, 0.5}, {0, 0}, {0.99609375, 0.125}};
+  if (Below(3) == 0) profile.pattern.locations = {{0.25, 0.5}, {0, 0}, {0.99609375, 0.125}};
   return profile;
 }
 

@@ -8,9 +8,9 @@
 #include <map>
 #include <vector>
 
-#include "core/fill_rule.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/tie_rule.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "tests/exact/families.h"
@@ -88,11 +88,11 @@ TEST(ShiftedHomogeneousEdgeSign, IsTheSignAtTheMovedSampleUnderEveryRule) {
       const double n = draw.Below(5) - 2;
       vj = {m * vi.x + n * p.x, m * vi.y + n * p.y, 0, m * vi.w + n};
     }
-    const FillRule rule = draw.AnyProfile().fill_rule;
+    const TieRule rule = draw.AnyProfile().tie_rule;
     const NaivePoint moved = NaiveShifted(NaiveAt(p), rule);
     const int truth = sgn(NaiveDeterminant({moved.x, moved.y, 1}, RowOf(vj), RowOf(vi)));
     for (const Decider decider : kDeciders) {
-      ASSERT_EQ(ShiftedHomogeneousEdgeSign(vi, vj, p, rule, decider), truth) << FillRuleName(rule);
+      ASSERT_EQ(ShiftedHomogeneousEdgeSign(vi, vj, p, rule, decider), truth) << TieRuleName(rule);
     }
     if (truth != 0 && HomogeneousEdgeSign(vi, vj, p) == 0) ++ties;
   }

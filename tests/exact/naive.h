@@ -45,7 +45,7 @@ inline int NaiveEdgeSign(Point2 a, Point2 b, Point2 p) {
 // one that is not 0 is at least 2^-3222; a move changes it by less than 2^-6000 * 2^2050. And a
 // move by e changes what it changes by at least 2^-6000 * 2^-2148, a move by e^2 by less than
 // 2^-12000 * 2^2050.
-inline NaivePoint NaiveShifted(NaivePoint p, const FillRule& rule) {
+inline NaivePoint NaiveShifted(NaivePoint p, const TieRule& rule) {
   static const mpq_class e = NaiveTwoTo(-6000);
   static const mpq_class e2 = NaiveTwoTo(-12000);
   if (rule.inclusive || rule.exclusive) return p;
@@ -67,10 +67,10 @@ inline bool NaiveCovers(const std::array<NaiveRow, 3>& v, const NaivePoint& p, b
   const mpq_class det = NaiveDeterminant(v[0], v[1], v[2]);
   if (det == 0) return false;
   const NaiveRow ray{p.x, p.y, 1};
-  const std::array<mpq_class, 3> weight{NaiveDeterminant(ray, v[1], v[2]) / det,
-                                        NaiveDeterminant(v[0], ray, v[2]) / det,
-                                        NaiveDeterminant(v[0], v[1], ray) / det};
-  for (const mpq_class& w : weight) {
+  const std::array<mpq_class, 3> barycentric{NaiveDeterminant(ray, v[1], v[2]) / det,
+                                             NaiveDeterminant(v[0], ray, v[2]) / det,
+                                             NaiveDeterminant(v[0], v[1], ray) / det};
+  for (const mpq_class& w : barycentric) {
     if (w < 0 || (w == 0 && !inclusive)) return false;
   }
   return true;
@@ -81,9 +81,9 @@ inline bool NaiveCovers(const std::array<NaiveRow, 3>& v, const NaivePoint& p, b
 inline CoverageCounts NaiveCoverage(const Scene& scene, const Profile& profile,
                                     const DrawOptions& options = {}) {
   const bool up = profile.y_axis == YAxis::kUp;
-  FillRule rule = profile.fill_rule;
+  TieRule rule = profile.tie_rule;
   if (up) rule.sign_y = static_cast<std::int8_t>(-rule.sign_y);
-  CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
+  CoverageCounts counts(scene.width, scene.height, profile.pattern.samples());
   for (const Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> corners = Corners(scene, t);
     if (!IsFinite(corners[0]) || !IsFinite(corners[1]) || !IsFinite(corners[2])) continue;
@@ -102,7 +102,7 @@ inline CoverageCounts NaiveCoverage(const Scene& scene, const Profile& profile,
         if (!inside_scissor) continue;
         for (int s = 0; s < counts.samples; ++s) {
           const int j = up ? scene.height - 1 - row : row;
-          const NaivePoint p = NaiveShifted(NaiveAt(profile.lattice.At(i, j, s)), rule);
+          const NaivePoint p = NaiveShifted(NaiveAt(profile.pattern.At(i, j, s)), rule);
           if (!NaiveCovers(v, p, rule.inclusive)) continue;
           ++(front ? counts.front : counts.back)[counts.Index(i, row, s)];
         }

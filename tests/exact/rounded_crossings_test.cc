@@ -55,14 +55,14 @@ using Corners3 = std::array<Point2, 3>;
 
 // Whether the sample lies between the rounded crossings of its row, by sorting what bounds it.
 bool CoversByDefinition(Corners3 v, Point2 p, const Profile& profile) {
-  const FillRule& rule = profile.fill_rule;
+  const TieRule& rule = profile.tie_rule;
   std::ranges::sort(v, {}, &Point2::y);
   const bool in_rows =
       rule.sign_y > 0 ? v[0].y <= p.y && p.y < v[2].y : v[0].y < p.y && p.y <= v[2].y;
   if (!in_rows) return false;
   const auto crossing = [&](Point2 a, Point2 b) {
     const mpq_class slope = (mpq_class(b.x) - a.x) / (mpq_class(b.y) - a.y);
-    return RoundedTo(mpq_class(a.x) + (mpq_class(p.y) - a.y) * slope, profile.crossing);
+    return RoundedTo(mpq_class(a.x) + (mpq_class(p.y) - a.y) * slope, profile.scanline_rounding);
   };
   const bool upper = rule.sign_y > 0 ? p.y < v[1].y : p.y <= v[1].y;
   mpq_class left = crossing(v[0], v[2]);
@@ -91,14 +91,14 @@ class Draw {
 Profile DrawnProfile(Draw& draw) {
   Profile profile;
   constexpr std::array kBits{0, 1, 4, 8, 16};
-  profile.crossing.bits = kBits[static_cast<std::size_t>(draw.Int(0, 4))];
-  profile.crossing.rule = static_cast<SnapRule>(draw.Int(0, 4));
+  profile.scanline_rounding.bits = kBits[static_cast<std::size_t>(draw.Int(0, 4))];
+  profile.scanline_rounding.rule = static_cast<SnapRule>(draw.Int(0, 4));
   if (draw.Int(0, 3) == 0) {
-    profile.crossing.form = SnapForm::kExactDifference;
-    profile.crossing.origin = 0.5;
+    profile.scanline_rounding.form = SnapForm::kExactDifference;
+    profile.scanline_rounding.origin = 0.5;
   }
-  profile.fill_rule.sign_x = draw.Int(0, 1) == 0 ? 1 : -1;
-  profile.fill_rule.sign_y = draw.Int(0, 1) == 0 ? 1 : -1;
+  profile.tie_rule.sign_x = draw.Int(0, 1) == 0 ? 1 : -1;
+  profile.tie_rule.sign_y = draw.Int(0, 1) == 0 ? 1 : -1;
   return profile;
 }
 
@@ -121,7 +121,7 @@ TEST(RoundedCrossings, AreThoseOfTheDefinition) {
     if (Facing(v) == 0) continue;
     const CoverageCounts counts = Coverage(scene, profile);
     Profile real = profile;
-    real.crossing = {};
+    real.scanline_rounding = {};
     if (counts != Coverage(scene, real)) ++moved;
     for (int row = 0; row < scene.height; ++row) {
       for (int x = 0; x < scene.width; ++x) {
@@ -144,18 +144,18 @@ TEST(RoundedCrossings, MoveASampleThatTheEdgeItselfDoesNot) {
   scene.vertices = {{2.375, 0, 0, 1}, {2.375, 1, 0, 1}, {-8, 1, 0, 1}};
   scene.triangles = {{0, 1, 2}};
   Profile profile;
-  profile.crossing = {0, SnapRule::kFloor};
+  profile.scanline_rounding = {0, SnapRule::kFloor};
   const auto count = [&](int x) {
     return Coverage(scene, profile).Count(static_cast<std::size_t>(x));
   };
   EXPECT_EQ(count(1), 1U);
   EXPECT_EQ(count(2), 0U);
-  profile.crossing = {0, SnapRule::kHalfUp};
+  profile.scanline_rounding = {0, SnapRule::kHalfUp};
   EXPECT_EQ(count(1), 1U);
-  profile.crossing = {1,
-                      SnapRule::kHalfUp};  // 2.375 becomes 5/2, which the right side does not own
+  profile.scanline_rounding = {
+      1, SnapRule::kHalfUp};  // 2.375 becomes 5/2, which the right side does not own
   EXPECT_EQ(count(2), 0U);
-  profile.fill_rule.sign_x = -1;
+  profile.tie_rule.sign_x = -1;
   EXPECT_EQ(count(2), 1U);
 }
 
@@ -168,10 +168,10 @@ TEST(RoundedCrossings, AreRoundedOnce) {
   scene.vertices = {{2, 0, 0, 1}, {2 - 0x1p-52, 2, 0, 1}, {-8, 2, 0, 1}};
   scene.triangles = {{0, 1, 2}};
   Profile profile;
-  profile.crossing = {0, SnapRule::kFloor};
+  profile.scanline_rounding = {0, SnapRule::kFloor};
   EXPECT_EQ(Coverage(scene, profile).Count(0), 1U);
   EXPECT_EQ(Coverage(scene, profile).Count(1), 0U);
-  profile.crossing = {0, SnapRule::kHalfUp};
+  profile.scanline_rounding = {0, SnapRule::kHalfUp};
   EXPECT_EQ(Coverage(scene, profile).Count(1), 1U);
 }
 
@@ -183,7 +183,7 @@ TEST(RoundedCrossings, ThatRationalsDecideAreNotCountedAsFiltered) {
   scene.vertices = {{2, 0, 0, 1}, {2 - 0x1p-52, 2, 0, 1}, {-8, 2, 0, 1}};
   scene.triangles = {{0, 1, 2}};
   Profile profile;
-  profile.crossing = {0, SnapRule::kFloor};
+  profile.scanline_rounding = {0, SnapRule::kFloor};
   {
     const TierScope scope;
     Coverage(scene, profile);
@@ -199,7 +199,7 @@ TEST(RoundedCrossings, AreNoMatterOfHomogeneousClipSpace) {
   Scene scene;
   scene.clip_space = true;
   Profile profile;
-  profile.crossing = {8, SnapRule::kFloor};
+  profile.scanline_rounding = {8, SnapRule::kFloor};
   EXPECT_THROW(Coverage(scene, profile), InputError);
 }
 
@@ -211,7 +211,7 @@ TEST(RoundedCrossings, AreDecidedByTheFastPathAlone) {
   scene.vertices = {{2.375, 0, 0, 1}, {2.375, 1, 0, 1}, {-8, 1, 0, 1}};
   scene.triangles = {{0, 1, 2}};
   Profile profile;
-  profile.crossing = {8, SnapRule::kFloor};
+  profile.scanline_rounding = {8, SnapRule::kFloor};
   for (const Decider decider : {Decider::kIntegers, Decider::kCgal}) {
     EXPECT_THROW(Coverage(scene, profile, {}, decider), InputError);
     EXPECT_EQ(Coverage(scene, {}, {}, decider).Count(1), 1U);

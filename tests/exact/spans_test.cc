@@ -37,7 +37,7 @@ Compared CompareOnScenes(bool clip_space, int scenes_per_family, bool against_na
               ? NaiveCoverage(scene, profile, options)
               : Coverage(scene, profile, options, k % 2 == 0 ? Decider::kIntegers : Decider::kCgal);
       EXPECT_EQ(spans, truth) << FamilyName(family) << " " << k << " under "
-                              << FillRuleName(profile.fill_rule)
+                              << TieRuleName(profile.tie_rule)
                               << (profile.y_axis == YAxis::kUp ? ", y up" : ", y down");
       if (spans != truth) return compared;
       ++compared.scenes;

@@ -45,7 +45,7 @@ TEST(BoundaryWinding, EqualsSignedCoverageOfAnyTrianglesUnderEveryRule) {
     Draw draw(500 + static_cast<unsigned>(k));
     const Scene scene = draw.SmallScene(static_cast<Family>(k % kFamilies), false);
     Profile profile = draw.AnyProfile();
-    profile.fill_rule.inclusive = false;
+    profile.tie_rule.inclusive = false;
     if (k % 3 == 0) profile.snap = {4, SnapRule::kNearestEven};
     const CoverageCounts counts = Coverage(scene, profile);
     const std::vector<std::int64_t> winding = BoundaryWinding(scene, profile);

@@ -84,7 +84,7 @@ TEST(BadSceneTest, KeysMustBeThoseOfAScene) {
       {"7", "is a number, not an object"},
       {"null", "is null, not an object"},
       {"{}", "the key \"rasterproof_scene\" is missing"},
-      {R"({"rasterproof_case": 1, "scene": {}})", "is a case, not a scene"},
+      {R"({"rasterproof_case": 2, "scene": {}})", "is a case, not a scene"},
       {R"({"rasterproof_scene": 2})", "bad.json: rasterproof_scene: version 2 is unknown"},
       {R"({"rasterproof_scene": "1"})", "is a string, not an integer"},
       {R"({"rasterproof_scene": 1, "width": 1, "height": 1, "vertices": []})",

@@ -32,7 +32,7 @@ void ExpectReadsBack(const CaseFile& file) {
 }
 
 TEST(CaseFileTest, CasesReadBack) {
-  CaseFile file{{OneTriangle(), Profile{}, DrawOptions{}, "needles:17@1"}, "f32", "Claim"};
+  CaseFile file{{OneTriangle(), Profile{}, DrawOptions{}, "needles:17@1"}, "f32", "Property"};
   ExpectReadsBack(file);
   for (const std::string_view name : kPresetProfiles) {
     file.value.profile = *PresetProfile(name);
@@ -52,14 +52,14 @@ TEST(CaseFileTest, EveryPartOfAProfileReadsBack) {
   profile.name = "mine";
   profile.snap = {4, SnapRule::kFloor, SnapForm::kFloat32Difference, 0x1p-8};
   profile.freedom = {0.6, true};
-  profile.lattice.locations = {{0, 0}, {0x1.fep-1, 0x1p-8}, {0.375, 0.875}};
+  profile.pattern.locations = {{0, 0}, {0x1.fep-1, 0x1p-8}, {0.375, 0.875}};
   profile.y_axis = YAxis::kUp;
-  profile.fill_rule = {-1, +1, true, false};
+  profile.tie_rule = {-1, +1, true, false};
   profile.contract = Contract::kWatertight;
   profile.coordinate_limit = 0x1.23456789abcdep-1000;
   ExpectReadsBack(file);
   profile.snap.bits = Snap::kNone;
-  profile.fill_rule = FillRule{.inclusive = true};
+  profile.tie_rule = TieRule{.inclusive = true};
   for (const Contract contract : {Contract::kClosed, Contract::kConservativeOver,
                                   Contract::kConservativeUnder, Contract::kNone}) {
     profile.contract = contract;
@@ -112,7 +112,7 @@ TEST(CaseFileTest, BadCasesAreRefusedWithPlaceAndReason) {
   const auto message = [](const std::string& parts) -> std::string {
     std::string scene = SceneToJson(OneTriangle());
     try {
-      ParseCase(R"({"rasterproof_case": 1, "scene": )" + scene + parts + "}", "case.json");
+      ParseCase(R"({"rasterproof_case": 2, "scene": )" + scene + parts + "}", "case.json");
     } catch (const InputError& error) {
       return error.what();
     }
@@ -140,6 +140,7 @@ TEST(CaseFileTest, BadCasesAreRefusedWithPlaceAndReason) {
       {message(R"(, "options": {"tile": -1})"), "options.tile: the number -1 is out of range"},
       {message(R"(, "options": {"threads": 1.5})"), "options.threads: the number 1.5 is not"},
       {profile(R"("colour": 1)"), "profile: unknown key \"colour\""},
+      {profile(R"("no_clip": null)"), "unknown key \"no_clip\", which is guard_band now"},
       {profile(R"("subpixel_bits": 17)"), "profile.subpixel_bits: the number 17 is out of range"},
       {profile(R"("subpixel_bits": -1)"), "out of range"},
       {profile(R"("snap_rule": "up")"), "profile.snap_rule: \"up\" is no snap rule"},
@@ -148,7 +149,7 @@ TEST(CaseFileTest, BadCasesAreRefusedWithPlaceAndReason) {
       {profile(R"("snap_tolerance": -0.5)"), "is not a snap tolerance"},
       {profile(R"("snap_tolerance": 1.5)"), "a number of grid steps from 0 to 1"},
       {profile(R"("any_tie_rule": 1)"), "any_tie_rule: is neither true nor false"},
-      {profile(R"("fill_rule": "left")"), "profile.fill_rule: \"left\" is no fill rule"},
+      {profile(R"("tie_rule": "left")"), "profile.tie_rule: \"left\" is no tie rule"},
       {profile(R"("y_axis": "left")"), "profile.y_axis: \"left\" is unknown"},
       {profile(R"("contract": "good")"), "profile.contract: \"good\" is unknown"},
       {profile(R"("sample_locations": [])"), "has 0 sample locations; write from 1 to 64"},
@@ -168,7 +169,7 @@ TEST(CaseFileTest, BadCasesAreRefusedWithPlaceAndReason) {
 
 TEST(CaseFileTest, ErrorsInsideTheSceneNameTheirPlaceInTheCase) {
   try {
-    ParseCase(R"({"rasterproof_case": 1, "scene": {"rasterproof_scene": 1, "width": 1,
+    ParseCase(R"({"rasterproof_case": 2, "scene": {"rasterproof_scene": 1, "width": 1,
                   "height": 1, "vertices": [[0, 0], [0, 1e400]], "triangles": []}})",
               "case.json");
     FAIL();

@@ -23,19 +23,19 @@ TEST(ProfileJson, RareKeysReadBack) {
   profile.fixed = FixedInput{12, 4, true, false};
   ExpectReadsBack(profile);
   profile.fixed = FixedInput{31, 16, false, true};
-  profile.max_extent = MaxExtent{1023.5, 511};
-  profile.no_clip = WindowBox{-1024, -0.1, 1023, 0x1p30};
-  profile.zero_area = ZeroArea::kUnspecified;
+  profile.max_primitive_extent = MaxPrimitiveExtent{1023.5, 511};
+  profile.guard_band = WindowBox{-1024, -0.1, 1023, 0x1p30};
+  profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
   profile.infinite_vertex = InfiniteVertex::kUnspecified;
-  profile.overdraw = true;
-  profile.fill_rule = {.exclusive = true};
+  profile.shares_edge_samples = true;
+  profile.tie_rule = {.exclusive = true};
   ExpectReadsBack(profile);
 }
 
 TEST(ProfileJson, CrossingAndTransformReadBack) {
   Profile profile;
   profile.name = "scanline";
-  profile.crossing = {16, SnapRule::kFloor, SnapForm::kExactDifference, 0.5};
+  profile.scanline_rounding = {16, SnapRule::kFloor, SnapForm::kExactDifference, 0.5};
   profile.transform = Transform{Precision::kFloat64, Division::kReciprocal,
                                 ViewportForm::kAddMultiply, /*flips_y=*/true};
   ExpectReadsBack(profile);
@@ -45,31 +45,31 @@ TEST(ProfileJson, TargetsReadBackWithWhatTheyOverride) {
   Profile profile;
   profile.name = "mine";
   profile.snap = {8, SnapRule::kFloor, SnapForm::kExactDifference, 0.5};
-  profile.targets = {
-      {.max_width = 2048, .max_height = 1024, .snap = {6}, .fill_rule = {-1, +1, true}},
-      {.snap = {}, .lattice = {{{0.25, 0.75}}}}};
+  profile.by_target_size = {
+      {.max_width = 2048, .max_height = 1024, .snap = {6}, .tie_rule = {-1, +1, true}},
+      {.snap = {}, .pattern = {{{0.25, 0.75}}}}};
   ExpectReadsBack(profile);
 }
 
 TEST(ProfileJson, ATargetHasOfTheProfileWhatItLeavesOut) {
   const Profile profile = ParseProfile(
-      R"({"name": "p", "fill_rule": "bottom-left", "subpixel_bits": 4, "snap_rule": "floor",
-          "targets": [{"max_width": 2048, "max_height": 2048, "subpixel_bits": 8}]})",
+      R"({"name": "p", "tie_rule": "bottom-left", "subpixel_bits": 4, "snap_rule": "floor",
+          "by_target_size": [{"max_width": 2048, "max_height": 2048, "subpixel_bits": 8}]})",
       "p.json");
-  ASSERT_EQ(profile.targets.size(), 1U);
-  EXPECT_EQ(profile.targets[0].snap, (Snap{8, SnapRule::kFloor}));
-  EXPECT_EQ(profile.targets[0].fill_rule, profile.fill_rule);
+  ASSERT_EQ(profile.by_target_size.size(), 1U);
+  EXPECT_EQ(profile.by_target_size[0].snap, (Snap{8, SnapRule::kFloor}));
+  EXPECT_EQ(profile.by_target_size[0].tie_rule, profile.tie_rule);
   EXPECT_EQ(ForTarget(profile, 2049, 1).snap.bits, 4);
 }
 
 TEST(ProfileJson, KeysThatAreLeftOutSayWhatTheyAlwaysDid) {
-  const Profile profile = ParseProfile(R"({"name": "p", "fixed": null, "max_extent": null,
-                                          "no_clip": null, "targets": []})",
+  const Profile profile = ParseProfile(R"({"name": "p", "fixed": null, "max_primitive_extent": null,
+                                          "guard_band": null, "by_target_size": []})",
                                        "p.json");
-  EXPECT_FALSE(profile.fixed || profile.max_extent || profile.no_clip);
-  EXPECT_EQ(profile.zero_area, ZeroArea::kNothing);
+  EXPECT_FALSE(profile.fixed || profile.max_primitive_extent || profile.guard_band);
+  EXPECT_EQ(profile.degenerate_triangles, DegenerateTriangles::kNothing);
   EXPECT_EQ(profile.infinite_vertex, InfiniteVertex::kNothing);
-  EXPECT_FALSE(profile.overdraw);
+  EXPECT_FALSE(profile.shares_edge_samples);
   const Profile fixed =
       ParseProfile(R"({"name": "p", "fixed": {"integer_bits": 9, "fraction_bits": 0}})", "p.json");
   EXPECT_EQ(fixed.fixed, (FixedInput{9, 0, true, false}));
@@ -126,29 +126,33 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
                "fixed.wrap: is neither true nor false; write true or false"},
            Bad{R"("fixed": {"integer_bits": 12, "fraction_bits": 4, "bits": 1})",
                "unknown key \"bits\""},
-           Bad{R"("max_extent": [1024])", "max_extent: has 1 numbers; write [width, height]"},
-           Bad{R"("max_extent": [1024, 0])", "max_extent: is not the size of a triangle"},
-           Bad{R"("max_extent": ["nan", 1])", "max_extent[0]: is not finite"},
-           Bad{R"("no_clip": [0, 0, 1])", "no_clip: has 3 numbers"},
-           Bad{R"("no_clip": [0, 0, 0, 1])", "no_clip: is empty; write x0 < x1 and y0 < y1"},
-           Bad{R"("no_clip": [0, 0, "inf", 1])", "no_clip[2]: is not finite"},
-           Bad{R"("crossing": {"rule": "floor"})", "bits"},
-           Bad{R"("crossing": {"bits": 17})", "crossing.bits"},
+           Bad{R"("max_primitive_extent": [1024])",
+               "max_primitive_extent: has 1 numbers; write [width, height]"},
+           Bad{R"("max_primitive_extent": [1024, 0])",
+               "max_primitive_extent: is not the size of a triangle"},
+           Bad{R"("max_primitive_extent": ["nan", 1])", "max_primitive_extent[0]: is not finite"},
+           Bad{R"("guard_band": [0, 0, 1])", "guard_band: has 3 numbers"},
+           Bad{R"("guard_band": [0, 0, 0, 1])", "guard_band: is empty; write x0 < x1 and y0 < y1"},
+           Bad{R"("guard_band": [0, 0, "inf", 1])", "guard_band[2]: is not finite"},
+           Bad{R"("scanline_rounding": {"rule": "floor"})", "bits"},
+           Bad{R"("scanline_rounding": {"bits": 17})", "scanline_rounding.bits"},
            Bad{R"("transform": {"division": "rcp"})",
                "transform.division: \"rcp\" is no division; write quotient or reciprocal"},
            Bad{R"("transform": {"viewport": "half"})", "write none, multiply-add, fused"},
            Bad{R"("transform": {"matrix": 1})", "unknown key \"matrix\""},
-           Bad{R"("zero_area": "line")", "zero_area: \"line\" is unknown; known here are"},
+           Bad{R"("degenerate_triangles": "line")",
+               "degenerate_triangles: \"line\" is unknown; known here are"},
            Bad{R"("infinite_vertex": "clamped")", "infinite_vertex: \"clamped\" is unknown; known"},
-           Bad{R"("overdraw": true)", "overdraw: "},
-           Bad{R"("fill_rule": "none")", "inclusive or exclusive"},
-           Bad{R"("targets": {})", "targets: "},
-           Bad{R"("targets": [{"max_width": 0}])", "targets[0].max_width: the number 0 is out of"},
-           Bad{R"("targets": [{"name": "q"}])", "targets[0]: unknown key \"name\""},
-           Bad{R"("targets": [{"sample_locations": [[0, 0], [0, 0.5]]}])",
-               "targets[0].sample_locations: has 2 sample locations, the profile 1"},
-           Bad{R"("targets": [{"max_width": 64}, {"max_width": 32, "max_height": 32}])",
-               "targets[1]: never applies"},
+           Bad{R"("edge_samples": true)", "edge_samples: "},
+           Bad{R"("tie_rule": "none")", "inclusive or exclusive"},
+           Bad{R"("by_target_size": {})", "by_target_size: "},
+           Bad{R"("by_target_size": [{"max_width": 0}])",
+               "by_target_size[0].max_width: the number 0 is out of"},
+           Bad{R"("by_target_size": [{"name": "q"}])", "by_target_size[0]: unknown key \"name\""},
+           Bad{R"("by_target_size": [{"sample_locations": [[0, 0], [0, 0.5]]}])",
+               "by_target_size[0].sample_locations: has 2 sample locations, the profile 1"},
+           Bad{R"("by_target_size": [{"max_width": 64}, {"max_width": 32, "max_height": 32}])",
+               "by_target_size[1]: never applies"},
        }) {
     const std::string message = Message(bad.member);
     EXPECT_NE(message.find(bad.expected), std::string::npos)

@@ -1,4 +1,4 @@
-// A type of one's own that claims what only methods of this project may, under the name BOAST.
+// A type of one's own that states what only methods of this project may, under the name BOAST.
 #include <memory>
 
 #include "core/scene.h"
@@ -10,7 +10,7 @@
 struct Boast {
   static rasterproof::SubjectInfo Info() {
     rasterproof::SubjectInfo info;
-    info.claims_exact = true;
+    info.states_exact = true;
     info.proofs = {{"the direct form is never wrong", "edge_direct.g"}};
     return info;
   }

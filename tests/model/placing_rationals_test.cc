@@ -71,8 +71,8 @@ TEST(DropByRationals, IsExceedsBesideEveryExtent) {
         if (!std::isfinite(high)) continue;
         const std::array<Point2, 3> v{{{low, 2}, {high, -1}, {low, 0.5}}};
         const std::array<Point2, 3> turned{{{0.5, high}, {0, low}, {-1, high}}};
-        for (const auto& [corners, most] :
-             {std::pair{v, MaxExtent{extent, 8}}, std::pair{turned, MaxExtent{8, extent}}}) {
+        for (const auto& [corners, most] : {std::pair{v, MaxPrimitiveExtent{extent, 8}},
+                                            std::pair{turned, MaxPrimitiveExtent{8, extent}}}) {
           std::array<std::array<mpq_class, 2>, 3> exact;
           for (std::size_t k = 0; k < 3; ++k) exact[k] = {corners[k].x, corners[k].y};
           const bool expected = second::IsLarger(exact, most);
@@ -112,32 +112,32 @@ Snap AnySnap(Random& random) {
 }
 
 std::vector<TargetModel> AnyTargets(Random& random) {
-  std::vector<TargetModel> targets(static_cast<std::size_t>(random.Int(0, 3)));
-  for (TargetModel& model : targets) {
+  std::vector<TargetModel> models(static_cast<std::size_t>(random.Int(0, 3)));
+  for (TargetModel& model : models) {
     model = {random.Int(1, 6), random.Int(1, 6), AnySnap(random), {}, {}};
     if (random.Int(0, 4) == 0) model.max_width = model.max_height = kMaxTargetSide;
-    model.lattice.locations = {{random.Int(0, 255) / 256.0, 0.5}};
-    model.fill_rule.y_first = random.Coin();
+    model.pattern.locations = {{random.Int(0, 255) / 256.0, 0.5}};
+    model.tie_rule.y_first = random.Coin();
   }
-  return targets;
+  return models;
 }
 
-// What an entry of `targets` says, or the profile itself.
+// What an entry of `by_target_size` says, or the profile itself.
 struct Said {
   Snap snap;
-  SampleLattice lattice;
-  FillRule fill_rule;
+  SamplePattern lattice;
+  TieRule tie_rule;
 
   friend bool operator==(const Said&, const Said&) = default;
 };
 
 Said SaidOn(const Profile& profile, int width, int height) {
-  for (const TargetModel& model : profile.targets) {
+  for (const TargetModel& model : profile.by_target_size) {
     if (width <= model.max_width && height <= model.max_height) {
-      return {model.snap, model.lattice, model.fill_rule};
+      return {model.snap, model.pattern, model.tie_rule};
     }
   }
-  return {profile.snap, profile.lattice, profile.fill_rule};
+  return {profile.snap, profile.pattern, profile.tie_rule};
 }
 
 TEST(ForTargetBySizes, IsTheFirstEntryThatFits) {
@@ -145,7 +145,7 @@ TEST(ForTargetBySizes, IsTheFirstEntryThatFits) {
   for (int k = 0; k < Cases(500); ++k) {
     Profile profile;
     profile.snap = AnySnap(random);
-    profile.targets = AnyTargets(random);
+    profile.by_target_size = AnyTargets(random);
     const Profile other = ForTarget(profile, random.Int(1, 7), random.Int(1, 7));
     for (int width = 1; width <= 7; ++width) {
       for (int height = 1; height <= 7; ++height) {
@@ -153,7 +153,7 @@ TEST(ForTargetBySizes, IsTheFirstEntryThatFits) {
         const Profile mutants = subjects::mutants::ModelOn(profile, width, height);
         for (const Profile& model :
              {ForTarget(profile, width, height), ForTarget(other, width, height), mutants}) {
-          ASSERT_EQ((Said{model.snap, model.lattice, model.fill_rule}), expected)
+          ASSERT_EQ((Said{model.snap, model.pattern, model.tie_rule}), expected)
               << "profile " << k << ", " << width << " x " << height;
         }
       }
@@ -164,10 +164,10 @@ TEST(ForTargetBySizes, IsTheFirstEntryThatFits) {
 Profile AnyProfile(Random& random) {
   Profile profile;
   profile.snap = AnySnap(random);
-  profile.targets = AnyTargets(random);
-  if (random.Coin()) profile.max_extent = MaxExtent{random.Int(0, 64) / 4.0, 8};
+  profile.by_target_size = AnyTargets(random);
+  if (random.Coin()) profile.max_primitive_extent = MaxPrimitiveExtent{random.Int(0, 64) / 4.0, 8};
   if (random.Coin()) {
-    profile.no_clip = WindowBox{-3, -5, random.Int(-2, 80) / 8.0, 1024};
+    profile.guard_band = WindowBox{-3, -5, random.Int(-2, 80) / 8.0, 1024};
   }
   if (random.Coin()) {
     const auto division = static_cast<Division>(random.Int(0, 1));
@@ -245,7 +245,7 @@ bool IsDropped(const Triangle& t, const std::vector<Place>& places, const Profil
     const Place& place = places[static_cast<std::size_t>(t[k])];
     corners[k] = {place[0].number, place[1].number};
   }
-  return profile.max_extent && second::IsLarger(corners, *profile.max_extent);
+  return profile.max_primitive_extent && second::IsLarger(corners, *profile.max_primitive_extent);
 }
 
 TEST(PlacingByRationals, IsSnapSceneStageByStage) {
@@ -284,7 +284,7 @@ TEST(PlacingByRationals, IsUnclippedBeforeAndAfterTheGrid) {
   for (int k = 0; k < Cases(20000); ++k) {
     Profile profile = AnyProfile(random);
     profile.transform.reset();
-    profile.no_clip = WindowBox{-random.Int(0, 64) / 8.0, -64, random.Int(0, 64) / 8.0, 64};
+    profile.guard_band = WindowBox{-random.Int(0, 64) / 8.0, -64, random.Int(0, 64) / 8.0, 64};
     Scene scene = AnyScene(random, profile);
     scene.triangles.resize(1);
     if (!std::ranges::all_of(scene.vertices, IsFinite)) continue;
@@ -295,9 +295,9 @@ TEST(PlacingByRationals, IsUnclippedBeforeAndAfterTheGrid) {
       const bool is_dropped = IsDropped(scene.triangles[0], places, profile);
       for (const std::int32_t n : scene.triangles[0]) {
         const Place& at = places[static_cast<std::size_t>(is_dropped ? scene.triangles[0][0] : n)];
-        expected = expected && IsFinitePlace(at) && at[0].number >= profile.no_clip->x0 &&
-                   at[0].number <= profile.no_clip->x1 && at[1].number >= profile.no_clip->y0 &&
-                   at[1].number <= profile.no_clip->y1;
+        expected = expected && IsFinitePlace(at) && at[0].number >= profile.guard_band->x0 &&
+                   at[0].number <= profile.guard_band->x1 &&
+                   at[1].number >= profile.guard_band->y0 && at[1].number <= profile.guard_band->y1;
       }
     }
     ASSERT_EQ(IsUnclipped(scene, profile), expected) << "scene " << k;

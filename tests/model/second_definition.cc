@@ -153,7 +153,8 @@ mpq_class Wrapped(const mpq_class& x, const FixedInput& fixed) {
   return x - span * Floor((x - least) / span);
 }
 
-bool IsLarger(const std::array<std::array<mpq_class, 2>, 3>& corners, const MaxExtent& extent) {
+bool IsLarger(const std::array<std::array<mpq_class, 2>, 3>& corners,
+              const MaxPrimitiveExtent& extent) {
   for (const auto& a : corners) {
     for (const auto& b : corners) {
       if (a[0] - b[0] > mpq_class(extent.width) || a[1] - b[1] > mpq_class(extent.height)) {

@@ -1,6 +1,5 @@
-// Placing a second time, from the words of a profile (docs/subjects.md) and in GMP's rationals:
-// what is exact is exact here, and what rounds is rounded by its definition. No code of model/, no
-// number of the machine.
+// A second definition of placing, in GMP's rationals, written from docs/subjects.md. Exact steps
+// are exact here, rounded ones are rounded by their definition; no code of model/ is used.
 #ifndef RASTERPROOF_TESTS_MODEL_SECOND_DEFINITION_H_
 #define RASTERPROOF_TESTS_MODEL_SECOND_DEFINITION_H_
 
@@ -64,7 +63,8 @@ std::vector<mpq_class> GridPoints(const mpq_class& x, const Snap& snap, double t
 /// x modulo the span of the input, in its range; x itself if it does not wrap.
 mpq_class Wrapped(const mpq_class& x, const FixedInput& fixed);
 /// Whether the corners are further apart than the extent, along x or along y.
-bool IsLarger(const std::array<std::array<mpq_class, 2>, 3>& corners, const MaxExtent& extent);
+bool IsLarger(const std::array<std::array<mpq_class, 2>, 3>& corners,
+              const MaxPrimitiveExtent& extent);
 /// x (or y, turned over if the transform says so) of a clip-space vertex in window space; NaN where
 /// the vertex has no place.
 Value InWindow(double x, const Vertex& clip, const Transform& transform, int size, bool flips);

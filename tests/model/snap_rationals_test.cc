@@ -54,7 +54,7 @@ std::string Text(double x, const Snap& snap) {
 
 bool IsNegativeZero(double x) { return x == 0 && std::signbit(x); }
 
-// Of a difference: within the domain in which it is promised.
+// Of a difference: within the domain in which it is stated.
 void ExpectSnapped(double x, const Snap& snap) {
   if (snap.form != SnapForm::kCoordinate && std::fabs(x) >= kExactBelow) return;
   const double snapped = SnapCoordinate(x, snap);

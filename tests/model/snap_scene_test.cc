@@ -48,8 +48,8 @@ TEST(Wrapped, IsWhatIntegersDo) {
 Profile WithTargets() {
   Profile profile;
   profile.snap = {4};
-  profile.targets = {{.max_width = 2048, .max_height = 1024, .snap = {8}},
-                     {.max_width = 4096, .max_height = 4096, .snap = {6}}};
+  profile.by_target_size = {{.max_width = 2048, .max_height = 1024, .snap = {8}},
+                            {.max_width = 4096, .max_height = 4096, .snap = {6}}};
   return profile;
 }
 
@@ -100,7 +100,7 @@ TEST(SnapScene, UsesTheModelOfTheTarget) {
 TEST(SnapScene, PutsWhatIsTooLargeIntoOnePlace) {
   Profile profile;
   profile.snap = {4};
-  profile.max_extent = MaxExtent{1024, 512};
+  profile.max_primitive_extent = MaxPrimitiveExtent{1024, 512};
   const auto is_kept = [&](Point2 far) {
     return SnapScene(OneTriangle({{{0, 0}, far, {0, 3}}}), profile).triangles[0] ==
            Triangle{0, 1, 2};
@@ -127,7 +127,7 @@ TEST(Exceeds, DoesNotRound) {
 TEST(IsUnclipped, AsksForEveryCornerBeforeAndAfterSnapping) {
   Profile profile;
   profile.snap = {0};
-  profile.no_clip = WindowBox{-8, -8, 8, 8};
+  profile.guard_band = WindowBox{-8, -8, 8, 8};
   const auto holds = [&](double x) {
     return IsUnclipped(OneTriangle({{{0, 0}, {x, 0}, {0, 4}}}), profile);
   };
@@ -135,7 +135,7 @@ TEST(IsUnclipped, AsksForEveryCornerBeforeAndAfterSnapping) {
   EXPECT_TRUE(holds(-8));
   EXPECT_FALSE(holds(8.25));  // snaps inside
   EXPECT_FALSE(holds(9));
-  profile.no_clip->x1 = 7.5;
+  profile.guard_band->x1 = 7.5;
   EXPECT_FALSE(holds(7.5));  // snaps outside
 }
 

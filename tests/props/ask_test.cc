@@ -1,4 +1,4 @@
-// Claims ask, and judge answers: without a subject, by a gate that is data, lazily.
+// Properties ask, and judge answers: without a subject, by a gate that is data, lazily.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -40,7 +40,7 @@ struct Judged {
   Verdict one_sign_turned;
 };
 
-// The claim about signs, judged by the values of a method and by the same with one sign turned.
+// The property about signs, judged by the values of a method and by the same with one sign turned.
 Judged SignsOf(const std::string& method) {
   const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(method);
   const Description description{subject->Info(), subject->Edges(), nullptr};
@@ -74,7 +74,7 @@ TEST(TheGate, LetsNoCaseThroughThatItRefusesTheSubject) {
   std::size_t refused = 0;
   for (const std::string& name : subjects::BuiltinNames()) {
     const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(name);
-    const Description description{subject->Info(), subject->Edges(), subject->Weights()};
+    const Description description{subject->Info(), subject->Edges(), subject->Barycentrics()};
     for (const Property& property : Catalog()) {
       if (!DoesNotApply(property.gate, description)) continue;
       ++refused;
@@ -114,7 +114,7 @@ TEST(TheGate, ToldByTheOracleWhatItDoesNotDecide) {
 TEST(TheGate, IsToldInWords) {
   EXPECT_EQ(WordsOf(FindProperty("CoverageEqualsTheModel")->gate),
             "contract sample-exact; no grid points or tie rule left free; window space; "
-            "coordinates within the limits; no corner outside no_clip; a scene that the oracle "
+            "coordinates within the limits; no corner outside guard_band; a scene that the oracle "
             "decides");
   EXPECT_EQ(WordsOf(FindProperty("DrawStaysInsideItsTarget")->gate),
             "every scene that the subject takes");
@@ -153,7 +153,7 @@ TEST(Checks, AreJudgedInOrderUpToTheFirstViolatedOne) {
 }
 
 TEST(Checks, ReadTheDrawsThatTheyNameAsBases) {
-  testing::PlantedSubject subject = testing::Faultless(testing::RealInfo());
+  testing::PlantedSubject subject = testing::Sound(testing::RealInfo());
   const Property property = WithChecks([](const Case& c, const Description&) {
     Asked asked;
     asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, c.options)));
@@ -172,7 +172,7 @@ TEST(Checks, ReadTheDrawsThatTheyNameAsBases) {
 }
 
 TEST(Samples, ThatAreNotJudgedAreAddedUp) {
-  testing::PlantedSubject subject = testing::Faultless(testing::RealInfo());
+  testing::PlantedSubject subject = testing::Sound(testing::RealInfo());
   Property property = testing::ModelProperty(FindProperty("CoverageEqualsTheModel")->domains);
   property.ask = [](const Case&, const Description&) {
     return OneCheck({}, [](const Answers&) {

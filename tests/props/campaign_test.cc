@@ -24,8 +24,8 @@ using testing::ModelProperty;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
-constexpr std::array<std::string_view, 6> kDomains{"uniform-subpixel", "near-edge",  "fans",
-                                                   "snap-ties",        "f64-killer", "size-ladder"};
+constexpr std::array<std::string_view, 6> kDomains{
+    "uniform-subpixel", "near-edge", "fans", "snap-ties", "ulp-extremes", "target-sizes"};
 
 PropertyResult Campaign(Subject& subject, std::uint64_t cases,
                         std::span<const std::string_view> domains = kDomains) {
@@ -34,8 +34,8 @@ PropertyResult Campaign(Subject& subject, std::uint64_t cases,
   return RunCampaign(subject, ModelProperty(domains), options);
 }
 
-TEST(Campaign, HoldsForAFaultlessSubjectAndSaysWhatItDid) {
-  auto subject = testing::Faultless(RealInfo());
+TEST(Campaign, HoldsForASoundSubjectAndSaysWhatItDid) {
+  auto subject = testing::Sound(RealInfo());
   const PropertyResult result = Campaign(subject, 120);
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
   EXPECT_EQ(result.property, "CoverageIsTheModels");
@@ -48,13 +48,13 @@ TEST(Campaign, HoldsForAFaultlessSubjectAndSaysWhatItDid) {
   EXPECT_FALSE(result.counterexample.has_value());
 }
 
-struct Planted {
-  std::string_view fault;
+struct FoundWithin {
+  std::string_view bug;
   testing::PlantedSubject subject;
   std::uint64_t cases;  ///< within which it must be found
 };
 
-std::vector<Planted> AllPlanted() {
+std::vector<FoundWithin> AllPlantedBugs() {
   const SubjectInfo real = RealInfo();
   const SubjectInfo snapped = SnappedInfo(8);
   const auto rule = [](SnapRule r) { return [r](Profile& p) { p.snap.rule = r; }; };
@@ -62,11 +62,11 @@ std::vector<Planted> AllPlanted() {
       {"drops the last column", testing::DropsLastColumn(real), 30},
       {"inclusive edges", testing::Inclusive(real), 30},
       {"inclusive edges, snapped", testing::Inclusive(snapped), 30},
-      {"bottom-left rule", testing::WithProfile(real, [](Profile& p) { p.fill_rule.sign_y = -1; }),
+      {"bottom-left rule", testing::WithProfile(real, [](Profile& p) { p.tie_rule.sign_y = -1; }),
        120},
       {"sample off by 1/256",
        testing::WithProfile(snapped,
-                            [](Profile& p) { p.lattice.locations = {{129 / 256.0, 0.5}}; }),
+                            [](Profile& p) { p.pattern.locations = {{129 / 256.0, 0.5}}; }),
        60},
       {"truncating snap", testing::WithProfile(snapped, rule(SnapRule::kTruncate)), 120},
       {"half-up snap", testing::WithProfile(snapped, rule(SnapRule::kHalfUp)), 300},
@@ -79,21 +79,21 @@ std::vector<Planted> AllPlanted() {
   };
 }
 
-TEST(Campaign, FindsAndShrinksEveryPlantedFault) {
-  for (Planted& planted : AllPlanted()) {
+TEST(Campaign, FindsAndShrinksEveryPlantedBug) {
+  for (FoundWithin& planted : AllPlantedBugs()) {
     const PropertyResult result = Campaign(planted.subject, planted.cases);
-    ASSERT_EQ(result.outcome, Outcome::kViolated) << planted.fault;
-    RecordProperty(std::string("case of ") + std::string(planted.fault), result.failing_case);
+    ASSERT_EQ(result.outcome, Outcome::kViolated) << planted.bug;
+    RecordProperty(std::string("case of ") + std::string(planted.bug), result.failing_case);
     ASSERT_TRUE(result.counterexample.has_value());
     ASSERT_TRUE(result.verdict.has_value());
-    EXPECT_EQ(result.verdict->outcome, Outcome::kViolated) << planted.fault;
-    EXPECT_EQ(result.counterexample->scene.triangles.size(), 1U) << planted.fault;
-    EXPECT_LE(result.counterexample->scene.vertices.size(), 3U) << planted.fault;
+    EXPECT_EQ(result.verdict->outcome, Outcome::kViolated) << planted.bug;
+    EXPECT_EQ(result.counterexample->scene.triangles.size(), 1U) << planted.bug;
+    EXPECT_LE(result.counterexample->scene.vertices.size(), 3U) << planted.bug;
     EXPECT_FALSE(result.message.empty());
     // The case that failed comes again from its name alone, and fails again.
     const Case again = DrawCase(planted.subject.Info(), ParseCaseName(result.failing_case));
     EXPECT_EQ(RunCase(planted.subject, ModelProperty(kDomains), again).outcome, Outcome::kViolated)
-        << planted.fault;
+        << planted.bug;
     EXPECT_EQ(again.origin, result.counterexample->origin);
     EXPECT_EQ(again.origin, result.failing_case);
     const Case last =
@@ -149,7 +149,7 @@ TEST(Campaign, ContainsASubjectThatThrows) {
 }
 
 TEST(Campaign, ThatExercisesNothingIsNoPass) {
-  auto subject = testing::Faultless(RealInfo());
+  auto subject = testing::Sound(RealInfo());
   Property property = ModelProperty(kDomains);
   property.ask = [](const Case&, const Description&) { return Asked{}; };
   const PropertyResult idle = RunCampaign(subject, property, {.cases = 20});
@@ -158,11 +158,11 @@ TEST(Campaign, ThatExercisesNothingIsNoPass) {
   EXPECT_EQ(idle.cases_exercised, 0U);
   EXPECT_FALSE(idle.message.empty());
   EXPECT_EQ(RunCampaign(subject, property, {.cases = 0}).outcome, Outcome::kNotExercised);
-  constexpr static ProfileRule kNever{[](const Profile&) { return false; }, "", "no such promise"};
+  constexpr static ProfileRule kNever{[](const Profile&) { return false; }, "", "no such contract"};
   property.gate.rules = {&kNever, 1};
   const PropertyResult inapplicable = RunCampaign(subject, property, {.cases = 20});
   EXPECT_EQ(inapplicable.outcome, Outcome::kNotApplicable);
-  EXPECT_EQ(inapplicable.message, "no such promise");
+  EXPECT_EQ(inapplicable.message, "no such contract");
   EXPECT_EQ(inapplicable.cases, 0U);  // none was drawn for nothing
 }
 
@@ -182,7 +182,7 @@ TEST(Campaign, BlamesOnceOnTheSmallestCase) {
 }
 
 TEST(Campaign, WithADeadNearEdgeDomainIsNoPass) {
-  auto subject = testing::Faultless(RealInfo());
+  auto subject = testing::Sound(RealInfo());
   constexpr std::array<std::string_view, 1> kNearEdge{"near-edge"};
   Tally tally(subject, ModelProperty(kNearEdge), 1);
   Case far;  // its edges pass no sample within a quarter of a pixel
@@ -200,18 +200,18 @@ TEST(Campaign, WithADeadNearEdgeDomainIsNoPass) {
 }
 
 TEST(Campaign, LeavesOutDomainsThatTheSubjectCannotTakeAndSaysSo) {
-  auto subject = testing::Faultless(RealInfo());
-  constexpr std::array<std::string_view, 2> kMixed{"w-mixed", "near-edge"};
+  auto subject = testing::Sound(RealInfo());
+  constexpr std::array<std::string_view, 2> kMixed{"mixed-w", "near-edge"};
   const PropertyResult mixed = Campaign(subject, 10, kMixed);
   EXPECT_EQ(mixed.outcome, Outcome::kHolds);
-  EXPECT_NE(mixed.message.find("w-mixed"), std::string::npos);
-  constexpr std::array<std::string_view, 1> kClipOnly{"w-mixed"};
+  EXPECT_NE(mixed.message.find("mixed-w"), std::string::npos);
+  constexpr std::array<std::string_view, 1> kClipOnly{"mixed-w"};
   EXPECT_EQ(Campaign(subject, 10, kClipOnly).outcome, Outcome::kNotApplicable);
   EXPECT_THROW(DrawCase(subject.Info(), ModelProperty(kClipOnly), 1, 0), InputError);
 }
 
 TEST(Campaign, StopsWhenItsTimeIsUpAndReportsProgress) {
-  auto subject = testing::Faultless(RealInfo());
+  auto subject = testing::Sound(RealInfo());
   std::vector<std::uint64_t> reported;
   CampaignOptions options;
   options.cases = 40;

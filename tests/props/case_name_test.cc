@@ -87,14 +87,14 @@ TEST(CaseNames, AreRefusedWithWhatIsWrong) {
 
 TEST(CaseNames, OfNoDomainAndOfDomainsThatASubjectDoesNotTakeAreRefused) {
   EXPECT_THROW(DrawCase(RealInfo(), CaseName{"none-such", 0, 1}), InputError);
-  EXPECT_THROW(DrawCase(RealInfo(), CaseName{"w-mixed", 0, 1}), InputError);
-  EXPECT_THROW(DrawCase(RealInfo(), CaseName{"extent-ends", 0, 1}), InputError);
+  EXPECT_THROW(DrawCase(RealInfo(), CaseName{"mixed-w", 0, 1}), InputError);
+  EXPECT_THROW(DrawCase(RealInfo(), CaseName{"primitive-extent-ends", 0, 1}), InputError);
   EXPECT_EQ(DrawCase(RealInfo(), CaseName{"fans", 0, 1}).origin, "fans:0@1");
 }
 
 TEST(CaseNames, StandForTheSameWhateverDomainsAreBeside) {
-  const Names some{"uniform-subpixel", "near-edge", "fans", "size-ladder"};
-  const Names more{"needles",          "near-edge", "caps", "size-ladder",
+  const Names some{"uniform-subpixel", "near-edge", "fans", "target-sizes"};
+  const Names more{"needles",          "near-edge", "caps", "target-sizes",
                    "uniform-subpixel", "grids",     "fans"};
   const std::map<std::string, Case> few = CasesOver(some, 4 * 6);
   const std::map<std::string, Case> many = CasesOver(more, 7 * 6);
@@ -112,7 +112,7 @@ TEST(CaseNames, StandForTheSameWhateverDomainsAreBeside) {
   }
 }
 
-TEST(CaseNames, OfClaimsThatShareADomainDiffer) {
+TEST(CaseNames, OfPropertiesThatShareADomainDiffer) {
   std::set<std::uint64_t> firsts;
   for (const Property& property : Catalog()) {
     EXPECT_TRUE(firsts.insert(FirstIndex(property.name)).second) << property.name;
@@ -127,7 +127,8 @@ TEST(CaseNames, DifferInWhatTheyStandFor) {
   EXPECT_NE(one, scene({"near-edge", 1, 1}));
   EXPECT_NE(one, scene({"near-edge", 0, 2}));
   // Domains that draw alike at first do not share their bits.
-  EXPECT_NE(scene({"centres", 0, 1}).vertices, scene({"uniform-subpixel", 0, 1}).vertices);
+  EXPECT_NE(scene({"vertices-on-samples", 0, 1}).vertices,
+            scene({"uniform-subpixel", 0, 1}).vertices);
 }
 
 TEST(CaseNames, OfADomainThatStandsThereOftenAreEachTakenOnce) {

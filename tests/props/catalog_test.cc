@@ -121,7 +121,7 @@ TEST(FloatMethods, StayWithinTheirProvenBounds) {
     for (const Property& property : Catalog()) {
       const bool by_bounds = property.group == "edge" || property.group == "barycentric" ||
                              property.group == "wireframe" ||
-                             property.name.find("Walk") != std::string_view::npos;
+                             property.name.find("Stepping") != std::string_view::npos;
       if (!by_bounds || !HasADomainFor(property, subject->Info())) continue;
       for (std::uint64_t i = 0; i < kCases; ++i) {
         const Case c = DrawCase(subject->Info(), property, kSeed, i);
@@ -183,7 +183,7 @@ TEST(Exercise, ClipSpacePropertiesArePutToTheTestByAClipSpaceSubject) {
 // Mutation evidence: every property catches what was planted for it, and says where.
 TEST(PlantedBugs, ThereIsOneForEveryProperty) {
   std::set<std::string_view> caught;
-  for (const Plant& plant : Plants()) caught.insert(plant.property);
+  for (const PlantedBug& bug : PlantedBugs()) caught.insert(bug.property);
   for (const Property& property : Catalog()) {
     EXPECT_TRUE(caught.contains(property.name)) << property.name;
   }
@@ -191,23 +191,22 @@ TEST(PlantedBugs, ThereIsOneForEveryProperty) {
 
 TEST(PlantedBugs, EachIsCaughtByItsPropertyWithAWitness) {
   constexpr std::uint64_t kCases = 400;
-  for (const Plant& plant : Plants()) {
-    const Property& property = *FindProperty(plant.property);
-    PlantedSubject subject(subjects::MakeBuiltin(plant.sound), plant.bug);
+  for (const PlantedBug& bug : PlantedBugs()) {
+    const Property& property = *FindProperty(bug.property);
+    PlantedSubject subject(subjects::MakeBuiltin(bug.sound), bug.bug);
     std::uint64_t i = 0;
     Verdict verdict;
     for (; i < kCases && verdict.outcome != Outcome::kViolated; ++i) {
       verdict = RunCase(subject, property, DrawCase(subject.Info(), property, kSeed, i));
     }
-    ASSERT_EQ(verdict.outcome, Outcome::kViolated)
-        << plant.property << " lets through: " << plant.name;
-    RecordProperty(std::string(plant.property) + ", " + std::string(plant.name),
+    ASSERT_EQ(verdict.outcome, Outcome::kViolated) << bug.property << " lets through: " << bug.name;
+    RecordProperty(std::string(bug.property) + ", " + std::string(bug.name),
                    std::to_string(i) + " cases");
-    EXPECT_FALSE(verdict.message.empty()) << plant.property;
-    EXPECT_GT(verdict.exercised, 0U) << plant.property;
-    ASSERT_TRUE(verdict.witness.has_value()) << plant.property;
-    EXPECT_FALSE(verdict.witness->observed.empty()) << plant.property;
-    EXPECT_FALSE(verdict.witness->expected.empty()) << plant.property;
+    EXPECT_FALSE(verdict.message.empty()) << bug.property;
+    EXPECT_GT(verdict.exercised, 0U) << bug.property;
+    ASSERT_TRUE(verdict.witness.has_value()) << bug.property;
+    EXPECT_FALSE(verdict.witness->observed.empty()) << bug.property;
+    EXPECT_FALSE(verdict.witness->expected.empty()) << bug.property;
   }
 }
 
@@ -217,8 +216,8 @@ TEST(SoundOutputs, HoldOnEveryCase) {
   none.show = [](Drawing&, const DrawJob&) {};
   none.batch = [](std::vector<DrawOutcome>&) {};
   PlantedSubject subject(subjects::MakeBuiltin("spans-exact"), none);
-  for (const Plant& plant : OutputPlants()) {
-    const Property& property = *FindProperty(plant.property);
+  for (const PlantedBug& bug : OutputPlantedBugs()) {
+    const Property& property = *FindProperty(bug.property);
     std::uint64_t exercised = 0;
     constexpr std::uint64_t kCases = 12;
     // A share of them may hold none that asks anything.
@@ -228,10 +227,10 @@ TEST(SoundOutputs, HoldOnEveryCase) {
     for (std::uint64_t i = 0; goes_on(i); ++i) {
       const Verdict verdict =
           RunCase(subject, property, DrawCase(subject.Info(), property, kSeed, i));
-      ASSERT_NE(verdict.outcome, Outcome::kViolated) << plant.property << ": " << verdict.message;
+      ASSERT_NE(verdict.outcome, Outcome::kViolated) << bug.property << ": " << verdict.message;
       exercised += verdict.exercised;
     }
-    EXPECT_GT(exercised, 0U) << plant.property;
+    EXPECT_GT(exercised, 0U) << bug.property;
   }
 }
 
@@ -332,8 +331,8 @@ TEST(Fairness, AWatertightSubjectIsJudgedOnMeshesOnlyAndAwayFromTheirOutline) {
   EXPECT_EQ(Judge("SharedEdgeSamplesAreCoveredOnce", extra(4, 4), c).outcome, Outcome::kViolated);
 }
 
-// A bug that a contract does not speak of leaves every claim about coverage alone but its own.
-TEST(Fairness, WeakContractsAreHeldToTheirOwnClaimOnly) {
+// A bug that a contract does not speak of leaves every property about coverage alone but its own.
+TEST(Fairness, WeakContractsAreHeldToTheirOwnPropertyOnly) {
   Case c = TwoTriangles();
   const auto judged = [&](Contract contract, std::string_view property) {
     c.profile.contract = contract;
@@ -390,33 +389,33 @@ TEST(Fairness, BeyondTheCoordinateLimitOnlyTheDrawItselfIsJudged) {
   }
 }
 
-TEST(Fairness, AnInclusiveFillRuleMayCoverSharedEdgesTwice) {
+TEST(Fairness, AnInclusiveTieRuleMayCoverSharedEdgesTwice) {
   Case c = TwoTriangles();
-  c.profile.fill_rule.inclusive = true;
+  c.profile.tie_rule.inclusive = true;
   Bug inclusive{
       .draw = [](Subject&, const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         Profile profile;
-        profile.fill_rule.inclusive = true;
+        profile.tie_rule.inclusive = true;
         counts += exact::Coverage(scene, profile, options);
       }};
   for (const std::string_view name :
        {"SharedEdgeSamplesAreCoveredOnce", "EmbeddedMeshSamplesAreCoveredOnce"}) {
     EXPECT_EQ(Judge(name, inclusive, c).outcome, Outcome::kHolds) << name;
     EXPECT_EQ(Judge(name, {}, c).outcome, Outcome::kHolds) << name << ": once is at least once";
-    c.profile.fill_rule.inclusive = false;
+    c.profile.tie_rule.inclusive = false;
     EXPECT_EQ(Judge(name, inclusive, c).outcome, Outcome::kViolated) << name;
-    c.profile.fill_rule.inclusive = true;
+    c.profile.tie_rule.inclusive = true;
   }
   for (const std::string_view name :
        {"SignedCoverageEqualsTheWindingNumber", "ClosedMeshCancels"}) {
     EXPECT_EQ(Judge(name, {}, c).outcome, Outcome::kNotApplicable) << name;
   }
-  c.profile.fill_rule = {.exclusive = true};
+  c.profile.tie_rule = {.exclusive = true};
   EXPECT_EQ(Judge("SharedEdgeSamplesAreCoveredOnce", {}, c).outcome, Outcome::kNotApplicable);
 }
 
-TEST(Fairness, ABoundThatIsNotClaimedIsNotJudged) {
-  // Products overflow in float32: the reference claims no bound, and any value will do.
+TEST(Fairness, ABoundThatIsNotStatedIsNotJudged) {
+  // Products overflow in float32: the reference states no bound, and any value will do.
   Case c = TwoTriangles();
   c.scene.vertices = {{0x1p100, 0x1p101}, {-0x1p100, 0x1.8p101}, {0x1p102, -0x1p100}};
   c.scene.triangles = {{0, 1, 2}};

@@ -99,7 +99,7 @@ TEST(Codec, NamesADomainByItsNumberWhateverOthersThereAre) {
   ASSERT_EQ(DomainOfNumber(255), nullptr);
   EXPECT_EQ(named(255), lattice);
   EXPECT_EQ(named(0), lattice);
-  EXPECT_EQ(named(static_cast<std::uint8_t>(FindDomain("w-mixed")->number)), lattice);
+  EXPECT_EQ(named(static_cast<std::uint8_t>(FindDomain("mixed-w")->number)), lattice);
 }
 
 TEST(CodecExamples, CoverTheSpelledOutPlacesAndEveryDomain) {

@@ -67,15 +67,15 @@ std::vector<SubjectInfo> Infos() {
   return {RealInfo(), RealInfo(Precision::kFloat64), SnappedInfo(8), SnappedInfo(4), clip};
 }
 
-// Promises all that some domain is about.
-SubjectInfo PromisingInfo() {
+// Contracts all that some domain is about.
+SubjectInfo InfoWith() {
   SubjectInfo info = SnappedInfo(8);
   info.profile.fixed = FixedInput{11, 4, true, true};
-  info.profile.max_extent = MaxExtent{64, 32};
-  info.profile.no_clip = WindowBox{-256, -256, 256, 256};
-  info.profile.targets.emplace_back();
-  info.profile.targets.back().max_width = 32;
-  info.profile.targets.back().snap = {2};
+  info.profile.max_primitive_extent = MaxPrimitiveExtent{64, 32};
+  info.profile.guard_band = WindowBox{-256, -256, 256, 256};
+  info.profile.by_target_size.emplace_back();
+  info.profile.by_target_size.back().max_width = 32;
+  info.profile.by_target_size.back().snap = {2};
   return info;
 }
 
@@ -83,8 +83,8 @@ std::uint64_t HashOf(const Domain& domain) {
   Hash hash;
   SubjectInfo free = SnappedInfo(8);
   free.profile.freedom.snap_tolerance = 0.6;
-  const std::vector<SubjectInfo> promising{PromisingInfo(), free};
-  for (const SubjectInfo& info : domain.is_promised == nullptr ? Infos() : promising) {
+  const std::vector<SubjectInfo> stating{InfoWith(), free};
+  for (const SubjectInfo& info : domain.is_stated == nullptr ? Infos() : stating) {
     if (!Suits(domain, info)) continue;
     for (std::uint64_t i = 0; i < kCases; ++i) {
       hash.Add(DrawCase(info, CaseName{std::string(domain.name), i, kSeed}));
@@ -112,33 +112,33 @@ struct Golden {
 
 constexpr auto kGolden = std::to_array<Golden>({
     {1, "uniform-subpixel", 0x690c8ef9c3c44a28},
-    {2, "centres", 0x4143ee6228f2987e},
+    {2, "vertices-on-samples", 0x4143ee6228f2987e},
     {3, "axis-aligned", 0x7b57ac5dbf0e0ef3},
-    {4, "edges-through-centres", 0x82501df505f3892},
+    {4, "edges-through-samples", 0x82501df505f3892},
     {5, "near-edge", 0xfcc525f375a435f6},
-    {6, "hardest-pixel", 0x6b7a4bd57c50acc8},
+    {6, "hardest-sample", 0x6b7a4bd57c50acc8},
     {7, "hardest-vertex", 0xe4edd05b6b7a9e96},
-    {8, "f64-killer", 0x98d5e16434f09c93},
+    {8, "ulp-extremes", 0x98d5e16434f09c93},
     {9, "needles", 0xee886acb3d800398},
     {10, "caps", 0x5c03bfae181c0847},
-    {11, "sliver-1e30", 0x29a3c3a3a3c7aaf5},
+    {11, "far-slivers", 0x29a3c3a3a3c7aaf5},
     {12, "offset-cancellation", 0xb9036bf66ef85de3},
     {13, "subnormal", 0x213afcb9dc59e470},
-    {14, "overflow-products", 0x43d60954733de661},
-    {15, "both-ends", 0x671b80373c51d995},
+    {14, "product-overflow", 0x43d60954733de661},
+    {15, "largest-and-smallest", 0x671b80373c51d995},
     {16, "mixed-magnitude", 0xe65728365063bf51},
-    {17, "guard-band", 0x27d0e2f7d6e7d38c},
+    {17, "coordinate-limits", 0x27d0e2f7d6e7d38c},
     {18, "range-ends", 0xfcb7fc6849ab4df6},
     {19, "far-negative-corners", 0xf5ccd248e0025ed9},
-    {20, "tiny-ends", 0xb852f3049d66f8b},
-    {21, "sub-pixel", 0x8544d5ee2e675b6e},
-    {22, "deciding-ties", 0x86386b3ce65959c},
-    {23, "full-targets", 0x9d026271490022d},
+    {20, "rounded-differences", 0xb852f3049d66f8b},
+    {21, "sub-pixel-triangles", 0x8544d5ee2e675b6e},
+    {22, "deciding-snap-ties", 0x86386b3ce65959c},
+    {23, "full-coverage", 0x9d026271490022d},
     {24, "snap-ties", 0x4f204425accba998},
     {25, "degenerate", 0xf51c7d032c605b01},
     {26, "signed-zeros", 0x1250c27886f2730e},
     {27, "non-finite", 0xed0bc9be91ef3ee5},
-    {28, "windings", 0xf04acac1f4f81f4e},
+    {28, "vertex-orders", 0xf04acac1f4f81f4e},
     {29, "shared-edge", 0xba92d18cbd162a38},
     {30, "fans", 0x84546d08f18b4ac2},
     {31, "strips", 0x2b2adddecf528e9},
@@ -148,10 +148,10 @@ constexpr auto kGolden = std::to_array<Golden>({
     {35, "subdivisions", 0xa427f0df502f79dc},
     {36, "t-junctions", 0x9c6b96ddf18cd688},
     {37, "closed-mesh", 0x5eb09dd8a82086f0},
-    {38, "long-walk", 0x5a6f72d35c827e89},
-    {39, "size-ladder", 0x435d30aee11c791e},
+    {38, "long-rows", 0x5a6f72d35c827e89},
+    {39, "target-sizes", 0x435d30aee11c791e},
     {40, "perspective", 0x52c48773dd390dbd},
-    {41, "w-mixed", 0xcb0e8109c5b814c3},
+    {41, "mixed-w", 0xcb0e8109c5b814c3},
     {42, "closed-around-eye", 0xdc882a2f6468c39d},
     {43, "near-repeats", 0x72b9650315360868},
     {44, "sparse-indices", 0x6ea3043e9d4d20be},
@@ -161,9 +161,9 @@ constexpr auto kGolden = std::to_array<Golden>({
     {48, "folds", 0x17152c45d17b1a49},
     {49, "closed-folds", 0x37f644e123a94f2},
     {50, "wrapped-coordinates", 0xdb2de020fca18e05},
-    {51, "extent-ends", 0x4b825be7a150b730},
-    {52, "no-clip-ends", 0xf29edd887529558a},
-    {53, "target-ends", 0x6c2cc600d67e26bf},
+    {51, "primitive-extent-ends", 0x4b825be7a150b730},
+    {52, "guard-band-ends", 0xf29edd887529558a},
+    {53, "target-size-ends", 0x6c2cc600d67e26bf},
     {54, "least-areas", 0xd1209486a3b9d6eb},
     {55, "rows-and-columns", 0xc30d7c15af224857},
 });

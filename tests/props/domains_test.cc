@@ -37,7 +37,7 @@ SubjectInfo ClipInfo() {
 
 SubjectInfo MultisampledInfo() {
   SubjectInfo info = SnappedInfo(8);
-  info.profile.lattice.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+  info.profile.pattern.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
   return info;
 }
 
@@ -159,7 +159,7 @@ TEST(Domains, MakeAValidCaseOfEveryBitString) {
 TEST(Domains, ThatNeedClipSpaceSuitOnlySubjectsThatTakeIt) {
   int clip = 0;
   for (const Domain& domain : Domains()) {
-    if (domain.is_promised != nullptr) continue;  // tests/props/promises_test.cc
+    if (domain.is_stated != nullptr) continue;  // tests/props/profile_keys_test.cc
     EXPECT_EQ(Suits(domain, RealInfo()), !domain.clip) << domain.name;
     EXPECT_TRUE(Suits(domain, ClipInfo())) << domain.name;
     clip += domain.clip ? 1 : 0;
@@ -169,7 +169,7 @@ TEST(Domains, ThatNeedClipSpaceSuitOnlySubjectsThatTakeIt) {
 
 TEST(Domains, KeepWindowPlacesWhenTheyGoThroughClipSpace) {
   int scaled = 0;
-  for (const std::string_view name : {"uniform-subpixel", "subnormal", "both-ends"}) {
+  for (const std::string_view name : {"uniform-subpixel", "subnormal", "largest-and-smallest"}) {
     for (std::uint64_t i = 0; i < 50; ++i) {
       const Case window = Draw(*FindDomain(name), RealInfo(), i);
       const Case clip = Draw(*FindDomain(name), ClipInfo(), i);
@@ -188,8 +188,9 @@ TEST(Domains, KeepWindowPlacesWhenTheyGoThroughClipSpace) {
 
 TEST(Domains, PutVerticesOnTheSubpixelGridUnlessTheyAreAboutSnapping) {
   const std::set<std::string_view> off_grid{
-      "snap-ties",   "shared-snap-ties", "deciding-ties", "subnormal",   "non-finite",
-      "extent-ends", "target-ends",      "folds",         "closed-folds"};
+      "snap-ties",   "shared-snap-ties",      "deciding-snap-ties", "subnormal",
+      "non-finite",  "primitive-extent-ends", "target-size-ends",   "folds",
+      "closed-folds"};
   for (const int bits : {0, 4, 8, 16}) {
     const SubjectInfo info = SnappedInfo(bits);
     for (const Domain& domain : Domains()) {
@@ -240,12 +241,12 @@ TEST(NearEdgeDomains, ComeNearAnEdgeInNearlyEveryCase) {
   constexpr int kCases = 100;
   for (const SubjectInfo& info : Infos()) {
     for (const Domain& domain : Domains()) {
-      if (!domain.near_edge || !Suits(domain, info) || domain.name == "long-walk") continue;
+      if (!domain.near_edge || !Suits(domain, info) || domain.name == "long-rows") continue;
       EXPECT_GE(NearEdgeShares(domain, info, kCases).cases_near, 97)
           << domain.name << " at " << info.profile.snap.bits << " bits";
     }
   }
-  EXPECT_EQ(NearEdgeShares(*FindDomain("long-walk"), RealInfo(), 12).cases_near, 12);
+  EXPECT_EQ(NearEdgeShares(*FindDomain("long-rows"), RealInfo(), 12).cases_near, 12);
 }
 
 TEST(NearEdgeDomains, PutSamplesOnTheEdgeAndWithinOneStep) {
@@ -257,12 +258,12 @@ TEST(NearEdgeDomains, PutSamplesOnTheEdgeAndWithinOneStep) {
   // About half of what was measured over these 1000 cases of float32, the same under every
   // compiler (domain_bits_test.cc); so that a dead branch shows.
   const std::vector<Least> least{
-      {"centres", 0.07, 0},
+      {"vertices-on-samples", 0.07, 0},
       {"axis-aligned", 0.17, 0},
-      {"edges-through-centres", 0.07, 0},
+      {"edges-through-samples", 0.07, 0},
       {"near-edge", 0.01, 0.004},
       {"hardest-vertex", 0, 0.015},
-      {"f64-killer", 0, 0.01},
+      {"ulp-extremes", 0, 0.01},
       {"caps", 0.02, 0.004},
       {"shared-edge", 0.015, 0.005},
       {"fans", 0.05, 0.013},
@@ -368,7 +369,7 @@ TEST(MeshDomains, ThatAreClosedHaveSignedCoverageZeroEverywhere) {
   EXPECT_GT(covered, 1000U);
 }
 
-TEST(F64Killer, MakesFloat64EdgeFunctionsWrongOnFloat32Input) {
+TEST(UlpExtremes, MakesFloat64EdgeFunctionsWrongOnFloat32Input) {
   auto naive = testing::NaiveFloat64(RealInfo());
   const auto wrong_cases = [&](std::string_view name) {
     int wrong = 0;
@@ -379,7 +380,7 @@ TEST(F64Killer, MakesFloat64EdgeFunctionsWrongOnFloat32Input) {
     }
     return wrong;
   };
-  EXPECT_GE(wrong_cases("f64-killer"), 40);
+  EXPECT_GE(wrong_cases("ulp-extremes"), 40);
   EXPECT_EQ(wrong_cases("uniform-subpixel"), 0);
 }
 

@@ -55,7 +55,7 @@ void ExpectTheModel(CoverageKind kind, YAxis y_axis, const char* domain, bool cl
   for (std::uint64_t index = 0; index < 40; ++index) {
     PhiloxSource bits(1, index);
     const Case c = FindDomain(domain)->draw(bits, info);
-    CoverageCounts counts(c.scene.width, c.scene.height, c.profile.lattice.samples());
+    CoverageCounts counts(c.scene.width, c.scene.height, c.profile.pattern.samples());
     DrawByFacing(subject, c.scene, c.options, counts);
     EXPECT_EQ(counts, exact::Coverage(c.scene, c.profile, c.options)) << domain << " " << index;
   }
@@ -66,7 +66,7 @@ TEST(Facings, OfCountsAndMasksAreThoseOfTheModel) {
     ExpectTheModel(kind, YAxis::kDown, "uniform-subpixel", false);
     ExpectTheModel(kind, YAxis::kUp, "uniform-subpixel", false);
     ExpectTheModel(kind, YAxis::kDown, "degenerate", false);
-    ExpectTheModel(kind, YAxis::kDown, "w-mixed", true);
+    ExpectTheModel(kind, YAxis::kDown, "mixed-w", true);
   }
 }
 

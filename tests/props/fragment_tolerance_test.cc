@@ -1,5 +1,5 @@
-// Rasterizers that compute weights and depths in float32 by one of the usual forms and declare no
-// error of their own: each rounds in its own way, and none is at fault.
+// Rasterizers that compute barycentrics and depths in float32 by one of the usual forms and state
+// no error of their own: each rounds in its own way, and none is at fault.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace rasterproof::props {
 namespace {
 
-using Weights3 = std::array<float, 3>;
+using Barycentrics3 = std::array<float, 3>;
 
 float Edge(const std::array<Vertex, 3>& v, std::size_t i, std::size_t j, float x, float y) {
   const auto ax = static_cast<float>(v[i].x), ay = static_cast<float>(v[i].y);
@@ -25,41 +25,41 @@ float Edge(const std::array<Vertex, 3>& v, std::size_t i, std::size_t j, float x
   return (x - ax) * (by - ay) - (y - ay) * (bx - ax);
 }
 
-Weights3 OverVertexArea(const std::array<Vertex, 3>& v, float x, float y) {
+Barycentrics3 OverVertexArea(const std::array<Vertex, 3>& v, float x, float y) {
   const float area = Edge(v, 0, 1, static_cast<float>(v[2].x), static_cast<float>(v[2].y));
   return {Edge(v, 1, 2, x, y) / area, Edge(v, 2, 0, x, y) / area, Edge(v, 0, 1, x, y) / area};
 }
 
-Weights3 OverTheirSum(const std::array<Vertex, 3>& v, float x, float y) {
-  const Weights3 e{Edge(v, 1, 2, x, y), Edge(v, 2, 0, x, y), Edge(v, 0, 1, x, y)};
+Barycentrics3 OverTheirSum(const std::array<Vertex, 3>& v, float x, float y) {
+  const Barycentrics3 e{Edge(v, 1, 2, x, y), Edge(v, 2, 0, x, y), Edge(v, 0, 1, x, y)};
   const float sum = e[0] + e[1] + e[2];
   return {e[0] / sum, e[1] / sum, e[2] / sum};
 }
 
-Weights3 OneMinusTheOthers(const std::array<Vertex, 3>& v, float x, float y) {
-  const Weights3 l = OverVertexArea(v, x, y);
+Barycentrics3 OneMinusTheOthers(const std::array<Vertex, 3>& v, float x, float y) {
+  const Barycentrics3 l = OverVertexArea(v, x, y);
   return {l[0], l[1], 1 - l[0] - l[1]};
 }
 
-Weights3 OneMinusTheOthersFirst(const std::array<Vertex, 3>& v, float x, float y) {
-  const Weights3 l = OverVertexArea(v, x, y);
+Barycentrics3 OneMinusTheOthersFirst(const std::array<Vertex, 3>& v, float x, float y) {
+  const Barycentrics3 l = OverVertexArea(v, x, y);
   return {1 - l[2] - l[1], l[1], l[2]};
 }
 
-float ByWeights(const Weights3& l, const std::array<Vertex, 3>& v) {
+float ByBarycentrics(const Barycentrics3& l, const std::array<Vertex, 3>& v) {
   return l[0] * static_cast<float>(v[0].z) + l[1] * static_cast<float>(v[1].z) +
          l[2] * static_cast<float>(v[2].z);
 }
 
-float ByDeltas(const Weights3& l, const std::array<Vertex, 3>& v) {
+float ByDeltas(const Barycentrics3& l, const std::array<Vertex, 3>& v) {
   const auto z = static_cast<float>(v[0].z);
   return z + l[1] * (static_cast<float>(v[1].z) - z) + l[2] * (static_cast<float>(v[2].z) - z);
 }
 
 struct Form {
   std::string name;
-  Weights3 (*weights)(const std::array<Vertex, 3>&, float, float);
-  float (*depth)(const Weights3&, const std::array<Vertex, 3>&);
+  Barycentrics3 (*barycentrics)(const std::array<Vertex, 3>&, float, float);
+  float (*depth)(const Barycentrics3&, const std::array<Vertex, 3>&);
 };
 
 class HonestSubject final : public Subject {
@@ -77,8 +77,8 @@ class HonestSubject final : public Subject {
     const Scene scene = SceneOf(job);
     Drawing drawing;
     drawing.counts = CoverageCounts(scene.width, scene.height);
-    drawing.winners.assign(drawing.counts.size(), kNoTriangle);
-    drawing.weights.resize(drawing.counts.size());
+    drawing.primitive_ids.assign(drawing.counts.size(), kNoPrimitive);
+    drawing.barycentrics.resize(drawing.counts.size());
     drawing.depths.resize(drawing.counts.size());
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) DrawTriangle(scene, t, drawing);
     return drawing;
@@ -95,10 +95,10 @@ class HonestSubject final : public Subject {
       const auto width = static_cast<std::size_t>(scene.width);
       const float x = static_cast<float>(k % width) + 0.5F;
       const float y = static_cast<float>(k / width) + 0.5F;
-      const Weights3 l = form_.weights(v, x, y);
+      const Barycentrics3 l = form_.barycentrics(v, x, y);
       drawing.counts.front[k] = 1;
-      drawing.winners[k] = static_cast<std::int32_t>(t);
-      drawing.weights[k] = {l[0], l[1], l[2]};
+      drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
+      drawing.barycentrics[k] = {l[0], l[1], l[2]};
       drawing.depths[k] = form_.depth(l, v);
     }
   }
@@ -109,10 +109,11 @@ class HonestSubject final : public Subject {
 
 class FragmentTolerance : public testing::TestWithParam<Form> {};
 
-TEST_P(FragmentTolerance, AUsualFormNeedsNoDeclaration) {
+TEST_P(FragmentTolerance, AUsualFormNeedsNoStatement) {
   HonestSubject subject(GetParam());
-  for (const char* name : {"FragmentWeightsSumToOne", "FragmentWeightsStayWithinTheirError",
-                           "FragmentDepthStaysInTheHull", "FragmentDepthFollowsItsWeights"}) {
+  for (const char* name :
+       {"FragmentBarycentricsSumToOne", "FragmentBarycentricsStayWithinTheirError",
+        "FragmentDepthStaysInTheHull", "FragmentDepthFollowsItsBarycentrics"}) {
     CampaignOptions options;
     options.cases = 600;
     const PropertyResult result = RunCampaign(subject, *FindProperty(name), options);
@@ -123,11 +124,11 @@ TEST_P(FragmentTolerance, AUsualFormNeedsNoDeclaration) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, FragmentTolerance,
-                         testing::Values(Form{"vertex area", OverVertexArea, ByWeights},
+                         testing::Values(Form{"vertex area", OverVertexArea, ByBarycentrics},
                                          Form{"vertex area, deltas", OverVertexArea, ByDeltas},
-                                         Form{"sum", OverTheirSum, ByWeights},
+                                         Form{"sum", OverTheirSum, ByBarycentrics},
                                          Form{"sum, deltas", OverTheirSum, ByDeltas},
-                                         Form{"one minus", OneMinusTheOthers, ByWeights},
+                                         Form{"one minus", OneMinusTheOthers, ByBarycentrics},
                                          Form{"one minus, deltas", OneMinusTheOthers, ByDeltas},
                                          Form{"one minus first", OneMinusTheOthersFirst,
                                               ByDeltas}));

@@ -22,8 +22,8 @@
 #include "core/snap.h"
 #include "exact/coverage.h"
 #include "model/snap.h"
-#include "props/claims/all.h"
 #include "props/domains/domain.h"
+#include "props/properties/all.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tests/props/planted_subjects.h"
@@ -154,16 +154,16 @@ TEST(FreeChoices, AClosedMeshThatALegalChoiceTurnsIsJudgedByTheFacingsThatTheSub
   EXPECT_EQ(Judged("ClosedMeshCancels", one_sided, unindexed).outcome, Outcome::kViolated);
 }
 
-constexpr std::array<std::string_view, 3> kMeshClaims{"EmbeddedMeshSamplesAreCoveredOnce",
-                                                      "SharedEdgeSamplesAreCoveredOnce",
-                                                      "NeighboursAreClippedAlike"};
+constexpr std::array<std::string_view, 3> kMeshProperties{"EmbeddedMeshSamplesAreCoveredOnce",
+                                                          "SharedEdgeSamplesAreCoveredOnce",
+                                                          "NeighboursAreClippedAlike"};
 
 TEST(FreeChoices, ALegalFoldIsNotCoveredTooOften) {
   Placing subject(FreeInfo(8, 0.6), UpFrom42Of(0x1p-8));
-  for (const std::string_view claim : kMeshClaims) {
-    EXPECT_NE(Judged(claim, subject, FoldedRow()).outcome, Outcome::kViolated) << claim;
+  for (const std::string_view property : kMeshProperties) {
+    EXPECT_NE(Judged(property, subject, FoldedRow()).outcome, Outcome::kViolated) << property;
   }
-  const Verdict verdict = Judged(kMeshClaims[0], subject, FoldedRow());
+  const Verdict verdict = Judged(kMeshProperties[0], subject, FoldedRow());
   EXPECT_EQ(verdict.outcome, Outcome::kHolds);
   EXPECT_GT(verdict.not_judged, 0U);
   EXPECT_GT(verdict.exercised, 100U);
@@ -175,11 +175,11 @@ TEST(FreeChoices, AFoldOnAGridOfItsOwnIsNotCoveredTooOften) {
   info.profile.contract = Contract::kWatertight;
   for (const double step : {0x1p-8, 0x1p-2, 1.0}) {
     Placing subject(info, UpFrom42Of(step));
-    for (const std::string_view claim : kMeshClaims) {
-      const Verdict verdict = Judged(claim, subject, FoldedRow());
-      EXPECT_NE(verdict.outcome, Outcome::kViolated) << claim << ", steps of " << step;
+    for (const std::string_view property : kMeshProperties) {
+      const Verdict verdict = Judged(property, subject, FoldedRow());
+      EXPECT_NE(verdict.outcome, Outcome::kViolated) << property << ", steps of " << step;
     }
-    const Verdict verdict = Judged(kMeshClaims[0], subject, FoldedRow());
+    const Verdict verdict = Judged(kMeshProperties[0], subject, FoldedRow());
     EXPECT_GT(verdict.not_judged, 0U);
     EXPECT_GT(verdict.exercised, 50U);
   }
@@ -196,7 +196,7 @@ TEST(FreeChoices, ACrackAmongTurningTrianglesIsFoundJointly) {
 }
 
 // A mesh that turns in one place is judged in all others, whatever the contract.
-TEST(FreeChoices, ACrackBesideTurningTrianglesIsFoundByTheMeshClaims) {
+TEST(FreeChoices, ACrackBesideTurningTrianglesIsFoundByTheMeshProperties) {
   SubjectInfo watertight = testing::RealInfo();
   watertight.profile.contract = Contract::kWatertight;
   for (const SubjectInfo& info : {FreeInfo(8, 0.6), watertight}) {
@@ -209,14 +209,14 @@ TEST(FreeChoices, ACrackBesideTurningTrianglesIsFoundByTheMeshClaims) {
     scene.triangles.push_back({7, 8, 9});
     scene.triangles.push_back({7, 9, 10});
     Placing sound(info, UpFrom42Of(0x1p-8));
-    const Verdict holds = Judged(kMeshClaims[0], sound, scene);
+    const Verdict holds = Judged(kMeshProperties[0], sound, scene);
     EXPECT_EQ(holds.outcome, Outcome::kHolds) << holds.message;
     Placing cracked(info, [](Point2 at, std::int32_t indices) {
       Point2 p{UpFrom42(at.x, 0x1p-8), UpFrom42(at.y, 0x1p-8)};
       if (indices == 7 + 8 + 9 && at.x == 30 && at.y == 13) p.y -= 2;
       return p;
     });
-    EXPECT_EQ(Judged(kMeshClaims[0], cracked, scene).outcome, Outcome::kViolated);
+    EXPECT_EQ(Judged(kMeshProperties[0], cracked, scene).outcome, Outcome::kViolated);
   }
 }
 
@@ -261,7 +261,7 @@ TEST(FreeChoices, ATriangleIsOpenIffTwoChoicesFaceDifferently) {
           const Point2 p{x + 0.5, row + 0.5};
           if (open.CanCover(p)) continue;
           for (const auto& v : choices) {
-            ASSERT_FALSE(exact::Facing(v) != 0 && exact::Covers(v, p, c.profile.fill_rule));
+            ASSERT_FALSE(exact::Facing(v) != 0 && exact::Covers(v, p, c.profile.tie_rule));
           }
           ++covered;
         }
@@ -284,7 +284,7 @@ TEST(FreeChoices, OneModelLeavesNothingOpen) {
 TEST(FreeChoices, ATriangleThatOnlySomeModelsDropIsOpen) {
   Case c;
   c.profile = FreeInfo(8, 0.6).profile;
-  c.profile.max_extent = MaxExtent{8, 8};
+  c.profile.max_primitive_extent = MaxPrimitiveExtent{8, 8};
   c.scene.vertices = {{0, 0}, {8 + 0x1p-9, 0}, {0, 6}};
   c.scene.triangles = {{0, 1, 2}};
   EXPECT_EQ(OpenTriangles(c).size(), 1U);
@@ -327,9 +327,9 @@ TEST(FreeChoices, FoldsHaveTrianglesThatTurnAndOthers) {
 TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotJudgedWhereTheGridPointsAreFree) {
   SubjectInfo info = FreeInfo(8, 0.6);
   info.coverage = CoverageKind::kFragments;
-  info.fragments.weights_of = WeightsOf::kSnapped;
+  info.fragments.barycentrics_of = BarycentricsOf::kSnapped;
   Placing subject(info, UpFrom42Of(0x1p-8));
-  EXPECT_EQ(Judged("FragmentWeightsSumToOne", subject, FoldedRow()).outcome,
+  EXPECT_EQ(Judged("FragmentBarycentricsSumToOne", subject, FoldedRow()).outcome,
             Outcome::kNotApplicable);
 }
 
@@ -366,19 +366,19 @@ Scene WithCorner(double x) {
 
 TEST(InfiniteVertices, AreJudgedWhereTheProfileSaysWhatTheyCover) {
   const Scene scene = WithCorner(HUGE_VAL);
-  for (const std::string_view claim :
+  for (const std::string_view property :
        {"NonFiniteTrianglesCoverNothing", "BadTrianglesPoisonNoOthers"}) {
     for (const std::string_view preset : kPresetProfiles) {
       SubjectInfo info;
       info.profile = *PresetProfile(preset);
       Placing open = ClampsInfinity(info);
-      const Scene judged = claim == "BadTrianglesPoisonNoOthers" ? WithCorner(8) : scene;
-      EXPECT_EQ(Judged(claim, open, judged).outcome == Outcome::kViolated, preset == "real")
-          << claim << " under " << preset;
-      info.profile.name = "declared";
+      const Scene judged = property == "BadTrianglesPoisonNoOthers" ? WithCorner(8) : scene;
+      EXPECT_EQ(Judged(property, open, judged).outcome == Outcome::kViolated, preset == "real")
+          << property << " under " << preset;
+      info.profile.name = "stated";
       info.profile.infinite_vertex = InfiniteVertex::kNothing;
-      Placing declared = ClampsInfinity(info);
-      EXPECT_EQ(Judged(claim, declared, judged).outcome, Outcome::kViolated) << claim;
+      Placing stated = ClampsInfinity(info);
+      EXPECT_EQ(Judged(property, stated, judged).outcome, Outcome::kViolated) << property;
     }
   }
 }

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/fill_rule.h"
 #include "core/subject_errors.h"
+#include "core/tie_rule.h"
 #include "core/transform.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
@@ -46,10 +46,10 @@ void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
   }
 }
 
-// Draws as `model` does and declares `declared`.
-PlantedSubject Follows(const Profile& model, const Profile& declared) {
+// Draws as `model` does and states `stated`.
+PlantedSubject Follows(const Profile& model, const Profile& stated) {
   SubjectInfo info = RealInfo();
-  info.profile = declared;
+  info.profile = stated;
   return {info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             AddTo(counts, exact::Coverage(scene, model, options));
           }};
@@ -64,8 +64,8 @@ Profile Snapped(int bits, SnapRule rule, SnapForm form = SnapForm::kCoordinate, 
 
 std::string Describe(const Profile& p) {
   return std::to_string(p.snap.bits) + " bits, " + std::string(SnapRuleName(p.snap.rule)) + ", " +
-         std::string(SnapFormName(p.snap.form)) + ", " + FillRuleName(p.fill_rule) + ", sample " +
-         std::to_string(p.lattice.locations[0].x) + " " + std::to_string(p.lattice.locations[0].y) +
+         std::string(SnapFormName(p.snap.form)) + ", " + TieRuleName(p.tie_rule) + ", sample " +
+         std::to_string(p.pattern.locations[0].x) + " " + std::to_string(p.pattern.locations[0].y) +
          (p.y_axis == YAxis::kUp ? ", up" : ", down");
 }
 
@@ -118,12 +118,12 @@ TEST(Infer, FindsEveryRuleAndFormAtEightBits) {
 }
 
 TEST(Infer, FindsEveryTieRule) {
-  std::vector<FillRule> rules(kConsistentRules.begin(), kConsistentRules.end());
+  std::vector<TieRule> rules(kConsistentRules.begin(), kConsistentRules.end());
   rules.push_back({.inclusive = true});
   constexpr std::array<int, 3> kBits{8, 4, Snap::kNone};
   for (std::size_t k = 0; k < rules.size(); ++k) {
     Profile planted = Snapped(kBits[k % 3], SnapRule::kNearestEven);
-    planted.fill_rule = rules[k];
+    planted.tie_rule = rules[k];
     ExpectFound(planted);
   }
 }
@@ -136,9 +136,9 @@ TEST(Infer, FindsGridsPlacesAndAxes) {
     for (const Point2 place : kPlaces) {
       Profile planted = bits == Snap::kNone ? Profile{} : Snapped(bits, kRules[k % 5]);
       planted.coordinate_limit = 0x1p15;
-      planted.lattice.locations = {place};
+      planted.pattern.locations = {place};
       planted.y_axis = k % 2 == 0 ? YAxis::kDown : YAxis::kUp;
-      planted.fill_rule = kConsistentRules[(3 * k) % 8];
+      planted.tie_rule = kConsistentRules[(3 * k) % 8];
       ExpectFound(planted);
       ++k;
     }
@@ -147,7 +147,7 @@ TEST(Infer, FindsGridsPlacesAndAxes) {
 
 TEST(Infer, FindsDifferencesFromAnotherPlace) {
   Profile planted = Snapped(8, SnapRule::kTruncate, SnapForm::kExactDifference, 0.25);
-  planted.lattice.locations = {{0.25, 0.75}};
+  planted.pattern.locations = {{0.25, 0.75}};
   ExpectFound(planted);
 }
 
@@ -156,7 +156,7 @@ TEST(Infer, FindsGridsThatHoldNoInteger) {
   for (const SnapRule rule : kRules) {
     for (const Point2 place : {Point2{0.5, 0.5}, Point2{0, 0}, Point2{0.25, 0.75}}) {
       Profile planted = Snapped(0, rule, SnapForm::kExactDifference, 0.5);
-      planted.lattice.locations = {place};
+      planted.pattern.locations = {place};
       ExpectFound(planted);
     }
   }
@@ -164,11 +164,11 @@ TEST(Infer, FindsGridsThatHoldNoInteger) {
 
 TEST(Infer, FindsSeveralSamplesAPixel) {
   Profile planted = Snapped(8, SnapRule::kNearestEven);
-  planted.lattice.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+  planted.pattern.locations = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
   ExpectFound(planted);
 }
 
-TEST(Infer, FindsTheBuiltInSubjectsAsTheyDeclareThemselves) {
+TEST(Infer, FindsTheBuiltInSubjectsAsTheyStateThemselves) {
   for (const std::string_view name : {"i64-snap8", "i32-snap4", "spans-exact", "hom-exact"}) {
     const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(name);
     const Inference inference = Infer(*subject);
@@ -178,47 +178,47 @@ TEST(Infer, FindsTheBuiltInSubjectsAsTheyDeclareThemselves) {
   }
 }
 
-const DeclarationVerdict* Find(const Inference& inference, std::string_view declaration) {
-  for (const DeclarationVerdict& verdict : inference.declarations) {
-    if (verdict.declaration == declaration) return &verdict;
+const StatementVerdict* Find(const Inference& inference, std::string_view statement) {
+  for (const StatementVerdict& verdict : inference.statements) {
+    if (verdict.statement == statement) return &verdict;
   }
   return nullptr;
 }
 
-TEST(Infer, ContradictsAnUntrueDeclarationWithACase) {
+TEST(Infer, ContradictsAnUntrueStatementWithACase) {
   const Profile model = Snapped(4, SnapRule::kNearestEven);
-  const Profile declared = Snapped(8, SnapRule::kNearestEven);
-  PlantedSubject subject = Follows(model, declared);
+  const Profile stated = Snapped(8, SnapRule::kNearestEven);
+  PlantedSubject subject = Follows(model, stated);
   const Inference inference = Infer(subject);
   ASSERT_TRUE(inference.Fits()) << inference.message;
   EXPECT_FALSE(inference.Agrees());
   ASSERT_NE(Find(inference, "subpixel bits"), nullptr);
   EXPECT_FALSE(Find(inference, "subpixel bits")->agrees);
   EXPECT_EQ(Find(inference, "subpixel bits")->found, "4");
-  EXPECT_TRUE(Find(inference, "fill rule")->agrees);
-  ASSERT_TRUE(inference.against_declared.has_value());
-  const Scene& scene = inference.against_declared->scene;
-  EXPECT_NE(exact::Coverage(scene, model), exact::Coverage(scene, declared));
+  EXPECT_TRUE(Find(inference, "tie rule")->agrees);
+  ASSERT_TRUE(inference.against_stated.has_value());
+  const Scene& scene = inference.against_stated->scene;
+  EXPECT_NE(exact::Coverage(scene, model), exact::Coverage(scene, stated));
 }
 
 TEST(Infer, FreedomAllowsWhatItSaysAndNoMore) {
-  Profile declared = Snapped(8, SnapRule::kNearestEven);
-  declared.freedom = {0.6, true};
+  Profile stated = Snapped(8, SnapRule::kNearestEven);
+  stated.freedom = {0.6, true};
   Profile away = Snapped(8, SnapRule::kNearestAway);
-  away.fill_rule = kConsistentRules[5];
-  PlantedSubject legal = Follows(away, declared);
+  away.tie_rule = kConsistentRules[5];
+  PlantedSubject legal = Follows(away, stated);
   EXPECT_TRUE(Infer(legal).Agrees());
-  PlantedSubject floor = Follows(Snapped(8, SnapRule::kFloor), declared);
+  PlantedSubject floor = Follows(Snapped(8, SnapRule::kFloor), stated);
   EXPECT_FALSE(Infer(floor).Agrees()) << "up to a whole step is more than 0.6";
-  declared.freedom.snap_tolerance = 1;
-  PlantedSubject tolerated = Follows(Snapped(8, SnapRule::kFloor), declared);
+  stated.freedom.snap_tolerance = 1;
+  PlantedSubject tolerated = Follows(Snapped(8, SnapRule::kFloor), stated);
   EXPECT_TRUE(Infer(tolerated).Agrees());
 }
 
 TEST(Infer, AContractOfNoneIsObservedOnly) {
-  Profile declared = Snapped(8, SnapRule::kNearestEven);
-  declared.contract = Contract::kNone;
-  PlantedSubject subject = Follows(Snapped(4, SnapRule::kFloor), declared);
+  Profile stated = Snapped(8, SnapRule::kNearestEven);
+  stated.contract = Contract::kNone;
+  PlantedSubject subject = Follows(Snapped(4, SnapRule::kFloor), stated);
   EXPECT_TRUE(Infer(subject).Agrees());
 }
 
@@ -289,7 +289,7 @@ PlantedSubject FlipsItsRuleByTile(const Profile& profile) {
   info.profile = profile;
   return {info, [profile](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             Profile other = profile;
-            other.fill_rule = {-1, -1, false, false};
+            other.tie_rule = {-1, -1, false, false};
             const CoverageCounts one = exact::Coverage(scene, profile, options);
             const CoverageCounts two = exact::Coverage(scene, other, options);
             for (int row = 0; row < scene.height; ++row) {
@@ -364,7 +364,7 @@ TEST(Infer, AsksASubjectThatBrokeOffNoMoreAndSaysHowItEnded) {
     EXPECT_FALSE(inference.Fits());
     EXPECT_FALSE(inference.is_inconclusive);
     EXPECT_TRUE(inference.witness.has_value());
-    EXPECT_FALSE(inference.against_declared.has_value());
+    EXPECT_FALSE(inference.against_stated.has_value());
   }
 }
 
@@ -399,7 +399,7 @@ TEST(Infer, IsTheSameEveryTime) {
   EXPECT_EQ(once.remaining, twice.remaining);
 }
 
-TEST(Infer, TakesATransformAsDeclared) {
+TEST(Infer, TakesATransformAsStated) {
   const std::unique_ptr<Subject> subject = subjects::MakeMutant("legal:transform-quotients");
   const Inference inference = Infer(*subject, {.checks = 60});
   EXPECT_TRUE(inference.Agrees()) << inference.message;
@@ -409,8 +409,42 @@ TEST(Infer, TakesATransformAsDeclared) {
 // Rounded down to 1/256 pixel, a crossing is that of samples 1/256 pixel farther right, whose ties
 // fall the other way.
 TEST(Infer, SaysNothingOfRoundedCrossings) {
-  const std::unique_ptr<Subject> subject = subjects::MakeMutant("legal:crossing-floor");
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant("legal:scanline-floor");
   EXPECT_TRUE(Infer(*subject, {.checks = 60}).is_inconclusive);
+}
+
+// What tells 12 bits from 10 is drawn on neither grid.
+TEST(Infer, NamesThePlantedModelOfASubjectThatIsWrongNowAndThen) {
+  Profile model = Snapped(12, SnapRule::kFloor);
+  model.tie_rule = *TieRuleFromName("bottom-right");
+  PlantedSubject subject(
+      RealInfo(), [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        CoverageCounts drawn = exact::Coverage(scene, model, options);
+        if (!scene.vertices.empty() && scene.vertices[0].y < 1) drawn.front[0] = drawn.back[0] = 0;
+        AddTo(counts, drawn);
+      });
+  const Inference inference = Infer(subject);
+  EXPECT_FALSE(inference.Fits());
+  ASSERT_TRUE(inference.nearest);
+  EXPECT_EQ(inference.nearest->profile.snap, model.snap);
+  EXPECT_EQ(inference.nearest->profile.tie_rule, model.tie_rule);
+  EXPECT_GT(inference.nearest->wrong_samples, 0U);
+  EXPECT_GT(inference.nearest->experiments, 1100U);
+  EXPECT_TRUE(inference.witness);
+}
+
+TEST(Infer, FindsTheModelOfASubjectThatRefusesSomeScenes) {
+  const Profile model = Snapped(4, SnapRule::kNearestEven);
+  PlantedSubject subject(
+      RealInfo(), [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        if (!scene.vertices.empty() && scene.vertices[0].x < 0) {
+          throw SubjectRefusal("scene", "no", "give another one");
+        }
+        AddTo(counts, exact::Coverage(scene, model, options));
+      });
+  const Inference inference = Infer(subject);
+  ASSERT_TRUE(inference.Fits()) << inference.message;
+  EXPECT_EQ(inference.remaining.front().snap, model.snap);
 }
 
 }  // namespace

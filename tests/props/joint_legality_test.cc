@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/fill_rule.h"
 #include "core/snap.h"
+#include "core/tie_rule.h"
 #include "exact/coverage.h"
 #include "model/snap.h"
 #include "props/domains/domain.h"
@@ -36,7 +36,7 @@ void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
   }
 }
 
-// Draws each triangle by the profile that `of` makes of the promised one.
+// Draws each triangle by the profile that `of` makes of the stated one.
 PlantedSubject EachBy(const SubjectInfo& info,
                       const std::function<void(Profile&, const Triangle&)>& of) {
   return {info, [profile = info.profile, of](const Scene& scene, const DrawOptions& options,
@@ -110,10 +110,10 @@ TEST(JointLegality, EveryRoundingWithinTheToleranceIsLegal) {
 }
 
 TEST(JointLegality, EveryConsistentTieRuleIsLegalWhereTheRuleIsFree) {
-  for (const FillRule& rule : kConsistentRules) {
+  for (const TieRule& rule : kConsistentRules) {
     ExpectLegal(
-        testing::WithProfile(FreeInfo(8, 0, true), [rule](Profile& p) { p.fill_rule = rule; }),
-        FillRuleName(rule));
+        testing::WithProfile(FreeInfo(8, 0, true), [rule](Profile& p) { p.tie_rule = rule; }),
+        TieRuleName(rule));
   }
 }
 
@@ -125,14 +125,14 @@ TEST(JointLegality, WhatTheToleranceDoesNotAllowIsFound) {
       testing::WithProfile(FreeInfo(8, 0.6, false), [](Profile& p) { p.snap.bits = 4; });
   EXPECT_GT(Try(coarse, "snap-ties", 60).violated, 0);
   PlantedSubject two_rules = EachBy(FreeInfo(8, 0, true), [](Profile& profile, const Triangle& t) {
-    profile.fill_rule = kConsistentRules[std::max({t[0], t[1], t[2]}) % 2 == 0 ? 0 : 3];
+    profile.tie_rule = kConsistentRules[std::max({t[0], t[1], t[2]}) % 2 == 0 ? 0 : 3];
   });
   EXPECT_GT(Try(two_rules, "fans", 60).violated, 0);
   PlantedSubject mesh_differs(
       FreeInfo(8, 0.6, false),
       [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         Profile profile = FreeInfo(8, 0.6, false).profile;
-        if (scene.triangles.size() > 1) profile.fill_rule.sign_x = -1;
+        if (scene.triangles.size() > 1) profile.tie_rule.sign_x = -1;
         AddTo(counts, exact::Coverage(scene, profile, options));
       });
   EXPECT_GT(Try(mesh_differs, "fans", 60).violated, 0);
@@ -202,7 +202,7 @@ TEST(JointLegality, NeighboursSnappedApartAreFoundThoughEachSampleIsLegal) {
 }
 
 TEST(JointLegality, AppliesToFreeProfilesOnly) {
-  PlantedSubject exact_model = testing::Faultless(testing::SnappedInfo(8));
+  PlantedSubject exact_model = testing::Sound(testing::SnappedInfo(8));
   PhiloxSource bits(3, 0);
   const Case c = FindDomain("fans")->draw(bits, exact_model.Info());
   EXPECT_EQ(OneLegalModelExplainsTheMesh(exact_model, c).outcome, Outcome::kNotApplicable);

@@ -74,7 +74,7 @@ Verdict Judge(Subject& subject, std::string_view property, const Case& c) {
 TEST(ALargeMesh, IsDrawnInOneCallAndJudgedByWhatIsCovered) {
   const Case sheet = Sheet(24, 24, true);
   ASSERT_TRUE(IsLarge(sheet));
-  for (const CoverageKind kind : {CoverageKind::kMask, CoverageKind::kWinners}) {
+  for (const CoverageKind kind : {CoverageKind::kMask, CoverageKind::kPrimitiveIds}) {
     ShownSubject sound(kind, TakesAll, DrawRight);
     const Verdict holds = Judge(sound, "CoverageEqualsTheModel", sheet);
     EXPECT_EQ(holds.outcome, Outcome::kHolds) << holds.message;

@@ -83,7 +83,7 @@ Outside Make(CoverageKind kind, bool inclusive) {
   info.coverage = kind;
   info.takes_batches = true;
   Profile drawn = info.profile;
-  drawn.fill_rule.inclusive = inclusive;
+  drawn.tie_rule.inclusive = inclusive;
   return Outside(std::make_unique<Called>(info, drawn));
 }
 
@@ -191,7 +191,7 @@ TEST(Batches, LeaveCallsThatMustFollowEachOtherAlone) {
   for (std::size_t k = 0; k < drawn.size(); k += 2) EXPECT_TRUE(drawn[k] == drawn[k + 1]) << k;
 }
 
-TEST(Batches, AddNothingToACallThatAClaimPutsTogether) {
+TEST(Batches, AddNothingToACallThatAPropertyPutsTogether) {
   const Outside outside = Make(CoverageKind::kFacingCounts, false);
   KeepScenes(outside, "BatchDrawsLikeSingleCalls");
   EXPECT_EQ(outside.called.scenes.size(), 64U);

@@ -1,4 +1,4 @@
-// Fragments whose weights or depths are no numbers.
+// Fragments whose barycentrics or depths are no numbers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,10 +16,10 @@ namespace {
 
 using testing::RealInfo;
 
-// The first triangle wins every sample, with what is no number for weights and depth.
+// The first triangle wins every sample, with what is no number for barycentrics and depth.
 class NoNumbers final : public Subject {
  public:
-  NoNumbers(double weight, double depth) : weight_(weight), depth_(depth) {
+  NoNumbers(double barycentric, double depth) : barycentric_(barycentric), depth_(depth) {
     info_.coverage = CoverageKind::kFragments;
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
@@ -29,15 +29,15 @@ class NoNumbers final : public Subject {
   Drawing Show(const DrawJob& job) override {
     Drawing drawing;
     drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
-    drawing.winners.assign(drawing.counts.size(), job.Triangles().empty() ? kNoTriangle : 0);
-    drawing.weights.assign(drawing.counts.size(), {weight_, weight_, weight_});
+    drawing.primitive_ids.assign(drawing.counts.size(), job.Triangles().empty() ? kNoPrimitive : 0);
+    drawing.barycentrics.assign(drawing.counts.size(), {barycentric_, barycentric_, barycentric_});
     drawing.depths.assign(drawing.counts.size(), depth_);
     return drawing;
   }
 
  private:
   SubjectInfo info_ = RealInfo();
-  double weight_;
+  double barycentric_;
   double depth_;
 };
 
@@ -47,13 +47,13 @@ TEST(AFragmentThatIsNoNumber, IsAFindingWithItsWitness) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
         -std::numeric_limits<double>::infinity()}) {
     NoNumbers depths(1, no_number);
-    NoNumbers weights(no_number, 0.5);
+    NoNumbers barycentrics(no_number, 0.5);
     for (const auto& [subject, name] :
          {std::pair<Subject*, std::string_view>{&depths, "FragmentDepthStaysInTheHull"},
-          {&depths, "FragmentDepthFollowsItsWeights"},
-          {&weights, "FragmentDepthFollowsItsWeights"},
-          {&weights, "FragmentWeightsSumToOne"},
-          {&weights, "FragmentWeightsStayWithinTheirError"}}) {
+          {&depths, "FragmentDepthFollowsItsBarycentrics"},
+          {&barycentrics, "FragmentDepthFollowsItsBarycentrics"},
+          {&barycentrics, "FragmentBarycentricsSumToOne"},
+          {&barycentrics, "FragmentBarycentricsStayWithinTheirError"}}) {
       const PropertyResult result = RunCampaign(*subject, *FindProperty(name), {.cases = 40});
       ASSERT_EQ(result.outcome, Outcome::kViolated) << name;
       EXPECT_FALSE(result.verdict->witness->observed.empty()) << name;

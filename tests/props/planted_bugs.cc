@@ -13,13 +13,6 @@ namespace {
 
 std::array<Vertex, 3> CornersOf(const Scene& scene, const Triangle& t) { return Corners(scene, t); }
 
-void Add(CoverageCounts& counts, const CoverageCounts& more) {
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    counts.front[k] += more.front[k];
-    counts.back[k] += more.back[k];
-  }
-}
-
 CoverageCounts Alone(Subject& sound, const Scene& scene, const DrawOptions& options,
                      const CoverageCounts& shape) {
   CoverageCounts counts(shape.width, shape.height, shape.samples);
@@ -68,15 +61,15 @@ DrawBug WithOptions(std::function<void(DrawOptions&, const Scene&)> change) {
 void DrawInclusively(Subject& sound, const Scene& scene, const DrawOptions& options,
                      CoverageCounts& counts) {
   Profile profile = sound.Info().profile;
-  profile.fill_rule.inclusive = true;
-  Add(counts, exact::Coverage(scene, profile, options));
+  profile.tie_rule.inclusive = true;
+  counts += exact::Coverage(scene, profile, options);
 }
 
 void DrawBottomRight(Subject& sound, const Scene& scene, const DrawOptions& options,
                      CoverageCounts& counts) {
   Profile profile = sound.Info().profile;
-  profile.fill_rule = *FillRuleFromName("bottom-right");
-  Add(counts, exact::Coverage(scene, profile, options));
+  profile.tie_rule = *TieRuleFromName("bottom-right");
+  counts += exact::Coverage(scene, profile, options);
 }
 
 // Ties of the snap go up for some triangles and to even for others: each is within half a step, but
@@ -89,7 +82,7 @@ void SnapByParity(Subject& sound, const Scene& scene, const DrawOptions& options
     one.triangles = {t};
     profile.snap.rule =
         std::max({t[0], t[1], t[2]}) % 2 == 0 ? SnapRule::kHalfUp : SnapRule::kNearestEven;
-    Add(counts, exact::Coverage(one, profile, options));
+    counts += exact::Coverage(one, profile, options);
   }
 }
 
@@ -138,7 +131,7 @@ void CallEveryTriangleFront(Subject& sound, const Scene& scene, const DrawOption
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     drawn.front[k] += std::exchange(drawn.back[k], 0);
   }
-  Add(counts, drawn);
+  counts += drawn;
 }
 
 void OverwriteCounts(Subject& sound, const Scene& scene, const DrawOptions& options,
@@ -155,7 +148,7 @@ void RunPastTheScissor(Subject& sound, const Scene& scene, const DrawOptions& op
   if (k < counts.size()) ++counts.front[k];
 }
 
-std::vector<Plant> EdgePlants() {
+std::vector<PlantedBug> EdgePlantedBugs() {
   const auto value = [](ValueBug bug) {
     Bug planted;
     planted.value = std::move(bug);
@@ -166,7 +159,7 @@ std::vector<Plant> EdgePlants() {
        value([](double e, Point2, Point2, Point2) { return std::fabs(e); })},
       {"EdgeErrorStaysWithinItsBound", "half the mantissa", "spans-exact",
        value([](double e, Point2, Point2, Point2) { return e * (1 + 0x1p-26); })},
-      {"EdgeErrorStaysWithinItsBound", "float32 where float64 is claimed", "f64-direct",
+      {"EdgeErrorStaysWithinItsBound", "float32 where float64 is stated", "f64-direct",
        value([](double e, Point2, Point2, Point2) { return double{static_cast<float>(e)}; })},
       {"ReversedEdgeChangesSign", "a bias towards inside", "spans-exact",
        value([](double e, Point2, Point2, Point2) { return e + 0x1p-10 * std::fabs(e); })},
@@ -191,29 +184,30 @@ std::vector<Plant> EdgePlants() {
   };
 }
 
-std::vector<Plant> IncrementalPlants() {
-  const auto walk = [](WalkBug bug) {
+std::vector<PlantedBug> IncrementalPlantedBugs() {
+  const auto stepping = [](SteppingBug bug) {
     Bug planted;
-    planted.walk = std::move(bug);
+    planted.stepping = std::move(bug);
     return planted;
   };
   return {
-      {"WalkStaysWithinItsBound", "dX added where it is subtracted", "spans-exact",
-       walk([](std::vector<double>& e, Step step) {
+      {"SteppingStaysWithinItsBound", "dX added where it is subtracted", "spans-exact",
+       stepping([](std::vector<double>& e, Step step) {
          if (!step.along_y) return;
          for (double& value : e) value = 2 * e[0] - value;
        })},
-      {"WalkStaysWithinItsBound", "one step too many", "spans-exact",
-       walk([](std::vector<double>& e, Step) {
+      {"SteppingStaysWithinItsBound", "one step too many", "spans-exact",
+       stepping([](std::vector<double>& e, Step) {
          for (std::size_t n = 0; n + 1 < e.size(); ++n) e[n] = e[n + 1];
        })},
-      {"WalkStaysWithinItsBound", "an entry left out", "spans-exact",
-       walk([](std::vector<double>& e, Step) { e.pop_back(); })},
-      {"WalkEqualsDirectWhereExact", "one ulp", "i64-snap8", walk([](std::vector<double>& e, Step) {
+      {"SteppingStaysWithinItsBound", "an entry left out", "spans-exact",
+       stepping([](std::vector<double>& e, Step) { e.pop_back(); })},
+      {"SteppingEqualsDirectWhereExact", "one ulp", "i64-snap8",
+       stepping([](std::vector<double>& e, Step) {
          for (std::size_t n = 1; n < e.size(); ++n) e[n] = std::nextafter(e[n], 0x1p60);
        })},
-      {"LongWalkStaysWithinItsBound", "a step is lost after 4096", "spans-exact",
-       walk([](std::vector<double>& e, Step) {
+      {"LongSteppingStaysWithinItsBound", "a step is lost after 4096", "spans-exact",
+       stepping([](std::vector<double>& e, Step) {
          for (std::size_t n = e.size() - 1; n > 4096; --n) e[n] = e[n - 1];
        })},
       {"TileSizeKeepsCoverage",
@@ -242,16 +236,16 @@ std::vector<Plant> IncrementalPlants() {
             options.scissor = PixelRect{0, 0, scene.width, scene.height - scene.height / 3};
           }
         }),
-        .claims_threads = true}},
+        .states_threads = true}},
   };
 }
 
-std::vector<Plant> BarycentricPlants() {
+std::vector<PlantedBug> BarycentricPlantedBugs() {
   using Triple = std::array<double, 3>;
   using Points = std::array<Point2, 3>;
-  const auto weights = [](WeightsBug bug) {
+  const auto barycentrics = [](BarycentricsBug bug) {
     Bug planted;
-    planted.weights = std::move(bug);
+    planted.barycentrics = std::move(bug);
     return planted;
   };
   const auto interpolate = [](InterpolationBug bug) {
@@ -260,44 +254,46 @@ std::vector<Plant> BarycentricPlants() {
     return planted;
   };
   return {
-      {"WeightsStayWithinTheirBound", "an approximate reciprocal", "spans-exact",
-       weights([](Triple& l, BarycentricForm, const Points&) { l[0] *= 1 + 0x1p-12; })},
-      {"WeightsSumToOne", "one minus one of them", "spans-exact",
-       weights([](Triple& l, BarycentricForm form, const Points&) {
+      {"BarycentricsStayWithinTheirBound", "an approximate reciprocal", "spans-exact",
+       barycentrics([](Triple& l, BarycentricForm, const Points&) { l[0] *= 1 + 0x1p-12; })},
+      {"BarycentricsSumToOne", "one minus one of them", "spans-exact",
+       barycentrics([](Triple& l, BarycentricForm form, const Points&) {
          if (form == BarycentricForm::kOneMinus) l[2] = 1 - l[0];
        })},
-      {"WeightIsOneAtItsVertexAndZeroOpposite", "a bias", "spans-exact",
-       weights([](Triple& l, BarycentricForm, const Points&) { l[1] += 0x1p-6; })},
-      {"WeightSignsAgreeWithTheEdges", "lengths of cross products", "spans-exact",
-       weights([](Triple& l, BarycentricForm, const Points&) {
-         for (double& weight : l) weight = std::fabs(weight);
+      {"BarycentricIsOneAtItsVertexAndZeroOpposite", "a bias", "spans-exact",
+       barycentrics([](Triple& l, BarycentricForm, const Points&) { l[1] += 0x1p-6; })},
+      {"BarycentricSignsAgreeWithTheEdges", "lengths of cross products", "spans-exact",
+       barycentrics([](Triple& l, BarycentricForm, const Points&) {
+         for (double& barycentric : l) barycentric = std::fabs(barycentric);
        })},
-      {"WeightsReproduceThePoint", "weights of the edges, not the vertices", "spans-exact",
-       weights([](Triple& l, BarycentricForm, const Points&) { l = {l[2], l[0], l[1]}; })},
-      {"WeightsFollowTheirVertices", "the first vertex weighs more", "spans-exact",
-       weights([](Triple& l, BarycentricForm, const Points&) { l[0] *= 1 + 0x1p-12; })},
+      {"BarycentricsReproduceThePoint", "barycentrics of the edges, not the vertices",
+       "spans-exact",
+       barycentrics([](Triple& l, BarycentricForm, const Points&) { l = {l[2], l[0], l[1]}; })},
+      {"BarycentricsFollowTheirVertices", "the first vertex weighs more", "spans-exact",
+       barycentrics([](Triple& l, BarycentricForm, const Points&) { l[0] *= 1 + 0x1p-12; })},
       {"InterpolatedValuesStayInTheHull", "no clamp, a quarter too much", "spans-exact",
-       interpolate([](const WeightEvaluator& sound, InterpolationForm form, const auto& v, Triple z,
-                      Point2 p) { return 1.25 * sound.Interpolate(form, v, z, p); })},
+       interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, const auto& v,
+                      Triple z, Point2 p) { return 1.25 * sound.Interpolate(form, v, z, p); })},
       {"InterpolationStaysWithinItsBound", "half the mantissa", "spans-exact",
-       interpolate([](const WeightEvaluator& sound, InterpolationForm form, const auto& v, Triple z,
+       interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, const auto& v,
+                      Triple z,
                       Point2 p) { return (1 + 0x1p-12) * sound.Interpolate(form, v, z, p); })},
-      {"DepthByDeltasEqualsDepthByWeights", "the wrong delta", "spans-exact",
-       interpolate([](const WeightEvaluator& sound, InterpolationForm form, const auto& v, Triple z,
-                      Point2 p) {
+      {"DepthByDeltasEqualsDepthByBarycentrics", "the wrong delta", "spans-exact",
+       interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, const auto& v,
+                      Triple z, Point2 p) {
          if (form == InterpolationForm::kDeltas) z[2] = z[1];
          return sound.Interpolate(form, v, z, p);
        })},
       {"PerspectiveInterpolationStaysWithinItsBound", "no division by w", "spans-exact",
-       interpolate([](const WeightEvaluator& sound, InterpolationForm form, const auto& v, Triple z,
-                      Point2 p) {
+       interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, const auto& v,
+                      Triple z, Point2 p) {
          const bool perspective = form == InterpolationForm::kPerspective;
-         return sound.Interpolate(perspective ? InterpolationForm::kWeights : form, v, z, p);
+         return sound.Interpolate(perspective ? InterpolationForm::kBarycentrics : form, v, z, p);
        })},
   };
 }
 
-std::vector<Plant> CoveragePlants() {
+std::vector<PlantedBug> CoveragePlantedBugs() {
   using Corners3 = std::array<Vertex, 3>;
   return {
       {"CoverageEqualsTheModel", "every edge inclusive", "spans-exact", {.draw = DrawInclusively}},
@@ -312,8 +308,8 @@ std::vector<Plant> CoveragePlants() {
             [](Subject& sound, const Scene& scene, const DrawOptions& options,
                CoverageCounts& counts) {
               Profile profile = sound.Info().profile;
-              profile.fill_rule.sign_y = -1;
-              Add(counts, exact::Coverage(scene, profile, options));
+              profile.tie_rule.sign_y = -1;
+              counts += exact::Coverage(scene, profile, options);
             }}},
       {"ClipSpaceCoverageEqualsTheModel",
        "triangles across the eye are lost",
@@ -337,22 +333,22 @@ std::vector<Plant> CoveragePlants() {
        "shared vertices snapped up for one triangle, down for the other",
        "i32-snap4",
        {.draw = SnapByParity,
-        .promises = [](Profile& profile) { profile.freedom.snap_tolerance = 0.6; }}},
+        .states = [](Profile& profile) { profile.freedom.snap_tolerance = 0.6; }}},
       {"OneLegalModelExplainsTheMesh",
        "every edge inclusive",
        "spans-exact",
        {.draw = DrawInclusively,
-        .promises = [](Profile& profile) { profile.freedom.any_tie_rule = true; }}},
+        .states = [](Profile& profile) { profile.freedom.any_tie_rule = true; }}},
       {"ConservativeCoverageKeepsToItsSide",
-       "no top edges, promised over",
+       "no top edges, stated over",
        "spans-exact",
        {.draw = DrawBottomRight,
-        .promises = [](Profile& profile) { profile.contract = Contract::kConservativeOver; }}},
+        .states = [](Profile& profile) { profile.contract = Contract::kConservativeOver; }}},
       {"ConservativeCoverageKeepsToItsSide",
-       "every edge inclusive, promised under",
+       "every edge inclusive, stated under",
        "spans-exact",
        {.draw = DrawInclusively,
-        .promises = [](Profile& profile) { profile.contract = Contract::kConservativeUnder; }}},
+        .states = [](Profile& profile) { profile.contract = Contract::kConservativeUnder; }}},
       {"ClosedMeshCancels",
        "every triangle is front",
        "spans-exact",
@@ -426,7 +422,7 @@ std::vector<Plant> CoveragePlants() {
   };
 }
 
-std::vector<Plant> WireframePlants() {
+std::vector<PlantedBug> WireframePlantedBugs() {
   using Points = std::array<Point2, 3>;
   const auto distances = [](DistancesBug bug) {
     Bug planted;
@@ -434,9 +430,9 @@ std::vector<Plant> WireframePlants() {
     return planted;
   };
   // The height over edge i is the height form's distance at vertex i.
-  const auto swapped_heights = [](const WeightEvaluator& sound, WireframeForm, const Points& v,
+  const auto swapped_heights = [](const BarycentricEvaluator& sound, WireframeForm, const Points& v,
                                   Point2 p) {
-    const std::array<double, 3> l = sound.EdgeDistances(WireframeForm::kWeight, v, p);
+    const std::array<double, 3> l = sound.EdgeDistances(WireframeForm::kBarycentric, v, p);
     std::array<double, 3> distances{};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t other = (i + 1) % 3;
@@ -445,12 +441,12 @@ std::vector<Plant> WireframePlants() {
     return distances;
   };
   return {
-      {"WeightDistanceIsTheSmallestWeight", "pixels", "spans-exact",
-       distances([](const WeightEvaluator& sound, WireframeForm, const Points& v, Point2 p) {
+      {"BarycentricDistanceIsTheSmallestCoordinate", "pixels", "spans-exact",
+       distances([](const BarycentricEvaluator& sound, WireframeForm, const Points& v, Point2 p) {
          return sound.EdgeDistances(WireframeForm::kHeight, v, p);
        })},
       {"DerivativeDistanceMeasuresInTheL1Norm", "the L2 norm", "spans-exact",
-       distances([](const WeightEvaluator& sound, WireframeForm, const Points& v, Point2 p) {
+       distances([](const BarycentricEvaluator& sound, WireframeForm, const Points& v, Point2 p) {
          return sound.EdgeDistances(WireframeForm::kHeight, v, p);
        })},
       {"HeightDistanceIsTheDistanceInPixels", "heights of other vertices", "spans-exact",
@@ -458,7 +454,7 @@ std::vector<Plant> WireframePlants() {
   };
 }
 
-std::vector<Plant> ExtremePlants() {
+std::vector<PlantedBug> ExtremePlantedBugs() {
   return {
       {"DrawStaysInsideItsTarget",
        "a span runs past the scissor",
@@ -485,11 +481,11 @@ std::vector<Plant> ExtremePlants() {
 
 }  // namespace
 
-std::vector<Plant> Plants() {
-  std::vector<Plant> all;
-  for (const std::vector<Plant>& part :
-       {EdgePlants(), IncrementalPlants(), BarycentricPlants(), CoveragePlants(), WireframePlants(),
-        ExtremePlants(), OutputPlants()}) {
+std::vector<PlantedBug> PlantedBugs() {
+  std::vector<PlantedBug> all;
+  for (const std::vector<PlantedBug>& part :
+       {EdgePlantedBugs(), IncrementalPlantedBugs(), BarycentricPlantedBugs(),
+        CoveragePlantedBugs(), WireframePlantedBugs(), ExtremePlantedBugs(), OutputPlantedBugs()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

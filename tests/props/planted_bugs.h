@@ -18,14 +18,14 @@ namespace rasterproof::props {
 using DrawBug =
     std::function<void(Subject& sound, const Scene&, const DrawOptions&, CoverageCounts&)>;
 using ValueBug = std::function<double(double sound, Point2 a, Point2 b, Point2 p)>;
-using WalkBug = std::function<void(std::vector<double>& sound, Step)>;
-using WeightsBug = std::function<void(std::array<double, 3>& sound, BarycentricForm,
-                                      const std::array<Point2, 3>& v)>;
+using SteppingBug = std::function<void(std::vector<double>& sound, Step)>;
+using BarycentricsBug = std::function<void(std::array<double, 3>& sound, BarycentricForm,
+                                           const std::array<Point2, 3>& v)>;
 using InterpolationBug =
-    std::function<double(const WeightEvaluator& sound, InterpolationForm,
+    std::function<double(const BarycentricEvaluator& sound, InterpolationForm,
                          const std::array<Corner, 3>& v, std::array<double, 3> attribute, Point2)>;
 using DistancesBug = std::function<std::array<double, 3>(
-    const WeightEvaluator& sound, WireframeForm, const std::array<Point2, 3>& v, Point2 p)>;
+    const BarycentricEvaluator& sound, WireframeForm, const std::array<Point2, 3>& v, Point2 p)>;
 
 using ShowBug = std::function<void(Drawing& sound, const DrawJob&)>;
 using BatchBug = std::function<void(std::vector<DrawOutcome>& sound)>;
@@ -34,21 +34,21 @@ using BatchBug = std::function<void(std::vector<DrawOutcome>& sound)>;
 struct Bug {
   DrawBug draw = {};
   ValueBug value = {};
-  WalkBug walk = {};
-  WeightsBug weights = {};
+  SteppingBug stepping = {};
+  BarycentricsBug barycentrics = {};
   InterpolationBug interpolate = {};
   DistancesBug distances = {};
-  /// Set: the subject shows fragments, the last ones drawn, with exact weights.
+  /// Set: the subject shows fragments, the last ones drawn, with exact barycentrics.
   ShowBug show = {};
   /// Set: the subject takes batches.
   BatchBug batch = {};
-  bool claims_threads = false;
-  /// Changes what the subject promises, for claims that no built-in subject's promises bring up.
-  std::function<void(Profile&)> promises = {};
+  bool states_threads = false;
+  /// Changes what the subject states, for contracts that no built-in subject has.
+  std::function<void(Profile&)> states = {};
 };
 
-/// Claims the bounds of the sound subject, which its bug breaks.
-class PlantedSubject final : public Subject, public EdgeEvaluator, public WeightEvaluator {
+/// Properties the bounds of the sound subject, which its bug breaks.
+class PlantedSubject final : public Subject, public EdgeEvaluator, public BarycentricEvaluator {
  public:
   PlantedSubject(std::unique_ptr<Subject> sound, Bug bug);
 
@@ -57,18 +57,20 @@ class PlantedSubject final : public Subject, public EdgeEvaluator, public Weight
   Drawing Show(const DrawJob& job) override;
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
   const EdgeEvaluator* Edges() const override { return sound_->Edges() ? this : nullptr; }
-  const WeightEvaluator* Weights() const override { return sound_->Weights() ? this : nullptr; }
+  const BarycentricEvaluator* Barycentrics() const override {
+    return sound_->Barycentrics() ? this : nullptr;
+  }
 
   double Value(Point2 a, Point2 b, Point2 p) const override;
   double ErrorBound(Point2 a, Point2 b, Point2 p) const override;
-  std::vector<double> Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const override;
-  std::vector<double> WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                      int steps) const override;
+  std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const override;
+  std::vector<double> SteppingErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                          int steps) const override;
 
-  std::array<double, 3> Weights(BarycentricForm form, const std::array<Point2, 3>& v,
-                                Point2 p) const override;
-  std::array<double, 3> WeightErrorBounds(BarycentricForm form, const std::array<Point2, 3>& v,
-                                          Point2 p) const override;
+  std::array<double, 3> Barycentrics(BarycentricForm form, const std::array<Point2, 3>& v,
+                                     Point2 p) const override;
+  std::array<double, 3> BarycentricErrorBounds(BarycentricForm form, const std::array<Point2, 3>& v,
+                                               Point2 p) const override;
   double SumErrorBound(BarycentricForm form, const std::array<Point2, 3>& v,
                        Point2 p) const override;
   double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
@@ -85,18 +87,18 @@ class PlantedSubject final : public Subject, public EdgeEvaluator, public Weight
 };
 
 /// A bug, the sound subject it is planted in, and the property that must catch it.
-struct Plant {
+struct PlantedBug {
   std::string_view property;
   std::string_view name;
   std::string_view sound;  ///< a built-in subject
   Bug bug;
 };
 
-/// Those of winners, fragments and calls.
-std::vector<Plant> OutputPlants();
+/// Those of primitive ids, fragments and calls.
+std::vector<PlantedBug> OutputPlantedBugs();
 
 /// One for each property at least.
-std::vector<Plant> Plants();
+std::vector<PlantedBug> PlantedBugs();
 
 }  // namespace rasterproof::props
 

@@ -32,44 +32,45 @@ void RepeatTheFirst(Subject& sound, const Scene& scene, const DrawOptions& optio
 
 }  // namespace
 
-std::vector<Plant> OutputPlants() {
+std::vector<PlantedBug> OutputPlantedBugs() {
   return {
       {"OneCallDrawsLikeItsTriangles",
        "the second triangle of a mesh is the first once more",
        "spans-exact",
        {.draw = RepeatTheFirst}},
-      {"OneCallDrawsLikeItsTriangles", "winners of a mesh are numbered from its end", "spans-exact",
-       Showing([](Drawing& drawing, const DrawJob& job) {
+      {"OneCallDrawsLikeItsTriangles", "primitive ids of a mesh are numbered from its end",
+       "spans-exact", Showing([](Drawing& drawing, const DrawJob& job) {
          const auto last = static_cast<std::int32_t>(job.Triangles().size()) - 1;
-         for (std::int32_t& winner : drawing.winners) {
-           if (winner != kNoTriangle) winner = last - winner;
+         for (std::int32_t& id : drawing.primitive_ids) {
+           if (id != kNoPrimitive) id = last - id;
          }
        })},
-      {"WinnerFollowsTheDeclaredOrder", "the triangle before the winner", "spans-exact",
+      {"PrimitiveIdFollowsTheStatedOrder", "the triangle before the visible one", "spans-exact",
        Showing([](Drawing& drawing, const DrawJob&) {
-         for (std::int32_t& winner : drawing.winners) {
-           if (winner != kNoTriangle) winner = std::max(winner - 1, 0);
+         for (std::int32_t& id : drawing.primitive_ids) {
+           if (id != kNoPrimitive) id = std::max(id - 1, 0);
          }
        })},
-      {"FragmentWeightsSumToOne", "one weight is off by many ulps", "spans-exact",
+      {"FragmentBarycentricsSumToOne", "one barycentric is off by many ulps", "spans-exact",
        Showing([](Drawing& drawing, const DrawJob&) {
-         for (std::array<double, 3>& weights : drawing.weights) weights[1] *= 1 + 0x1p-20;
+         for (std::array<double, 3>& barycentrics : drawing.barycentrics)
+           barycentrics[1] *= 1 + 0x1p-20;
        })},
-      {"FragmentWeightsStayWithinTheirError", "weights of the next vertex", "spans-exact",
+      {"FragmentBarycentricsStayWithinTheirError", "barycentrics of the next vertex", "spans-exact",
        Showing([](Drawing& drawing, const DrawJob&) {
-         for (std::array<double, 3>& weights : drawing.weights) {
-           std::ranges::rotate(weights, weights.begin() + 1);
+         for (std::array<double, 3>& barycentrics : drawing.barycentrics) {
+           std::ranges::rotate(barycentrics, barycentrics.begin() + 1);
          }
        })},
       {"FragmentDepthStaysInTheHull", "depths are counted from 1", "spans-exact",
        Showing([](Drawing& drawing, const DrawJob&) {
          for (double& depth : drawing.depths) depth += 1;
        })},
-      {"FragmentDepthFollowsItsWeights", "the depth of the provoking vertex", "spans-exact",
+      {"FragmentDepthFollowsItsBarycentrics", "the depth of the provoking vertex", "spans-exact",
        Showing([](Drawing& drawing, const DrawJob& job) {
          for (std::size_t k = 0; k < drawing.depths.size(); ++k) {
-           if (drawing.winners[k] == kNoTriangle) continue;
-           const auto t = static_cast<std::size_t>(drawing.winners[k]);
+           if (drawing.primitive_ids[k] == kNoPrimitive) continue;
+           const auto t = static_cast<std::size_t>(drawing.primitive_ids[k]);
            drawing.depths[k] = Corners(*job.scene, job.Triangles()[t])[0].z;
          }
        })},

@@ -8,15 +8,15 @@
 namespace rasterproof::props {
 namespace {
 
-// The last triangle that the sound subject draws on each sample, its weights and depth.
+// The last triangle that the sound subject draws on each sample, its barycentrics and depth.
 Drawing SoundFragments(Subject& sound, const DrawJob& job) {
   const Scene scene = SceneOf(job);
   Drawing drawing;
   drawing.counts = CoverageCounts(scene.width, scene.height, job.samples);
-  drawing.winners.assign(drawing.counts.size(), kNoTriangle);
-  drawing.weights.resize(drawing.counts.size());
+  drawing.primitive_ids.assign(drawing.counts.size(), kNoPrimitive);
+  drawing.barycentrics.resize(drawing.counts.size());
   drawing.depths.resize(drawing.counts.size());
-  const SampleLattice& lattice = sound.Info().profile.lattice;
+  const SamplePattern& lattice = sound.Info().profile.pattern;
   DrawJob one = job;
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     one.triangles = {scene.triangles[t]};
@@ -28,10 +28,11 @@ Drawing SoundFragments(Subject& sound, const DrawJob& job) {
         const std::size_t k = covered.Index(i / job.samples, row, i % job.samples);
         if (covered.Count(k) == 0) continue;
         const Point2 p = lattice.At(i / job.samples, row, i % job.samples);
-        const auto weights = *exact::Barycentrics(at, p);
-        drawing.winners[k] = static_cast<std::int32_t>(t);
+        const auto barycentrics = *exact::Barycentrics(at, p);
+        drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
         drawing.counts.front[k] = 1;
-        drawing.weights[k] = {weights[0].ToDouble(), weights[1].ToDouble(), weights[2].ToDouble()};
+        drawing.barycentrics[k] = {barycentrics[0].ToDouble(), barycentrics[1].ToDouble(),
+                                   barycentrics[2].ToDouble()};
         drawing.depths[k] = exact::Interpolate(at, {v[0].z, v[1].z, v[2].z}, p)->ToDouble();
       }
     }
@@ -44,10 +45,10 @@ Drawing SoundFragments(Subject& sound, const DrawJob& job) {
 PlantedSubject::PlantedSubject(std::unique_ptr<Subject> sound, Bug bug)
     : sound_(std::move(sound)), bug_(std::move(bug)), info_(sound_->Info()) {
   info_.name += " with a planted bug";
-  info_.takes_threads = bug_.claims_threads;
+  info_.takes_threads = bug_.states_threads;
   if (bug_.show) info_.coverage = CoverageKind::kFragments;
   info_.takes_batches = static_cast<bool>(bug_.batch);
-  if (bug_.promises) bug_.promises(info_.profile);
+  if (bug_.states) bug_.states(info_.profile);
 }
 
 void PlantedSubject::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
@@ -80,53 +81,54 @@ double PlantedSubject::ErrorBound(Point2 a, Point2 b, Point2 p) const {
   return sound_->Edges()->ErrorBound(a, b, p);
 }
 
-std::vector<double> PlantedSubject::Walk(Point2 a, Point2 b, Point2 p, Step step, int steps) const {
-  std::vector<double> values = sound_->Edges()->Walk(a, b, p, step, steps);
-  if (bug_.walk) bug_.walk(values, step);
+std::vector<double> PlantedSubject::Steps(Point2 a, Point2 b, Point2 p, Step step,
+                                          int steps) const {
+  std::vector<double> values = sound_->Edges()->Steps(a, b, p, step, steps);
+  if (bug_.stepping) bug_.stepping(values, step);
   return values;
 }
 
-std::vector<double> PlantedSubject::WalkErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
-                                                    int steps) const {
-  return sound_->Edges()->WalkErrorBounds(a, b, p, step, steps);
+std::vector<double> PlantedSubject::SteppingErrorBounds(Point2 a, Point2 b, Point2 p, Step step,
+                                                        int steps) const {
+  return sound_->Edges()->SteppingErrorBounds(a, b, p, step, steps);
 }
 
-std::array<double, 3> PlantedSubject::Weights(BarycentricForm form, const std::array<Point2, 3>& v,
-                                              Point2 p) const {
-  std::array<double, 3> weights = sound_->Weights()->Weights(form, v, p);
-  if (bug_.weights) bug_.weights(weights, form, v);
-  return weights;
+std::array<double, 3> PlantedSubject::Barycentrics(BarycentricForm form,
+                                                   const std::array<Point2, 3>& v, Point2 p) const {
+  std::array<double, 3> barycentrics = sound_->Barycentrics()->Barycentrics(form, v, p);
+  if (bug_.barycentrics) bug_.barycentrics(barycentrics, form, v);
+  return barycentrics;
 }
 
-std::array<double, 3> PlantedSubject::WeightErrorBounds(BarycentricForm form,
-                                                        const std::array<Point2, 3>& v,
-                                                        Point2 p) const {
-  return sound_->Weights()->WeightErrorBounds(form, v, p);
+std::array<double, 3> PlantedSubject::BarycentricErrorBounds(BarycentricForm form,
+                                                             const std::array<Point2, 3>& v,
+                                                             Point2 p) const {
+  return sound_->Barycentrics()->BarycentricErrorBounds(form, v, p);
 }
 
 double PlantedSubject::SumErrorBound(BarycentricForm form, const std::array<Point2, 3>& v,
                                      Point2 p) const {
-  return sound_->Weights()->SumErrorBound(form, v, p);
+  return sound_->Barycentrics()->SumErrorBound(form, v, p);
 }
 
 double PlantedSubject::Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
                                    const std::array<double, 3>& attribute, Point2 p) const {
-  return bug_.interpolate ? bug_.interpolate(*sound_->Weights(), form, v, attribute, p)
-                          : sound_->Weights()->Interpolate(form, v, attribute, p);
+  return bug_.interpolate ? bug_.interpolate(*sound_->Barycentrics(), form, v, attribute, p)
+                          : sound_->Barycentrics()->Interpolate(form, v, attribute, p);
 }
 
 double PlantedSubject::InterpolationErrorBound(InterpolationForm form,
                                                const std::array<Corner, 3>& v,
                                                const std::array<double, 3>& attribute,
                                                Point2 p) const {
-  return sound_->Weights()->InterpolationErrorBound(form, v, attribute, p);
+  return sound_->Barycentrics()->InterpolationErrorBound(form, v, attribute, p);
 }
 
 std::array<double, 3> PlantedSubject::EdgeDistances(WireframeForm form,
                                                     const std::array<Point2, 3>& v,
                                                     Point2 p) const {
-  return bug_.distances ? bug_.distances(*sound_->Weights(), form, v, p)
-                        : sound_->Weights()->EdgeDistances(form, v, p);
+  return bug_.distances ? bug_.distances(*sound_->Barycentrics(), form, v, p)
+                        : sound_->Barycentrics()->EdgeDistances(form, v, p);
 }
 
 }  // namespace rasterproof::props

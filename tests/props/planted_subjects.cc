@@ -71,7 +71,7 @@ SubjectInfo SnappedInfo(int bits) {
   return info;
 }
 
-PlantedSubject Faultless(const SubjectInfo& info) {
+PlantedSubject Sound(const SubjectInfo& info) {
   return {info, [profile = info.profile](const Scene& scene, const DrawOptions& options,
                                          CoverageCounts& counts) {
             counts = exact::Coverage(scene, profile, options);
@@ -98,7 +98,7 @@ PlantedSubject DropsLastColumn(const SubjectInfo& info) {
 }
 
 PlantedSubject Inclusive(const SubjectInfo& info) {
-  return WithProfile(info, [](Profile& profile) { profile.fill_rule.inclusive = true; });
+  return WithProfile(info, [](Profile& profile) { profile.tie_rule.inclusive = true; });
 }
 
 PlantedSubject NaiveFloat32(const SubjectInfo& info) { return {info, DrawNaively<float>}; }
@@ -150,13 +150,14 @@ Asked AskForTheModel(const Case& c, const Description& /*subject*/) {
 }  // namespace
 
 Property ModelProperty(std::span<const std::string_view> domains) {
-  return {.name = "CoverageIsTheModels",
-          .group = "coverage",
-          .clause = "the counts are those of the canonical model",
-          .tolerance = "none: exact",
-          .domains = domains,
-          .gate = {.space = Space::kEither, .promise = Promise::kNone, .beyond_limits = true},
-          .ask = AskForTheModel};
+  return {
+      .name = "CoverageIsTheModels",
+      .group = "coverage",
+      .clause = "the counts are those of the canonical model",
+      .tolerance = "none: exact",
+      .domains = domains,
+      .gate = {.space = Space::kEither, .contract = ContractNeeded::kNone, .beyond_limits = true},
+      .ask = AskForTheModel};
 }
 
 Verdict CoverageIsTheModels(Subject& subject, const Case& c) {

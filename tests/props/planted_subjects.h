@@ -44,8 +44,8 @@ class PlantedSubject final : public Subject {
 SubjectInfo RealInfo(Precision input = Precision::kFloat32);
 SubjectInfo SnappedInfo(int bits);
 
-PlantedSubject Faultless(const SubjectInfo& info);
-/// The exact model of another profile than the one it promises.
+PlantedSubject Sound(const SubjectInfo& info);
+/// The exact model of another profile than the one it states.
 PlantedSubject WithProfile(const SubjectInfo& info, const std::function<void(Profile&)>& change);
 /// Never draws into the last column of the target.
 PlantedSubject DropsLastColumn(const SubjectInfo& info);
@@ -59,7 +59,7 @@ PlantedSubject LosesLarge(const SubjectInfo& info, double side);
 /// Throws when a vertex lies left of x = -1.
 PlantedSubject Throwing(const SubjectInfo& info);
 
-/// Claims that the subject's counts are the model's.
+/// Properties that the subject's counts are the model's.
 Property ModelProperty(std::span<const std::string_view> domains);
 /// What it says of the case.
 Verdict CoverageIsTheModels(Subject& subject, const Case& c);

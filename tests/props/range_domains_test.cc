@@ -56,7 +56,7 @@ std::vector<std::string_view> Without(std::string_view left_out,
   return others;
 }
 
-TEST(RangeEnds, SpansThePromisedRangeFromEndToEnd) {
+TEST(RangeEnds, SpansTheStatedRangeFromEndToEnd) {
   const SubjectInfo info = SnappedInfo(8);
   const double limit = info.profile.coordinate_limit;
   EXPECT_GE(CasesThat("range-ends", info,
@@ -144,7 +144,7 @@ TEST(NearRepeats, AgreeWithTheTriangleBeforeInAllButACoordinate) {
     return false;
   };
   EXPECT_GE(CasesThat("near-repeats", SnappedInfo(8), agree), 100);
-  EXPECT_LE(CasesThat("windings", SnappedInfo(8), agree), 20);
+  EXPECT_LE(CasesThat("vertex-orders", SnappedInfo(8), agree), 20);
 }
 
 // The next triangle after one that reaches far shares two of its corners, in order.
@@ -196,10 +196,10 @@ TEST(CoveringFans, ShowTheLossOfTrianglesThatReachFar) {
   }
 }
 
-TEST(DecidingTies, ChangeWhatIsCoveredWithTheRuleOfTheSnap) {
+TEST(DecidingSnapTies, ChangeWhatIsCoveredWithTheRuleOfTheSnap) {
   const SubjectInfo info = SnappedInfo(8);
   const auto decided_by = [&](SnapRule rule) {
-    return CasesThat("deciding-ties", info, [&](const Case& c) {
+    return CasesThat("deciding-snap-ties", info, [&](const Case& c) {
       Profile other = c.profile;
       other.snap.rule = rule;
       return exact::Coverage(c.scene, c.profile) != exact::Coverage(c.scene, other);
@@ -210,8 +210,8 @@ TEST(DecidingTies, ChangeWhatIsCoveredWithTheRuleOfTheSnap) {
   EXPECT_GE(decided_by(SnapRule::kFloor), 50);
 }
 
-TEST(FullTargets, CoverThreeQuartersOfManySamplesSeveralTimes) {
-  EXPECT_GE(CasesThat("full-targets", RealInfo(),
+TEST(FullCoverage, CoverThreeQuartersOfManySamplesSeveralTimes) {
+  EXPECT_GE(CasesThat("full-coverage", RealInfo(),
                       [](const Case& c) {
                         const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
                         std::uint64_t covered = 0;
@@ -236,16 +236,16 @@ bool MisleadsDoubles(const Case& c, const Triangle& t) {
   return false;
 }
 
-TEST(TinyEnds, RoundTheDifferencesThatDecideTheSign) {
+TEST(RoundedDifferences, RoundTheDifferencesThatDecideTheSign) {
   const auto misleads = [](const Case& c) {
     return std::ranges::any_of(c.scene.triangles,
                                [&](const Triangle& t) { return MisleadsDoubles(c, t); });
   };
-  EXPECT_GE(CasesThat("tiny-ends", RealInfo(), misleads), 3);
+  EXPECT_GE(CasesThat("rounded-differences", RealInfo(), misleads), 3);
   EXPECT_EQ(CasesThat("uniform-subpixel", RealInfo(), misleads), 0);
 }
 
-TEST(SubPixel, KeepsWithinAPixelAndCoversSamples) {
+TEST(SubPixelTriangles, KeepsWithinAPixelAndCoversSamples) {
   const auto is_small = [](const Case& c) {
     const auto [left, right] = std::ranges::minmax(c.scene.vertices, {}, &Vertex::x);
     return c.scene.triangles.size() > 1 || right.x - left.x < 1;
@@ -255,8 +255,8 @@ TEST(SubPixel, KeepsWithinAPixelAndCoversSamples) {
     return std::ranges::any_of(counts.front, [](auto n) { return n != 0; });
   };
   for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
-    EXPECT_EQ(CasesThat("sub-pixel", info, is_small), 200);
-    EXPECT_GE(CasesThat("sub-pixel", info, covers), 40);
+    EXPECT_EQ(CasesThat("sub-pixel-triangles", info, is_small), 200);
+    EXPECT_GE(CasesThat("sub-pixel-triangles", info, covers), 40);
   }
 }
 

@@ -20,8 +20,8 @@ using testing::SnappedInfo;
 constexpr std::array<std::string_view, 4> kDomains{"uniform-subpixel", "near-edge", "fans",
                                                    "snap-ties"};
 
-TEST(RapidCheck, HoldsForAFaultlessSubject) {
-  auto subject = testing::Faultless(RealInfo());
+TEST(RapidCheck, HoldsForASoundSubject) {
+  auto subject = testing::Sound(RealInfo());
   const PropertyResult result = CheckWithRapidCheck(subject, ModelProperty(kDomains), 1, 60);
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
   EXPECT_EQ(result.cases, 60U);
@@ -72,8 +72,8 @@ TEST(RapidCheck, StopsShrinkingAtItsBudget) {
 }
 
 TEST(RapidCheck, GivesNothingToASubjectThatTakesNoneOfTheDomains) {
-  auto subject = testing::Faultless(RealInfo());
-  constexpr std::array<std::string_view, 1> kClip{"w-mixed"};
+  auto subject = testing::Sound(RealInfo());
+  constexpr std::array<std::string_view, 1> kClip{"mixed-w"};
   EXPECT_EQ(CheckWithRapidCheck(subject, ModelProperty(kClip)).outcome, Outcome::kNotApplicable);
 }
 

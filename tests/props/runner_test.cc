@@ -1,5 +1,4 @@
-// What a run says of subjects that throw, refuse, are slow, hang or answer now this, now that; and
-// of faults that are not the subject's.
+// Subjects that throw, refuse, hang or change their answers; faults that are not the subject's.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,10 +30,10 @@
 namespace rasterproof::props {
 namespace {
 
+using Clock = std::chrono::steady_clock;
 using testing::ModelProperty;
 using testing::PlantedSubject;
 using testing::RealInfo;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::array<std::string_view, 3> kDomains{"uniform-subpixel", "fans", "needles"};
 
@@ -118,7 +117,6 @@ TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {
   }
 }
 
-// Edge values that throw.
 class ThrowingEdges final : public Subject, public EdgeEvaluator {
  public:
   const SubjectInfo& OwnInfo() const override { return info_; }
@@ -130,8 +128,9 @@ class ThrowingEdges final : public Subject, public EdgeEvaluator {
     throw std::out_of_range("no such edge");
   }
   double ErrorBound(Point2 /*a*/, Point2 /*b*/, Point2 /*p*/) const override { return 1; }
-  std::vector<double> Walk(Point2, Point2, Point2, Step, int) const override { throw 7; }  // NOLINT
-  std::vector<double> WalkErrorBounds(Point2, Point2, Point2, Step, int steps) const override {
+  // NOLINTNEXTLINE
+  std::vector<double> Steps(Point2, Point2, Point2, Step, int) const override { throw 7; }
+  std::vector<double> SteppingErrorBounds(Point2, Point2, Point2, Step, int steps) const override {
     return std::vector<double>(static_cast<std::size_t>(steps) + 1, 1);
   }
 
@@ -144,9 +143,10 @@ TEST(ASubjectThatThrows, IsBlamedForItsEdgeValuesToo) {
   const Verdict value = RunCase(subject, *FindProperty("EdgeErrorStaysWithinItsBound"), SomeCase());
   EXPECT_EQ(value.outcome, Outcome::kViolated);
   EXPECT_EQ(value.message, "the subject failed: it threw: no such edge");
-  const Verdict walk = RunCase(subject, *FindProperty("WalkStaysWithinItsBound"), SomeCase());
-  EXPECT_EQ(walk.outcome, Outcome::kViolated);
-  EXPECT_TRUE(Says(walk.message, "no std::exception")) << walk.message;
+  const Property& bound = *FindProperty("SteppingStaysWithinItsBound");
+  const Verdict verdict = RunCase(subject, bound, SomeCase());
+  EXPECT_EQ(verdict.outcome, Outcome::kViolated);
+  EXPECT_TRUE(Says(verdict.message, "no std::exception")) << verdict.message;
 }
 
 // ---- refusals -----------------------------------------------------------------------------------
@@ -272,11 +272,11 @@ TEST(AnAnswerThatChanges, IsViolatedIfTheCaseThatFailedFirstFailsAgain) {
   };
   const PropertyResult result = RunInside(draw, {.cases = 1});
   EXPECT_EQ(result.outcome, Outcome::kViolated) << result.message;
-  EXPECT_TRUE(Says(result.message, "smaller cases fail only now and then")) << result.message;
+  EXPECT_TRUE(Says(result.message, "smaller cases fail only sometimes")) << result.message;
   EXPECT_EQ(result.counterexample->scene, SomeCase().scene);
 }
 
-TEST(AnAnswerThatChanges, ViolatesTheClaimThatEqualDrawsAreEqual) {
+TEST(AnAnswerThatChanges, ViolatesThePropertyThatEqualDrawsAreEqual) {
   const auto wrong_once = [n = 0](const Scene& scene, const DrawOptions& options,
                                   CoverageCounts& counts) mutable {
     DrawRight(scene, options, counts);
@@ -301,7 +301,7 @@ struct Time {
   }
   /// What a subject outside does: it works on, at most until its deadline.
   void Work(double seconds) {
-    const Clock::time_point began = now;
+    const auto began = now;
     Pass(seconds);
     if (now <= deadline) return;
     now = std::max(began, deadline);
@@ -406,7 +406,7 @@ class Hanging {
   int hangs = 0;
 };
 
-TEST(AHang, IsShrunkWithFewTimeLimitsAndEndsItsClaim) {
+TEST(AHang, IsShrunkWithFewTimeLimitsAndEndsItsProperty) {
   Time time;
   Hanging hanging;
   Pace pace;
@@ -420,7 +420,7 @@ TEST(AHang, IsShrunkWithFewTimeLimitsAndEndsItsClaim) {
   EXPECT_LE(result.seconds, (11 + kMostHangs + 1) * Hanging::kLimit);
   EXPECT_TRUE(pace.hangs);
 
-  // The next claim that meets it costs one limit more, and convicts nobody.
+  // The next property that meets it costs one limit more, and convicts nobody.
   hanging.hangs = 0;
   const PropertyResult next = RunTimed(time, std::ref(hanging), options);
   EXPECT_EQ(next.outcome, Outcome::kInconclusive);

@@ -1,4 +1,4 @@
-// Subjects that show what a function draws as counts, as a mask, or as ids.
+// Subjects that show what a function draws as counts, as a mask or as primitive ids.
 #ifndef RASTERPROOF_TESTS_PROPS_SHOWN_SUBJECT_H_
 #define RASTERPROOF_TESTS_PROPS_SHOWN_SUBJECT_H_
 
@@ -50,10 +50,10 @@ class ShownSubject final : public Subject {
       count += std::exchange(drawing.counts.back[k], 0);
       if (info_.coverage != CoverageKind::kCounts) count = std::min(count, 1U);
     }
-    if (info_.coverage != CoverageKind::kWinners) return drawing;
-    drawing.winners.assign(drawing.counts.size(), kNoTriangle);
+    if (info_.coverage != CoverageKind::kPrimitiveIds) return drawing;
+    drawing.primitive_ids.assign(drawing.counts.size(), kNoPrimitive);
     for (std::size_t k = 0; k < drawing.counts.size(); ++k) {
-      if (drawing.counts.front[k] != 0) drawing.winners[k] = 0;
+      if (drawing.counts.front[k] != 0) drawing.primitive_ids[k] = 0;
     }
     return drawing;
   }

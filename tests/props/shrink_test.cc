@@ -38,7 +38,7 @@ bool CoversAnything(const Case& c) {
 
 TEST(Shrink, LeavesOneTriangleOverOnePixelWhereThatIsEnough) {
   for (const std::string_view domain :
-       {"triangulations", "fans", "uniform-subpixel", "long-walk"}) {
+       {"triangulations", "fans", "uniform-subpixel", "long-rows"}) {
     std::uint64_t index = 0;
     while (!CoversAnything(Draw(domain, index))) ++index;
     const Shrunk shrunk = Shrink(Draw(domain, index), CoversAnything);
@@ -60,7 +60,7 @@ TEST(Shrink, KeepsTheTwoTrianglesOfASharedEdgeIfBothAreNeeded) {
   // Under the inclusive rule a sample on the common edge is covered twice.
   const auto covered_twice = [](const Case& c) {
     Case inclusive = c;
-    inclusive.profile.fill_rule.inclusive = true;
+    inclusive.profile.tie_rule.inclusive = true;
     const CoverageCounts ours = Covered(c), theirs = Covered(inclusive);
     for (std::size_t s = 0; s < ours.size(); ++s) {
       if (theirs.Count(s) == 2 && ours.Count(s) == 1) return true;

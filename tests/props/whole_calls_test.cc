@@ -1,4 +1,4 @@
-// Claims that compare a draw with another compare whole calls, as the subject shows them.
+// Properties that compare a draw with another compare whole calls, as the subject shows them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +21,7 @@ using testing::ShownSubject;
 using testing::Takes;
 
 constexpr std::array kShown{CoverageKind::kFacingCounts, CoverageKind::kCounts, CoverageKind::kMask,
-                            CoverageKind::kWinners};
+                            CoverageKind::kPrimitiveIds};
 
 void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
   counts += exact::Coverage(scene, Profile{}, options);

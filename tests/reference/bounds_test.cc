@@ -57,13 +57,13 @@ Point2 A(const Coordinates& c) { return {c[0], c[1]}; }
 Point2 B(const Coordinates& c) { return {c[2], c[3]}; }
 Point2 P(const Coordinates& c) { return {c[4], c[5]}; }
 
-/// |shown - exact| / bound, checked to be at most 1; 0 where no bound is claimed.
+/// |shown - exact| / bound, checked to be at most 1; 0 where no bound is stated.
 double Ratio(double shown, const Rational& exact, double bound) {
   if (std::isnan(bound)) return 0;
   EXPECT_TRUE(std::isfinite(shown));
   const Rational error = (Rational(shown) - exact).Abs();
   if (bound == 0) {
-    EXPECT_EQ(error.Sign(), 0) << "claimed to be exact";
+    EXPECT_EQ(error.Sign(), 0) << "stated to be exact";
     return 0;
   }
   EXPECT_LE(error, Rational(bound));
@@ -131,8 +131,8 @@ std::vector<Rational> ExactWalk(const Coordinates& c, const Step& step, int step
 }
 
 double WalkRatio(const EdgeEvaluator& edges, const Coordinates& c, const Step& step, int steps) {
-  const auto shown = edges.Walk(A(c), B(c), P(c), step, steps);
-  const auto bounds = edges.WalkErrorBounds(A(c), B(c), P(c), step, steps);
+  const auto shown = edges.Steps(A(c), B(c), P(c), step, steps);
+  const auto bounds = edges.SteppingErrorBounds(A(c), B(c), P(c), step, steps);
   const auto exact = ExactWalk(c, step, steps);
   EXPECT_EQ(shown.size(), exact.size());
   EXPECT_EQ(bounds.size(), exact.size());
@@ -217,19 +217,19 @@ TEST(BoundsTest, HoldAtBothEndsOfTheRangeAndOnEveryLattice) {
     RandomValues random(44);
     int exact = 0;
     int none = 0;
-    int claimed = 0;
+    int stated = 0;
     for (int n = 0; n < Cases(2100); ++n) {
       const Coordinates c = HardCoordinates(random, IsSingle(s.method), n % 7);
       const double bound = edges.ErrorBound(A(c), B(c), P(c));
       Ratio(edges.Value(A(c), B(c), P(c)), exact::EdgeValue(A(c), B(c), P(c)), bound);
       exact += bound == 0 ? 1 : 0;
       none += std::isnan(bound) ? 1 : 0;
-      claimed += bound > 0 ? 1 : 0;
+      stated += bound > 0 ? 1 : 0;
       if (n % 8 == 0) WalkRatio(edges, c, RandomStep(random), 18);
     }
     EXPECT_GT(exact, Cases(200)) << s.method;
     EXPECT_GT(none, Cases(100)) << s.method;
-    EXPECT_GT(claimed, Cases(600)) << s.method;
+    EXPECT_GT(stated, Cases(600)) << s.method;
   }
 }
 
@@ -253,7 +253,7 @@ TEST(BoundsTest, AreZeroWhereTheLatticeProvesTheValueExactAndOnlyThere) {
   for (const std::string_view method : {"f32-incremental", "f32-incremental-compensated",
                                         "f32-index", "f32-index-fma", "f32-incremental-16"}) {
     const auto bounds =
-        EdgesOf(method).WalkErrorBounds({0, 1 / 256.0}, {1, 16}, {0.5, 0.5}, Step{}, 15);
+        EdgesOf(method).SteppingErrorBounds({0, 1 / 256.0}, {1, 16}, {0.5, 0.5}, Step{}, 15);
     for (const double bound : bounds) EXPECT_EQ(bound, 0) << method;
   }
 }
@@ -271,7 +271,7 @@ TEST(BoundsTest, ValuesAtTheEndsOfAnEdgeAreZeroExactly) {
   }
 }
 
-TEST(BoundsTest, NothingIsClaimedWhereAResultMightOverflowOrIsNoNumber) {
+TEST(BoundsTest, NothingIsStatedWhereAResultMightOverflowOrIsNoNumber) {
   const double huge = std::numeric_limits<float>::max();
   const double inf = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -282,14 +282,15 @@ TEST(BoundsTest, NothingIsClaimedWhereAResultMightOverflowOrIsNoNumber) {
     EXPECT_TRUE(std::isnan(edges.ErrorBound({1e20, 1e20}, {-1e20, 3e20}, {0.5, 0.5}))) << s.method;
     for (const double bad : {inf, -inf, nan, 0.1}) {  // 0.1 is no float32
       EXPECT_TRUE(std::isnan(edges.ErrorBound({0, 0}, {1, 1}, {bad, 0}))) << s.method;
-      for (const double bound : edges.WalkErrorBounds({0, bad}, {1, 1}, {0, 0}, Step{}, 3)) {
+      for (const double bound : edges.SteppingErrorBounds({0, bad}, {1, 1}, {0, 0}, Step{}, 3)) {
         EXPECT_TRUE(std::isnan(bound)) << s.method;
       }
     }
   }
   // A walk that runs into overflow keeps its bounds up to there, and no further.
-  const auto bounds = EdgesOf("f32-incremental")
-                          .WalkErrorBounds({0, 0}, {0, 0x1p110}, {0.5, 0.5}, {false, 1, 4096}, 99);
+  const auto bounds =
+      EdgesOf("f32-incremental")
+          .SteppingErrorBounds({0, 0}, {0, 0x1p110}, {0.5, 0.5}, {false, 1, 4096}, 99);
   EXPECT_FALSE(std::isnan(bounds.front()));
   EXPECT_TRUE(std::isnan(bounds.back()));
 }
@@ -303,8 +304,8 @@ TEST(BoundsTest, IncrementalDriftIsLinearInTheStepsOfABinade) {
   const auto exact = ExactWalk(c, Step{}, steps);
   const auto displacement = [&](std::string_view method) {
     const EdgeEvaluator& edges = EdgesOf(method);
-    const auto shown = edges.Walk(A(c), B(c), P(c), Step{}, steps);
-    const auto bounds = edges.WalkErrorBounds(A(c), B(c), P(c), Step{}, steps);
+    const auto shown = edges.Steps(A(c), B(c), P(c), Step{}, steps);
+    const auto bounds = edges.SteppingErrorBounds(A(c), B(c), P(c), Step{}, steps);
     double worst = 0;
     double ratio = 0;
     for (std::size_t n = 0; n < exact.size(); n += 64) {

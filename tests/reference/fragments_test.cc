@@ -37,29 +37,30 @@ TEST(FragmentsTest, BuffersThatNobodyAskedForAreEmpty) {
   const Scene scene = TwoOverlappingTriangles(1, 2);
   const FragmentBuffers nothing = Shade(scene, {});
   EXPECT_EQ(nothing.triangle.size(), 36U);
-  EXPECT_TRUE(nothing.weights.empty() && nothing.depth.empty() && nothing.edge_distance.empty());
+  EXPECT_TRUE(nothing.barycentrics.empty() && nothing.depth.empty() &&
+              nothing.edge_distance.empty());
   const FragmentBuffers all = Shade(scene);
-  EXPECT_EQ(all.weights.size(), 36U);
+  EXPECT_EQ(all.barycentrics.size(), 36U);
   EXPECT_EQ(all.triangle, nothing.triangle);
   EXPECT_EQ(Shade(scene, {false, true, false}).depth, all.depth);
-  EXPECT_EQ(Shade(scene, {true, false, false}).weights, all.weights);
+  EXPECT_EQ(Shade(scene, {true, false, false}).barycentrics, all.barycentrics);
   EXPECT_EQ(Shade(scene, {false, false, true}).edge_distance, all.edge_distance);
 }
 
-TEST(FragmentsTest, WeightsDepthAndDistanceAreThoseOfThePlane) {
+TEST(FragmentsTest, BarycentricsDepthAndDistanceAreThoseOfThePlane) {
   Scene scene = WindowScene(8, 8, {{0, 0}, {8, 0}, {0, 8}});
   scene.vertices[0].z = 1;
   scene.vertices[1].z = 9;
   scene.vertices[2].z = 17;
   const FragmentBuffers out = Shade(scene);
   const std::size_t n = 1 * 8 + 2;  // centre (2.5, 1.5)
-  EXPECT_EQ(out.weights[n], (std::array<float, 3>{0.5F, 0.3125F, 0.1875F}));
+  EXPECT_EQ(out.barycentrics[n], (std::array<float, 3>{0.5F, 0.3125F, 0.1875F}));
   EXPECT_EQ(out.depth[n], 1 + 2.5F + 2 * 1.5F);
   EXPECT_EQ(out.edge_distance[n], 1.5F);
   EXPECT_EQ(out.depth[63], kInfinity);
 }
 
-TEST(FragmentsTest, ClipSpaceWeightsArePerspectiveCorrectAndAgreeWithWindowSpaceAtWOne) {
+TEST(FragmentsTest, ClipSpaceBarycentricsArePerspectiveCorrectAndAgreeWithWindowSpaceAtWOne) {
   Scene window = WindowScene(8, 8, {{0, 0}, {8, 0}, {0, 8}});
   window.vertices[1].z = 4;
   Scene clip = window;
@@ -67,13 +68,13 @@ TEST(FragmentsTest, ClipSpaceWeightsArePerspectiveCorrectAndAgreeWithWindowSpace
   const Method& hom = *FindMethod("hom-exact");
   const FragmentBuffers flat = RasterizeFragments(clip, hom, {}, kEverything);
   EXPECT_EQ(flat.triangle, Shade(window).triangle);
-  EXPECT_EQ(flat.weights, Shade(window).weights);
+  EXPECT_EQ(flat.barycentrics, Shade(window).barycentrics);
   EXPECT_EQ(flat.depth, Shade(window).depth);
   // Halfway along the screen edge from w = 1 to w = 3, the point is a quarter of the way in space.
   for (double* c : {&clip.vertices[1].x, &clip.vertices[1].y, &clip.vertices[1].z}) *c *= 3;
   clip.vertices[1].w = 3;
   const FragmentBuffers deep = RasterizeFragments(clip, hom, {}, kEverything);
-  const float near_middle = deep.weights[3][1];  // centre (3.5, 0.5)
+  const float near_middle = deep.barycentrics[3][1];  // centre (3.5, 0.5)
   EXPECT_LT(near_middle, 0.25F);
   EXPECT_GT(near_middle, 0.18F);
   EXPECT_EQ(deep.triangle, flat.triangle);

@@ -16,6 +16,7 @@
 #include "exact/homogeneous.h"
 #include "exact/rational.h"
 #include "reference/homogeneous_edges.h"
+#include "reference/rasterize.h"
 #include "reference/triple_sum.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
@@ -39,7 +40,7 @@ Scene ClipScene(int width, int height, std::vector<Vertex> vertices,
 CoverageCounts DrawBy(const Scene& scene, std::string_view method,
                       const RasterOptions& options = {}) {
   CoverageCounts counts(scene.width, scene.height);
-  FindMethod(method)->draw(scene, options, counts);
+  Rasterize(scene, *FindMethod(method), options, counts);
   return counts;
 }
 
@@ -167,7 +168,7 @@ TEST(HomogeneousMethodsTest, ExactMethodEqualsTheOracleAtEverySample) {
 
 TEST(HomogeneousMethodsTest, ExactMethodServesEveryRuleLatticeAndAxis) {
   RandomValues random(5);
-  std::vector<FillRule> rules{FillRule{.inclusive = true}};
+  std::vector<TieRule> rules{TieRule{.inclusive = true}};
   for (const int x : {-1, 1}) {
     for (const int y : {-1, 1}) {
       for (const bool y_first : {false, true}) {
@@ -177,16 +178,16 @@ TEST(HomogeneousMethodsTest, ExactMethodServesEveryRuleLatticeAndAxis) {
   }
   for (int n = 0; n < Cases(1000); ++n) {
     Profile profile;
-    profile.fill_rule = rules[static_cast<std::size_t>(n) % rules.size()];
+    profile.tie_rule = rules[static_cast<std::size_t>(n) % rules.size()];
     profile.y_axis = random.Coin() ? YAxis::kUp : YAxis::kDown;
-    if (random.Coin()) profile.lattice.locations = {{0, 0}, {0.5, 0.5}, {0.25, 0.9375}};
+    if (random.Coin()) profile.pattern.locations = {{0, 0}, {0.5, 0.5}, {0.25, 0.9375}};
     std::vector<Vertex> vertices;
     for (int k = 0; k < 4; ++k) vertices.push_back(HardVertex(random, n % 2 == 0 ? 0 : 3));
     const Scene scene = ClipScene(8, 8, vertices, {{0, 1, 2}, {2, 1, 3}});
     DrawOptions options;
     options.cull = static_cast<Cull>(random.Integer(0, 2));
     if (random.Coin()) options.scissor = PixelRect{1, 2, 7, 6};
-    CoverageCounts counts(8, 8, profile.lattice.samples());
+    CoverageCounts counts(8, 8, profile.pattern.samples());
     DrawHomogeneousExact(scene, profile, options, counts);
     ASSERT_EQ(counts, exact::Coverage(scene, profile, options)) << "case " << n;
   }

@@ -1,16 +1,34 @@
 // The table itself: names that others rely on, and what each row says of itself.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "reference/edge_forms.h"
+#include "reference/edge_walks.h"
+#include "reference/filtered_form.h"
+#include "reference/homogeneous_edges.h"
+#include "reference/integer_form.h"
 #include "reference/method.h"
 
 namespace rasterproof::reference {
 namespace {
+
+// What is no form, no walk and no sum is refused by its concept, not deep inside a template.
+struct NoForm {
+  using Scalar = float;
+  using Point = PointOf<float>;
+  float At(float, float) const { return 0; }
+};
+static_assert(EdgeForm<DirectForm<float>> && EdgeForm<FilteredForm> && !EdgeForm<NoForm>);
+static_assert(SteppedForm<IntegerForm<std::int32_t, 4>> && !SteppedForm<FilteredForm>);
+static_assert(RowWalking<FreshWalk<FilteredForm>> && !RowWalking<DirectForm<float>>);
+static_assert(StepSum<PlainSum<float>, float> && !StepSum<float, float>);
+static_assert(HomogeneousEdge<ExactHomogeneousEdge> && !HomogeneousEdge<Vertex>);
 
 TEST(MethodTableTest, EveryNamedMethodIsThereOnce) {
   std::set<std::string> names;
@@ -18,7 +36,7 @@ TEST(MethodTableTest, EveryNamedMethodIsThereOnce) {
     EXPECT_TRUE(names.emplace(method.name).second) << method.name;
     EXPECT_EQ(method.info.name, method.name);
     EXPECT_FALSE(method.summary.empty());
-    EXPECT_NE(method.draw, nullptr);
+    EXPECT_NE(method.stages.fill, nullptr);
   }
   for (const char* const name :
        {"textbook", "f32-direct", "f32-direct-fma", "f32-kahan", "f32-affine", "f32-affine-fma",
@@ -31,7 +49,7 @@ TEST(MethodTableTest, EveryNamedMethodIsThereOnce) {
   EXPECT_EQ(FindMethod("f32"), nullptr);
 }
 
-TEST(MethodTableTest, FormatsProfilesAndClaimsFollowFromTheName) {
+TEST(MethodTableTest, FormatsProfilesAndStatementsFollowFromTheName) {
   for (const Method& method : Methods()) {
     if (!method.info.takes_window) continue;
     const std::string name(method.name);
@@ -39,11 +57,11 @@ TEST(MethodTableTest, FormatsProfilesAndClaimsFollowFromTheName) {
     const bool is_float = is_float32 || name.starts_with("f64");
     const bool is_integer = name.starts_with("i");
     EXPECT_EQ(method.info.input, is_float32 ? Precision::kFloat32 : Precision::kFloat64) << name;
-    EXPECT_EQ(method.info.claims_exact, !is_float) << name;
+    EXPECT_EQ(method.info.states_exact, !is_float) << name;
     EXPECT_EQ(method.can_be_canonical, is_float) << name;
     EXPECT_EQ(method.canonical_edges != nullptr, is_float) << name;
     EXPECT_EQ(method.info.profile.snap.IsNone(), !is_integer) << name;
-    EXPECT_FALSE(method.info.profile.fill_rule.inclusive) << name;
+    EXPECT_FALSE(method.info.profile.tie_rule.inclusive) << name;
   }
   EXPECT_EQ(FindMethod("i64-snap8")->info.profile.snap, (Snap{8, SnapRule::kNearestEven}));
   EXPECT_EQ(FindMethod("i32-snap4")->info.profile.snap, (Snap{4, SnapRule::kNearestEven}));

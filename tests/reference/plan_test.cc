@@ -39,7 +39,7 @@ Scene WindowScene(int width, int height, const std::vector<Point2>& points,
 
 CoverageCounts DrawPlan(const Plan& plan, const Scene& scene, const Profile& profile,
                         const DrawOptions& options = {}) {
-  CoverageCounts counts(scene.width, scene.height, profile.lattice.samples());
+  CoverageCounts counts(scene.width, scene.height, profile.pattern.samples());
   plan.draw(scene, profile, options, counts);
   return counts;
 }
@@ -89,7 +89,7 @@ TEST(PlanTest, LooksAtCoordinatesAndLatticeNotOnlyAtBoxes) {
   const auto tiny = [](int lattice) {
     const double step = std::ldexp(1.0, -lattice);
     Profile profile;
-    profile.lattice.locations = {{0, 0}};
+    profile.pattern.locations = {{0, 0}};
     const Scene scene = WindowScene(8, 8, {{0, step}, {2 * step, 0}, {0, 2 * step}}, {{0, 1, 2}});
     return MakePlan(scene, profile, {}, kCoverageOnly).arithmetic;
   };
@@ -114,12 +114,12 @@ Profile RandomProfile(RandomValues& random) {
   if (random.Coin()) {
     profile.snap = {random.Integer(0, 12), static_cast<SnapRule>(random.Integer(0, 4))};
   }
-  if (random.Coin()) profile.lattice.locations = {{0.5, 0.5}, {0, 0}, {0.125, 0.875}};
+  if (random.Coin()) profile.pattern.locations = {{0.5, 0.5}, {0, 0}, {0.125, 0.875}};
   if (random.Coin()) profile.y_axis = YAxis::kUp;
   if (random.Coin()) {
-    profile.fill_rule = {static_cast<std::int8_t>(random.Coin() ? 1 : -1),
-                         static_cast<std::int8_t>(random.Coin() ? 1 : -1), random.Coin(),
-                         random.Integer(0, 5) == 0};
+    profile.tie_rule = {static_cast<std::int8_t>(random.Coin() ? 1 : -1),
+                        static_cast<std::int8_t>(random.Coin() ? 1 : -1), random.Coin(),
+                        random.Integer(0, 5) == 0};
   }
   return profile;
 }
@@ -161,7 +161,8 @@ TEST(PlanTest, DrawsWhatTheOracleSaysOnEveryLattice) {
                            "spans-exact", "wide exact"}) {
     EXPECT_GE(arithmetic[name], Cases(48)) << name;
   }
-  for (const char* stage : {"snap", "clip", "cull", "tie rule", "weights", "depth", "wireframe"}) {
+  for (const char* stage :
+       {"snap", "clip", "cull", "tie rule", "barycentrics", "depth", "wireframe"}) {
     EXPECT_GE(left_out[stage], Cases(48)) << stage;
   }
 }
@@ -200,16 +201,16 @@ TEST(PlanTest, TakesNoProfileThatItWouldNotHonour) {
   Scene clip = window;
   clip.clip_space = true;
   Profile crossing;
-  crossing.crossing = {8, SnapRule::kFloor};
+  crossing.scanline_rounding = {8, SnapRule::kFloor};
   EXPECT_THROW(MakePlan(window, crossing, {}, kCoverageOnly), InputError);
   EXPECT_THROW(MakePlan(clip, crossing, {}, kCoverageOnly), InputError);
   Profile extent;
-  extent.max_extent = MaxExtent{2, 2};
+  extent.max_primitive_extent = MaxPrimitiveExtent{2, 2};
   EXPECT_THROW(MakePlan(clip, extent, {}, kCoverageOnly), InputError);
   extent.transform.emplace();
   EXPECT_NO_THROW(MakePlan(clip, extent, {}, kCoverageOnly));
   Profile by_target;
-  by_target.targets = {{.max_width = 16, .max_height = 16, .snap = {4}}};
+  by_target.by_target_size = {{.max_width = 16, .max_height = 16, .snap = {4}}};
   EXPECT_THROW(MakePlan(window, by_target, {}, kCoverageOnly), InputError);
   EXPECT_NO_THROW(MakePlan(window, ForTarget(by_target, 8, 8), {}, kCoverageOnly));
 }
@@ -311,7 +312,7 @@ TEST(PlanTest, SaysWhatItLeavesOutAndWhy) {
   EXPECT_EQ(plan.arithmetic, "float32 direct");
   EXPECT_NE(Reason(plan, "edge arithmetic").why.find("2^24"), std::string::npos);
   for (const char* stage :
-       {"snap", "clip", "cull", "perspective", "weights", "depth", "wireframe"}) {
+       {"snap", "clip", "cull", "perspective", "barycentrics", "depth", "wireframe"}) {
     EXPECT_EQ(Reason(plan, stage).choice, "left out") << stage;
   }
   DrawOptions options;
@@ -320,7 +321,7 @@ TEST(PlanTest, SaysWhatItLeavesOutAndWhy) {
   Scene off_grid = scene;
   off_grid.vertices[0].x = 1 + 0x1p-10;
   const Plan full = MakePlan(off_grid, gl, options, Needs{true, true, true});
-  for (const char* stage : {"snap", "clip", "cull", "weights", "depth", "wireframe"}) {
+  for (const char* stage : {"snap", "clip", "cull", "barycentrics", "depth", "wireframe"}) {
     EXPECT_EQ(Reason(full, stage).choice, "kept") << stage;
   }
 }

@@ -150,8 +150,8 @@ TEST(SharedEdgeTest, TheDrtkSquareLeaksSixSamplesUnderContraction) {
   const auto leaks = [](const Scene& scene) {
     return Compare(Draw(scene, "f32-direct-fma"), Draw(scene, "spans-exact"));
   };
-  EXPECT_EQ(leaks(DrtkSquare(true, false)).gaps, 6U);
-  EXPECT_EQ(leaks(DrtkSquare(true, true)).overlaps, 6U);
+  EXPECT_EQ(leaks(DrtkSquare(true, false)).missing, 6U);
+  EXPECT_EQ(leaks(DrtkSquare(true, true)).unexpected, 6U);
 }
 
 TEST(SharedEdgeTest, TheDrtkSquareIsWatertightWithoutContraction) {
@@ -161,7 +161,7 @@ TEST(SharedEdgeTest, TheDrtkSquareIsWatertightWithoutContraction) {
     for (const bool mirror_y : {false, true}) {
       const Scene scene = DrtkSquare(mirror_x, mirror_y);
       const CoverageCounts exact = Draw(scene, "spans-exact");
-      EXPECT_EQ(Compare(exact, CoverageCounts(8, 8)).overlaps, 36U);
+      EXPECT_EQ(Compare(exact, CoverageCounts(8, 8)).unexpected, 36U);
       for (const char* const sound :
            {"f32-direct", "f32-kahan", "f32-affine-fma", "filtered-exact", "i64-snap8"}) {
         EXPECT_EQ(Draw(scene, sound), exact) << sound;

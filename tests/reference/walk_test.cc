@@ -23,7 +23,7 @@ TEST(WalkTest, TheDriftWitnessMovesAnIncrementalEdgeByPixels) {
   const Point2 b{16384, kDriftDy};
   const Point2 start{0.5, 0.5};
   const auto drift = [&](const char* method) {
-    const std::vector<double> walk = FindMethod(method)->edges->Walk(a, b, start, {}, 16384);
+    const std::vector<double> walk = FindMethod(method)->edges->Steps(a, b, start, {}, 16384);
     return std::fabs(walk.back() - ExactE(a, b, {16384.5, 0.5})) / kDriftDy;
   };
   EXPECT_GT(drift("f32-incremental"), 3.9);
@@ -68,7 +68,7 @@ TEST(WalkTest, WalksOfSmallLatticeScenesEqualFreshValuesInAllEightDirections) {
         for (const int sign : {-1, 1}) {
           for (const int length : {1, 3, 8}) {
             const Step step{along_y, sign, length};
-            const std::vector<double> walk = method.edges->Walk(a, b, p, step, 20);
+            const std::vector<double> walk = method.edges->Steps(a, b, p, step, 20);
             ASSERT_EQ(walk.size(), 21U);
             for (int k = 0; k <= 20; ++k) {
               const double moved = sign * length * k;
@@ -85,8 +85,8 @@ TEST(WalkTest, WalksOfSmallLatticeScenesEqualFreshValuesInAllEightDirections) {
 
 /// Largest error / bound over a walk; 0 / 0 counts as 0, an error above a bound of 0 as infinite.
 double WorstRatio(const EdgeEvaluator& edges, Point2 a, Point2 b, Point2 p, Step step, int steps) {
-  const std::vector<double> walk = edges.Walk(a, b, p, step, steps);
-  const std::vector<double> bounds = edges.WalkErrorBounds(a, b, p, step, steps);
+  const std::vector<double> walk = edges.Steps(a, b, p, step, steps);
+  const std::vector<double> bounds = edges.SteppingErrorBounds(a, b, p, step, steps);
   EXPECT_EQ(walk.size(), bounds.size());
   double worst = 0;
   for (int n = 0; n <= steps; ++n) {
@@ -120,7 +120,7 @@ TEST(WalkTest, ErrorsOfEveryMethodStayWithinTheBoundsItStates) {
       }
     }
     EXPECT_LE(worst, 1) << method.name;
-    const bool shows_exact_values = method.info.claims_exact && method.info.profile.snap.IsNone();
+    const bool shows_exact_values = method.info.states_exact && method.info.profile.snap.IsNone();
     EXPECT_TRUE(shows_exact_values || worst > 0.02)
         << method.name << " was hardly tested: " << worst;
   }

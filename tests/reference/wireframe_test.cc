@@ -25,7 +25,7 @@ TEST(ReconstructVerticesTest, FindsTheTriangleOfAShadedPoint) {
     EXPECT_EQ(v[0], (Point3{1, 2, 3}));
     EXPECT_EQ(v[1], (Point3{5, 2, 3}));
     EXPECT_EQ(v[2], (Point3{1, 4, 11}));
-    const auto l = UnsignedWeights(precision, v, point.p);
+    const auto l = UnsignedBarycentrics(precision, v, point.p);
     EXPECT_NEAR(l[0], 0.25, 1e-6);
     EXPECT_NEAR(l[1], 0.25, 1e-6);
     EXPECT_NEAR(l[2], 0.5, 1e-6);
@@ -73,7 +73,7 @@ TEST(ReconstructVerticesTest, StaysWithinItsBounds) {
   }
 }
 
-TEST(ReconstructVerticesTest, ClaimsNothingWhereACoordinateOverflows) {
+TEST(ReconstructVerticesTest, StatesNothingWhereACoordinateOverflows) {
   const double huge = std::numeric_limits<double>::max();
   const SurfacePoint s{{huge, 0, 0}, -1, 0, {huge, 0, 0}, {0, 0, 0}};
   const auto bounds = ReconstructionErrorBounds(Precision::kFloat64, s);
@@ -81,9 +81,9 @@ TEST(ReconstructVerticesTest, ClaimsNothingWhereACoordinateOverflows) {
   EXPECT_FALSE(std::isnan(bounds[0].y));
 }
 
-TEST(UnsignedWeightsTest, AnOutsidePointLooksLikeAnInsideOne) {
+TEST(UnsignedBarycentricsTest, AnOutsidePointLooksLikeAnInsideOne) {
   const std::array<Point3, 3> v{Point3{0, 0, 0}, Point3{4, 0, 0}, Point3{0, 4, 0}};
-  const auto l = UnsignedWeights(Precision::kFloat64, v, {2, -1, 0});
+  const auto l = UnsignedBarycentrics(Precision::kFloat64, v, {2, -1, 0});
   EXPECT_EQ(l, (std::array<double, 3>{0.75, 0, 0.25}));  // signed: (3/4, 1/2, -1/4)
 }
 

@@ -59,14 +59,14 @@ TEST(CertificateTest, SaysWhatDoesNotApplyOnceAndNeverAmongTheTested) {
   Certificate sample = SampleCertificate();
   json certificate = Parsed(sample);
   ASSERT_EQ(certificate["not_applicable"].size(), 1U) << "nothing but what a result says";
-  EXPECT_EQ(certificate["not_applicable"][0]["claim"], "WalkIsExact");
+  EXPECT_EQ(certificate["not_applicable"][0]["statement"], "SteppingIsExact");
   EXPECT_EQ(certificate["not_applicable"][0]["by"], "it shows no edge values");
   sample.measured[0].applicable = false;
   sample.measured[0].message = "the subject refused it: too large";
   sample.measured.push_back(sample.measured[0]);
   certificate = Parsed(sample);
   ASSERT_EQ(certificate["not_applicable"].size(), 2U);
-  EXPECT_EQ(certificate["not_applicable"][1]["claim"], "scene bunny <front>");
+  EXPECT_EQ(certificate["not_applicable"][1]["statement"], "scene bunny <front>");
   EXPECT_EQ(certificate["not_applicable"][1]["by"], "the subject refused it: too large");
 }
 
@@ -149,10 +149,10 @@ TEST(VerdictTest, AnInterruptedRunIsNoPass) {
 TEST(VerdictTest, WhatHoldsBesideTheContractIsNoEvidenceForIt) {
   Certificate certificate;
   certificate.tested = {SampleProperty("a", Outcome::kHolds)};
-  certificate.contract_untested = "overdraw is allowed";
+  certificate.contract_untested = "edge_samples are may-be-shared";
   EXPECT_EQ(OverallVerdict(certificate), "inconclusive");
   EXPECT_EQ(OverallOf(certificate).reason,
-            "its contract was not put to the test: overdraw is allowed");
+            "its contract was not put to the test: edge_samples are may-be-shared");
   certificate.measured = SampleCertificate().measured;
   certificate.measured[0].difference.wrong = 0;
   EXPECT_EQ(OverallVerdict(certificate), "holds") << "a judged scene is evidence";
@@ -194,7 +194,7 @@ TEST(VerdictTest, WhatIsObservedIsNotJudged) {
   certificate.tested = {SampleProperty("a", Outcome::kHolds)};
   SceneResult& result = certificate.measured[0];
 
-  result.message = "coordinates beyond what the profile promises: observed, not judged";
+  result.message = "coordinates beyond what the profile states: observed, not judged";
   EXPECT_EQ(OverallVerdict(certificate), "holds");
   result.message.clear();
 
@@ -212,7 +212,7 @@ TEST(VerdictTest, WhatIsObservedIsNotJudged) {
 
   certificate.subject.profile.contract = Contract::kNone;
   EXPECT_EQ(OverallVerdict(certificate), "holds");
-  certificate.subject.claims_exact = true;
+  certificate.subject.states_exact = true;
   EXPECT_EQ(OverallVerdict(certificate), "violated");
 }
 

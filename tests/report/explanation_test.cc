@@ -50,17 +50,18 @@ bool Holds(const io::Image& image, Colour colour) {
 }
 
 TEST(ExplanationTextTest, ShowsExpectedActualAndDifferenceSideBySide) {
-  EXPECT_EQ(ExplanationToText(Sample(), false),
-            "3 of 12 samples differ\n"
-            "   columns 0 to 3, rows 0 to 2\n"
-            "   expected       actual         difference\n"
-            " 0 1 1 1 1        1 1 1 1        . . . .\n"
-            " 1 1[1]1 1        1[.]2 1        .[-]+ .\n"
-            " 2 1 1 1 1        1 1 1 1        . . . !\n"
-            "counts: . none, 1 to 9, # more   difference: . right  - gap  + overlap  ! facing"
-            "   [ ] the pixel in question\n"
-            "triangle 0, edge 0: E = -3/65536\n"
-            "replay: rasterproof explain case.json\n");
+  EXPECT_EQ(
+      ExplanationToText(Sample(), false),
+      "3 of 12 samples differ\n"
+      "   columns 0 to 3, rows 0 to 2\n"
+      "   expected       actual         difference\n"
+      " 0 1 1 1 1        1 1 1 1        . . . .\n"
+      " 1 1[1]1 1        1[.]2 1        .[-]+ .\n"
+      " 2 1 1 1 1        1 1 1 1        . . . !\n"
+      "counts: . none, 1 to 9, # more   difference: . right  - missing  + unexpected  ! facing"
+      "   [ ] the pixel in question\n"
+      "triangle 0, edge 0: E = -3/65536\n"
+      "replay: rasterproof explain case.json\n");
 }
 
 TEST(ExplanationTextTest, ShowsOnePanelWhereCoverageIsRight) {
@@ -101,7 +102,7 @@ TEST(ExplanationTextTest, CountsOverTheSamplesOfAPixel) {
   std::ranges::fill(explanation.expected.back, 3U);
   explanation.observed = explanation.expected;
   explanation.observed.back[explanation.observed.Index(2, 0, 3)] = 0;
-  explanation.lattice.locations = {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
+  explanation.pattern.locations = {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
   const std::string text = ExplanationToText(explanation, false);
   EXPECT_NE(text.find(" 0 # # # #        # # 9 #        . . - ."), std::string::npos) << text;
   EXPECT_NE(text.find("(over 4 samples)"), std::string::npos);
@@ -169,9 +170,9 @@ TEST(ExplanationSvgTest, DrawsNoOutlineOfATriangleBehindTheEye) {
 
 TEST(ExplanationSvgTest, AnUpwardAxisTurnsSamplesAndTrianglesOver) {
   Explanation down = Sample();
-  down.lattice.locations = {{0.5, 0.25}};
+  down.pattern.locations = {{0.5, 0.25}};
   Explanation up = Sample();
-  up.lattice.locations = {{0.5, 0.75}};
+  up.pattern.locations = {{0.5, 0.75}};
   up.y_axis = YAxis::kUp;
   for (Vertex& v : up.scene.vertices) v.y = up.scene.height - v.y;
   EXPECT_TRUE(ExplanationToSvg(up) == ExplanationToSvg(down));

@@ -50,7 +50,7 @@ TEST_F(JUnitTest, AViolationFailsWithItsMessageWitnessAndReplay) {
 
 TEST_F(JUnitTest, WhatWasNotPutToTheTestIsSkippedWithTheReason) {
   const pugi::xml_node suite = Suite(SampleCertificate());
-  EXPECT_STREQ(Case(suite, "WalkIsExact").child("skipped").attribute("message").value(),
+  EXPECT_STREQ(Case(suite, "SteppingIsExact").child("skipped").attribute("message").value(),
                "not applicable: it shows no edge values");
   EXPECT_STREQ(Case(suite, "HubIsCoveredOnce").child("skipped").attribute("message").value(),
                "not exercised: no sample lay on an edge");

@@ -117,10 +117,10 @@ TEST(PageTest, APropertyThatASubjectWasNotAskedIsNotGreenEither) {
   EXPECT_EQ(Count(matrix, "mark none"), 5U);
 }
 
-TEST(PageTest, CountsWrongSamplesGapsAndOverlapsPerScene) {
+TEST(PageTest, CountsWrongMissingAndUnexpectedSamplesPerScene) {
   const std::string tables = SceneTables({SampleCertificate()});
   EXPECT_TRUE(Has(tables, "bunny &lt;front&gt;"));
-  EXPECT_EQ(Count(tables, "<td class=\"number split gap\">5</td>"), 2U);
+  EXPECT_EQ(Count(tables, "<td class=\"number split wrong\">5</td>"), 2U);
   EXPECT_TRUE(Has(tables, ">50<"));  // per million of 100000 covered
 }
 
@@ -132,7 +132,7 @@ TEST(PageTest, CountsASceneOnceThoughTheOwnProfileIsTheRealOne) {
 
 TEST(PageTest, LeavesScenesBeyondTheLimitsOutOfTheTotals) {
   Certificate certificate = SampleCertificate();
-  certificate.measured[0].message = "coordinates beyond what the profile promises";
+  certificate.measured[0].message = "coordinates beyond what the profile states";
   EXPECT_EQ(Count(VerdictTable({certificate}), ">5 of"), 0U);
 }
 
@@ -143,7 +143,7 @@ TEST(PageTest, SaysWhyASceneWasNotMeasured) {
   EXPECT_TRUE(Has(SceneTables({certificate}), "the scene is in clip space"));
 }
 
-TEST(PageTest, ShowsHowOftenEachClaimWasPutToTheTest) {
+TEST(PageTest, ShowsHowOftenEachPropertyWasPutToTheTest) {
   const std::string details = SubjectDetails(SampleCertificate());
   EXPECT_TRUE(Has(details, "998 of 1\u202f000"));
   EXPECT_TRUE(Has(details, "12\u202f345"));

@@ -25,11 +25,11 @@ TEST(PaintFlatTest, GivesEachTriangleAColourOfItsOwn) {
   EXPECT_NE(image.At(0, 0), image.At(1, 0));
 }
 
-TEST(PaintWeightsTest, ShowsTheVertexColoursAtTheVertices) {
+TEST(PaintBarycentricsTest, ShowsTheVertexColoursAtTheVertices) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   FragmentBuffers fragments = FourPixels();
-  fragments.weights = {{9, 9, 9}, {1, 0, 0}, {-5, 0, 7}, {kNan, 0, 0}};
-  io::Image image = PaintWeights(fragments);
+  fragments.barycentrics = {{9, 9, 9}, {1, 0, 0}, {-5, 0, 7}, {kNan, 0, 0}};
+  io::Image image = PaintBarycentrics(fragments);
   EXPECT_EQ(image.At(1, 0), kVermilion);
   EXPECT_EQ(image.At(2, 0), kBlue);
   EXPECT_EQ(image.At(3, 0)[0], image.At(3, 0)[2]);
@@ -76,7 +76,7 @@ TEST(PaintCountsTest, GrowsWithTheCount) {
   EXPECT_EQ(image.At(4, 0), image.At(5, 0));
 }
 
-TEST(PaintDifferenceTest, TellsGapOverlapAndFacingApart) {
+TEST(PaintDifferenceTest, TellsMissingUnexpectedAndFacingApart) {
   CoverageCounts expected(4, 1);
   expected.front = {1, 1, 1, 1};
   CoverageCounts observed = expected;

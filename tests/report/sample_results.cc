@@ -69,7 +69,7 @@ Certificate SampleCertificate() {
   certificate.tested = {SampleProperty("EdgeIsAntisymmetric", Outcome::kHolds),
                         SampleProperty("SharedEdgeSamplesAreCoveredOnce", Outcome::kViolated),
                         SampleProperty("HubIsCoveredOnce", Outcome::kNotExercised),
-                        SampleProperty("WalkIsExact", Outcome::kNotApplicable)};
+                        SampleProperty("SteppingIsExact", Outcome::kNotApplicable)};
   certificate.measured = {OnScene("real", 5)};
   certificate.oracle_tiers = {{"filter", 900}, {"exact", 3}};
   return certificate;

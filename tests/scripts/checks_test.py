@@ -1,5 +1,5 @@
 """Tests that the checks of scripts/ see what they are there to see, that tests are counted as they
-went, and that the bugs of scripts/plants still fit the files that they are planted in."""
+went, and that the bugs of scripts/patches still fit the files that they are planted in."""
 
 import pathlib
 import re
@@ -150,6 +150,9 @@ class TextTest(unittest.TestCase):
         self.expect("core/scene.cc", "// TO" + "DO: all of it\n", "unfinished")
         glued = "//" + "/ one value. Error: none.\n"
         self.expect("core/scene.cc", glued, "in the middle of a line")
+        self.expect("core/scene.cc", "int winner = 0;\n", "say primitive id")
+        self.expect("core/scene.cc", "// a claim of ours\n", "say property")
+        self.expect("docs/build.md", "style: font-weight, the weighted sum\n")
         self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
         self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
         self.expect("core/scene_utils.cc", "int width;\n", "says nothing")
@@ -252,7 +255,7 @@ class CountTest(unittest.TestCase):
 
 class PlantsTest(unittest.TestCase):
     def test_every_hunk_finds_its_place(self):
-        patches = sorted((SCRIPTS / "plants").glob("*.patch"))
+        patches = sorted((SCRIPTS / "patches").glob("*.patch"))
         self.assertGreater(len(patches), 18)
         for patch in patches:
             for part in patch.read_text(encoding="utf-8").split("\n--- a/")[1:]:

@@ -30,7 +30,7 @@ Scene FanFor(const SubjectInfo& info) {
 }
 
 CoverageCounts Drawn(Subject& subject, const DrawOptions& options = {}) {
-  CoverageCounts counts(16, 16, subject.Info().profile.lattice.samples());
+  CoverageCounts counts(16, 16, subject.Info().profile.pattern.samples());
   subject.Draw(FanFor(subject.Info()), options, counts);
   return counts;
 }
@@ -60,12 +60,12 @@ TEST(BuiltinTest, NamesThatAreNoSubjectGiveNone) {
   }
 }
 
-TEST(BuiltinTest, OnlySoundMethodsClaimToBeExact) {
+TEST(BuiltinTest, OnlySoundMethodsStateToBeExact) {
   for (const char* const name : {"spans-exact", "filtered-exact", "i64-snap8", "i32-snap4"}) {
-    EXPECT_TRUE(MakeBuiltin(name)->Info().claims_exact) << name;
+    EXPECT_TRUE(MakeBuiltin(name)->Info().states_exact) << name;
   }
   for (const char* const name : {"textbook", "f32-direct", "f32-direct:canonical", "f64-kahan"}) {
-    EXPECT_FALSE(MakeBuiltin(name)->Info().claims_exact) << name;
+    EXPECT_FALSE(MakeBuiltin(name)->Info().states_exact) << name;
   }
 }
 
@@ -101,19 +101,19 @@ TEST(BuiltinTest, CanonicalSubjectsShowCanonicalEdgeValues) {
   EXPECT_FALSE(antisymmetric("f32-direct"));
 }
 
-TEST(BuiltinTest, WeightsBelongToUnsnappedWindowSubjects) {
-  EXPECT_NE(MakeBuiltin("f32-direct")->Weights(), nullptr);
-  EXPECT_NE(MakeBuiltin("spans-exact")->Weights(), nullptr);
-  EXPECT_EQ(MakeBuiltin("i64-snap8")->Weights(), nullptr);
+TEST(BuiltinTest, BarycentricsBelongToUnsnappedWindowSubjects) {
+  EXPECT_NE(MakeBuiltin("f32-direct")->Barycentrics(), nullptr);
+  EXPECT_NE(MakeBuiltin("spans-exact")->Barycentrics(), nullptr);
+  EXPECT_EQ(MakeBuiltin("i64-snap8")->Barycentrics(), nullptr);
 }
 
-TEST(BuiltinTest, WhatIsProvedOfWeightsIsOfSubjectsThatShowThem) {
+TEST(BuiltinTest, WhatIsProvedOfBarycentricsIsOfSubjectsThatShowThem) {
   for (const std::string& name : BuiltinNames()) {
     const std::unique_ptr<Subject> subject = MakeBuiltin(name);
-    const auto of_weights = std::ranges::count_if(subject->Info().proofs, [](const Proof& proof) {
-      return proof.script.starts_with("weights_");
-    });
-    EXPECT_EQ(of_weights, subject->Weights() != nullptr ? 3 : 0) << name;
+    const auto of_barycentrics = std::ranges::count_if(
+        subject->Info().proofs,
+        [](const Proof& proof) { return proof.script.starts_with("barycentrics_"); });
+    EXPECT_EQ(of_barycentrics, subject->Barycentrics() != nullptr ? 3 : 0) << name;
   }
 }
 

@@ -37,14 +37,14 @@ void Add(Scene& scene, const Corners3& corners) {
 }
 
 CoverageCounts Drawn(Subject& subject, const Scene& scene) {
-  CoverageCounts counts(scene.width, scene.height, subject.Info().profile.lattice.samples());
+  CoverageCounts counts(scene.width, scene.height, subject.Info().profile.pattern.samples());
   subject.Draw(scene, {}, counts);
   return counts;
 }
 
 Point2 PlaceOf(const Subject& subject, int side, int x, int row, int s) {
   const Profile& profile = subject.Info().profile;
-  return profile.lattice.At(x, profile.y_axis == YAxis::kDown ? row : side - 1 - row, s);
+  return profile.pattern.At(x, profile.y_axis == YAxis::kDown ? row : side - 1 - row, s);
 }
 
 // Distance to the nearest edge line, positive inside.
@@ -130,7 +130,7 @@ Baseline CtsLike(Subject& subject) {
                                            {{{44.8, 44.8}, {57.6, 51.2}, {48, 60.8}}},
                                            {{{121.6, 6.4}, {121.6, 19.2}, {6.4, 115.2}}},
                                            {{{19.2, 64}, {108.8, 57.6}, {64, 70.4}}}}};
-  const int samples = subject.Info().profile.lattice.samples();
+  const int samples = subject.Info().profile.pattern.samples();
   const int allowed = samples == 1 ? 0 : 10;
   for (const Corners3& v : triangles) {
     if (WrongSamples(subject, v) > allowed) return Baseline::kFails;
@@ -162,7 +162,7 @@ namespace {
 // Which sides of a square with edges through samples own them, if that is a convention at all.
 struct Convention {
   bool known = false;
-  FillRule rule;
+  TieRule rule;
 };
 
 Convention Probe(Subject& subject) {
@@ -213,7 +213,7 @@ Baseline PiglitLike(Subject& subject) {
   const Convention convention = Probe(subject);
   if (!convention.known || !DrawsEverySample(subject)) return Baseline::kSkips;
   Profile profile = subject.Info().profile;
-  profile.fill_rule = convention.rule;
+  profile.tie_rule = convention.rule;
   std::mt19937 bits(1);
   const auto place = [&] { return static_cast<double>(bits() % (kSide * 2)) / 2; };
   for (int k = 0; k < 200; ++k) {

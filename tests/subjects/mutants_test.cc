@@ -15,8 +15,8 @@
 #include "core/error.h"
 #include "tests/share.h"
 #include "tests/subjects/conformance_baseline.h"
+#include "tool/asked.h"
 #include "tool/selftest.h"
-#include "tool/session.h"
 
 namespace rasterproof {
 namespace {
@@ -39,7 +39,7 @@ TEST(Mutants, HaveNamesOfTheirOwnUnderWhichTheyAreMade) {
     EXPECT_EQ(subject->Info().name, mutant.name);
     EXPECT_EQ(subject->Info().summary, mutant.change);
     EXPECT_TRUE(subject->Info().proofs.empty()) << mutant.name;
-    EXPECT_FALSE(subject->Info().claims_exact) << mutant.name;
+    EXPECT_FALSE(subject->Info().states_exact) << mutant.name;
   }
   EXPECT_EQ(subjects::MakeMutant("mutant:none-such"), nullptr);
   EXPECT_THROW(tool::MakeSubject("mutant:none-such"), InputError);
@@ -108,12 +108,13 @@ TEST(Selftest, SaysWhatSurvivesAndWhatIsNotLegal) {
   EXPECT_FALSE(survivor.AsItShould());
   EXPECT_TRUE(wronged.AsItShould());
   wronged.hunt.violation.emplace();
-  wronged.hunt.violation->property = "SomeClaim";
+  wronged.hunt.violation->property = "SomeProperty";
   EXPECT_FALSE(wronged.AsItShould());
   const std::string text = tool::SelftestText({survivor, wronged}, 10, 1, 0);
   EXPECT_NE(text.find("| shy | it hides | **survived** |"), std::string::npos) << text;
   EXPECT_NE(text.find("0 of 1 killed"), std::string::npos) << text;
-  EXPECT_NE(text.find("legal:wronged under seed 1 violates SomeClaim"), std::string::npos) << text;
+  EXPECT_NE(text.find("legal:wronged under seed 1 violates SomeProperty"), std::string::npos)
+      << text;
 }
 
 // The baseline is sound: what is right passes it.

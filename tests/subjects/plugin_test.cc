@@ -16,7 +16,7 @@ namespace rasterproof::subjects {
 namespace {
 
 // Counts 1 where it finds its own rounding mode, which it sets in its first call.
-constexpr const char* kRounds = FAULTY_PLUGINS "/faulty_ROUNDS.so";
+constexpr const char* kRounds = TEST_PLUGINS "/buggy_ROUNDS.so";
 
 TEST(Plugin, KeepsItsRoundingModeToItself) {
   ASSERT_EQ(std::fegetround(), FE_TONEAREST);
@@ -50,23 +50,23 @@ DrawJob SecondOfTwo(Outputs wants) {
 
 TEST(Plugin, IsAskedForWhatIsWantedIfItSaysThatItReadsIt) {
   for (const char* const name : {"/shown_FRAGMENTS.so", "/shown_NEEDS_ALL.so"}) {
-    const LoadedPlugin loaded = LoadPlugin(std::string(FAULTY_PLUGINS) + name);
+    const LoadedPlugin loaded = LoadPlugin(std::string(TEST_PLUGINS) + name);
     const Drawing all = loaded.subject->Show(SecondOfTwo(kEverything));
-    EXPECT_EQ(all.winners, std::vector<std::int32_t>(16, 0)) << "of the triangles of the job";
+    EXPECT_EQ(all.primitive_ids, std::vector<std::int32_t>(16, 0)) << "of the triangles of the job";
     ASSERT_EQ(all.depths.size(), 16U);
     EXPECT_EQ(all.depths[0], 0.5);
-    EXPECT_EQ(all.weights.size(), 16U);
-    const Drawing ids = loaded.subject->Show(SecondOfTwo(kCoverageAndIds));
-    EXPECT_EQ(ids.winners, all.winners);
-    EXPECT_TRUE(ids.weights.empty() && ids.depths.empty());
+    EXPECT_EQ(all.barycentrics.size(), 16U);
+    const Drawing ids = loaded.subject->Show(SecondOfTwo(kCoverageAndPrimitiveIds));
+    EXPECT_EQ(ids.primitive_ids, all.primitive_ids);
+    EXPECT_TRUE(ids.barycentrics.empty() && ids.depths.empty());
     const Drawing depths = loaded.subject->Show(SecondOfTwo({true, false, true}));
     EXPECT_EQ(depths.depths, all.depths);
-    EXPECT_TRUE(depths.weights.empty());
+    EXPECT_TRUE(depths.barycentrics.empty());
   }
 }
 
 TEST(Plugin, DrawsPartsOfASharedSceneLikeScenesOfTheirOwn) {
-  const LoadedPlugin loaded = LoadPlugin(FAULTY_PLUGINS "/shown_COUNTS.so");
+  const LoadedPlugin loaded = LoadPlugin(TEST_PLUGINS "/shown_COUNTS.so");
   const DrawJob part = SecondOfTwo(kEverything);
   DrawJob both = part;
   both.triangles.reset();

@@ -105,7 +105,7 @@ TEST(Protocol, RefusesRequestsThatAreNone) {
   refuses("draw 1 2 2 1 window 0 0 scissor=1,2,3\n");
   refuses("draw 1 2 2 1 window 0 0 scissor=1,2,3,4,5\n");
   refuses("draw 1 2 2 1 window 0 0 wants=\n");
-  refuses("draw 1 2 2 1 window 0 0 wants=ids,colours\n");
+  refuses("draw 1 2 2 1 window 0 0 wants=primitive-ids,colours\n");
   refuses(good.substr(0, good.size() / 2));
 }
 
@@ -175,17 +175,18 @@ TEST(Protocol, AsksForWhatIsWantedOfWhatIsShownAlone) {
     const std::string text = RequestsText(1, {&job, 1}, Info(kind, protocol));
     return text.substr(std::string("draw 1 1 1 1 window 0 0").size());
   };
-  const Outputs depths{.ids = false, .barycentrics = false, .depths = true};
+  const Outputs depths{.primitive_ids = false, .barycentrics = false, .depths = true};
   EXPECT_EQ(asked(CoverageKind::kFragments, 2, kEverything), "\n");
-  EXPECT_EQ(asked(CoverageKind::kFragments, 2, depths), " wants=ids,depths\n");
-  EXPECT_EQ(asked(CoverageKind::kFragments, 2, kCoverageAndIds), " wants=ids\n");
+  EXPECT_EQ(asked(CoverageKind::kFragments, 2, depths), " wants=primitive-ids,depths\n");
+  EXPECT_EQ(asked(CoverageKind::kFragments, 2, kCoverageAndPrimitiveIds), " wants=primitive-ids\n");
   EXPECT_EQ(asked(CoverageKind::kFragments, 2, kCoverageAlone), " wants=coverage\n");
-  EXPECT_EQ(asked(CoverageKind::kWinners, 2, kCoverageAlone), " wants=coverage\n");
-  EXPECT_EQ(asked(CoverageKind::kWinners, 2, kCoverageAndIds), "\n");
-  EXPECT_EQ(asked(CoverageKind::kWinners, 2, depths), "\n") << "it shows none, but whose they are";
+  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, 2, kCoverageAlone), " wants=coverage\n");
+  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, 2, kCoverageAndPrimitiveIds), "\n");
+  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, 2, depths), "\n")
+      << "it shows none, but whose they are";
   EXPECT_EQ(asked(CoverageKind::kMask, 2, kCoverageAlone), "\n");
   EXPECT_EQ(asked(CoverageKind::kFragments, 1, kCoverageAlone), "\n");
-  for (const Outputs wants : {kEverything, kCoverageAndIds, kCoverageAlone}) {
+  for (const Outputs wants : {kEverything, kCoverageAndPrimitiveIds, kCoverageAlone}) {
     DrawJob job;
     job.wants = wants;
     const std::string text = RequestsText(1, {&job, 1}, Info(CoverageKind::kFragments, 2));
@@ -213,7 +214,8 @@ TEST(Protocol, ReadsCountsAndNothingElse) {
   const Drawing drawing = Read("counts 12\n 1 4294967295\t3\r\n", CoverageKind::kCounts, 3);
   EXPECT_EQ(drawing.counts.front, (std::vector<std::uint32_t>{1, 4294967295U, 3}));
   EXPECT_EQ(drawing.counts.back, (std::vector<std::uint32_t>{0, 0, 0}));
-  for (const char* const head : {"", "counts 1", "counts 123", "count 12", "12 counts", "ids 12"}) {
+  for (const char* const head :
+       {"", "counts 1", "counts 123", "count 12", "12 counts", "primitive-ids 12"}) {
     EXPECT_THROW(Read(std::string(head) + "\n1 2 3\n", CoverageKind::kCounts, 3), SubjectFault)
         << head;
   }
@@ -230,13 +232,14 @@ TEST(Protocol, TellsRefusalsFromFaults) {
   EXPECT_THROW(Read("fault 12\n", CoverageKind::kCounts, 1), SubjectFault);
 }
 
-TEST(Protocol, ReadsWinnersOfTheSceneAndNoOthers) {
-  const Drawing drawing = Read("ids 12\n0 -1 1\n", CoverageKind::kWinners, 3);
-  EXPECT_EQ(drawing.winners, (std::vector<std::int32_t>{0, kNoTriangle, 1}));
+TEST(Protocol, ReadsPrimitiveIdsOfTheSceneAndNoOthers) {
+  const Drawing drawing = Read("primitive-ids 12\n0 -1 1\n", CoverageKind::kPrimitiveIds, 3);
+  EXPECT_EQ(drawing.primitive_ids, (std::vector<std::int32_t>{0, kNoPrimitive, 1}));
   EXPECT_EQ(drawing.counts.front, (std::vector<std::uint32_t>{1, 0, 1}));
   for (const char* const row : {"0 2 1", "0 -2 1", "0 1", "0 1 1 1", "0 x 1"}) {
-    EXPECT_THROW(Read("ids 12\n" + std::string(row) + "\n", CoverageKind::kWinners, 3),
-                 SubjectFault)
+    EXPECT_THROW(
+        Read("primitive-ids 12\n" + std::string(row) + "\n", CoverageKind::kPrimitiveIds, 3),
+        SubjectFault)
         << row;
   }
 }
@@ -245,14 +248,14 @@ TEST(Protocol, CarriesFragmentsWithoutLosingABit) {
   Drawing drawing;
   drawing.counts = CoverageCounts(3, 1);
   drawing.counts.front = {1, 0, 1};
-  drawing.winners = {1, kNoTriangle, 0};
-  drawing.weights = {{0.1, 1.0 / 3, -0x1p-1074}, {}, {1, 0, 0}};
+  drawing.primitive_ids = {1, kNoPrimitive, 0};
+  drawing.barycentrics = {{0.1, 1.0 / 3, -0x1p-1074}, {}, {1, 0, 0}};
   drawing.depths = {0x1.fffffffffffffp1023, 0, -2};
   const Drawing read = Read(AnswerText(12, drawing, CoverageKind::kFragments, kEverything),
                             CoverageKind::kFragments, 3);
   EXPECT_EQ(read.counts, drawing.counts);
-  EXPECT_EQ(read.winners, drawing.winners);
-  EXPECT_EQ(read.weights, drawing.weights);
+  EXPECT_EQ(read.primitive_ids, drawing.primitive_ids);
+  EXPECT_EQ(read.barycentrics, drawing.barycentrics);
   EXPECT_EQ(read.depths, drawing.depths);
   for (const char* const row : {"0 1 1 1 1 -1", "-1 -1 0 1 1 1", "-1 1 1 1 1 1 1 1 1 1"}) {
     EXPECT_THROW(Read("fragments 12\n" + std::string(row) + "\n", CoverageKind::kFragments, 3),
@@ -265,27 +268,30 @@ TEST(Protocol, CarriesWhatIsWantedAndNoMore) {
   Drawing drawing;
   drawing.counts = CoverageCounts(2, 1);
   drawing.counts.front = {1, 0};
-  drawing.winners = {1, kNoTriangle};
-  drawing.weights = {{0.25, 0.5, 0.25}, {}};
+  drawing.primitive_ids = {1, kNoPrimitive};
+  drawing.barycentrics = {{0.25, 0.5, 0.25}, {}};
   drawing.depths = {0.125, 0};
   const CoverageKind kind = CoverageKind::kFragments;
-  const Outputs weights{.ids = false, .barycentrics = true, .depths = false};
-  const Outputs depths{.ids = false, .barycentrics = false, .depths = true};
+  const Outputs barycentrics{.primitive_ids = false, .barycentrics = true, .depths = false};
+  const Outputs depths{.primitive_ids = false, .barycentrics = false, .depths = true};
   EXPECT_EQ(AnswerText(12, drawing, kind, kCoverageAlone), "counts 12\n1 0\n");
-  EXPECT_EQ(AnswerText(12, drawing, kind, kCoverageAndIds), "ids 12\n1 -1\n");
-  EXPECT_EQ(AnswerText(12, drawing, kind, weights), "fragments 12\n1 0.25 0.5 0.25 -1\n");
+  EXPECT_EQ(AnswerText(12, drawing, kind, kCoverageAndPrimitiveIds), "primitive-ids 12\n1 -1\n");
+  EXPECT_EQ(AnswerText(12, drawing, kind, barycentrics), "fragments 12\n1 0.25 0.5 0.25 -1\n");
   EXPECT_EQ(AnswerText(12, drawing, kind, depths), "fragments 12\n1 0.125 -1\n");
-  for (const Outputs wants : {kCoverageAlone, kCoverageAndIds, weights, depths, kEverything}) {
+  for (const Outputs wants :
+       {kCoverageAlone, kCoverageAndPrimitiveIds, barycentrics, depths, kEverything}) {
     const Drawing read = Read(AnswerText(12, drawing, kind, wants), kind, 2, 2, wants);
     EXPECT_EQ(read.counts, drawing.counts);
-    EXPECT_EQ(read.winners.empty(), wants == kCoverageAlone);
-    EXPECT_EQ(read.weights, wants.barycentrics ? drawing.weights : decltype(read.weights)());
+    EXPECT_EQ(read.primitive_ids.empty(), wants == kCoverageAlone);
+    EXPECT_EQ(read.barycentrics,
+              wants.barycentrics ? drawing.barycentrics : decltype(read.barycentrics)());
     EXPECT_EQ(read.depths, wants.depths ? drawing.depths : decltype(read.depths)());
     const Drawing older = Read(AnswerText(12, drawing, kind, kEverything), kind, 2, 1, wants);
-    EXPECT_EQ(older.winners, drawing.winners) << "version 1 answers with everything";
-    EXPECT_EQ(older.weights, read.weights) << "and what is not wanted is not kept";
+    EXPECT_EQ(older.primitive_ids, drawing.primitive_ids) << "version 1 answers with everything";
+    EXPECT_EQ(older.barycentrics, read.barycentrics) << "and what is not wanted is not kept";
   }
-  EXPECT_THROW(Read("fragments 12\n1 0 0 1 0.5 -1\n", kind, 2, 2, kCoverageAndIds), SubjectFault);
+  EXPECT_THROW(Read("fragments 12\n1 0 0 1 0.5 -1\n", kind, 2, 2, kCoverageAndPrimitiveIds),
+               SubjectFault);
 }
 
 TEST(Protocol, ReadsNumbersAsStrtodDoesAndWritesThemBack) {
@@ -358,18 +364,18 @@ TEST(Protocol, AsksForManyEdgeValuesAtOnce) {
       {4, {1, 2}, {3, 4}, {5, -0.0}, Step{true, -1, 16}, 7},
   };
   const std::string text = RequestsText(requests);
-  EXPECT_EQ(text, "edge 3 0.1 2 3 4 5 6\nwalk 4 1 2 3 4 5 -0 y -1 16 7\n");
+  EXPECT_EQ(text, "edge 3 0.1 2 3 4 5 6\nsteps 4 1 2 3 4 5 -0 y -1 16 7\n");
   std::istringstream in(text + "\n");
   RequestReader reader(in);
   EXPECT_EQ(reader.NextEdgeRequest()->id, 3U);
   EXPECT_TRUE(reader.HasMore());
-  const EdgeRequest walk = *reader.NextEdgeRequest();
-  EXPECT_EQ(walk.steps, 7);
-  EXPECT_TRUE(walk.step->along_y && walk.step->sign == -1 && walk.step->length == 16);
+  const EdgeRequest stepping = *reader.NextEdgeRequest();
+  EXPECT_EQ(stepping.steps, 7);
+  EXPECT_TRUE(stepping.step->along_y && stepping.step->sign == -1 && stepping.step->length == 16);
   EXPECT_FALSE(reader.HasMore()) << "a blank line is no request";
-  for (const char* const bad :
-       {"edge 1 2 3 4 5 6\n", "edge 1 2 3 4 5 6 7 8\n", "walk 1 2 3 4 5 6 7 z +1 1 1\n",
-        "walk 1 2 3 4 5 6 7 x 1 1 1\n", "walk 1 2 3 4 5 6 7 x +1 0 1\n", "edge 1 2 3 4 5 6 a\n"}) {
+  for (const char* const bad : {"edge 1 2 3 4 5 6\n", "edge 1 2 3 4 5 6 7 8\n",
+                                "steps 1 2 3 4 5 6 7 z +1 1 1\n", "steps 1 2 3 4 5 6 7 x 1 1 1\n",
+                                "steps 1 2 3 4 5 6 7 x +1 0 1\n", "edge 1 2 3 4 5 6 a\n"}) {
     std::istringstream stream(bad);
     EXPECT_THROW(RequestReader(stream).NextEdgeRequest(), InputError) << bad;
   }

@@ -1,6 +1,6 @@
 """Programs on a pipe that refuse, change their answers, or answer what is no number.
 
-usage: answers_test.py PROGRAM SOURCES EXAMPLES FAULTY
+usage: answers_test.py PROGRAM SOURCES EXAMPLES PLUGINS
 """
 import os
 import re
@@ -9,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:5])
+PROGRAM, SOURCES, EXAMPLES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:5])
 MODEL = "CoverageEqualsTheModel"
 DEGENERATE = "DegenerateTrianglesCoverNothing"
 STAYS_INSIDE = "DrawStaysInsideItsTarget"
@@ -21,8 +21,8 @@ def run(*arguments, program=PROGRAM, data=None):
                           timeout=300, check=False)  # fmt: skip
 
 
-def faulty(name):
-    return os.path.join(FAULTY, f"faulty_{name}.so")
+def buggy(name):
+    return os.path.join(PLUGINS, f"buggy_{name}.so")
 
 
 def answering(row, head="'counts ' + number"):
@@ -105,15 +105,15 @@ class Refusals(unittest.TestCase):
         self.assertEqual(status, 4, text)
         self.assertRegex(text, "the subject refuses too much: "
                          r"exercised in 2 of 120 cases, \d+ refused")  # fmt: skip
-        status, text = self.check("--plugin", faulty("REFUSES"), cases="9")
+        status, text = self.check("--plugin", buggy("REFUSES"), cases="9")
         self.assertEqual(status, 4, text)
 
     def test_of_a_given_scene_are_inconclusive(self):
-        done = run("check", SCENE, "--plugin", faulty("REFUSES"), "--property", MODEL)
+        done = run("check", SCENE, "--plugin", buggy("REFUSES"), "--property", MODEL)
         self.assertEqual(done.returncode, 4, done.stdout)
         self.assertIn(b"refused ", done.stdout)
         for verb in ("replay", "explain"):
-            done = run(verb, SCENE, "--plugin", faulty("REFUSES"), "--property", MODEL)
+            done = run(verb, SCENE, "--plugin", buggy("REFUSES"), "--property", MODEL)
             self.assertEqual(done.returncode, 4, done.stdout + done.stderr)
 
 

@@ -1,6 +1,6 @@
 """certify, as its users meet it: what it says of subjects of every kind, and that all of it agrees.
 
-usage: certify_test.py PROGRAM SOURCES EXAMPLES FAULTY
+usage: certify_test.py PROGRAM SOURCES EXAMPLES PLUGINS
 """
 import hashlib
 import json
@@ -14,12 +14,12 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 
-PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:5])
+PROGRAM, SOURCES, EXAMPLES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:5])
 HERE = os.path.dirname(os.path.abspath(__file__))
 STATUS = {"holds": 0, "violated": 1, "inconclusive": 4}
 # The example plugin behind a pipe: a program that is fast.
 PIPED = f"{PROGRAM} host plugin:{EXAMPLES}/example_plugin.so"
-PROMISES = ("profile gl", "coverage facing-counts", "input float32")
+STATEMENTS = ("profile gl", "coverage facing-counts", "input float32")
 SECONDS = re.compile(rb'("seconds":\s*)("[^"]*"|[0-9.e+-]+)|( time=)"[0-9.]+"')
 
 
@@ -89,7 +89,7 @@ class Outside(Certify):
                          [0, 0])  # fmt: skip
 
     def test_a_program_on_a_pipe(self):
-        path = self.subject_file("piped.subject", *PROMISES, command=PIPED)
+        path = self.subject_file("piped.subject", *STATEMENTS, command=PIPED)
         done = self.certify("--subject", path, "--cases", "8")
         certificate = self.agreed(done, "holds")
         self.assertEqual(certificate["subject"]["name"], path)
@@ -105,7 +105,7 @@ class Outside(Certify):
             self.assertTrue(os.path.exists(case))
 
     def test_every_replay_of_a_certificate_runs_as_it_is_printed(self):
-        self.certify("--plugin", f"{FAULTY}/shown_SCISSOR.so", "--cases", "70")
+        self.certify("--plugin", f"{PLUGINS}/shown_SCISSOR.so", "--cases", "70")
         (certificate,) = self.certificates()
         replays = [p["counterexample"]["replay"] for p in certificate["tested"]
                    if p["outcome"] == "violated"]  # fmt: skip
@@ -118,13 +118,13 @@ class Outside(Certify):
             self.assertEqual(done.returncode, 1, line + done.stderr.decode())
 
     def test_one_that_crashes_is_violated_on_the_scene_too(self):
-        done = self.certify("--plugin", f"{FAULTY}/faulty_CRASH.so", "--cases", "2")
+        done = self.certify("--plugin", f"{PLUGINS}/buggy_CRASH.so", "--cases", "2")
         certificate = self.agreed(done, "violated")
         (on_ties,) = [p for p in certificate["tested"] if p["property"].endswith(" on ties")]
         self.assertIn("killed by signal 11", on_ties["message"])
 
     def test_a_refused_scene_is_not_applicable_and_told(self):
-        path = self.subject_file("refuses.subject", *PROMISES,
+        path = self.subject_file("refuses.subject", *STATEMENTS,
                                  command=f"{HERE}/refuses.py 40 {PIPED}")  # fmt: skip
         done = self.certify("--subject", path, "--cases", "8")
         (certificate,) = self.certificates()
@@ -135,7 +135,7 @@ class Outside(Certify):
             said = f"{result['cases_refused']} refused"
             self.assertIn(said, done.stdout.decode())
             self.assertIn(said, self.read(f"{self.out}/report.html").decode())
-        said = {entry["claim"]: entry["by"] for entry in certificate["not_applicable"]}
+        said = {entry["statement"]: entry["by"] for entry in certificate["not_applicable"]}
         self.assertIn("the subject refused it: ", said["scene ties"])
         self.assertIn("48 triangles are too many", said["scene ties"])
         self.assertNotIn("scene duplicates", said)
@@ -143,7 +143,7 @@ class Outside(Certify):
         self.assertIn(b"48 triangles are too many", self.read(f"{self.out}/report.html"))
 
     def test_one_that_refuses_everything_is_inconclusive(self):
-        done = self.certify("--plugin", f"{FAULTY}/faulty_REFUSES.so", "--cases", "2")
+        done = self.certify("--plugin", f"{PLUGINS}/buggy_REFUSES.so", "--cases", "2")
         certificate = self.agreed(done, "inconclusive")
         self.assertEqual([scene["applicable"] for scene in certificate["measured"]
                           if scene["profile"] == "real"], [False, False])  # fmt: skip
@@ -154,10 +154,10 @@ class Outside(Certify):
                 if scene["profile"] == certificate["subject"]["profile"]}  # fmt: skip
 
     def test_a_large_scene_is_judged_as_a_subject_without_counts_shows_it(self):
-        for kind in ("MASK", "WINNERS"):
+        for kind in ("MASK", "PRIMITIVE_IDS"):
             with self.subTest(kind=kind):
                 shutil.rmtree(self.out, ignore_errors=True)
-                self.certify("--plugin", f"{FAULTY}/shown_{kind}.so", "--cases", "1",
+                self.certify("--plugin", f"{PLUGINS}/shown_{kind}.so", "--cases", "1",
                              scenes=("map", "duplicates"))  # fmt: skip
                 scenes = self.own_scenes()
                 self.assertEqual({name: scene["as_shown"] for name, scene in scenes.items()},
@@ -167,16 +167,16 @@ class Outside(Certify):
                     self.assertEqual(scene["wrong"], 0, scene)
 
     def test_one_wrong_sample_of_a_large_scene_is_found_whatever_is_shown(self):
-        for kind in ("MASK", "WINNERS"):
+        for kind in ("MASK", "PRIMITIVE_IDS"):
             with self.subTest(kind=kind):
                 shutil.rmtree(self.out, ignore_errors=True)
-                done = self.certify("--plugin", f"{FAULTY}/shown_ONE_SAMPLE_{kind}.so",
+                done = self.certify("--plugin", f"{PLUGINS}/shown_ONE_SAMPLE_{kind}.so",
                                     "--cases", "1", scenes=("map",))  # fmt: skip
                 self.agreed(done, "violated")
                 self.assertEqual(self.own_scenes()["map"]["wrong"], 1)
 
     def test_of_several_subjects_the_worst_one_tells(self):
-        refuses = ("--plugin", f"{FAULTY}/faulty_REFUSES.so", "--cases", "2")
+        refuses = ("--plugin", f"{PLUGINS}/buggy_REFUSES.so", "--cases", "2")
         done = self.certify(*refuses, "--subject", "spans-exact")
         self.assertEqual(done.returncode, 4, done.stdout.decode())
         done = self.certify(*refuses, "--subject", "spans-exact", "--subject", "textbook")
@@ -185,7 +185,7 @@ class Outside(Certify):
 
 class Verdicts(Certify):
     def test_what_is_legal_by_freedom_holds_with_status_0(self):
-        for name in ("overdraw", "promises-nothing", "watertight-elsewhere"):
+        for name in ("shared-edge-samples", "contract-none", "watertight-elsewhere"):
             with self.subTest(name=name):
                 shutil.rmtree(self.out, ignore_errors=True)
                 done = self.certify("--subject", f"legal:{name}", "--cases", "10",
@@ -197,7 +197,7 @@ class Verdicts(Certify):
                     self.assertFalse(scene["judged"])
                     self.assertIn("observed, not judged", scene["message"])
 
-    def test_a_survey_fails_on_broken_claims_only(self):
+    def test_a_survey_fails_on_broken_properties_only(self):
         done = self.certify("--all", "--cases", "3", scenes=("ties",))
         self.assertEqual(done.returncode, 0, done.stdout.decode())
         verdicts = {c["subject"]["name"]: c["verdict"] for c in self.certificates()}
@@ -209,7 +209,7 @@ class Verdicts(Certify):
         (certificate,) = self.certificates()
         for entry in certificate["not_applicable"]:
             self.assertNotIn("this build has no", entry["by"])
-            self.assertRegex(entry["claim"], r"^([A-Z]\w+|scene .*)$")
+            self.assertRegex(entry["statement"], r"^([A-Z]\w+|scene .*)$")
 
     def test_twice_gives_the_same_bytes(self):
         scenes = self.scenes("ties", "glyphs", "needles", "fan", "subnormal")
@@ -234,7 +234,7 @@ class Verdicts(Certify):
         self.assertEqual(tiers, alone, "who else was certified changes nothing")
 
 
-class Claims(Certify):
+class IsStated(Certify):
     def proofs(self, *arguments, program=PROGRAM):
         shutil.rmtree(self.out, ignore_errors=True)
         done = self.run_certify(*arguments, "--cases", "1", "--scenes", self.scenes("duplicates"),
@@ -243,7 +243,7 @@ class Claims(Certify):
         (certificate,) = self.certificates()
         scripts = [re.search(r"reference/proofs/(\w+\.g)", entry["by"])[1]
                    for entry in certificate["proved"]]  # fmt: skip
-        return scripts, certificate["subject"]["claims_exact"]
+        return scripts, certificate["subject"]["states_exact"]
 
     def test_a_name_proves_nothing(self):
         for name in ("fancy.subject", "f32-direct.subject", "exactly.subject", "i64.subject"):
@@ -252,10 +252,10 @@ class Claims(Certify):
         link = os.path.join(self.folder, "f32-direct")
         os.symlink(f"{EXAMPLES}/example_plugin.so", link)
         self.assertEqual(self.proofs("--plugin", link), ([], False))
-        self.assertEqual(self.proofs("--subject", "mutant:weights-rotated")[0], [])
+        self.assertEqual(self.proofs("--subject", "mutant:barycentrics-rotated")[0], [])
         self.assertEqual(self.proofs("--subject", "exact"), ([], True))
 
-    def test_a_type_that_claims_to_be_exact_is_not_believed(self):
+    def test_a_type_that_properties_to_be_exact_is_not_believed(self):
         self.assertEqual(self.proofs(program=f"{EXAMPLES}/own_exactly"), ([], False))
 
     def test_a_type_with_the_name_of_a_built_in_subject_is_refused(self):
@@ -264,13 +264,13 @@ class Claims(Certify):
         self.assertIn(b"subject 'textbook': a type of your own has the name", done.stderr)
 
     def test_a_method_has_the_proofs_of_its_own_arithmetic(self):
-        weights = ["weights_sum.g", "weights_one_minus.g", "weights_distance.g"]
+        barycentrics = ["barycentrics_sum.g", "barycentrics_one_minus.g", "barycentrics_distance.g"]
         for name, scripts in (
-            ("textbook", ["edge_direct.g", *weights]),
-            ("f32-direct", ["edge_direct.g", *weights]),
-            ("f32-kahan", ["edge_kahan.g", *weights]),
-            ("f32-incremental", ["edge_direct.g", "increment.g", *weights]),
-            ("filtered-exact", weights),
+            ("textbook", ["edge_direct.g", *barycentrics]),
+            ("f32-direct", ["edge_direct.g", *barycentrics]),
+            ("f32-kahan", ["edge_kahan.g", *barycentrics]),
+            ("f32-incremental", ["edge_direct.g", "increment.g", *barycentrics]),
+            ("filtered-exact", barycentrics),
             ("i64-snap8", ["exactness.g"]),
             ("hom-f32", ["homogeneous.g"]),
         ):

@@ -1,6 +1,6 @@
 """Work that is shared: what is printed is the same for every number of workers and every batch.
 
-usage: jobs_test.py PROGRAM SOURCES FAULTY
+usage: jobs_test.py PROGRAM SOURCES PLUGINS
 """
 import json
 import os
@@ -10,7 +10,7 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM, SOURCES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:4])
+PROGRAM, SOURCES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:4])
 JOBS = (1, 2, 7)
 BATCHES = (1, 7, 32)
 MODEL = "CoverageEqualsTheModel"
@@ -27,7 +27,7 @@ def content(path):
 
 
 def plugin(name):
-    return ("--plugin", os.path.join(FAULTY, f"{name}.so"))
+    return ("--plugin", os.path.join(PLUGINS, f"{name}.so"))
 
 
 class Check(unittest.TestCase):
@@ -50,12 +50,24 @@ class Check(unittest.TestCase):
         text = self.same("--subject", "textbook", "--cases", "24", status=1)
         self.assertGreater(text.count("\nviolated "), 1, text)
 
+    def test_a_profile_from_a_pipe_is_read_once(self):
+        read, write = os.pipe()
+        os.write(write, b'{"name": "piped", "subpixel_bits": 8}')
+        os.close(write)
+        command = [PROGRAM, "check", "--subject", "i64-snap8", "--profile", f"/dev/fd/{read}",
+                   "--property", MODEL, "SharedEdgeSamplesAreCoveredOnce", "--cases", "8",
+                   "--jobs", "2"]  # fmt: skip
+        done = subprocess.run(command, capture_output=True, pass_fds=(read,), timeout=60,
+                              check=False)  # fmt: skip
+        os.close(read)
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+
     def test_a_mutant(self):
         text = self.same("--subject", "mutant:box-left", "--cases", "24", status=1)
         self.assertIn("replay: ", text)
 
     def test_a_plugin_of_every_kind(self):
-        for kind in ("COUNTS", "MASK", "WINNERS", "FRAGMENTS"):
+        for kind in ("COUNTS", "MASK", "PRIMITIVE_IDS", "FRAGMENTS"):
             with self.subTest(kind=kind):
                 text = self.same(*plugin(f"shown_{kind}"), "--cases", "11")
                 self.assertGreater(text.count("\nholds "), 15, text)

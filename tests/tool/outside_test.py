@@ -1,7 +1,6 @@
 """Subjects outside: plugins, programs on a pipe, types of the user's own; sound, faulty and absent.
 
-usage: outside_test.py PROGRAM SOURCES EXAMPLES FAULTY
-"""
+usage: outside_test.py PROGRAM SOURCES EXAMPLES PLUGINS"""
 import os
 import re
 import subprocess
@@ -9,13 +8,13 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:5])
+PROGRAM, SOURCES, EXAMPLES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:5])
 PYTHON_EXAMPLE = os.path.join(SOURCES, "kit/examples/program.py")
 MODEL = "CoverageEqualsTheModel"
 SHARED_EDGE = "SharedEdgeSamplesAreCoveredOnce"
 EMBEDDED_MESH = "EmbeddedMeshSamplesAreCoveredOnce"
-SHARED_TIES = ('{"name": "ties", "contract": "watertight", "fill_rule": "inclusive", '
-               '"overdraw": "allowed"}')  # fmt: skip
+SHARED_TIES = ('{"name": "ties", "contract": "watertight", "tie_rule": "inclusive", '
+               '"edge_samples": "may-be-shared"}')  # fmt: skip
 DEGENERATE = "DegenerateTrianglesCoverNothing"
 SCENE = "scenes/ties.json"
 
@@ -25,12 +24,12 @@ def run(*arguments, program=PROGRAM, data=None):
                           timeout=300, check=False)  # fmt: skip
 
 
-def faulty(name):
-    return os.path.join(FAULTY, f"faulty_{name}.so")
+def buggy(name):
+    return os.path.join(PLUGINS, f"buggy_{name}.so")
 
 
 def shown(name):
-    return os.path.join(FAULTY, f"shown_{name}.so")
+    return os.path.join(PLUGINS, f"shown_{name}.so")
 
 
 def held(text):
@@ -38,24 +37,24 @@ def held(text):
 
 
 class SoundSubjects(unittest.TestCase):
-    def test_the_c_example_keeps_what_its_profile_promises(self):
+    def test_the_c_example_keeps_what_its_profile_states(self):
         done = run("check", "--plugin", f"{EXAMPLES}/example_plugin.so", "--cases", "70")
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertIn(b"holds", done.stdout)
         self.assertIn(b" 0 violated,", done.stdout)
 
-    def test_the_console_example_keeps_what_its_profile_promises(self):
+    def test_the_console_example_keeps_what_its_profile_states(self):
         done = run("check", "--plugin", f"{EXAMPLES}/example_console.so", "--cases", "120")
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertIn(b"holds", done.stdout)
         self.assertIn(b" 0 violated,", done.stdout)
 
     def test_a_library_of_the_first_header_still_loads(self):
-        done = run("check", "--plugin", faulty("FIRST_SIZE"), "--property", DEGENERATE,
+        done = run("check", "--plugin", buggy("FIRST_SIZE"), "--property", DEGENERATE,
                    "--cases", "10")  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
 
-    def test_the_rust_example_keeps_what_its_profile_promises(self):
+    def test_the_rust_example_keeps_what_its_profile_states(self):
         done = run("check", "--plugin", f"{EXAMPLES}/example_rust.so", "--cases", "40")
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertGreater(held(done.stdout.decode()), 15, done.stdout)
@@ -66,7 +65,7 @@ class SoundSubjects(unittest.TestCase):
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
         self.assertEqual(drawn.stdout, exact.stdout)
 
-    def test_the_python_example_keeps_what_a_plain_program_promises(self):
+    def test_the_python_example_keeps_what_a_plain_program_states(self):
         done = run("check", "--exec", "kit/examples/program.py", "--cases", "5",
                    "--property", MODEL, "--property", SHARED_EDGE)  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
@@ -96,14 +95,14 @@ class SoundSubjects(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stderr)  # float32 and no tie rule
         self.assertIn(b"Naive", done.stdout)
 
-    def test_a_type_of_ones_own_shows_winners_in_batches(self):
-        own = ("WinnerFollowsTheDeclaredOrder", "BatchDrawsLikeSingleCalls", MODEL, SHARED_EDGE)
+    def test_a_type_of_ones_own_shows_primitive_ids_in_batches(self):
+        own = ("PrimitiveIdFollowsTheStatedOrder", "BatchDrawsLikeSingleCalls", MODEL, SHARED_EDGE)
         chosen = [word for p in own for word in ("--property", p)]
-        done = run("check", "--cases", "30", *chosen, program=f"{EXAMPLES}/own_winners")
+        done = run("check", "--cases", "30", *chosen, program=f"{EXAMPLES}/own_primitive_ids")
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertEqual(held(done.stdout.decode()), 4, done.stdout)
 
-    def test_a_subject_file_says_what_a_program_promises(self):
+    def test_a_subject_file_says_what_a_program_states(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "mine.subject")
             with open(path, "w", encoding="utf-8") as file:
@@ -113,8 +112,8 @@ class SoundSubjects(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
 
 
-class MeshClaims(unittest.TestCase):
-    """Subjects that promise meshes alone: the claims are put to them, or the run says so."""
+class MeshProperties(unittest.TestCase):
+    """Subjects that state meshes alone: they are put to the test, or the run says why not."""
 
     def checked(self, verb, program, profile, takes="clip", data=None):
         with tempfile.TemporaryDirectory() as folder:
@@ -146,16 +145,16 @@ class MeshClaims(unittest.TestCase):
         self.assertEqual(verdict.returncode, 1, verdict.stdout.decode() + verdict.stderr.decode())
 
     def test_that_nothing_can_be_asked_about_is_said_and_inconclusive(self):
-        profile = '{"name": "ties", "contract": "watertight", "fill_rule": "exclusive"}'
+        profile = '{"name": "ties", "contract": "watertight", "tie_rule": "exclusive"}'
         for verb in ("gen", "ver"):
             done = self.checked(verb, "unused", profile, takes="window", data=b"")
             self.assertEqual(done.returncode, 4, done.stderr)
-            self.assertIn(b"an exclusive fill rule covers shared edges never", done.stderr)
+            self.assertIn(b"an exclusive tie rule covers shared edges never", done.stderr)
 
 
 class FaultySubjects(unittest.TestCase):
     def check(self, name, words, *more):
-        done = run("check", "--plugin", faulty(name), "--property", MODEL, "--property",
+        done = run("check", "--plugin", buggy(name), "--property", MODEL, "--property",
                    DEGENERATE, "--cases", "30", *more)  # fmt: skip
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(words, done.stdout.decode())
@@ -170,7 +169,7 @@ class FaultySubjects(unittest.TestCase):
         self.check("EXIT", "ended with status 3")
 
     def test_a_hang_is_a_finding_with_its_limit(self):
-        done = run("check", "--plugin", faulty("HANG"), "--property", DEGENERATE, "--cases", "30",
+        done = run("check", "--plugin", buggy("HANG"), "--property", DEGENERATE, "--cases", "30",
                    "--time-limit", "0.05")  # fmt: skip
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("it hangs", done.stdout.decode())
@@ -182,17 +181,17 @@ class FaultySubjects(unittest.TestCase):
         self.check("FAR_BELOW", "killed by signal 11")
 
     def test_what_depends_on_earlier_calls_is_a_finding(self):
-        done = run("check", "--plugin", faulty("UNSTEADY"), "--property",
+        done = run("check", "--plugin", buggy("UNSTEADY"), "--property",
                    "EqualDrawsGiveEqualCounts", "--cases", "20")  # fmt: skip
         self.assertEqual(done.returncode, 1, done.stderr)
 
     def test_what_a_plugin_prints_is_no_answer(self):
-        done = run("coverage", "scenes/slivers.json", "--plugin", faulty("PRINTS"))
+        done = run("coverage", "scenes/slivers.json", "--plugin", buggy("PRINTS"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(b"this is no answer", done.stderr)
 
     def test_a_finding_without_a_place_prints_its_scene(self):
-        done = run("check", "--plugin", faulty("CRASH"), "--property", DEGENERATE, "--cases", "9")
+        done = run("check", "--plugin", buggy("CRASH"), "--property", DEGENERATE, "--cases", "9")
         text = done.stdout.decode()
         self.assertNotIn("observed ,", text)
         self.assertIn(f"{DEGENERATE}: the subject failed: it was killed by signal 11", text)
@@ -202,12 +201,12 @@ class FaultySubjects(unittest.TestCase):
             path = os.path.join(folder, "scene.json")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(scene.group(1))
-            again = run("check", path, "--plugin", faulty("CRASH"), "--property", DEGENERATE)
+            again = run("check", path, "--plugin", buggy("CRASH"), "--property", DEGENERATE)
         self.assertEqual(again.returncode, 1, again.stderr)
 
     def test_the_status_of_several_subjects_is_the_worst(self):
-        sound, refuses = f"plugin:{EXAMPLES}/example_plugin.so", f"plugin:{faulty('REFUSES')}"
-        crashes = f"plugin:{faulty('CRASH')}"
+        sound, refuses = f"plugin:{EXAMPLES}/example_plugin.so", f"plugin:{buggy('REFUSES')}"
+        crashes = f"plugin:{buggy('CRASH')}"
         for subjects, status in (((sound, refuses), 4), ((refuses, sound), 4), ((sound, sound), 0),
                                  ((crashes, refuses), 1), ((refuses, crashes), 1)):  # fmt: skip
             named = [word for name in subjects for word in ("--subject", name)]
@@ -219,9 +218,9 @@ class Outputs(unittest.TestCase):
     """Every kind of output, sound and with one fault each."""
 
     ALL = ("CoverageEqualsTheModel", "OneCallDrawsLikeItsTriangles", "BatchDrawsLikeSingleCalls",
-           "WinnerFollowsTheDeclaredOrder", "FragmentWeightsSumToOne",
-           "FragmentWeightsStayWithinTheirError", "FragmentDepthStaysInTheHull",
-           "FragmentDepthFollowsItsWeights", "ScissorOnlyCutsCoverage",
+           "PrimitiveIdFollowsTheStatedOrder", "FragmentBarycentricsSumToOne",
+           "FragmentBarycentricsStayWithinTheirError", "FragmentDepthStaysInTheHull",
+           "FragmentDepthFollowsItsBarycentrics", "ScissorOnlyCutsCoverage",
            "CullingRemovesOneFacing")  # fmt: skip
 
     def check(self, name, properties, cases="44", status=0):
@@ -230,8 +229,8 @@ class Outputs(unittest.TestCase):
         self.assertEqual(done.returncode, status, done.stdout.decode() + done.stderr.decode())
         return done.stdout.decode()
 
-    def test_a_sound_plugin_of_every_kind_keeps_what_it_promises(self):
-        serves = {"FACING_COUNTS": 5, "COUNTS": 5, "MASK": 5, "WINNERS": 6, "FRAGMENTS": 10}
+    def test_a_sound_plugin_of_every_kind_keeps_what_it_states(self):
+        serves = {"FACING_COUNTS": 5, "COUNTS": 5, "MASK": 5, "PRIMITIVE_IDS": 6, "FRAGMENTS": 10}
         for kind, count in serves.items():
             text = self.check(kind, self.ALL)
             self.assertEqual(held(text), count, text)
@@ -245,17 +244,17 @@ class Outputs(unittest.TestCase):
             ("MESH_FACING_COUNTS", "OneCallDrawsLikeItsTriangles"),
             ("MESH_COUNTS", "OneCallDrawsLikeItsTriangles"),
             ("MESH_MASK", "OneCallDrawsLikeItsTriangles"),
-            ("MESH_WINNERS", "OneCallDrawsLikeItsTriangles"),
+            ("MESH_PRIMITIVE_IDS", "OneCallDrawsLikeItsTriangles"),
             ("MANY_FACING_COUNTS", "OneCallDrawsLikeItsTriangles"),
             ("MANY_COUNTS", "OneCallDrawsLikeItsTriangles"),
             ("MANY_MASK", "OneCallDrawsLikeItsTriangles"),
-            ("MANY_WINNERS", "OneCallDrawsLikeItsTriangles"),
+            ("MANY_PRIMITIVE_IDS", "OneCallDrawsLikeItsTriangles"),
             ("FIRST_WINS", "OneCallDrawsLikeItsTriangles"),
-            ("FIRST_WINS", "WinnerFollowsTheDeclaredOrder"),
-            ("ID", "WinnerFollowsTheDeclaredOrder"),
-            ("WEIGHTS_PERMUTED", "FragmentWeightsStayWithinTheirError"),
-            ("SUM", "FragmentWeightsSumToOne"),
-            ("DEPTH", "FragmentDepthFollowsItsWeights"),
+            ("FIRST_WINS", "PrimitiveIdFollowsTheStatedOrder"),
+            ("ID", "PrimitiveIdFollowsTheStatedOrder"),
+            ("BARYCENTRICS_PERMUTED", "FragmentBarycentricsStayWithinTheirError"),
+            ("SUM", "FragmentBarycentricsSumToOne"),
+            ("DEPTH", "FragmentDepthFollowsItsBarycentrics"),
             ("HULL", "FragmentDepthStaysInTheHull"),
             ("SCISSOR", "ScissorOnlyCutsCoverage"),
             ("CULLING", "CullingRemovesOneFacing"),
@@ -267,9 +266,9 @@ class Outputs(unittest.TestCase):
             with self.subTest(name=name):
                 self.assertIn("violated", self.check(name, [found_by], status=1))
 
-    def test_a_winner_that_the_scene_does_not_have_is_a_finding(self):
+    def test_a_primitive_id_that_the_scene_does_not_have_is_a_finding(self):
         text = self.check("NO_ID", [MODEL], status=1)
-        self.assertIn("it says that triangle 100000 won a sample, of a scene of 1", text)
+        self.assertIn("triangle 100000 is visible at a sample, of a scene of 1 triangles", text)
 
 
 class FirstSteps(unittest.TestCase):
@@ -300,7 +299,7 @@ class FirstSteps(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(SCENE.encode(), done.stdout)
 
-    def test_a_scene_is_explained_by_what_the_plugin_promises(self):
+    def test_a_scene_is_explained_by_what_the_plugin_states(self):
         done = run("explain", SCENE, "--plugin", f"{EXAMPLES}/example_plugin.so")
         self.assertEqual(done.returncode, 0, done.stdout)
 
@@ -313,10 +312,10 @@ class FirstSteps(unittest.TestCase):
 
 
 class Edges(unittest.TestCase):
-    """Edge values and walks that a subject outside shows."""
+    """Edge values and steps that a subject outside shows."""
 
     VALUES = ("EdgeErrorStaysWithinItsBound", "EdgeSignIsRightOutsideItsBand")
-    WALKS = ("WalkStaysWithinItsBound", "LongWalkStaysWithinItsBound")
+    STEPS = ("SteppingStaysWithinItsBound", "LongSteppingStaysWithinItsBound")
 
     def check(self, *arguments, properties):
         named = [word for name in properties for word in ("--property", name)]
@@ -327,28 +326,28 @@ class Edges(unittest.TestCase):
         said = re.findall(r"^(holds|violated|not \w+) +\S+ (\w+) ", text.decode(), re.M)
         return {name: outcome for outcome, name in said if name in properties}
 
-    def test_sound_ones_hold_and_every_claim_is_put_to_the_test(self):
-        everything = self.VALUES + self.WALKS + ("ReversedEdgeChangesSign", "EdgeIsZeroAtItsEnds")
+    def test_sound_ones_hold_and_every_property_is_put_to_the_test(self):
+        everything = self.VALUES + self.STEPS + ("ReversedEdgeChangesSign", "EdgeIsZeroAtItsEnds")
         self.assertEqual(set(self.verdicts("SOUND", everything).values()), {"holds"})
 
-    def test_faults_are_found_by_the_claim_that_they_break(self):
+    def test_faults_are_found_by_the_property_that_they_break(self):
         for fault, name in (
             ("SIGN", self.VALUES[1]),
             ("NAN", self.VALUES[0]),
-            ("CLAIMS_EXACT", self.VALUES[0]),
-            ("WALK_LATE", self.WALKS[0]),
-            ("WALK_CRASHES", self.WALKS[0]),
-            ("WALK_TOO_LONG", self.WALKS[0]),
+            ("STATES_EXACT", self.VALUES[0]),
+            ("STEPS_LATE", self.STEPS[0]),
+            ("STEPS_CRASHES", self.STEPS[0]),
+            ("STEPS_TOO_LONG", self.STEPS[0]),
         ):
             self.assertEqual(self.verdicts(fault, [name]), {name: "violated"}, fault)
 
     def test_the_first_step_that_diverges_is_named(self):
-        done = self.check("--plugin", shown("EDGES_WALK_LATE"), properties=self.WALKS[:1])
+        done = self.check("--plugin", shown("EDGES_STEPS_LATE"), properties=self.STEPS[:1])
         self.assertIn(b"after 6 steps", done.stdout)
 
     def test_what_is_not_shown_or_not_claimed_does_not_count_as_held(self):
-        self.assertNotIn("holds", self.verdicts("NO_WALKS", self.WALKS).values())
-        self.assertNotIn("holds", self.verdicts("CLAIMS_NOTHING", self.VALUES).values())
+        self.assertNotIn("holds", self.verdicts("NO_STEPS", self.STEPS).values())
+        self.assertNotIn("holds", self.verdicts("STATES_NOTHING", self.VALUES).values())
 
     def test_a_program_on_a_pipe_shows_them_too(self):
         program = """import sys
@@ -356,7 +355,7 @@ for line in sys.stdin:
     word, number, *rest = line.split()
     ax, ay, bx, by, px, py = map(float, rest[:6])
     along_y, step, steps = False, 0, 0
-    if word == "walk":
+    if word == "steps":
         along_y, step, steps = rest[6] == "y", int(rest[7]) * int(rest[8]), int(rest[9])
     values = []
     for n in range(steps + 1):
@@ -370,9 +369,9 @@ for line in sys.stdin:
                 file.write(program)
             subject = os.path.join(folder, "mine.subject")
             with open(subject, "w", encoding="utf-8") as file:
-                file.write(f"command {sys.executable} {path}\nshows edges walks\n"
-                           "edge-error 1e-6\nwalk-error 1e-6\n")  # fmt: skip
-            done = self.check("--subject", subject, properties=self.VALUES + self.WALKS[:1])
+                file.write(f"command {sys.executable} {path}\nshows edges steps\n"
+                           "edge-error 1e-6\nstepping-error 1e-6\n")  # fmt: skip
+            done = self.check("--subject", subject, properties=self.VALUES + self.STEPS[:1])
             self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
 
 
@@ -448,11 +447,11 @@ class BadNames(unittest.TestCase):
     def test_a_library_that_is_none(self):
         self.check("check", "--plugin", "no/such.so", words=["no/such.so"])
         self.check("check", "--plugin", "README.md", words=["README.md"])
-        self.check("check", "--plugin", faulty("NO_SYMBOL"), words=["rasterproof_plugin_describe"])
-        self.check("check", "--plugin", faulty("VERSION"), words=["version 99"])
-        self.check("check", "--plugin", faulty("PROFILE"), words=["profile", "snap"])
-        self.check("check", "--plugin", faulty("AT_LOAD"), words=["signal 6"])
-        self.check("check", "--plugin", faulty("FIXED_BITS"),
+        self.check("check", "--plugin", buggy("NO_SYMBOL"), words=["rasterproof_plugin_describe"])
+        self.check("check", "--plugin", buggy("VERSION"), words=["version 99"])
+        self.check("check", "--plugin", buggy("PROFILE"), words=["profile", "snap"])
+        self.check("check", "--plugin", buggy("AT_LOAD"), words=["signal 6"])
+        self.check("check", "--plugin", buggy("FIXED_BITS"),
                    words=["32 bits before the point", "set fixed_integer_bits"])  # fmt: skip
 
     def test_a_program_that_is_none(self):
@@ -467,17 +466,18 @@ class BadNames(unittest.TestCase):
             path = os.path.join(folder, "x.subject")
             for text, word in (
                 ("coverage some\n", "facing-counts"),
-                ("colour red\n", "colour"),
+                ("wins last-drawn\n", "'wins', which is visible now"),
+                ("coverage winning-id\n", "which is primitive-id now"),
+                ('profile {"no_' 'clip": null}\n', "which is guard_band now"),
                 ("takes window\n", "command"),
-                ("command true\nwins first-drawn\n", "winning-id"),
-                ("command true\nshows walks\n", "shows edges walks"),
-                ("command true\nedge-error exact\n", "shows edges walks"),
+                ("command true\nvisible first-drawn\n", "primitive-id"),
+                ("command true\nedge-error exact\n", "shows edges steps"),
                 ("command true\nshows edges\nedge-error none\n", "none"),
-                ("command true\nshows colours\n", "edges, walks"),
-                ("command true\ncoverage winning-id\nweight-error 1e-5\n", "fragments"),
-                ("command true\ncoverage fragments\nweight-error -1\n", "-1"),
+                ("command true\nshows colours\n", "edges, steps"),
+                ("command true\ncoverage primitive-id\nbarycentric-error 1e-5\n", "fragments"),
+                ("command true\ncoverage fragments\nbarycentric-error -1\n", "-1"),
                 ("command true\ncoverage fragments\ndepth-error much\n", "much"),
-                ("command true\ncoverage winning-id\nwins all\n", "first-drawn"),
+                ("command true\ncoverage primitive-id\nvisible all\n", "first-drawn"),
                 ("command true\ntakes tiles\n", "neither window nor clip"),
                 ("command true\nprotocol 3\n", "does not speak version '3' of the protocol"),
                 ("command true\ninput fixed 12 signed\n", "line 2: the fixed-point format is not"),

@@ -1,6 +1,6 @@
 """Saved cases: what a file may bring to run (nothing), and commands that are printed to be typed.
 
-usage: saved_case_test.py PROGRAM SOURCES EXAMPLES FAULTY
+usage: saved_case_test.py PROGRAM SOURCES EXAMPLES PLUGINS
 """
 import json
 import os
@@ -11,9 +11,9 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM, SOURCES, EXAMPLES, FAULTY = (os.path.abspath(path) for path in sys.argv[1:5])
+PROGRAM, SOURCES, EXAMPLES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:5])
 PYTHON_EXAMPLE = os.path.join(SOURCES, "kit/examples/program.py")
-CANARY_LIBRARY = os.path.join(FAULTY, "canary.so")
+CANARY_LIBRARY = os.path.join(PLUGINS, "canary.so")
 MODEL = "CoverageEqualsTheModel"
 VERBS = ("replay", "explain", "shrink")
 
@@ -53,7 +53,7 @@ class TemporaryFolder(unittest.TestCase):
     def case(self, subject, name="case.json", vertices=((0, 0), (4.25, 0), (0, 4.25)), **more):
         scene = {"rasterproof_scene": 1, "width": 4, "height": 4, "vertices": vertices,
                  "triangles": [[0, 1, 2]]}  # fmt: skip
-        return self.write(name, json.dumps({"rasterproof_case": 1, "scene": scene,
+        return self.write(name, json.dumps({"rasterproof_case": 2, "scene": scene,
                                             "subject": subject, **more}))  # fmt: skip
 
 

@@ -1,6 +1,6 @@
-/* A sound rasterizer with every kind of output, and its faults, by -DFAULT_...: 8 subpixel bits,
- * nearest-even, top-left, 64-bit integers, weights and depths in double from the snapped vertices.
- * */
+/* A sound rasterizer with every kind of output, and its faults, by -DBUG_...: 8 subpixel bits,
+ * nearest-even, top-left, 64-bit integers, barycentrics and depths in double from the snapped
+ * vertices. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,13 +13,13 @@
 #define KIND RASTERPROOF_COUNTS
 #elif defined(KIND_MASK)
 #define KIND RASTERPROOF_MASK
-#elif defined(KIND_WINNERS)
-#define KIND RASTERPROOF_WINNERS
+#elif defined(KIND_PRIMITIVE_IDS)
+#define KIND RASTERPROOF_PRIMITIVE_IDS
 #else
 #define KIND RASTERPROOF_FRAGMENTS
 #endif
 
-#if defined(FAULT_FIRST_WINS)
+#if defined(BUG_FIRST_WINS)
 static const int kFirstWins = 1;
 #else
 static const int kFirstWins = 0;
@@ -59,23 +59,24 @@ static void show_fragment(const triangle* t, const int64_t e[3], const rasterpro
   double w[3];
   for (int k = 0; k < 3; ++k) w[k] = (double)e[k] / area;
   double depth = w[0] * t->z[0] + w[1] * t->z[1] + w[2] * t->z[2];
-#if defined(FAULT_WEIGHTS_PERMUTED)
+#if defined(BUG_BARYCENTRICS_PERMUTED)
   const double first = w[0];
   w[0] = w[1];
   w[1] = first;
-#elif defined(FAULT_SUM)
+#elif defined(BUG_SUM)
   w[2] *= 1 + 0x1p-44;
-#elif defined(FAULT_DEPTH)
+#elif defined(BUG_DEPTH)
   depth = w[0] * t->z[0] + w[1] * t->z[2] + w[2] * t->z[1];
-#elif defined(FAULT_HULL)
+#elif defined(BUG_HULL)
   depth = t->z[0] + t->z[1] + t->z[2];
 #endif
 #if defined(NEEDS_ALL)
-  const uint32_t wants = RASTERPROOF_WANTS_WEIGHTS | RASTERPROOF_WANTS_DEPTHS;
+  const uint32_t wants = RASTERPROOF_WANTS_BARYCENTRICS | RASTERPROOF_WANTS_DEPTHS;
 #else
   const uint32_t wants = target->wants;
 #endif
-  if ((wants & RASTERPROOF_WANTS_WEIGHTS) != 0) memcpy(target->weights + 3 * at, w, sizeof w);
+  if ((wants & RASTERPROOF_WANTS_BARYCENTRICS) != 0)
+    memcpy(target->barycentrics + 3 * at, w, sizeof w);
   if ((wants & RASTERPROOF_WANTS_DEPTHS) != 0) target->depths[at] = depth;
 }
 
@@ -88,19 +89,19 @@ static void show(const triangle* t, int32_t index, const int64_t e[3],
   } else if (KIND == RASTERPROOF_MASK) {
     target->front[at] = 1;
   } else {
-    if (kFirstWins && target->winners[at] >= 0) return;
-#if defined(FAULT_ID)
-    target->winners[at] = index >= 256 ? index - 1 : index;
-#elif defined(FAULT_NO_ID)
-    target->winners[at] = index + 100000;
+    if (kFirstWins && target->primitive_ids[at] >= 0) return;
+#if defined(BUG_ID)
+    target->primitive_ids[at] = index >= 256 ? index - 1 : index;
+#elif defined(BUG_NO_ID)
+    target->primitive_ids[at] = index + 100000;
 #else
-    target->winners[at] = index;
+    target->primitive_ids[at] = index;
 #endif
     if (KIND == RASTERPROOF_FRAGMENTS) show_fragment(t, e, target, at);
   }
 }
 
-#if defined(FAULT_EVERY_THIRD)
+#if defined(BUG_EVERY_THIRD)
 static int is_third = 0;
 #endif
 
@@ -121,10 +122,10 @@ static int32_t end(const triangle* t, int axis, int32_t to) {
 static void draw_triangle(const triangle* t, int32_t index, const rasterproof_scene* scene,
                           const rasterproof_target* target) {
   const int32_t* cut = scene->scissor;
-#if defined(FAULT_SCISSOR)
+#if defined(BUG_SCISSOR)
   const int32_t whole[4] = {0, 0, scene->width, scene->height};
   cut = whole;
-#elif defined(FAULT_EVERY_THIRD)
+#elif defined(BUG_EVERY_THIRD)
   const int32_t below[4] = {cut[0], cut[1] > 0 ? cut[1] : 1, cut[2], cut[3]};
   if (is_third) cut = below;
 #endif
@@ -138,7 +139,7 @@ static void draw_triangle(const triangle* t, int32_t index, const rasterproof_sc
 }
 
 static int is_culled(const triangle* t, const rasterproof_scene* scene) {
-#if defined(FAULT_CULLING)
+#if defined(BUG_CULLING)
   return 0;
 #endif
   return (scene->cull == RASTERPROOF_CULL_FRONT && !t->is_back) ||
@@ -159,32 +160,32 @@ static int set_up(const rasterproof_scene* scene, size_t index, triangle* t) {
   return area != 0;
 }
 
-#if defined(FAULT_ONE_SAMPLE)
+#if defined(BUG_ONE_SAMPLE)
 /* One sample of a large mesh: covered if it is not, and the other way round. */
 static void turn_middle(const rasterproof_scene* scene, const rasterproof_target* target) {
   const size_t at = (size_t)(scene->height / 2) * target->stride + (size_t)(scene->width / 2);
   if (KIND == RASTERPROOF_MASK) {
     target->front[at] = target->front[at] == 0;
   } else {
-    target->winners[at] = target->winners[at] < 0 ? 0 : -1;
+    target->primitive_ids[at] = target->primitive_ids[at] < 0 ? 0 : -1;
   }
 }
 #endif
 
 static int32_t draw(void* state, const rasterproof_scene* scene, const rasterproof_target* target) {
   (void)state;
-#if defined(FAULT_EVERY_THIRD)
+#if defined(BUG_EVERY_THIRD)
   static int draws = 0;
   is_third = ++draws % 3 == 0;
 #endif
-#if defined(FAULT_CRASHES_THIRD)
+#if defined(BUG_CRASHES_THIRD)
   static int calls = 0;
   if (++calls % 3 == 0) abort();
 #endif
   size_t count = scene->triangle_count;
-#if defined(FAULT_MESH)
+#if defined(BUG_MESH)
   if (count > 1) --count;
-#elif defined(FAULT_MANY)
+#elif defined(BUG_MANY)
   if (count > 256) count = 256;
 #endif
   for (size_t n = 0; n < count; ++n) {
@@ -192,7 +193,7 @@ static int32_t draw(void* state, const rasterproof_scene* scene, const rasterpro
     if (!set_up(scene, n, &t) || is_culled(&t, scene)) continue;
     draw_triangle(&t, (int32_t)n, scene, target);
   }
-#if defined(FAULT_ONE_SAMPLE)
+#if defined(BUG_ONE_SAMPLE)
   if (count > 1000) turn_middle(scene, target);
 #endif
   return 0;
@@ -202,15 +203,15 @@ static int32_t draw(void* state, const rasterproof_scene* scene, const rasterpro
 static int32_t draw_many(void* state, const rasterproof_scene* const* scenes,
                          const rasterproof_target* const* targets, size_t n) {
   for (size_t k = 0; k < n; ++k) {
-#if defined(FAULT_BATCH_LAST)
+#if defined(BUG_BATCH_LAST)
     if (k + 1 == n) continue;
-#elif defined(FAULT_BATCH_LEAK)
+#elif defined(BUG_BATCH_LEAK)
     if (k > 0 && targets[k - 1]->front[0] != 0) targets[k]->front[0] += 1;
-#elif defined(FAULT_BATCH_INDICES) || defined(FAULT_BATCH_VERTICES)
+#elif defined(BUG_BATCH_INDICES) || defined(BUG_BATCH_VERTICES)
     if (k > 0 && scenes[k]->triangle_count == scenes[k - 1]->triangle_count &&
         scenes[k]->vertex_count == scenes[k - 1]->vertex_count) {
       rasterproof_scene stale = *scenes[k];
-#if defined(FAULT_BATCH_INDICES)
+#if defined(BUG_BATCH_INDICES)
       stale.triangles = scenes[k - 1]->triangles;
 #else
       stale.vertices = scenes[k - 1]->vertices;
@@ -218,11 +219,11 @@ static int32_t draw_many(void* state, const rasterproof_scene* const* scenes,
       if (draw(state, &stale, targets[k]) != 0) return 1;
       continue;
     }
-#elif defined(FAULT_BATCH_CRASH)
+#elif defined(BUG_BATCH_CRASH)
     if (scenes[k]->triangle_count == 3) abort();
-#elif defined(FAULT_BATCH_CRASH_TOGETHER)
+#elif defined(BUG_BATCH_CRASH_TOGETHER)
     if (k > 0 && scenes[k]->triangle_count + scenes[k - 1]->triangle_count == 5) abort();
-#elif defined(FAULT_BATCH_REFUSED)
+#elif defined(BUG_BATCH_REFUSED)
     return 1;
 #endif
     const int32_t refused = draw(state, scenes[k], targets[k]);
@@ -232,7 +233,7 @@ static int32_t draw_many(void* state, const rasterproof_scene* const* scenes,
 }
 #endif
 
-#if defined(FAULT_BATCH_CRASH)
+#if defined(BUG_BATCH_CRASH)
 static int32_t draw_or_crash(void* state, const rasterproof_scene* scene,
                              const rasterproof_target* target) {
   if (scene->triangle_count == 3) abort();
@@ -266,8 +267,8 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
 #else
       .draw_many = draw_many,
 #endif
-      .weights_of = RASTERPROOF_OF_SNAPPED,
-      .weight_error = 0x1p-46,
+      .barycentrics_of = RASTERPROOF_OF_SNAPPED,
+      .barycentric_error = 0x1p-46,
       .depth_error = 0x1p-44,
   };
   return &plugin;

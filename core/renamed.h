@@ -1,0 +1,16 @@
+// Words of files, options and interfaces that were replaced before the first release.
+#ifndef RASTERPROOF_CORE_RENAMED_H_
+#define RASTERPROOF_CORE_RENAMED_H_
+
+#include <string>
+#include <string_view>
+
+namespace rasterproof {
+
+/// What an error message says behind an unknown word: ", which is NEW now" for one that was
+/// replaced (docs/decisions/0098), else nothing.
+std::string RenamedText(std::string_view word);
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_RENAMED_H_

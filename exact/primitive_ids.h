@@ -1,0 +1,28 @@
+// Which triangle stays on each sample where several cover it.
+#ifndef RASTERPROOF_EXACT_PRIMITIVE_IDS_H_
+#define RASTERPROOF_EXACT_PRIMITIVE_IDS_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "core/draw_options.h"
+#include "core/drawing.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/subject_info.h"
+
+namespace rasterproof::exact {
+
+/// Returns for every sample the last or the first triangle of the scene's list that covers it by
+/// the profile's canonical model, or kNoPrimitive.
+///
+/// Domain:     as Coverage.
+/// Shape:      as CoverageCounts.
+/// Error:      as Coverage.
+/// Cost:       as Coverage, and the target's width for each row that a triangle meets.
+std::vector<std::int32_t> PrimitiveIds(const Scene& scene, const Profile& profile,
+                                       const DrawOptions& options, Visible order);
+
+}  // namespace rasterproof::exact
+
+#endif  // RASTERPROOF_EXACT_PRIMITIVE_IDS_H_

@@ -1,0 +1,141 @@
+// What is next to what only some profiles state: a range that wraps, a largest extent, a
+// guard-band rectangle, models of their own for some targets. Asked about a profile without it, a
+// recipe takes one in its place, so that every bit string makes a case for every subject.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "props/domains/lines.h"
+#include "props/domains/recipes.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The step of the lattice beside x, also where that is 0.
+double StepAt(const InputLattice& lattice, double x) {
+  return std::max(lattice.Step(x), lattice.Step(0.5));
+}
+
+}  // namespace
+
+Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  sketch.IgnoreLimit();
+  const FixedInput fixed = info.profile.fixed.value_or(FixedInput{});
+  const auto most = std::min(info.profile.coordinate_limit, 3 * fixed.Span());
+  const auto wrapping = [&](double x) {
+    // Beside an end of the range, or an ordinary place some spans away.
+    const std::int64_t kind = bits.Int(0, 7);
+    if (kind == 0) x = fixed.Least() + static_cast<double>(bits.Int(-2, 2)) * fixed.Step();
+    if (kind == 1) x = fixed.Largest() + static_cast<double>(bits.Int(-2, 2)) * fixed.Step();
+    const double away = x + static_cast<double>(bits.Int(-2, 2)) * fixed.Span();
+    return std::fabs(away) <= most ? away : x;
+  };
+  const std::int64_t triangles = bits.Int(1, 3);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    // An edge through a sample, and a place beside it: all of it taken apart by whole spans.
+    const Point2 p = sketch.Sample();
+    const Segment edge = SegmentThrough(sketch, p);
+    std::array<Point2, 3> v{edge.a, edge.b, sketch.Place()};
+    for (Point2& corner : v) {
+      const double x = wrapping(sketch.lattice().Round(corner.x));
+      corner = {x, wrapping(sketch.lattice().Round(corner.y))};
+    }
+    sketch.AddTriangle(v);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const MaxPrimitiveExtent most =
+      info.profile.max_primitive_extent.value_or(MaxPrimitiveExtent{64, 32});
+  // From `low` on, an extent a few steps off the largest one; in half steps, so that on a grid of
+  // fewer bits than the input the snap decides. Or an ordinary extent.
+  const auto high_end = [&](double low, double extent) {
+    if (bits.Chance(96)) return low + extent * sketch.Uniform(0.1, 0.9);
+    const double step = StepAt(sketch.lattice(), low + extent);
+    return low + extent + static_cast<double>(bits.Int(-4, 4)) * 0.5 * step;
+  };
+  const auto low_end = [&](double extent, int side, bool along_y) {
+    const double at = sketch.Coordinate(side, along_y);
+    const double back = bits.Chance(128) ? extent : 0;
+    return sketch.lattice().Round(at - back * sketch.Uniform(0, 1));
+  };
+  const std::int64_t triangles = bits.Int(1, 3);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    const double left = low_end(most.width, sketch.width(), false);
+    const double right = high_end(left, most.width);
+    const double top = low_end(most.height, sketch.height(), true);
+    const double bottom = high_end(top, most.height);
+    const double part = sketch.Uniform(0, 1);
+    const bool right_angle = bits.Chance(128);
+    const double within = sketch.lattice().limit();
+    const std::array<Point2, 3> v{
+        Point2{left, top}, Point2{right, right_angle ? top : top + part * (bottom - top)},
+        Point2{right_angle ? left : left + part * (right - left), bottom}};
+    std::array<std::int32_t, 3> corner{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corner[k] = sketch.AddRaw({std::clamp(v[k].x, sketch.lattice().lowest(), within),
+                                 std::clamp(v[k].y, sketch.lattice().lowest(), within)});
+    }
+    sketch.AddTriangle(corner[0], corner[1], corner[2]);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case GuardBandEnds(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const WindowBox box = info.profile.guard_band.value_or(WindowBox{-256, -256, 256, 256});
+  // On a side of the rectangle, a step or two inside or outside it, well outside, or well inside.
+  // Now and then all ends lie inside, or single samples would hardly ever be judged.
+  const bool all_inside = bits.Chance(112);
+  const auto end = [&](double side, double outwards) {
+    const std::int64_t kind = bits.Int(0, 5);
+    if (kind == 0 && !all_inside) return side + outwards * sketch.Uniform(1, 64);
+    if (kind == 1) return side - outwards * sketch.Uniform(1, 8);
+    const auto steps = static_cast<double>(bits.Int(-2, all_inside ? 0 : 2));
+    return side + outwards * steps * StepAt(sketch.lattice(), side);
+  };
+  // Two triangles on either side of an edge across the target, or a fan of four about a place in
+  // it: neighbours share edges that leave the rectangle.
+  const Point2 hub = bits.Chance(128) ? sketch.Sample() : sketch.Place();
+  const Point2 left{end(box.x0, -1), sketch.Coordinate(sketch.height(), true)};
+  const Point2 top{sketch.Coordinate(sketch.width(), false), end(box.y0, -1)};
+  const Point2 right{end(box.x1, 1), sketch.Coordinate(sketch.height(), true)};
+  const Point2 bottom{sketch.Coordinate(sketch.width(), false), end(box.y1, 1)};
+  const std::array<std::int32_t, 4> around{sketch.Add(left), sketch.Add(top), sketch.Add(right),
+                                           sketch.Add(bottom)};
+  if (bits.Chance(128)) {
+    sketch.AddTriangle(around[0], around[1], around[2]);
+    sketch.AddTriangle(around[0], around[2], around[3]);
+  } else {
+    const std::int32_t middle = sketch.Add(hub);
+    for (std::size_t k = 0; k < 4; ++k) {
+      sketch.AddTriangle(around[k], around[(k + 1) % 4], middle);
+    }
+  }
+  return sketch.Done(Finish::kMesh);
+}
+
+Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info) {
+  const TargetModel any{.max_width = 64, .max_height = 64};
+  const std::span<const TargetModel> models = info.profile.by_target_size.empty()
+                                                  ? std::span(&any, 1)
+                                                  : std::span(info.profile.by_target_size);
+  const TargetModel& model = bits.OneOf(models);
+  // One side of the largest size of the model, or one pixel more or less, the other small.
+  const bool wide = bits.Chance(128);
+  const int most = wide ? model.max_width : model.max_height;
+  const std::int64_t beside = bits.Chance(128) ? 0 : bits.Int(-1, 1);
+  const int side = static_cast<int>(std::clamp<std::int64_t>(most + beside, 1, kMaxTargetSide));
+  const int other = static_cast<int>(bits.Int(1, 16));
+  Sketch sketch(bits, info, wide ? side : other, wide ? other : side);
+  AddDecidingTies(sketch);
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+}  // namespace rasterproof::props

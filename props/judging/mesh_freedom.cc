@@ -1,0 +1,56 @@
+#include "props/judging/mesh_freedom.h"
+
+#include <algorithm>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "model/snap_scene.h"
+#include "props/judging/mesh_model.h"
+#include "props/judging/redraw.h"
+
+namespace rasterproof::props {
+namespace {
+
+bool LiesAroundTheEye(const Scene& scene) {
+  return scene.clip_space &&
+         std::ranges::any_of(scene.vertices, [](const Vertex& v) { return !(v.w > 0); });
+}
+
+}  // namespace
+
+bool SharesTies(const Profile& profile) {
+  return profile.shares_edge_samples || profile.tie_rule.inclusive;
+}
+
+SharedTies::SharedTies(const Case& c) {
+  if (!SharesTies(c.profile)) return;
+  if (LegalReach(c) != 0) {
+    edges_ = Outline::OfAllEdges(c, LegalReach(c));
+    return;
+  }
+  most_ = CoverageUnder(c, {.inclusive = true}, WholeTarget(c));
+}
+
+OpenParts::OpenParts(const Case& c, bool spares_outline) {
+  const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
+  if (one_model || LiesAroundTheEye(c.scene)) {
+    const MeshFacings facings = FacingsOf(c);
+    is_folded_ = facings.folded;
+    is_flat_ = !one_model && facings.degenerate != 0;
+  }
+  if (one_model) {
+    if (spares_outline) outline_ = Outline(c);
+    return;
+  }
+  double most_moved = LegalReach(c);
+  if (LiesAroundTheEye(c.scene)) {
+    thin_ = ThinTriangles(c, most_moved);
+  } else {
+    open_ = OpenTriangles(c);
+    is_folded_ = open_.RestIsFolded();
+    most_moved = open_.MostMoved();
+  }
+  outline_ = Outline::OfMoved(c, most_moved);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,60 @@
+// What a legal choice leaves open of a mesh: which samples nothing is said of, and which may be
+// covered more often than once.
+#ifndef RASTERPROOF_PROPS_JUDGING_MESH_FREEDOM_H_
+#define RASTERPROOF_PROPS_JUDGING_MESH_FREEDOM_H_
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/case.h"
+#include "core/coverage.h"
+#include "props/judging/free_choices.h"
+#include "props/judging/outline.h"
+#include "props/judging/thin_triangles.h"
+
+namespace rasterproof::props {
+
+/// Whether every triangle may have the samples on its edges: edge_samples may be shared, or the tie
+/// rule is inclusive.
+bool SharesTies(const Profile& profile);
+
+/// The samples that more than one triangle of a mesh may cover: those on its edges, where the
+/// profile lets every triangle have them; near its edges, where those may lie elsewhere.
+class SharedTies {
+ public:
+  explicit SharedTies(const Case& c);
+
+  /// Whether the sample may be covered so often. `index`: in counts of the case's target.
+  bool Allow(std::uint32_t count, std::size_t index, Point2 at) const {
+    return most_.size() != 0 ? count <= most_.Count(index) : edges_.IsNear(at);
+  }
+
+ private:
+  CoverageCounts most_;
+  Outline edges_;
+};
+
+/// Where a mesh's outline lies, and what a legal choice can turn.
+class OpenParts {
+ public:
+  /// `spares_outline`: samples beside the outline are another property's business.
+  OpenParts(const Case& c, bool spares_outline);
+
+  /// Whether triangles face opposite ways, in some legal model.
+  bool IsFolded() const { return is_folded_; }
+  /// Around the eye: nothing is said of triangles in a plane with it.
+  bool IsFlat() const { return is_flat_; }
+  bool IsBesideTheOutline(Point2 p) const { return outline_.IsNear(p); }
+  bool CanTurnAt(Point2 p) const { return open_.CanCover(p) || thin_.AreNear(p); }
+
+ private:
+  bool is_folded_ = false;
+  bool is_flat_ = false;
+  Outline outline_;
+  OpenTriangles open_;
+  ThinTriangles thin_;
+};
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_MESH_FREEDOM_H_

@@ -1,0 +1,64 @@
+// Every barycentric lies within the subject's bound of lambda_i; unsigned ones only in the
+// triangle.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "props/judging/barycentric_queries.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (const auto& [q, forms] : answers) {
+    const std::array<exact::Rational, 3> lambda = ExactBarycentrics(q);
+    for (const auto& [form, barycentrics, bounds] : forms) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (!IsStated(bounds[i])) continue;
+        ++exercised;
+        const Distance distance = CompareWithExact(barycentrics[i], lambda[i], bounds[i]);
+        if (!distance.within) {
+          return BarycentricViolation(
+              q, static_cast<int>(i), exercised,
+              "barycentric (" + std::string(FormName(form)) + ") outside its proven bound",
+              HexText(barycentrics[i]), lambda[i].ToString() + " within " + HexText(bounds[i]));
+        }
+        worst = std::max(worst, distance.ratio);
+      }
+    }
+  }
+  return Verdict::Held(exercised, worst);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
+}
+
+}  // namespace
+
+constinit const Property kBarycentricsStayWithinTheirBound{
+    .name = "BarycentricsStayWithinTheirBound",
+    .group = "barycentric",
+    .clause =
+        "lambda_i is the signed area of the part opposite vertex i over that of the whole "
+        "(OpenGL 4.6 section 14.6.1, the barycentrics a, b, c).",
+    .tolerance = kBarycentricBounds,
+    .domains = kBarycentrics,
+    .gate = {.shows = Shows::kBarycentrics,
+             .contract = ContractNeeded::kNone,
+             .unwrapped = true,
+             .where = "area not zero; unsigned areas: closed triangle only"},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,82 @@
+// The three barycentrics, added exactly, sum to one within the bound stated for the form.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "props/judging/barycentric_queries.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+// A query in a form that the subject states a bound on the sum of.
+struct BoundedSum {
+  BarycentricQuery query;
+  BarycentricForm form = BarycentricForm::kVertexArea;
+  double bound = 0;
+};
+
+Verdict Judge(const std::vector<BoundedSum>& sums, const Answers& answers) {
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const auto& [q, form, bound] = sums[k];
+    const std::array<double, 3>& l = answers.barycentrics[k];
+    ++exercised;
+    const std::string property =
+        "barycentrics (" + std::string(FormName(form)) + ") do not sum to one";
+    if (!AreFinite(l)) {
+      return BarycentricViolation(q, -1, exercised, property, BarycentricsText(l),
+                                  "finite barycentrics");
+    }
+    const Distance distance = DistanceFromSumOne(l, bound);
+    if (!distance.within) {
+      return BarycentricViolation(q, -1, exercised, property, BarycentricsText(l),
+                                  "a sum of 1 within " + HexText(bound));
+    }
+    worst = std::max(worst, distance.ratio);
+  }
+  return Verdict::Held(exercised, worst);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<BoundedSum> sums;
+  Questions questions;
+  for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {
+    for (const BarycentricForm form : FormsFor(q)) {
+      const double bound = subject.barycentrics->SumErrorBound(form, q.v, q.place.at);
+      if (!IsStated(bound)) continue;
+      sums.push_back({q, form, bound});
+      questions.barycentrics.push_back({form, q.v, q.place.at});
+    }
+  }
+  return OneCheck(std::move(questions), [sums = std::move(sums)](const Answers& answers) {
+    return Judge(sums, answers);
+  });
+}
+
+}  // namespace
+
+constinit const Property kBarycentricsSumToOne{
+    .name = "BarycentricsSumToOne",
+    .group = "barycentric",
+    .clause =
+        "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
+    .tolerance = "the subject's proven SumErrorBound",
+    .domains = kBarycentrics,
+    .gate = {.shows = Shows::kBarycentrics,
+             .contract = ContractNeeded::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

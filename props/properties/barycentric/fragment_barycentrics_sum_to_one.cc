@@ -1,0 +1,59 @@
+// The barycentrics at a covered sample sum to one.
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "props/judging/barycentric_queries.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/fragment_queries.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(const std::vector<Fragment>& fragments) {
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (const Fragment& f : fragments) {
+    const auto& [a, b, d] = f.barycentric_tolerances;
+    const double bound = a + b + d;
+    if (!IsStated(bound)) continue;
+    ++exercised;
+    const std::string property = "the barycentrics of a fragment do not sum to one";
+    if (!AreFinite(f.barycentrics)) {
+      return FragmentViolation(f, -1, exercised, property, BarycentricsText(f.barycentrics),
+                               "finite barycentrics");
+    }
+    const Distance distance = DistanceFromSumOne(f.barycentrics, bound);
+    if (!distance.within) {
+      return FragmentViolation(f, -1, exercised, property, BarycentricsText(f.barycentrics),
+                               "a sum of 1 within " + HexText(bound));
+    }
+    worst = std::max(worst, distance.ratio);
+  }
+  return Verdict::Held(exercised, worst);
+}
+
+Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+
+}  // namespace
+
+constinit const Property kFragmentBarycentricsSumToOne{
+    .name = "FragmentBarycentricsSumToOne",
+    .group = "barycentric",
+    .clause =
+        "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
+    .tolerance = "the sum of the three tolerances of FragmentBarycentricsStayWithinTheirError",
+    .domains = kBarycentrics,
+    .gate = {.shows = Shows::kFragments,
+             .contract = ContractNeeded::kNone,
+             .unwrapped = true,
+             .where = kAreaNotZero},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,51 @@
+// The depth at a sample in the closed triangle lies between its vertices' least and greatest.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "props/judging/exact_comparison.h"
+#include "props/judging/fragment_queries.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(const std::vector<Fragment>& fragments) {
+  std::uint64_t exercised = 0;
+  for (const Fragment& f : fragments) {
+    if (!f.query.inside || !IsStated(f.depth_tolerance)) continue;
+    ++exercised;
+    const auto [low, high] = std::minmax({f.z[0], f.z[1], f.z[2]});
+    // The nearest depth of the hull; NaN has none, and is within of nothing.
+    const double nearest = std::isfinite(f.depth) ? std::clamp(f.depth, low, high) : low;
+    if (CompareWithExact(f.depth, exact::Rational(nearest), f.depth_tolerance).within) continue;
+    return FragmentViolation(f, -1, exercised, "the depth of a fragment leaves the hull",
+                             HexText(f.depth),
+                             "a depth of [" + HexText(low) + ", " + HexText(high) + "] within " +
+                                 HexText(f.depth_tolerance));
+  }
+  return Verdict::Held(exercised);
+}
+
+Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+
+}  // namespace
+
+constinit const Property kFragmentDepthStaysInTheHull{
+    .name = "FragmentDepthStaysInTheHull",
+    .group = "barycentric",
+    .clause = "Inside, a depth is a convex combination of the vertices' depths.",
+    .tolerance = kDepthTolerance,
+    .domains = kBarycentrics,
+    .gate = {.shows = Shows::kFragments,
+             .contract = ContractNeeded::kNone,
+             .unwrapped = true,
+             .where = "samples in the closed triangle of the vertices that it names"},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,59 @@
+// In the closed triangle a value interpolated with positive w lies between its vertices' values.
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "props/judging/exact_comparison.h"
+#include "props/judging/interpolation_queries.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+Verdict Judge(const std::vector<InterpolationAnswer>& answers) {
+  std::uint64_t exercised = 0;
+  for (const auto& [q, form, bound, value] : answers) {
+    const auto [least, greatest] = std::ranges::minmax(q.attribute);
+    ++exercised;
+    // Inside the hull, or past the nearer end by at most the bound. NaN is neither.
+    if (value >= least && value <= greatest) continue;
+    const double end = value < least ? least : greatest;
+    if (AgreeWithin(value, end, -1, bound, 0)) continue;
+    return BarycentricViolation(
+        q.at, -1, exercised,
+        "value interpolated " + std::string(InterpolationName(form)) + " leaves the hull",
+        HexText(value),
+        "[" + HexText(least) + ", " + HexText(greatest) + "] within " + HexText(bound));
+  }
+  return Verdict::Held(exercised);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<InterpolationQuery> inside = SomeInterpolations(c);
+  std::erase_if(inside, [](const InterpolationQuery& q) { return !q.at.inside; });
+  return AskInterpolations(inside,
+                           {InterpolationForm::kBarycentrics, InterpolationForm::kDeltas,
+                            InterpolationForm::kPerspective},
+                           *subject.barycentrics, Judge);
+}
+
+}  // namespace
+
+constinit const Property kInterpolatedValuesStayInTheHull{
+    .name = "InterpolatedValuesStayInTheHull",
+    .group = "barycentric",
+    .clause = "Inside, an interpolated value is a convex combination of the vertices' values.",
+    .tolerance = kInterpolationBound,
+    .domains = kBarycentrics,
+    .gate = {.shows = Shows::kBarycentrics,
+             .contract = ContractNeeded::kNone,
+             .unwrapped = true,
+             .where = "area not zero; samples in the closed triangle; every w positive"},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,67 @@
+// Which properties speak for which contract.
+#ifndef RASTERPROOF_PROPS_PROPERTIES_CONTRACT_PROPERTIES_H_
+#define RASTERPROOF_PROPS_PROPERTIES_CONTRACT_PROPERTIES_H_
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "core/profile.h"
+
+namespace rasterproof::props {
+
+// A subject can hold every other property of the catalogue and still cover nothing as it states:
+// that it draws the same twice, or writes nowhere else, is not its contract.
+
+inline constexpr auto kSampleExactProperties = std::to_array<std::string_view>(
+    {"CoverageEqualsTheModel", "ClipSpaceCoverageEqualsTheModel", "OneLegalModelExplainsTheMesh",
+     "EmbeddedMeshSamplesAreCoveredOnce", "SharedEdgeSamplesAreCoveredOnce",
+     "SignedCoverageEqualsTheWindingNumber", "NeighboursAreClippedAlike"});
+inline constexpr auto kWatertightProperties = std::to_array<std::string_view>(
+    {"EmbeddedMeshSamplesAreCoveredOnce", "SharedEdgeSamplesAreCoveredOnce",
+     "NeighboursAreClippedAlike"});
+inline constexpr auto kClosedProperties = std::to_array<std::string_view>(
+    {"ClosedMeshCancels", "ClosedSurfaceAroundTheEyeIsSeenEquallyOften"});
+inline constexpr auto kConservativeProperties =
+    std::to_array<std::string_view>({"ConservativeCoverageKeepsToItsSide"});
+
+/// The names of the properties that put the contract to the test; none for the contract `none`.
+constexpr std::span<const std::string_view> PropertiesOf(Contract contract) {
+  switch (contract) {
+    case Contract::kSampleExact:
+      return kSampleExactProperties;
+    case Contract::kWatertight:
+      return kWatertightProperties;
+    case Contract::kClosed:
+      return kClosedProperties;
+    case Contract::kConservativeOver:
+    case Contract::kConservativeUnder:
+      return kConservativeProperties;
+    case Contract::kNone:
+      break;
+  }
+  return {};
+}
+
+/// As a profile's `contract` key spells it.
+constexpr std::string_view ContractName(Contract contract) {
+  switch (contract) {
+    case Contract::kSampleExact:
+      return "sample-exact";
+    case Contract::kWatertight:
+      return "watertight";
+    case Contract::kClosed:
+      return "closed";
+    case Contract::kConservativeOver:
+      return "conservative-over";
+    case Contract::kConservativeUnder:
+      return "conservative-under";
+    case Contract::kNone:
+      break;
+  }
+  return "none";
+}
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_PROPERTIES_CONTRACT_PROPERTIES_H_

@@ -1,0 +1,76 @@
+// A closed surface shows as much front as back at every sample.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/profile.h"
+#include "exact/coverage.h"
+#include "exact/winding.h"
+#include "model/snap_scene.h"
+#include "props/judging/free_choices.h"
+#include "props/judging/mesh_neighbours.h"
+#include "props/judging/signed_coverage.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+// What is closed before it is snapped stays closed, whatever grid points are chosen.
+bool IsClosedInEveryModel(const Case& c) {
+  if (c.scene.clip_space) return IsClosed(c.scene);
+  const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
+  if (one_model) return exact::ShapeOf(c.scene, c.profile).closed;
+  Profile as_it_is;
+  as_it_is.pattern = c.profile.pattern;
+  return exact::ShapeOf(UnsnappedScene(c), as_it_is).closed;
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  if (std::ranges::any_of(c.scene.vertices, [](const Vertex& v) { return !(v.w > 0); })) {
+    return NothingAsked("the surface may wind around the eye");
+  }
+  if (!c.scene.clip_space) {  // elsewhere the scene tells, whatever it becomes on a grid
+    if (const auto why = exact::WhyNotDecided(c.scene, c.profile)) return NotDecided(why->what());
+  }
+  const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
+  if (!IsClosedInEveryModel(c)) return NothingAsked("the mesh has a boundary");
+  Spared spared;
+  if (!one_model) {
+    spared.open = OpenTriangles(c);
+    // A surface that is turned in part still cancels, by the facings that the subject itself gives
+    // its triangles; what covers something without area need not.
+    const bool turns_cancel =
+        TellsFacings(subject) && c.profile.degenerate_triangles == DegenerateTriangles::kNothing;
+    if (turns_cancel) spared.open.ForgetTurned();
+  }
+  const std::size_t size =
+      CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.pattern.samples());
+  return CompareSignedCoverage(c, std::vector<std::int64_t>(size), "zero, the mesh is closed",
+                               std::move(spared));
+}
+
+}  // namespace
+
+constinit const Property kClosedMeshCancels{
+    .name = "ClosedMeshCancels",
+    .group = "coverage",
+    .clause = "A closed surface has no boundary: what it shows of its front it shows of its back.",
+    .tolerance = kExact,
+    .domains = kClosed,
+    .gate = {.space = Space::kEither,
+             .contract = ContractNeeded::kClosed,
+             .any_model = true,
+             .judges_clipped = true,
+             .needs_facings = true,
+             .rules = kSignedCoverageRules,
+             .where = "every edge is walked as often each way; in clip space in front of the eye; "
+                      "facings told, or no legal choice turns a triangle there"},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

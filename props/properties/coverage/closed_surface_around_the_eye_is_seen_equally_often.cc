@@ -1,0 +1,72 @@
+// Front minus back of a closed clip-space surface is the same at every sample.
+//
+// It is the number of times that the surface winds around the eye.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "exact/homogeneous.h"
+#include "props/judging/free_choices.h"
+#include "props/judging/mesh_neighbours.h"
+#include "props/judging/signed_coverage.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::array kRules{
+    kCountsTies, kOwnsEdges,
+    ProfileRule{[](const Profile& p) { return p.snap.IsNone(); }, "no snapping",
+                "snapping follows the division: a profile without it is needed"}};
+
+// The eye is the origin. A triangle in a plane through it can hold it only if its vertices are not
+// all on one side of w = 0.
+bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
+  const bool in_front = std::ranges::all_of(v, [](const Vertex& p) { return p.w > 0; });
+  const bool behind = std::ranges::all_of(v, [](const Vertex& p) { return p.w < 0; });
+  return !in_front && !behind && exact::DeterminantSign(v) == 0;
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  if (c.scene.triangles.empty() || !IsClosed(c.scene)) {
+    return NothingAsked("the surface is not closed");
+  }
+  for (const Triangle& t : c.scene.triangles) {
+    if (MayHoldTheEye(Corners(c.scene, t))) return NothingAsked("the eye may lie on the surface");
+  }
+  // The surface winds equally often around the eye in every direction: one ray tells it for all.
+  const CoverageCounts one =
+      exact::Coverage(c.scene, c.profile, {.scissor = PixelRect{0, 0, 1, 1}});
+  Spared spared;
+  if (!HasOneModel(c.profile) && !TellsFacings(subject)) spared.open = OpenTriangles(c);
+  return CompareSignedCoverage(c, std::vector<std::int64_t>(one.size(), one.Signed(0)),
+                               "the winding number around the eye", std::move(spared));
+}
+
+}  // namespace
+
+constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
+    .name = "ClosedSurfaceAroundTheEyeIsSeenEquallyOften",
+    .group = "coverage",
+    .clause = "A closed surface winds equally often around the eye in every direction.",
+    .tolerance = kExact,
+    .domains = kClosedClip,
+    .gate = {.space = Space::kClip,
+             .contract = ContractNeeded::kClosed,
+             .any_model = true,
+             .needs_facings = true,
+             .rules = kRules,
+             .asks_oracle = true,
+             .where = "a closed surface that does not pass through the eye"},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

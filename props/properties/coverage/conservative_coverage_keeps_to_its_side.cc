@@ -1,0 +1,103 @@
+// Each triangle alone, and the mesh, strays from the canonical model to the contract's side only.
+//
+// Under conservative-over it covers each sample at least as often as the model, under
+// conservative-under at most as often.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "core/coverage.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "props/judging/as_shown.h"
+#include "props/judging/redraw.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::size_t kMostSingles = 64;
+
+bool IsConservative(const Profile& profile) {
+  return profile.contract == Contract::kConservativeOver ||
+         profile.contract == Contract::kConservativeUnder;
+}
+
+constexpr std::array kRules{ProfileRule{IsConservative, "contract conservative over or under",
+                                        "the profile's contract is not conservative", true}};
+
+// Which way a subject may stray decides what fails; a facing that strays is not looked at.
+Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed, bool as_shown = false) {
+  const bool over = c.profile.contract == Contract::kConservativeOver;
+  CoverageCounts expected = exact::Coverage(c.scene, c.profile, WholeTarget(c));
+  if (as_shown) expected = AsShown(std::move(expected));
+  std::uint64_t exercised = 0;
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    const std::uint32_t truth = expected.Count(k);
+    const std::uint32_t seen = observed.Count(k);
+    if (truth != 0 || seen != 0) ++exercised;
+    if (over ? seen >= truth : seen <= truth) continue;
+    return Verdict::Violated(exercised,
+                             over ? "conservative over: a covered sample is left out"
+                                  : "conservative under: a sample is covered that is not covered",
+                             WitnessOfCounts(observed, expected, k));
+  }
+  return Verdict::Held(exercised);
+}
+
+Check OfOneTriangle(const Case& c, const std::shared_ptr<const Scene>& scene, std::size_t t) {
+  Check check;
+  check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
+  check.judge = [&c, t](const Answers& answers) {
+    Verdict verdict = KeepsToItsSide(OnlyTriangles(c, {t}), answers.draws[0]->counts);
+    if (verdict.witness) verdict.witness->triangle = static_cast<int>(t);
+    return verdict;
+  };
+  return check;
+}
+
+Check OfTheMesh(const Case& c, const Description& subject) {
+  Check check;
+  check.questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
+  check.judge = [&c, as_shown = IsJudgedAsShown(subject, c)](const Answers& answers) {
+    return KeepsToItsSide(c, answers.draws[0]->counts, as_shown);
+  };
+  return check;
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  Asked asked;
+  const auto scene = std::make_shared<const Scene>(c.scene);
+  // One triangle's excess must not make up for another's lack.
+  for (std::size_t t = 0; t < std::min(kMostSingles, c.scene.triangles.size()); ++t) {
+    asked.checks.push_back(OfOneTriangle(c, scene, t));
+  }
+  asked.checks.push_back(OfTheMesh(c, subject));
+  return asked;
+}
+
+}  // namespace
+
+constinit const Property kConservativeCoverageKeepsToItsSide{
+    .name = "ConservativeCoverageKeepsToItsSide",
+    .group = "coverage",
+    .clause =
+        "Conservative coverage strays to one side only: an overestimate leaves no covered "
+        "sample out, an underestimate adds none.",
+    .tolerance = kExact,
+    .domains = kCoverageAnySpace,
+    .gate = {.space = Space::kEither,
+             .contract = ContractNeeded::kAny,
+             .rules = kRules,
+             .asks_oracle = true},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,24 @@
+// Front and back counts equal those of the profile's canonical model at every sample.
+#include "props/judging/redraw.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+
+constinit const Property kCoverageEqualsTheModel{
+    .name = "CoverageEqualsTheModel",
+    .group = "coverage",
+    .clause =
+        "A sample is covered if it is inside, or on a top or left edge (D3D11.3 functional "
+        "specification 3.4.2.1 (top-left rule); the profile names the rule).",
+    .tolerance = kExact,
+    .domains = kModelCoverage,
+    .gate = {.judges_shared_edge_samples = true, .asks_oracle = true},
+    .ask = CompareWithTheModel,
+    .blame = [](const Case& c, const Verdict& verdict,
+                const Description&) { return BlameTriangles(c, verdict, c.options); },
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,42 @@
+// Reversing a triangle's vertex list exchanges front and back counts and changes no total.
+#include <utility>
+
+#include "core/coverage.h"
+#include "props/judging/free_choices.h"
+#include "props/judging/redraw.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+Asked Ask(const Case& c, const Description& subject) {
+  Scene reversed = c.scene;
+  for (Triangle& t : reversed.triangles) t = {t[0], t[2], t[1]};
+  Questions questions;
+  for (const Scene* const scene : {&c.scene, &std::as_const(reversed)}) {
+    questions.draws.push_back(WholeCallOf(*scene, c.profile, WholeTarget(c)));
+  }
+  return OneCheck(std::move(questions),
+                  [&c, swaps = TellsFacings(subject)](const Answers& answers) {
+                    CoverageCounts expected = answers.draws[0]->counts;
+                    if (swaps) std::swap(expected.front, expected.back);
+                    return SameCounts(answers.draws[1]->counts, expected, DecisionsOf(c),
+                                      "the unreversed triangles', facing swapped,");
+                  });
+}
+
+}  // namespace
+
+constinit const Property kReversalSwapsFacing{
+    .name = "ReversalSwapsFacing",
+    .group = "coverage",
+    .clause = "Winding decides facing, never coverage.",
+    .tolerance = kExact,
+    .domains = kCoverageAnySpace,
+    .gate = {.space = Space::kEither},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,67 @@
+// A scissor keeps the counts inside it and leaves none outside.
+#include <array>
+#include <cstddef>
+
+#include "core/coverage.h"
+#include "core/scene.h"
+#include "props/judging/redraw.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The inner half, the left half and the bottom row: cuts on every side.
+std::array<PixelRect, 3> Scissors(const Scene& scene) {
+  const int w = scene.width;
+  const int h = scene.height;
+  return {PixelRect{w / 4, h / 4, w - w / 4, h - h / 4}, PixelRect{0, 0, w / 2, h},
+          PixelRect{0, h - 1, w, h}};
+}
+
+CoverageCounts Cut(const CoverageCounts& whole, const PixelRect& rect) {
+  CoverageCounts part(whole.width, whole.height, whole.samples);
+  for (int row = rect.y0; row < rect.y1; ++row) {
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      for (int s = 0; s < whole.samples; ++s) {
+        const std::size_t k = whole.Index(x, row, s);
+        part.front[k] = whole.front[k];
+        part.back[k] = whole.back[k];
+      }
+    }
+  }
+  return part;
+}
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  DrawOptions options = WholeTarget(c);
+  Asked asked;
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
+  for (const PixelRect& rect : Scissors(c.scene)) {
+    options.scissor = rect;
+    asked.checks.push_back(
+        CheckAgainstBase(WholeCallOf(c.scene, c.profile, options),
+                         [&c, rect](const CoverageCounts& observed, const CoverageCounts& whole) {
+                           return SameCounts(observed, Cut(whole, rect), DecisionsOf(c),
+                                             "the scissored part of the whole");
+                         }));
+  }
+  return asked;
+}
+
+}  // namespace
+
+constinit const Property kScissorOnlyCutsCoverage{
+    .name = "ScissorOnlyCutsCoverage",
+    .group = "coverage",
+    .clause =
+        "The scissor test discards samples outside its rectangle and changes nothing else "
+        "(Vulkan 1.3, Scissor Test).",
+    .tolerance = kExact,
+    .domains = kCoverageAnySpace,
+    .gate = {.space = Space::kEither, .shows = Shows::kScissor, .any_model = true},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,49 @@
+// For any triangles, folded or not, front minus back is the boundary's winding number.
+#include <utility>
+
+#include "model/snap_scene.h"
+#include "props/judging/free_choices.h"
+#include "props/judging/mesh_model.h"
+#include "props/judging/outline.h"
+#include "props/judging/signed_coverage.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+Asked Ask(const Case& c, const Description& subject) {
+  Spared spared;
+  if (!IsUnclipped(c.scene, c.profile)) {
+    spared.open = OpenTriangles(c);
+    spared.outline = Outline::OfMoved(c, spared.open.MostMoved());
+    if (TellsFacings(subject)) spared.open.ForgetTurned();
+  }
+  const char* const what = c.scene.clip_space ? "the winding number around the eye"
+                                              : "the winding number of the boundary";
+  return CompareSignedCoverage(c, WindingOf(c), what, std::move(spared));
+}
+
+}  // namespace
+
+constinit const Property kSignedCoverageEqualsTheWindingNumber{
+    .name = "SignedCoverageEqualsTheWindingNumber",
+    .group = "coverage",
+    .clause =
+        "Front minus back is the winding number of the boundary: every interior edge is "
+        "walked once each way, and its two triangles decide it alike.",
+    .tolerance = kExact,
+    .domains = kAnyMesh,
+    .gate = {.space = Space::kEither,
+             .judges_clipped = true,
+             .needs_facings = true,
+             .rules = kSignedCoverageRules,
+             .asks_oracle = true},
+    .ask = Ask,
+    .blame = [](const Case& c, const Verdict& verdict,
+                const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
+};
+
+}  // namespace rasterproof::props

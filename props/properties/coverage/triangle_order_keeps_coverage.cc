@@ -1,0 +1,38 @@
+// The order of the triangles changes no count.
+#include <algorithm>
+#include <cstddef>
+
+#include "core/scene.h"
+#include "props/judging/redraw.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  if (c.scene.triangles.size() < 2) return NothingAsked("one triangle has one order");
+  constexpr const char* kInTheOrderGiven = "that in the order given";
+  Scene reversed = c.scene;
+  std::ranges::reverse(reversed.triangles);
+  // A rotation by half, too: a subject that looks at its neighbour in the list sees another one.
+  Scene turned = reversed;
+  const auto half = static_cast<std::ptrdiff_t>(turned.triangles.size() / 2);
+  std::ranges::rotate(turned.triangles, turned.triangles.begin() + half);
+  return CompareVariations(c, {{reversed, kInTheOrderGiven}, {turned, kInTheOrderGiven}});
+}
+
+}  // namespace
+
+constinit const Property kTriangleOrderKeepsCoverage{
+    .name = "TriangleOrderKeepsCoverage",
+    .group = "coverage",
+    .clause = "Coverage of a triangle depends on no other triangle.",
+    .tolerance = kExact,
+    .domains = kMeshes,
+    .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

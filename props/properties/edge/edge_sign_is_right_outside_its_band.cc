@@ -1,0 +1,58 @@
+// Where |E| exceeds the bound that the subject states, its value has the sign of E.
+//
+// Where it states to be exact that is everywhere, zero included.
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "exact/edge.h"
+#include "exact/rational.h"
+#include "props/judging/edge_queries.h"
+#include "props/judging/exact_comparison.h"
+#include "props/judging/witness.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+Asked Ask(const Case& c, const Description& subject) {
+  std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
+  Questions questions = ValuesAt(edges);
+  return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {
+    std::uint64_t exercised = 0;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto& [q, bound] = edges[k];
+      const double value = answers.edges[k];
+      const Point2 p = q.place.at;
+      if (HasSign(value, exact::EdgeSign(q.a, q.b, p))) {
+        ++exercised;
+        continue;
+      }
+      // A wrong sign: excused only within the band |E| <= bound, which a bound of 0 leaves empty.
+      if (bound > 0 && exact::EdgeValue(q.a, q.b, p).Abs() <= exact::Rational(bound)) continue;
+      ++exercised;
+      return EdgeViolation(q, exercised, "wrong sign outside the proven band", HexText(value),
+                           ExactEdgeText(q.a, q.b, p) + ", band " + HexText(bound));
+    }
+    return Verdict::Held(exercised);
+  });
+}
+
+}  // namespace
+
+constinit const Property kEdgeSignIsRightOutsideItsBand{
+    .name = "EdgeSignIsRightOutsideItsBand",
+    .group = "edge",
+    .clause =
+        "The sign of the edge function says on which side of an edge a sample lies (Pineda, "
+        "SIGGRAPH 1988, section 3).",
+    .tolerance = kOwnBound,
+    .domains = kNearEdges,
+    .gate = kAsksEdgeValues,
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,89 @@
+// Drawing triangles that are not finite or have no area among the others changes no count.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "props/judging/redraw.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool IsGood(const Case& c, const Triangle& t) {
+  return std::ranges::all_of(Corners(c.scene, t), [&](const Vertex& v) {
+    return IsFinite(v) && std::fabs(v.x) <= c.profile.coordinate_limit &&
+           std::fabs(v.y) <= c.profile.coordinate_limit;
+  });
+}
+
+// Puts a bad triangle before and after every good one: with one vertex NaN, one infinite, two of
+// them infinite with opposite signs, or all three the same. NaN in the place of infinities where
+// the profile leaves open what these cover.
+Scene Poisoned(const Scene& good, const Profile& profile) {
+  Scene scene = good;
+  const double far = profile.infinite_vertex == InfiniteVertex::kNothing ? kInfinity : kNan;
+  const auto first = static_cast<std::int32_t>(scene.vertices.size());
+  scene.vertices.push_back({kNan, 1, 0, 1});
+  scene.vertices.push_back({1, far, 0, 1});
+  scene.vertices.push_back({-far, far, 0, 1});
+  scene.triangles.clear();
+  for (std::size_t t = 0; t < good.triangles.size(); ++t) {
+    const Triangle& triangle = good.triangles[t];
+    const auto bad = first + static_cast<std::int32_t>(t % 3);
+    scene.triangles.push_back({triangle[0], bad, triangle[2]});
+    scene.triangles.push_back(triangle);
+    if (profile.degenerate_triangles == DegenerateTriangles::kNothing) {
+      scene.triangles.push_back({triangle[1], triangle[1], triangle[1]});
+    }
+    scene.triangles.push_back({bad, first + 2, triangle[0]});
+  }
+  return scene;
+}
+
+constexpr std::array kRules{
+    kSaysWhatSinglesCover,
+    ProfileRule{[](const Profile& p) { return !p.fixed; }, "no fixed-point input",
+                "the subject's integers hold nothing that is not finite"}};
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  Case good = c;
+  std::erase_if(good.scene.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
+  Questions questions;
+  for (const Scene& scene : {good.scene, Poisoned(good.scene, c.profile)}) {
+    questions.draws.push_back(WholeCallOf(scene, c.profile, WholeTarget(c)));
+  }
+  return OneCheck(std::move(questions), [decisions = DecisionsOf(good)](const Answers& answers) {
+    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, decisions,
+                      "that without the bad triangles");
+  });
+}
+
+}  // namespace
+
+constinit const Property kBadTrianglesPoisonNoOthers{
+    .name = "BadTrianglesPoisonNoOthers",
+    .group = "extremes",
+    .clause = "A triangle that covers nothing leaves the coverage of the others alone.",
+    .tolerance = kExact,
+    .domains = kExtremes,
+    .gate = {.space = Space::kEither,
+             .contract = ContractNeeded::kNone,
+             .judges_degenerates = true,
+             .beyond_limits = true,
+             .rules = kRules,
+             .where = "the other triangles finite and within the limit"},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,101 @@
+// A triangle with a NaN or infinite x, y or w covers nothing.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/scene.h"
+#include "props/judging/redraw.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+// What is finite of it must be within the limit: beyond that nothing is stated.
+bool IsWithin(double x, double limit) { return !std::isfinite(x) || std::fabs(x) <= limit; }
+
+// Of what is not judged for an infinity, no vertex says more if another one is NaN: such a triangle
+// covers nothing under every profile.
+bool IsJudged(const std::array<Vertex, 3>& v, const Profile& profile) {
+  if (std::ranges::all_of(v, IsFinite)) return false;
+  if (profile.infinite_vertex == InfiniteVertex::kNothing) return true;
+  return std::ranges::any_of(
+      v, [](const Vertex& p) { return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.w); });
+}
+
+std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
+  std::vector<std::size_t> triangles;
+  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
+    const std::array<Vertex, 3> v = Corners(c.scene, c.scene.triangles[t]);
+    const bool within = std::ranges::all_of(v, [&](const Vertex& p) {
+      return IsWithin(p.x, c.profile.coordinate_limit) && IsWithin(p.y, c.profile.coordinate_limit);
+    });
+    if (within && IsJudged(v, c.profile)) triangles.push_back(t);
+  }
+  return triangles;
+}
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  const std::vector<std::size_t> bad = NonFiniteTriangles(c);
+  if (bad.empty()) {
+    return NothingAsked("every triangle is finite, or the profile leaves its infinite vertex open");
+  }
+  Questions questions;
+  questions.draws.push_back(CountsOf(OnlyTriangles(c, bad).scene, c.profile, WholeTarget(c)));
+  return OneCheck(std::move(questions), [exercised = bad.size()](const Answers& answers) {
+    const CoverageCounts& observed = answers.draws[0]->counts;
+    const CoverageCounts nothing(observed.width, observed.height, observed.samples);
+    return SameCounts(observed, nothing, exercised, "none, the triangles are not finite,");
+  });
+}
+
+// The one that covers the witness's sample by itself, or none: then it is their company.
+Asked Blame(const Case& c, const Verdict& verdict, const Description& /*subject*/) {
+  Asked asked;
+  const auto scene = std::make_shared<const Scene>(c.scene);
+  for (const std::size_t t : NonFiniteTriangles(c)) {
+    Check check;
+    check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
+    check.judge = [t, witness = *verdict.witness](const Answers& answers) {
+      const CoverageCounts& counts = answers.draws[0]->counts;
+      if (counts.Count(counts.Index(witness.x, witness.y, witness.sample)) == 0) {
+        return Verdict::Held(1);
+      }
+      Witness culprit = witness;
+      culprit.triangle = static_cast<int>(t);
+      return Verdict::Violated(1, "", std::move(culprit));
+    };
+    asked.checks.push_back(std::move(check));
+  }
+  return asked;
+}
+
+constexpr std::array kRules{kSaysWhatSinglesCover};
+
+}  // namespace
+
+constinit const Property kNonFiniteTrianglesCoverNothing{
+    .name = "NonFiniteTrianglesCoverNothing",
+    .group = "extremes",
+    .clause =
+        "A triangle with NaN or infinity in x, y or w covers nothing (the profile says so; "
+        "D3D11.3 drops NaN).",
+    .tolerance = kExact,
+    .domains = kNonFinite,
+    .gate = {.space = Space::kEither,
+             .contract = ContractNeeded::kNone,
+             .judges_degenerates = true,
+             .beyond_limits = true,
+             .rules = kRules,
+             .where = "a vertex that is NaN, or infinite where the profile says what it covers"},
+    .ask = Ask,
+    .blame = Blame,
+};
+
+}  // namespace rasterproof::props

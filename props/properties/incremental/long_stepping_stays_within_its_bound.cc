@@ -1,0 +1,31 @@
+// A stepping across the largest target drifts no further than the bound stated for it.
+#include "props/judging/stepping.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr int kSteps = 16384;  // the side of the largest target of the APIs in use
+
+Asked Ask(const Case& c, const Description& subject) {
+  return StepsStayWithinTheirBound(LongRows(c, kSteps), *subject.edges);
+}
+
+}  // namespace
+
+constinit const Property kLongSteppingStaysWithinItsBound{
+    .name = "LongSteppingStaysWithinItsBound",
+    .group = "incremental",
+    .clause =
+        "A stepping over 16384 samples, the largest target of current APIs, drifts by a proven "
+        "bound at most.",
+    .tolerance = kSteppingBounds,
+    .domains = kLongRows,
+    .takes_long = true,
+    .gate = kAsksSteps,
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,57 @@
+// A higher target keeps the counts of the rows it shares with the lower one.
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "core/coverage.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "props/judging/redraw.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The rows from y = 0 on; the top row is stored first.
+CoverageCounts RowsFromZero(const CoverageCounts& high, int height, YAxis y_axis) {
+  CoverageCounts part(high.width, height, high.samples);
+  const int first = y_axis == YAxis::kDown ? 0 : high.height - height;
+  const auto begin = static_cast<std::ptrdiff_t>(high.Index(0, first, 0));
+  std::copy_n(high.front.begin() + begin, part.front.size(), part.front.begin());
+  std::copy_n(high.back.begin() + begin, part.back.size(), part.back.begin());
+  return part;
+}
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  Asked asked;
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
+  for (const int height : {c.scene.height + 1, 2 * c.scene.height + 7}) {
+    if (!HasTheModelOf(c, c.scene.width, height)) continue;
+    Scene higher = c.scene;
+    higher.height = height;
+    asked.checks.push_back(CheckAgainstBase(
+        WholeCallOf(higher, c.profile, WholeTarget(c)),
+        [&c, height](const CoverageCounts& observed, const CoverageCounts& base) {
+          return SameCounts(RowsFromZero(observed, c.scene.height, c.profile.y_axis), base,
+                            DecisionsOf(c),
+                            "the lower target's when " + std::to_string(height) + " pixels high");
+        }));
+  }
+  return asked;
+}
+
+}  // namespace
+
+constinit const Property kTargetHeightKeepsCoverage{
+    .name = "TargetHeightKeepsCoverage",
+    .group = "incremental",
+    .clause = "A sample is covered alike whatever rows lie beyond it.",
+    .tolerance = kExact,
+    .domains = kCoverage,
+    .gate = {.space = Space::kEither},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

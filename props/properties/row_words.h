@@ -1,0 +1,33 @@
+// What several rows of the catalogue say alike.
+#ifndef RASTERPROOF_PROPS_PROPERTIES_ROW_WORDS_H_
+#define RASTERPROOF_PROPS_PROPERTIES_ROW_WORDS_H_
+
+#include <string_view>
+
+namespace rasterproof::props {
+
+// Where: see Gate.
+inline constexpr std::string_view kAreaNotZero = "area not zero";
+inline constexpr std::string_view kInTheTriangle = "area not zero; samples in the closed triangle";
+inline constexpr std::string_view kTwoTriangles = "two triangles or more";
+
+// Tolerances.
+inline constexpr std::string_view kDepthTolerance =
+    "the stated depth error; none stated: the barycentrics' tolerances and 6 u, times the "
+    "vertices' "
+    "depths";
+inline constexpr std::string_view kBothBounds = "the sum of both proven ErrorBounds";
+inline constexpr std::string_view kOwnBound =
+    "the subject's proven ErrorBound; where that is 0, none: exact";
+inline constexpr std::string_view kWireframeBound =
+    "kWireframeErrorMultiplier and the proven BarycentricErrorBounds";
+inline constexpr std::string_view kBarycentricBounds =
+    "the subject's proven BarycentricErrorBounds";
+inline constexpr std::string_view kInterpolationBound =
+    "the subject's proven InterpolationErrorBound";
+inline constexpr std::string_view kSteppingBounds = "the subject's proven SteppingErrorBounds";
+inline constexpr std::string_view kExact = "none: exact";
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_PROPERTIES_ROW_WORDS_H_

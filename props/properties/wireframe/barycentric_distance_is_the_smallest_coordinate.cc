@@ -1,0 +1,40 @@
+// The barycentric-space distance to an edge is lambda_i.
+//
+// So a width W draws a line that is W times the triangle's height wide, not W pixels.
+#include <cstddef>
+#include <optional>
+
+#include "props/judging/wireframe_queries.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+std::optional<WireframeScale> InBarycentricSpace(const BarycentricQuery& q, int edge) {
+  const exact::Rational lambda = ExactBarycentrics(q)[static_cast<std::size_t>(edge)];
+  return WireframeScale{lambda * lambda, 1};
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  return AskDistances(c, subject, WireframeForm::kBarycentric, InBarycentricSpace,
+                      "barycentric-space distance is not the barycentric");
+}
+
+}  // namespace
+
+constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
+    .name = "BarycentricDistanceIsTheSmallestCoordinate",
+    .group = "wireframe",
+    .clause = "The barycentric-space test lambda_i <= W draws lines of W heights, not of W pixels.",
+    .tolerance = kWireframeBound,
+    .domains = kBarycentrics,
+    .gate = {.shows = Shows::kBarycentrics,
+             .contract = ContractNeeded::kNone,
+             .unwrapped = true,
+             .where = kInTheTriangle},
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,58 @@
+// A row of the tables of planted bugs and of legal variants.
+#ifndef RASTERPROOF_SUBJECTS_MUTANTS_MUTANT_H_
+#define RASTERPROOF_SUBJECTS_MUTANTS_MUTANT_H_
+
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/profile.h"
+#include "subjects/mutants/clip_space.h"
+#include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/free_choice.h"
+#include "subjects/mutants/own_transform.h"
+#include "subjects/mutants/real_geometry.h"
+#include "subjects/mutants/scanline.h"
+#include "subjects/mutants/shown_values.h"
+
+namespace rasterproof::subjects::mutants {
+
+/// A sound base and what is different about it.
+struct Mutant {
+  std::string_view name;
+  std::string_view change;  ///< completes "a sound rasterizer, but ..."
+  std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
+  std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
+               FreeStages>
+      stages;
+};
+
+/// Eight subpixel bits and four samples a pixel, on a rotated grid.
+Profile FourSampleProfile();
+
+// The mutants, by stage.
+std::vector<Mutant> TieRuleMutants();     // ties, facing
+std::vector<Mutant> PositionMutants();    // sample locations, snapping
+std::vector<Mutant> SetUpMutants();       // overflow, guard band
+std::vector<Mutant> TraversalMutants();   // box, tiles, walks
+std::vector<Mutant> TargetMutants();      // scissor, culling, target size, threads
+std::vector<Mutant> SceneMutants();       // state, degenerate and non-finite input, lost triangles
+std::vector<Mutant> RealMutants();        // exact geometry, clip space
+std::vector<Mutant> TransformMutants();   // clip space to window
+std::vector<Mutant> ScanlineMutants();    // where edges cross rows
+std::vector<Mutant> ShownValueMutants();  // edge values, walks, barycentrics
+std::vector<Mutant> ContractMutants();    // fixed-point input, target sizes, extents, edge_samples
+std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
+/// Written after the generators and the properties were frozen.
+std::vector<Mutant> LateMutants();
+
+std::vector<Mutant> LegalVariants();
+// Parts of them.
+std::vector<Mutant> TransformVariants();
+std::vector<Mutant> ScanlineVariants();
+std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
+std::vector<Mutant> ContractVariants();  // those of profiles with the rarer keys
+
+}  // namespace rasterproof::subjects::mutants
+
+#endif  // RASTERPROOF_SUBJECTS_MUTANTS_MUTANT_H_

@@ -1,0 +1,425 @@
+// What a profile states beyond snap and rule is judged where it is stated, and reached.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/subject_errors.h"
+#include "exact/coverage.h"
+#include "model/snap_scene.h"
+#include "model/target_model.h"
+#include "props/domains/domain.h"
+#include "props/domains/input_lattice.h"
+#include "props/infer/infer.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+#include "props/run/property_domains.h"
+#include "tests/props/planted_subjects.h"
+#include "tests/share.h"
+
+namespace rasterproof::props {
+namespace {
+
+using testing::PlantedSubject;
+using testing::RealInfo;
+using testing::SnappedInfo;
+using testing::Sound;
+
+constexpr std::uint64_t kSeed = 1;
+
+SubjectInfo FixedInfo(const FixedInput& fixed, int snap_bits = Snap::kNone) {
+  SubjectInfo info = SnappedInfo(snap_bits);
+  info.profile.snap.bits = snap_bits;
+  info.profile.fixed = fixed;
+  return info;
+}
+
+std::vector<SubjectInfo> FixedInfos() {
+  return {FixedInfo({12, 4, true, false}),    FixedInfo({12, 4, true, true}, 2),
+          FixedInfo({9, 8, false, false}, 8), FixedInfo({5, 0, true, true}),
+          FixedInfo({24, 8, true, false}),    FixedInfo({1, 16, false, false}, 4)};
+}
+
+Verdict Judged(Subject& subject, std::string_view property, const Case& c) {
+  return RunCase(subject, *FindProperty(property), c);
+}
+
+Case CaseOf(const Profile& profile, std::vector<Vertex> vertices, std::vector<Triangle> triangles,
+            int side = 8) {
+  Case c;
+  c.profile = profile;
+  c.scene.width = side;
+  c.scene.height = side;
+  c.scene.vertices = std::move(vertices);
+  c.scene.triangles = std::move(triangles);
+  return c;
+}
+
+void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    counts.front[k] += more.front[k];
+    counts.back[k] += more.back[k];
+  }
+}
+
+// Keeps what it was given, to be looked at.
+class Recording final : public Subject {
+ public:
+  explicit Recording(const SubjectInfo& info, const Profile& drawn) : info_(info), drawn_(drawn) {}
+  const SubjectInfo& OwnInfo() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    within_limits_ = within_limits_ && WithinLimits(scene, info_.profile);
+    AddTo(counts, exact::Coverage(scene, drawn_, options));
+  }
+  bool within_limits() const { return within_limits_; }
+
+ private:
+  SubjectInfo info_;
+  Profile drawn_;
+  bool within_limits_ = true;
+};
+
+TEST(FixedPointInput, IsGivenItsIntegersByEveryDomain) {
+  for (const SubjectInfo& info : FixedInfos()) {
+    for (const Domain& domain : Domains()) {
+      if (!Suits(domain, info)) continue;
+      for (std::uint64_t i = 0; i < 40; ++i) {
+        PhiloxSource bits(kSeed, i);
+        const Case c = domain.draw(bits, info);
+        EXPECT_TRUE(Takes(info, c.scene))
+            << domain.name << " " << info.profile.fixed->integer_bits << ", case " << i;
+        if (!domain.beyond_limits) {
+          EXPECT_TRUE(WithinLimits(c.scene, info.profile)) << domain.name << ", case " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(FixedPointInput, HasALatticeWithTwoEnds) {
+  Profile profile;
+  profile.fixed = FixedInput{12, 4, true, false};
+  const InputLattice lattice(profile, Precision::kFloat32);
+  EXPECT_EQ(lattice.lowest(), -2048);
+  EXPECT_EQ(lattice.limit(), 2048 - 0x1p-4);
+  EXPECT_EQ(lattice.Step(3), 0x1p-4);
+  EXPECT_EQ(lattice.Step(0), 0x1p-4);
+  EXPECT_EQ(lattice.Move(2047, 15), 2048 - 0x1p-4);
+  EXPECT_EQ(lattice.Round(1e30), 2048 - 0x1p-4);
+  EXPECT_EQ(lattice.Round(-1e30), -2048);
+  EXPECT_EQ(lattice.RoundToFloat(1e30), static_cast<double>(1e30F));
+  EXPECT_EQ(lattice.GridBits(512), 4);
+  profile.snap = {2, SnapRule::kFloor};
+  EXPECT_EQ(InputLattice(profile, Precision::kFloat32).limit(), 2047.75);
+  profile.coordinate_limit = 1000.1;
+  EXPECT_EQ(InputLattice(profile, Precision::kFloat32).lowest(), -1000);
+  profile.fixed->is_signed = false;
+  EXPECT_EQ(InputLattice(profile, Precision::kFloat32).lowest(), 0);
+}
+
+TEST(FixedPointInput, IsDrawnAtBothEndsOfItsRange) {
+  const SubjectInfo info = FixedInfo({12, 4, true, false});
+  int at_least = 0, at_most = 0;
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    PhiloxSource bits(kSeed, i);
+    for (const Vertex& v : FindDomain("range-ends")->draw(bits, info).scene.vertices) {
+      at_least += v.x == info.profile.fixed->Least() ? 1 : 0;
+      at_most += v.x == info.profile.fixed->Largest() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(at_least, 10);
+  EXPECT_GT(at_most, 10);
+}
+
+TEST(FixedPointInput, SoundSubjectsHoldInEveryProperty) {
+  for (const SubjectInfo& info : FixedInfos()) {
+    Recording subject(info, info.profile);
+    for (const Property& property : Catalog()) {
+      if (DomainsFor(info, property).empty()) continue;
+      for (std::uint64_t i = 0; i < Cases<std::uint64_t>(30); ++i) {
+        const Verdict verdict = RunCase(subject, property, DrawCase(info, property, kSeed, i));
+        ASSERT_NE(verdict.outcome, Outcome::kViolated)
+            << property.name << ", case " << i << ": " << verdict.message;
+      }
+    }
+  }
+}
+
+// The share of a domain's cases in which both things happen is not zero.
+struct Sides {
+  int one = 0;
+  int other = 0;
+};
+
+template <class Test>
+Sides SidesOf(std::string_view domain, const SubjectInfo& info, const Test& is_one) {
+  Sides sides;
+  EXPECT_TRUE(Suits(*FindDomain(domain), info));
+  EXPECT_FALSE(Suits(*FindDomain(domain), SnappedInfo(8)));
+  for (std::uint64_t i = 0; i < 80; ++i) {
+    PhiloxSource bits(kSeed, i);
+    ++(is_one(FindDomain(domain)->draw(bits, info)) ? sides.one : sides.other);
+  }
+  return sides;
+}
+
+TEST(WrappedCoordinates, LieBeyondTheRange) {
+  const SubjectInfo info = FixedInfo({11, 4, true, true});
+  const Sides sides = SidesOf("wrapped-coordinates", info,
+                              [&](const Case& c) { return IsUnwrapped(c.scene, info.profile); });
+  EXPECT_GT(sides.other, 40);
+}
+
+TEST(PrimitiveExtentEnds, LieOnBothSidesOfTheLargestExtent) {
+  SubjectInfo info = FixedInfo({12, 4, true, false});
+  info.profile.max_primitive_extent = MaxPrimitiveExtent{64, 32};
+  int exactly = 0, a_step_over = 0;
+  SidesOf("primitive-extent-ends", info, [&](const Case& c) {
+    for (const Triangle& t : c.scene.triangles) {
+      const std::array<Vertex, 3> v = Corners(c.scene, t);
+      const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+      exactly += right - left == 64 ? 1 : 0;
+      a_step_over += right - left == 64 + 0x1p-4 ? 1 : 0;
+    }
+    return true;
+  });
+  EXPECT_GT(exactly, 5);
+  EXPECT_GT(a_step_over, 5);
+}
+
+TEST(GuardBandEnds, LieOnBothSidesOfTheRectangle) {
+  SubjectInfo info = SnappedInfo(8);
+  info.profile.guard_band = WindowBox{-100, -100, 200, 200};
+  const Sides sides = SidesOf("guard-band-ends", info,
+                              [&](const Case& c) { return IsUnclipped(c.scene, info.profile); });
+  EXPECT_GT(sides.one, 3);
+  EXPECT_GT(sides.other, 20);
+}
+
+TEST(TargetSizeEnds, LieOnBothSidesOfTheLargestTarget) {
+  SubjectInfo info = SnappedInfo(8);
+  info.profile.by_target_size = {{.max_width = 64, .max_height = 64, .snap = {4}}};
+  const Sides sides = SidesOf("target-size-ends", info, [&](const Case& c) {
+    return ForTarget(c.profile, c.scene.width, c.scene.height).snap.bits == 4;
+  });
+  EXPECT_GT(sides.one, 20);
+  EXPECT_GT(sides.other, 10);
+}
+
+// Two triangles that share an edge far beyond the rectangle.
+Case FarNeighbours(const Profile& profile) {
+  return CaseOf(profile, {{-2, -2, 0, 1}, {300, 300, 0, 1}, {-2, 300, 0, 1}, {300, -2, 0, 1}},
+                {{0, 1, 2}, {1, 0, 3}});
+}
+
+TEST(GuardBand, SkipsSamplesAndStillJudgesMeshes) {
+  SubjectInfo info = SnappedInfo(8);
+  info.profile.guard_band = WindowBox{-100, -100, 100, 100};
+  PlantedSubject moved(info,
+                       [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                         Scene clipped = scene;
+                         for (Vertex& v : clipped.vertices) v.y += v.x > 100 ? 0.5 : 0;
+                         counts = exact::Coverage(clipped, SnappedInfo(8).profile, options);
+                       });
+  const Case far = FarNeighbours(info.profile);
+  EXPECT_EQ(Judged(moved, "CoverageEqualsTheModel", far).outcome, Outcome::kNotExercised);
+  EXPECT_EQ(Judged(moved, "SharedEdgeSamplesAreCoveredOnce", far).outcome, Outcome::kHolds);
+  EXPECT_EQ(Judged(moved, "SignedCoverageEqualsTheWindingNumber", far).outcome, Outcome::kHolds);
+  PlantedSubject torn(
+      info, [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        for (const Triangle& t : scene.triangles) {
+          Scene one = scene;
+          one.triangles = {t};
+          for (Vertex& v : one.vertices) v.y += v.x > 100 && t[0] == 0 ? 60 : 0;
+          const CoverageCounts drawn = exact::Coverage(one, SnappedInfo(8).profile, options);
+          for (std::size_t k = 0; k < counts.size(); ++k) {
+            counts.front[k] += drawn.front[k];
+            counts.back[k] += drawn.back[k];
+          }
+        }
+      });
+  EXPECT_EQ(Judged(torn, "SharedEdgeSamplesAreCoveredOnce", far).outcome, Outcome::kViolated);
+  EXPECT_EQ(Judged(torn, "SignedCoverageEqualsTheWindingNumber", far).outcome, Outcome::kViolated);
+}
+
+TEST(Targets, AreJudgedEachByItsOwnModel) {
+  SubjectInfo info = SnappedInfo(8);
+  info.profile.by_target_size = {{.max_width = 9, .max_height = 9, .snap = {0, SnapRule::kFloor}}};
+  PlantedSubject sound = Sound(info);
+  Profile always_small = ForTarget(info.profile, 1, 1);
+  always_small.by_target_size.clear();
+  PlantedSubject wrong(
+      info, [always_small](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        counts = exact::Coverage(scene, always_small, options);
+      });
+  Case c = CaseOf(info.profile, {{0.375, 0, 0, 1}, {9, 0, 0, 1}, {0.375, 9, 0, 1}}, {{0, 1, 2}}, 9);
+  EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Judged(wrong, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
+  for (const std::string_view property :
+       {"TargetWidthKeepsCoverage", "TargetHeightKeepsCoverage"}) {
+    EXPECT_EQ(Judged(sound, property, c).outcome, Outcome::kNotExercised) << property;
+  }
+  c.scene.vertices[0].x = c.scene.vertices[2].x = 0.75;
+  c.scene.width = 10;
+  EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Judged(wrong, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
+}
+
+TEST(Targets, GrowWhereYGrows) {
+  for (const YAxis y_axis : {YAxis::kDown, YAxis::kUp}) {
+    SubjectInfo info = SnappedInfo(8);
+    info.profile.y_axis = y_axis;
+    PlantedSubject sound = Sound(info);
+    const Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {9, 0, 0, 1}, {0, 5, 0, 1}}, {{0, 1, 2}}, 9);
+    EXPECT_EQ(Judged(sound, "TargetHeightKeepsCoverage", c).outcome, Outcome::kHolds);
+  }
+}
+
+PlantedSubject WithRule(const SubjectInfo& info, const TieRule& rule) {
+  return testing::WithProfile(info, [rule](Profile& profile) { profile.tie_rule = rule; });
+}
+
+TEST(EdgeSamples, AsksForOneOwnerAtLeast) {
+  SubjectInfo info = SnappedInfo(8);
+  info.profile.shares_edge_samples = true;
+  // A square from centre to centre, cut along its diagonal.
+  const Case square =
+      CaseOf(info.profile, {{0.5, 0.5, 0, 1}, {6.5, 0.5, 0, 1}, {6.5, 6.5, 0, 1}, {0.5, 6.5, 0, 1}},
+             {{0, 1, 2}, {0, 2, 3}});
+  PlantedSubject twice = WithRule(info, {.inclusive = true});
+  PlantedSubject once = Sound(info);
+  PlantedSubject never = WithRule(info, {.exclusive = true});
+  for (const std::string_view property :
+       {"CoverageEqualsTheModel", "SharedEdgeSamplesAreCoveredOnce",
+        "EmbeddedMeshSamplesAreCoveredOnce"}) {
+    EXPECT_EQ(Judged(twice, property, square).outcome, Outcome::kHolds) << property;
+    EXPECT_EQ(Judged(once, property, square).outcome, Outcome::kHolds) << property;
+    EXPECT_EQ(Judged(never, property, square).outcome, Outcome::kViolated) << property;
+  }
+  EXPECT_EQ(Judged(twice, "SignedCoverageEqualsTheWindingNumber", square).outcome,
+            Outcome::kNotApplicable);
+  EXPECT_EQ(Judged(twice, "VertexRotationKeepsCoverage", square).outcome, Outcome::kNotApplicable);
+}
+
+TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
+  SubjectInfo info = SnappedInfo(8);
+  const auto draws_lines = [](const Scene& scene, const DrawOptions& options,
+                              CoverageCounts& counts) {
+    counts = exact::Coverage(scene, SnappedInfo(8).profile, options);
+    for (const Triangle& t : scene.triangles) {
+      if (t[0] == t[1]) ++counts.front[0];
+    }
+  };
+  const std::vector<Vertex> corners{{0, 0, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}};
+  PlantedSubject subject(info, draws_lines);
+  Case c = CaseOf(info.profile, corners, {{0, 0, 1}, {0, 1, 2}});
+  for (const std::string_view property :
+       {"CoverageEqualsTheModel", "DegenerateTrianglesCoverNothing"}) {
+    EXPECT_EQ(Judged(subject, property, c).outcome, Outcome::kViolated) << property;
+  }
+  c.profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
+  EXPECT_EQ(Judged(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Judged(subject, "DegenerateTrianglesCoverNothing", c).outcome, Outcome::kNotApplicable);
+  // The others are judged, and named by their place in the whole list.
+  c.scene.vertices[2].y = 5;
+  PlantedSubject off(info,
+                     [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                       counts = exact::Coverage(scene, SnappedInfo(0).profile, options);
+                       counts.front[9] += 1;
+                     });
+  const Verdict verdict = Judged(off, "CoverageEqualsTheModel", c);
+  ASSERT_EQ(verdict.outcome, Outcome::kViolated);
+  EXPECT_EQ(verdict.witness->triangle, 1);
+}
+
+TEST(DegenerateTriangles, LeftUnspecifiedIsNoLeaveToCrashNorAboutWhatIsNotFinite) {
+  SubjectInfo info = SnappedInfo(8);
+  info.profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
+  PlantedSubject crashing(info, [](const Scene& scene, const DrawOptions&, CoverageCounts&) {
+    for (const Triangle& t : scene.triangles) {
+      if (t[0] == t[1]) throw SubjectFault("it died");
+    }
+  });
+  Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}}, {{0, 0, 1}});
+  EXPECT_EQ(Judged(crashing, "DrawStaysInsideItsTarget", c).outcome, Outcome::kViolated);
+  c.scene.vertices[0].x = std::nan("");
+  Recording sound(info, SnappedInfo(8).profile);
+  EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kNotExercised);
+}
+
+TEST(MaxPrimitiveExtent, IsVerifiedBothWays) {
+  SubjectInfo info = FixedInfo({12, 4, true, false});
+  info.profile.max_primitive_extent = MaxPrimitiveExtent{64, 32};
+  const auto violated = [&](std::optional<MaxPrimitiveExtent> real) {
+    PlantedSubject subject = testing::WithProfile(
+        info, [real](Profile& profile) { profile.max_primitive_extent = real; });
+    CampaignOptions options;
+    options.seed = kSeed;
+    options.cases = kDefaultCases;
+    const Property& property = *FindProperty("CoverageEqualsTheModel");
+    return RunCampaign(subject, property, options).outcome == Outcome::kViolated;
+  };
+  EXPECT_FALSE(violated(MaxPrimitiveExtent{64, 32}));
+  EXPECT_TRUE(violated(std::nullopt));
+  EXPECT_TRUE(violated(MaxPrimitiveExtent{64 + 0x1p-4, 32}));
+  EXPECT_TRUE(violated(MaxPrimitiveExtent{64, 32 - 0x1p-4}));
+}
+
+TEST(Infer, KeepsToTheIntegersAndTheLimitThatAreStated) {
+  SubjectInfo info = FixedInfo({12, 4, true, false}, 2);
+  info.profile.snap.rule = SnapRule::kFloor;
+  info.profile.coordinate_limit = 1030;
+  Recording subject(info, info.profile);
+  const Inference inference = Infer(subject, {.checks = 60});
+  EXPECT_TRUE(inference.Fits()) << inference.message;
+  EXPECT_TRUE(inference.Agrees());
+  EXPECT_TRUE(subject.within_limits());
+}
+
+TEST(Infer, NamesTheExclusiveRule) {
+  SubjectInfo info = SnappedInfo(8);
+  Profile drawn = info.profile;
+  drawn.tie_rule = {.exclusive = true};
+  Recording subject(info, drawn);
+  const Inference inference = Infer(subject, {.checks = 60});
+  ASSERT_TRUE(inference.Fits()) << inference.message;
+  EXPECT_FALSE(inference.Agrees());
+  for (const Profile& profile : inference.remaining) {
+    EXPECT_TRUE(profile.tie_rule.exclusive);
+  }
+}
+
+TEST(Infer, IsInconclusiveWhereThereIsTooLittleRoom) {
+  std::vector<SubjectInfo> infos{FixedInfo({11, 4, true, false}), SnappedInfo(8), SnappedInfo(8),
+                                 SnappedInfo(8), SnappedInfo(8)};
+  infos[1].profile.coordinate_limit = 1000;
+  infos[2].profile.max_primitive_extent = MaxPrimitiveExtent{1023, 511};
+  infos[3].profile.guard_band = WindowBox{-512, -512, 512, 512};
+  infos[4].profile.by_target_size = {{.max_width = 320, .max_height = 200, .snap = {4}}};
+  for (const SubjectInfo& info : infos) {
+    Recording subject(info, info.profile);
+    const Inference inference = Infer(subject, {});
+    EXPECT_TRUE(inference.is_inconclusive);
+    EXPECT_FALSE(inference.Fits());
+    EXPECT_FALSE(inference.message.empty());
+    EXPECT_EQ(inference.experiments, 0U);
+  }
+}
+
+TEST(Infer, DoesNotStrikeOutWhatSharingAllows) {
+  SubjectInfo info = SnappedInfo(4);
+  info.profile.shares_edge_samples = true;
+  info.profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
+  Profile drawn = info.profile;
+  drawn.tie_rule = {.inclusive = true};
+  Recording subject(info, drawn);
+  const Inference inference = Infer(subject, {.checks = 60});
+  EXPECT_TRUE(inference.Fits()) << inference.message;
+  EXPECT_TRUE(inference.Agrees());
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -1,0 +1,232 @@
+#include "tool/asked.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "core/renamed.h"
+#include "exact/coverage.h"
+#include "fmt/format.h"
+#include "fmt/ranges.h"
+#include "io/case_file.h"
+#include "props/domains/domain.h"
+#include "props/run/property_domains.h"
+#include "subjects/builtin/builtin.h"
+#include "subjects/mutants/mutants.h"
+#include "tool/outside.h"
+#include "tool/progress.h"
+#include "tool/session.h"
+
+namespace rasterproof::tool {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, exact::Decider>, 3> kOracles{{
+    {"exact", exact::Decider::kFast},
+    {"exact-integers", exact::Decider::kIntegers},
+    {"exact-cgal", exact::Decider::kCgal},
+}};
+
+// The oracle in the place of a subject, so that it can be compared with any other and with itself.
+class OracleSubject final : public Subject {
+ public:
+  OracleSubject(std::string_view name, exact::Decider decider, const Profile& profile)
+      : decider_(decider) {
+    info_.name = name;
+    info_.profile = profile;
+    info_.summary = "the oracle, decided by " + std::string(exact::DeciderName(decider));
+    info_.input = Precision::kFloat64;
+    info_.takes_clip = true;
+    info_.states_exact = true;
+  }
+  const SubjectInfo& OwnInfo() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    counts += exact::Coverage(scene, info_.profile, options, decider_);
+  }
+
+ private:
+  SubjectInfo info_;
+  exact::Decider decider_;
+};
+
+// From here on the subject is judged by a profile that is not its own.
+void JudgeBy(const Profile& profile, Subject& subject) {
+  SubjectInfo info = subject.Info();
+  // What it states, it states of its own profile.
+  info.states_exact = info.states_exact && SameModel(info.profile, profile);
+  // What it can be given is no matter of judgement.
+  const std::optional<FixedInput> fixed = info.profile.fixed;
+  info.profile = profile;
+  if (!profile.fixed) info.profile.fixed = fixed;
+  info.profile.name = io::ProfileName(info.profile);
+  subject.JudgeAs(std::move(info));
+}
+
+// How many letters must be put in, taken out or exchanged (Levenshtein), capitals or not.
+std::size_t Distance(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (const char letter : a) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t k = 1; k < row.size(); ++k) {
+      const std::size_t exchanged = diagonal + (lower(letter) == lower(b[k - 1]) ? 0 : 1);
+      diagonal = row[k];
+      row[k] = std::min({exchanged, row[k] + 1, row[k - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// "did you mean NAME? ", if one is near.
+std::string Suggestion(std::string_view wrong, const std::vector<std::string>& names) {
+  const auto distance = [&](const std::string& name) { return Distance(wrong, name); };
+  const auto nearest = std::ranges::min_element(names, {}, distance);
+  if (nearest == names.end() || distance(*nearest) > std::max<std::size_t>(wrong.size() / 3, 2)) {
+    return "";
+  }
+  return fmt::format("did you mean {}? ", *nearest);
+}
+
+bool IsOracle(std::string_view name) {
+  return std::ranges::find(kOracles, name, [](const auto& o) { return o.first; }) != kOracles.end();
+}
+
+// What makes the subject of that name, as often as it is called; nothing if there is none.
+SubjectMaker MakerOf(const std::string& name, const Profile& of_oracle) {
+  SubjectMaker make;
+  if (IsOracle(name)) {
+    MakeOracle(name, of_oracle);  // throws if it can't decide by this profile
+    make = [name, of_oracle] { return MakeOracle(name, of_oracle); };
+  } else if (subjects::MakeBuiltin(name) != nullptr) {
+    make = [name] { return subjects::MakeBuiltin(name); };
+  } else if (subjects::MakeMutant(name) != nullptr) {
+    make = [name] { return subjects::MakeMutant(name); };
+  }
+  if (!make) return ResolveOutside(name);
+  const std::vector<std::string> own = OwnNames();
+  if (std::ranges::find(own, name) == own.end()) return make;
+  throw InputError(fmt::format("subject '{}'", name),
+                   "a type of your own has the name of one of rasterproof's subjects",
+                   "rename the type");
+}
+
+}  // namespace
+
+std::vector<std::string> SubjectNames() {
+  std::vector<std::string> names = subjects::BuiltinNames();
+  for (const auto& oracle : kOracles) names.emplace_back(oracle.first);
+  for (const std::string& own : OwnNames()) names.push_back(own);
+  return names;
+}
+
+void SayOfPreset(const Profile& profile) {
+  static std::set<std::string> said;
+  if (!IsApiPreset(profile.name) || PresetProfile(profile.name) != profile) return;
+  if (!said.insert(profile.name).second) return;
+  Tell(fmt::format(
+      "note: profile {} is judged by its canonical model: {} subpixel bits, {}, {}; of a "
+      "rasterizer that the API lets do otherwise (4 bits, another rounding) say so in a "
+      "profile file, snap_tolerance and any_tie_rule included\n",
+      profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
+      TieRuleName(profile.tie_rule)));
+}
+
+std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile) {
+  for (const auto& [oracle, decider] : kOracles) {
+    if (name != oracle) continue;
+    if (decider != exact::Decider::kFast && !profile.scanline_rounding.IsNone()) {
+      throw InputError(
+          fmt::format("subject '{}'", name),
+          fmt::format("it does not decide the rounded crossings of profile {}", profile.name),
+          "use --subject exact, or a profile without scanline_rounding");
+    }
+    return std::make_unique<OracleSubject>(name, decider, profile);
+  }
+  return nullptr;
+}
+
+AskedSubject ResolveSubject(const std::string& name, const std::string& profile) {
+  const std::optional<Profile> by =
+      profile.empty() ? std::nullopt : std::optional(io::ReadProfile(profile));
+  SubjectMaker make = MakerOf(name, by.value_or(Profile{}));
+  if (!make) {
+    throw InputError(
+        fmt::format("subject '{}'", name), "there is no such subject",
+        fmt::format("{}choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
+                    Suggestion(name, SubjectNames()), fmt::join(SubjectNames(), ", ")));
+  }
+  if (!by || IsOracle(name)) return {name, std::move(make)};
+  return {name, [make = std::move(make), profile = *by] {
+            std::unique_ptr<Subject> subject = make();
+            JudgeBy(profile, *subject);
+            return subject;
+          }};
+}
+
+std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile) {
+  return ResolveSubject(name, profile).Make();
+}
+
+const props::Property& RequireProperty(const std::string& name) {
+  if (const props::Property* property = props::FindProperty(name)) return *property;
+  std::vector<std::string> names;
+  for (const props::Property& property : props::Catalog()) names.emplace_back(property.name);
+  throw InputError(
+      fmt::format("property '{}'", name), "there is no such property" + RenamedText(name),
+      Suggestion(name, names) + "'rasterproof list properties' names all that there are");
+}
+
+props::CaseName RequireCaseName(const std::string& name) {
+  props::CaseName parsed = props::ParseCaseName(name);
+  if (props::FindDomain(parsed.domain) == nullptr) {
+    std::vector<std::string> names;
+    for (const props::Domain& domain : props::Domains()) names.emplace_back(domain.name);
+    throw InputError(
+        fmt::format("case '{}'", name),
+        fmt::format("there is no domain '{}'{}", parsed.domain, RenamedText(parsed.domain)),
+        Suggestion(parsed.domain, names) + "'rasterproof list domains' names all that there are");
+  }
+  return parsed;
+}
+
+CheckAsked ResolveCheck(const CheckOptions& options) {
+  CheckAsked asked;
+  asked.is_whole_catalogue = options.properties.empty();
+  for (const std::string& name : options.properties) {
+    asked.properties.push_back(&RequireProperty(name));
+  }
+  if (asked.is_whole_catalogue) {
+    for (const props::Property& property : props::Catalog()) asked.properties.push_back(&property);
+  }
+  for (const std::string& path : options.scenes) {
+    GivenCase& given = asked.cases.emplace_back();
+    given.place = path;
+    given.value = io::ReadCase(path).value;
+  }
+  for (const std::string& name : options.named) {
+    GivenCase& given = asked.cases.emplace_back();
+    given.place = name;
+    given.name = RequireCaseName(name);
+  }
+  for (const std::string& name : options.subjects) {
+    asked.subjects.push_back(ResolveSubject(name, options.profile));
+  }
+  return asked;
+}
+
+Case CaseFor(const Subject& subject, const GivenCase& given) {
+  if (given.name) return props::DrawCase(subject.Info(), *given.name);
+  Case c = given.value;
+  c.profile = subject.Info().profile;
+  RequireTakes(subject, c.scene, given.place);
+  return c;
+}
+
+}  // namespace rasterproof::tool

@@ -1,0 +1,89 @@
+// Resolves what a command line asks for, once: names to subjects, profiles, properties and cases. A
+// wrong name is an error before anything runs.
+#ifndef RASTERPROOF_TOOL_ASKED_H_
+#define RASTERPROOF_TOOL_ASKED_H_
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/case.h"
+#include "core/profile.h"
+#include "core/subject.h"
+#include "props/domains/case_name.h"
+#include "props/property.h"
+#include "tool/commands.h"
+#include "tool/outside.h"
+
+namespace rasterproof::tool {
+
+/// Every subject this build knows: the built-in ones, then the oracle's deciders.
+std::vector<std::string> SubjectNames();
+
+/// A subject that was asked for by name: its profile is read and what it is is looked up, once.
+class AskedSubject {
+ public:
+  AskedSubject(std::string name, SubjectMaker make)
+      : name_(std::move(name)), make_(std::move(make)) {}
+  const std::string& name() const { return name_; }
+  /// One more of it, judged by the profile that was asked for. Several threads may call it.
+  std::unique_ptr<Subject> Make() const { return make_(); }
+
+ private:
+  std::string name_;
+  SubjectMaker make_;
+};
+
+/// The subject of that name, judged by another profile than its own ("": its own).
+///
+/// Error:      InputError naming the subjects there are, or what is wrong with the profile.
+AskedSubject ResolveSubject(const std::string& name, const std::string& profile = "");
+
+/// The same, made at once: for a verb that needs one.
+std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile = "");
+
+/// Says on standard error, once for each of them, that the preset of an API is one of the models
+/// that it leaves legal, so that nobody takes another legal one for wrong.
+void SayOfPreset(const Profile& profile);
+
+/// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
+std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);
+
+/// Error:      InputError naming the properties there are.
+const props::Property& RequireProperty(const std::string& name);
+
+/// Reads the name of a drawn case, "near-edge:17@1".
+///
+/// Error:      InputError that says what is wrong with it, with the domain that may be meant.
+props::CaseName RequireCaseName(const std::string& name);
+
+/// A case that the user names: by its file, which is read, or by its own name, which stands for a
+/// case together with a subject.
+struct GivenCase {
+  std::string place;  ///< as the user gave it
+  Case value;
+  std::optional<props::CaseName> name;
+};
+
+/// What `check` was asked.
+struct CheckAsked {
+  std::vector<AskedSubject> subjects;
+  std::vector<const props::Property*> properties;
+  bool is_whole_catalogue = false;
+  std::vector<GivenCase> cases;  ///< none: generated ones
+};
+
+/// Error:      InputError with the place and the remedy, for the first thing that is not there.
+CheckAsked ResolveCheck(const CheckOptions& options);
+
+/// The given case as it is put to the subject: judged by the subject's profile.
+///
+/// Error:      InputError if the subject does not take its scene.
+Case CaseFor(const Subject& subject, const GivenCase& given);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_ASKED_H_

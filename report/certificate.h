@@ -40,6 +40,8 @@ struct Certificate {
   /// The command that replays a property's counterexample, by property. Without one the reader is
   /// told to save the counterexample's case and to replay that file.
   std::map<std::string, std::string> replay;
+  /// Where its files lie, as a path from the report page: one name. Empty: it has none.
+  std::string folder;
 };
 
 /// Why a wrong sample of this measurement would be no violation: the scene was not drawn, or lies

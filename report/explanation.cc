@@ -29,7 +29,7 @@ constexpr double kLabel = 10;
 constexpr double kTitle = 20;
 constexpr double kLeading = 1.5;  // line height over text size
 constexpr double kImageScale = 2;
-constexpr double kLeastWidth = 680;  // of the legend
+constexpr double kLeastWidth = 744;  // of the legend between its margins
 
 // Breaks at blanks, and inside words that are longer than a line.
 std::vector<std::string> Wrapped(std::string_view text, std::size_t columns) {

@@ -1,5 +1,5 @@
-// The report page: one HTML file, offline, no scripts, no external links; pictures inline as SVG or
-// data URIs.
+// The report: a page of all subjects, and beside it a page of each with all that is known of it.
+// They show pictures that lie beside them, load nothing else, and run one script that sorts tables.
 #ifndef RASTERPROOF_REPORT_PAGE_H_
 #define RASTERPROOF_REPORT_PAGE_H_
 
@@ -10,23 +10,36 @@
 
 namespace rasterproof::report {
 
-/// A picture of the page: `svg` inline, or `png` bytes.
+/// A picture beside the page.
 struct Picture {
   std::string caption;
-  std::string command;  ///< that made it
-  std::string svg;
-  std::string png;
+  std::string command;  ///< that makes it again, as a shell reads it
+  std::string subject;  ///< whose failure it shows; empty: a scene as it is
+  /// Whether the page of all subjects shows it, too; failures alone are asked.
+  bool is_on_front = true;
+  std::string file;     ///< where it lies, as a path from the page: "textbook/map.svg"
+  std::string content;  ///< SVG or PNG
 };
 
 struct Page {
   std::string title;
+  /// True if every built-in method was certified: those that do not state to be exact are then here
+  /// to be seen failing.
+  bool is_survey = false;
   std::vector<Certificate> certificates;
   std::vector<Picture> pictures;
 };
 
-/// Verdict per subject and property, wrong, missing and unexpected samples per subject and real
-/// scene, exercise counts, pictures with the commands that made them, environment.
+/// The page of all subjects: the verdict in a sentence, the subjects in groups by what they state,
+/// pictures of failures, scenes, properties, environment.
+///
+/// Properties: each subject costs a row here and there; what is known of it lies on its own page,
+///             `<folder of the certificate>/report.html`.
 std::string PageToHtml(const Page& page);
+
+/// The page of one of the page's subjects: what failed and how to see it again, every property,
+/// every scene, the evidence.
+std::string SubjectPageToHtml(const Page& page, const Certificate& certificate);
 
 }  // namespace rasterproof::report
 

@@ -1,9 +1,12 @@
-// The parts of the report page, each a piece of HTML.
+// The parts of the report's pages, each a piece of HTML.
 #ifndef RASTERPROOF_REPORT_PAGE_PARTS_H_
 #define RASTERPROOF_REPORT_PAGE_PARTS_H_
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "report/certificate.h"
@@ -13,32 +16,58 @@ namespace rasterproof::report {
 
 /// The style sheet. Light and dark as the reader's system has it; readable without it, too.
 extern const std::string_view kPageStyle;
+/// Makes the headings of a `table.sorts` sort it. The page says all that it says without it.
+extern const std::string_view kPageScript;
+/// base64(SHA-256(kPageScript)), by which the page's policy allows this script and no other.
+extern const std::string_view kPageScriptHash;
 
-/// The class of the style sheet that shows an outcome.
-std::string_view LookOf(Outcome outcome);
+/// The profile of exact real geometry, against which every subject is measured beside its own.
+inline constexpr std::string_view kRealProfile = "real";
 
-/// What an element refers to a subject by.
-std::string AnchorOf(const Certificate& certificate);
+/// Tables of more rows, and lists of more pictures, are folded at first.
+inline constexpr std::size_t kMostUnfolded = 12;
 
-/// One line per subject: verdict, properties, counts of outcomes, wrong samples over all scenes.
-std::string VerdictTable(const std::vector<Certificate>& certificates);
-/// A table per scene: wrong, missing and unexpected samples of every subject.
+/// A whole document. `body` goes into its main element.
+std::string Document(std::string_view title, const std::string& body);
+/// Nothing if the body is empty.
+std::string Section(std::string_view anchor, std::string_view title, std::string_view intro,
+                    const std::string& body);
+/// A part that the reader folds and unfolds. `summary` is HTML.
+std::string Folded(const std::string& summary, const std::string& body, bool is_open);
+/// What the columns of a table say: pairs of name and explanation.
+std::string ColumnKey(const std::vector<std::pair<std::string_view, std::string_view>>& columns);
+/// A command to be typed again.
+std::string Command(std::string_view command);
+/// The picture, which opens by itself, with caption and command. `above` leads from the page that
+/// shows it to the page of all subjects: "" or "../".
+std::string Figure(const Picture& picture, std::string_view above);
+/// The text, with places to break a line within names: at humps, behind colons.
+std::string Breakable(std::string_view name);
+/// The name, as a link to the subject's page if it has a folder.
+std::string Link(const Certificate& certificate);
+/// The outcome's word on its colour.
+std::string Chip(Outcome outcome);
+/// A right-aligned cell; `loud` is the class of a number that is not 0.
+std::string Number(std::uint64_t number, std::string_view loud = "");
+/// "1 subject", "2 subjects".
+std::string Several(std::uint64_t count, std::string_view what);
+
+/// What a subject did on a scene, if it was measured there against the profile.
+const SceneResult* Find(const Certificate& certificate, std::string_view scene,
+                        std::string_view profile);
+
+/// The verdict on all subjects in a sentence or two.
+std::string VerdictSentence(const Page& page);
+/// The subjects in groups by what they state, a row each: verdict, properties, wrong samples.
+std::string VerdictGroups(const Page& page);
+/// A row per scene, and wrong samples of every subject on every scene.
 std::string SceneTables(const std::vector<Certificate>& certificates);
-/// Properties against subjects, an outcome each.
-std::string PropertyMatrix(const std::vector<Certificate>& certificates);
+/// A row per property: how many subjects hold it, and which violate it.
+std::string PropertyTable(const std::vector<Certificate>& certificates);
 /// How many samples lay on an edge, and how near the others were.
 std::string NearEdgeTable(const std::vector<Certificate>& certificates);
-/// Everything that is known of one subject.
-std::string SubjectDetails(const Certificate& certificate);
 /// Compiler, flags and floating-point environment, once for all subjects that share them.
 std::string Environments(const std::vector<Certificate>& certificates);
-std::string Figure(const Picture& picture);
-
-/// The drawing with everything removed that is not plain SVG: scripts, handlers, references out of
-/// the file.
-///
-/// Returns:    empty if the text is no SVG.
-std::string PlainSvg(std::string_view svg);
 
 }  // namespace rasterproof::report
 

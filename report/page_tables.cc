@@ -14,126 +14,6 @@
 namespace rasterproof::report {
 namespace {
 
-constexpr std::string_view kRealProfile = "real";
-
-std::string Link(const Certificate& certificate) {
-  return fmt::format("<a class=\"name\" href=\"#{}\">{}</a>", AnchorOf(certificate),
-                     Escaped(certificate.subject.name));
-}
-
-// A right-aligned cell; `loud` is the class of a number that is not 0.
-std::string Number(std::uint64_t number, std::string_view loud = "") {
-  return fmt::format("<td class=\"number {}\">{}</td>", number == 0 ? "zero" : loud,
-                     Grouped(number));
-}
-
-std::string_view Mark(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kHolds:
-      return "<span class=\"mark holds\">✓</span>";
-    case Outcome::kViolated:
-      return "<span class=\"mark violated\">✗</span>";
-    case Outcome::kNotExercised:
-      return "<span class=\"mark idle\">○</span>";
-    case Outcome::kNotApplicable:
-    case Outcome::kRefused:
-      return "<span class=\"mark none\">–</span>";
-    case Outcome::kInconclusive:
-      return "<span class=\"mark idle\">?</span>";
-  }
-  return "";
-}
-
-// What a subject did on a scene, if it was measured there against the profile.
-const SceneResult* Find(const Certificate& certificate, std::string_view scene,
-                        std::string_view profile) {
-  for (const SceneResult& result : certificate.measured) {
-    if (result.scene == scene && result.profile == profile) return &result;
-  }
-  return nullptr;
-}
-
-// Wrong samples over all scenes within the limits of the profile that they were measured against.
-// A difference from the canonical model of a profile that leaves others legal is none.
-struct Total {
-  std::uint64_t wrong = 0;
-  std::uint64_t samples = 0;
-};
-
-enum class Counted : std::uint8_t { kJudged, kObserved };
-
-Total TotalOf(const Certificate& certificate, std::string_view profile, Counted counted) {
-  Total total;
-  for (const SceneResult& result : certificate.measured) {
-    // A scene may be there twice: under the subject's own profile, and that is the real one.
-    if (Find(certificate, result.scene, profile) != &result) continue;
-    if (!result.applicable || !result.message.empty()) continue;
-    if (counted == Counted::kJudged && !IsJudged(certificate, result)) continue;
-    total.wrong += result.difference.wrong;
-    total.samples += result.difference.samples;
-  }
-  return total;
-}
-
-std::string TotalCell(const Total& total) {
-  if (total.samples == 0) return "<td class=\"number none\">–</td>";
-  return fmt::format("<td class=\"number {}\">{} of {}</td>", total.wrong == 0 ? "zero" : "wrong",
-                     Grouped(total.wrong), Grouped(total.samples));
-}
-
-std::string VerdictRow(const Certificate& certificate) {
-  const auto count = [&](Outcome outcome) {
-    return static_cast<std::uint64_t>(
-        std::ranges::count(certificate.tested, outcome, &PropertyResult::outcome));
-  };
-  const Overall overall = OverallOf(certificate);
-  std::string row = fmt::format(
-      "<tr><th scope=\"row\">{}</th><td title=\"{}\"><span class=\"chip {}\">{}</span>{}</td>"
-      "<td>{}</td>",
-      Link(certificate), Escaped(overall.reason), LookOf(overall.outcome),
-      OutcomeName(overall.outcome), certificate.interrupted ? " interrupted" : "",
-      certificate.subject.states_exact ? "exact" : "");
-  row += Number(count(Outcome::kHolds)) + Number(count(Outcome::kViolated), "wrong") +
-         Number(count(Outcome::kNotExercised)) + Number(count(Outcome::kInconclusive)) +
-         Number(count(Outcome::kNotApplicable));
-  row += TotalCell(TotalOf(certificate, certificate.subject.profile.name, Counted::kJudged));
-  return row + TotalCell(TotalOf(certificate, kRealProfile, Counted::kObserved)) + "</tr>\n";
-}
-
-// Parts of a million, to three digits or to the unit.
-std::string PerMillion(std::uint64_t count, std::uint64_t of) {
-  const double share = of == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(of);
-  return share < 1000 ? fmt::format("{:.3g}", share)
-                      : Grouped(static_cast<std::uint64_t>(std::llround(share)));
-}
-
-std::string DifferenceCells(const SceneResult* result) {
-  if (result == nullptr || !result->applicable) {
-    const std::string why = result == nullptr ? "not measured" : Escaped(result->message);
-    return fmt::format("<td class=\"split why\" colspan=\"4\">{}</td>", why);
-  }
-  const CoverageDifference& d = result->difference;
-  const std::string wrong = fmt::format("<td class=\"number split {}\">{}</td>",
-                                        d.wrong == 0 ? "zero" : "wrong", Grouped(d.wrong));
-  return wrong + Number(d.missing, "missing") + Number(d.unexpected, "unexpected") +
-         fmt::format("<td class=\"number {}\">{}</td>", d.wrong == 0 ? "zero" : "",
-                     PerMillion(d.wrong, d.covered));
-}
-
-std::string SceneRow(const Certificate& certificate, std::string_view scene) {
-  const std::string& own = certificate.subject.profile.name;
-  const SceneResult* of_own = Find(certificate, scene, own);
-  const SceneResult* of_real = Find(certificate, scene, kRealProfile);
-  // A subject that does not take the scene at all is measured against neither.
-  if (of_real == nullptr && of_own != nullptr && !of_own->applicable) of_real = of_own;
-  std::string note;
-  if (of_own != nullptr && of_own->applicable) note = WhyNotJudged(certificate, *of_own);
-  return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"why {}\">{}{}</td>{}{}</tr>\n",
-                     Link(certificate), note.empty() ? "" : "noted", Escaped(own),
-                     note.empty() ? "" : ": " + Escaped(note), DifferenceCells(of_own),
-                     DifferenceCells(of_real));
-}
-
 // Scenes in the order of their first mention, each with a result that shows its extent.
 std::vector<const SceneResult*> ScenesOf(const std::vector<Certificate>& certificates) {
   std::vector<const SceneResult*> scenes;
@@ -150,47 +30,91 @@ std::vector<const SceneResult*> ScenesOf(const std::vector<Certificate>& certifi
   return scenes;
 }
 
-// Wrong samples against real geometry, of every subject on every scene at a glance.
+// A scene over all subjects that were judged on it.
+std::string SceneRow(const std::vector<Certificate>& certificates, const SceneResult& any) {
+  std::uint64_t judged = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t most = 0;
+  const Certificate* by = nullptr;
+  for (const Certificate& certificate : certificates) {
+    const SceneResult* result = Find(certificate, any.scene, certificate.subject.profile.name);
+    if (result == nullptr || !IsJudged(certificate, *result)) continue;
+    ++judged;
+    const std::uint64_t wrong = result->difference.wrong;
+    if (wrong != 0) ++failed;
+    if (wrong <= most) continue;
+    most = wrong;
+    by = &certificate;
+  }
+  return fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th>{}{}{}{}{}<td>{}</td></tr>\n",
+                     Escaped(any.scene), Number(any.triangles), Number(any.difference.samples),
+                     Number(judged), Number(failed, "wrong"), Number(most, "wrong"),
+                     by == nullptr ? "" : Link(*by));
+}
+
+std::string SceneTable(const std::vector<Certificate>& certificates,
+                       const std::vector<const SceneResult*>& scenes) {
+  std::string html =
+      "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>scene</th>"
+      "<th class=\"number\">triangles</th><th class=\"number\">samples</th>"
+      "<th class=\"number\">judged</th><th class=\"number\">wrong</th>"
+      "<th class=\"number\">most wrong</th><th>by</th></tr></thead><tbody>\n";
+  for (const SceneResult* scene : scenes) html += SceneRow(certificates, *scene);
+  return html + "</tbody></table></div>\n" +
+         ColumnKey({{"judged", "subjects whose profile answers for every sample of the scene"},
+                    {"wrong", "how many of them drew a sample wrong"},
+                    {"most wrong, by", "the most wrong samples, and the subject that drew them"}});
+}
+
+std::string WrongCell(const SceneResult* result) {
+  if (result == nullptr || !result->applicable) return "<td class=\"number none\">–</td>";
+  return Number(result->difference.wrong, "wrong");
+}
+
+// Samples that differ from real geometry, of every subject on every scene at a glance.
 std::string SceneMatrix(const std::vector<Certificate>& certificates,
                         const std::vector<const SceneResult*>& scenes) {
   std::string html =
-      "<p class=\"aside\">Wrong samples against real geometry:</p>\n"
-      "<div class=\"scroll fit\"><table class=\"matrix\"><thead><tr><th></th>";
+      "<div class=\"scroll\"><table class=\"sorts matrix\"><thead><tr><th>subject</th>";
   for (const SceneResult* scene : scenes) {
-    html += fmt::format("<th class=\"upright name\" scope=\"col\">{}</th>", Escaped(scene->scene));
+    html += fmt::format("<th class=\"number\" scope=\"col\"><span class=\"upright\">{}</span></th>",
+                        Escaped(scene->scene));
   }
   html += "</tr></thead><tbody>\n";
   for (const Certificate& certificate : certificates) {
     html += fmt::format("<tr><th scope=\"row\">{}</th>", Link(certificate));
     for (const SceneResult* scene : scenes) {
-      const SceneResult* result = Find(certificate, scene->scene, kRealProfile);
-      html += result == nullptr || !result->applicable ? "<td class=\"number none\">–</td>"
-                                                       : Number(result->difference.wrong, "wrong");
+      html += WrongCell(Find(certificate, scene->scene, kRealProfile));
     }
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
 }
 
-std::string SceneTable(const std::vector<Certificate>& certificates, const SceneResult& any) {
-  std::string html = fmt::format(
-      "<details>\n<summary><strong>{}</strong> <span class=\"why\">{} triangles, {} samples, "
-      "{} of them covered</span></summary>\n",
-      Escaped(any.scene), Grouped(any.triangles), Grouped(any.difference.samples),
-      Grouped(any.difference.covered));
-  html +=
-      "<div class=\"scroll\"><table><thead>"
-      "<tr><th rowspan=\"2\">subject</th><th rowspan=\"2\">its profile</th>"
-      "<th class=\"split\" colspan=\"4\">against its own profile</th>"
-      "<th class=\"split\" colspan=\"4\">against real geometry</th></tr><tr>";
-  for (int side = 0; side < 2; ++side) {
-    html +=
-        "<th class=\"number split\">wrong</th><th class=\"number\">missing</th>"
-        "<th class=\"number\">unexpected</th><th class=\"number\">per million covered</th>";
-  }
-  html += "</tr></thead><tbody>\n";
-  for (const Certificate& certificate : certificates) html += SceneRow(certificate, any.scene);
-  return html + "</tbody></table></div>\n</details>\n";
+// One property over all subjects.
+struct PropertyRow {
+  std::map<Outcome, std::uint64_t> subjects;
+  std::vector<const Certificate*> violated_by;
+};
+
+// A few names stand in the cell, more of them are folded.
+std::string ViolatedBy(const std::vector<const Certificate*>& subjects) {
+  constexpr std::size_t kFew = 2;
+  std::string names;
+  for (const Certificate* one : subjects) names += (names.empty() ? "" : ", ") + Link(*one);
+  return subjects.size() <= kFew ? names
+                                 : Folded(Several(subjects.size(), "subject"), names + "\n", false);
+}
+
+std::string RowOf(const std::string& property, PropertyRow& row) {
+  auto& count = row.subjects;
+  return fmt::format(
+      "<tr><th scope=\"row\" class=\"name\">{}</th>{}{}{}{}<td class=\"names\">{}</td></tr>\n",
+      Breakable(property), Number(count[Outcome::kHolds]),
+      Number(count[Outcome::kViolated], "wrong"),
+      Number(count[Outcome::kNotExercised] + count[Outcome::kInconclusive]),
+      Number(count[Outcome::kNotApplicable] + count[Outcome::kRefused]),
+      ViolatedBy(row.violated_by));
 }
 
 NearEdgeCounts Sum(const Certificate& certificate) {
@@ -220,82 +144,38 @@ std::uint64_t Less(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : 0;
 
 }  // namespace
 
-std::string_view LookOf(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kHolds:
-      return "holds";
-    case Outcome::kViolated:
-      return "violated";
-    case Outcome::kNotExercised:
-    case Outcome::kInconclusive:
-      return "idle";
-    case Outcome::kNotApplicable:
-    case Outcome::kRefused:
-      return "none";
-  }
-  return "none";
-}
-
-std::string AnchorOf(const Certificate& certificate) {
-  std::string anchor = "subject-";
-  for (const char c : certificate.subject.name) {
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-    // Other characters by their code: names that differ keep anchors that differ.
-    anchor += plain ? std::string(1, c)
-                    : fmt::format("_{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-  }
-  return anchor;
-}
-
-std::string VerdictTable(const std::vector<Certificate>& certificates) {
-  if (certificates.empty()) return {};
-  std::string html =
-      "<div class=\"scroll\"><table><thead><tr><th>subject</th><th>verdict</th><th>properties</th>"
-      "<th class=\"number\">hold</th><th class=\"number\">violated</th>"
-      "<th class=\"number\">not exercised</th><th class=\"number\">inconclusive</th>"
-      "<th class=\"number\">not applicable</th>"
-      "<th class=\"number\">wrong, own profile</th><th class=\"number\">wrong, real geometry</th>"
-      "</tr></thead><tbody>\n";
-  for (const Certificate& certificate : certificates) html += VerdictRow(certificate);
-  return html + "</tbody></table></div>\n";
-}
-
 std::string SceneTables(const std::vector<Certificate>& certificates) {
   const std::vector<const SceneResult*> scenes = ScenesOf(certificates);
   if (scenes.empty()) return {};
-  std::string html = SceneMatrix(certificates, scenes);
-  for (const SceneResult* scene : scenes) html += SceneTable(certificates, *scene);
-  return html;
+  return SceneTable(certificates, scenes) +
+         Folded("Samples off real geometry, of every subject on every scene",
+                SceneMatrix(certificates, scenes), certificates.size() <= kMostUnfolded);
 }
 
-std::string PropertyMatrix(const std::vector<Certificate>& certificates) {
+std::string PropertyTable(const std::vector<Certificate>& certificates) {
   std::vector<std::string> properties;
-  std::map<std::string, std::vector<const PropertyResult*>> rows;
-  for (std::size_t k = 0; k < certificates.size(); ++k) {
-    for (const PropertyResult& result : certificates[k].tested) {
-      auto [row, is_new] = rows.try_emplace(result.property, certificates.size());
+  std::map<std::string, PropertyRow> rows;
+  for (const Certificate& certificate : certificates) {
+    for (const PropertyResult& result : certificate.tested) {
+      const auto [row, is_new] = rows.try_emplace(result.property);
       if (is_new) properties.push_back(result.property);
-      row->second[k] = &result;
+      ++row->second.subjects[result.outcome];
+      if (result.outcome == Outcome::kViolated) row->second.violated_by.push_back(&certificate);
     }
   }
   if (properties.empty()) return {};
-  std::string html = "<div class=\"scroll fit\"><table class=\"matrix\"><thead><tr><th></th>";
-  for (const Certificate& certificate : certificates) {
-    html += fmt::format("<th class=\"upright\" scope=\"col\">{}</th>", Link(certificate));
-  }
-  html += "</tr></thead><tbody>\n";
-  for (const std::string& property : properties) {
-    html += fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th>", Escaped(property));
-    for (std::size_t k = 0; k < certificates.size(); ++k) {
-      const PropertyResult* result = rows.at(property)[k];
-      const Outcome outcome = result == nullptr ? Outcome::kNotApplicable : result->outcome;
-      html += fmt::format("<td title=\"{}: {}\">{}</td>", Escaped(certificates[k].subject.name),
-                          OutcomeName(outcome), Mark(outcome));
-    }
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
+  std::string html =
+      "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>property</th>"
+      "<th class=\"number\">hold</th><th class=\"number\">violated</th>"
+      "<th class=\"number\">open</th><th class=\"number\">not asked</th><th>violated by</th>"
+      "</tr></thead><tbody>\n";
+  for (const std::string& property : properties) html += RowOf(property, rows.at(property));
+  html += "</tbody></table></div>\n" +
+          ColumnKey({{"hold, violated", "subjects with this outcome"},
+                     {"open", "subjects on which it was not exercised or could not be judged"},
+                     {"not asked", "subjects to which it is not applicable"}});
+  return Folded(fmt::format("{} properties, by how many subjects hold them", properties.size()),
+                html, properties.size() <= kMostUnfolded);
 }
 
 std::string NearEdgeTable(const std::vector<Certificate>& certificates) {
@@ -305,7 +185,8 @@ std::string NearEdgeTable(const std::vector<Certificate>& certificates) {
   }
   if (largest == 0) return {};
   std::string html =
-      "<div class=\"scroll\"><table><thead><tr><th>subject</th><th class=\"number\">samples</th>"
+      "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>subject</th>"
+      "<th class=\"number\">samples</th>"
       "<th class=\"number\">on the edge</th><th class=\"number\">within 1</th>"
       "<th class=\"number\">1 to 16</th><th class=\"number\">16 to 256</th>"
       "<th class=\"number\">farther</th></tr></thead><tbody>\n";
@@ -319,7 +200,8 @@ std::string NearEdgeTable(const std::vector<Certificate>& certificates) {
     }
     html += "</tr>\n";
   }
-  return html + "</tbody></table></div>\n";
+  return Folded(Several(certificates.size(), "subject"), html + "</tbody></table></div>\n",
+                certificates.size() <= kMostUnfolded);
 }
 
 }  // namespace rasterproof::report

@@ -1,6 +1,5 @@
 #include "report/text.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -94,22 +93,6 @@ std::string Grouped(std::uint64_t number) {
     grouped += digits[k];
   }
   return grouped;
-}
-
-std::string Base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    const std::size_t have = std::min<std::size_t>(3, bytes.size() - k);
-    std::uint32_t group = 0;
-    for (std::size_t b = 0; b < 3; ++b) group = group << 8 | (b < have ? Byte(bytes, k + b) : 0);
-    for (std::size_t d = 0; d < 4; ++d) {
-      text += d <= have ? kDigits[group >> (18 - 6 * d) & 0x3F] : '=';
-    }
-  }
-  return text;
 }
 
 }  // namespace rasterproof::report

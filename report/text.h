@@ -18,9 +18,6 @@ std::string Escaped(std::string_view text);
 /// Digits in groups of three, with narrow spaces that don't break: "12 345 678".
 std::string Grouped(std::uint64_t number);
 
-/// RFC 4648, for data URIs.
-std::string Base64(std::string_view bytes);
-
 }  // namespace rasterproof::report
 
 #endif  // RASTERPROOF_REPORT_TEXT_H_

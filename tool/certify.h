@@ -115,7 +115,9 @@ class Certification {
 /// Why the counts of the scene's samples are not stated by the profile; empty if they are.
 std::string WhyNotStated(const Scene& scene, const Profile& profile);
 
-/// Pictures of real scenes and of what went wrong where.
+/// Pictures of real scenes, and of what every violated subject got wrong, for the page to show.
+///
+/// Domain:     certificates that know their folders.
 std::vector<report::Picture> TakePictures(MeasuredScenes& scenes,
                                           const std::vector<report::Certificate>& certificates,
                                           Progress& progress);

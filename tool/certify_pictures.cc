@@ -2,7 +2,9 @@
 // them.
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -18,13 +20,13 @@
 #include "tool/failure.h"
 #include "tool/file_names.h"
 #include "tool/session.h"
-#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
 
 constexpr int kWidestPicture = 1024;  // a page should load at once
 constexpr std::size_t kMostFailures = 12;
+constexpr std::size_t kMostEdgeValues = 6;
 
 void PictureRender(const MeasuredScene& measured, std::vector<report::Picture>& pictures) {
   const reference::Method* method = reference::FindMethod("spans-exact");
@@ -34,11 +36,11 @@ void PictureRender(const MeasuredScene& measured, std::vector<report::Picture>& 
   }
   const FragmentBuffers fragments =
       reference::RasterizeFragments(measured.scene(), *method, {}, {.barycentrics = true});
+  const std::string file = FileNameOf(measured.name()) + ".png";
   pictures.push_back(
-      {measured.name() + ": barycentric barycentrics of the nearest triangle",
-       fmt::format("{} --mode barycentrics --output {}", measured.CommandOf("render"),
-                   ShellWord(FileNameOf(measured.name()) + ".png")),
-       "", io::EncodePng(report::PaintBarycentrics(fragments))});
+      {measured.name() + ": barycentrics of the nearest triangle",
+       fmt::format("{} --mode barycentrics --output {}", measured.CommandOf("render"), file), "",
+       true, "scenes/" + file, io::EncodePng(report::PaintBarycentrics(fragments))});
 }
 
 // The measurement on the scene by which the subject is violated; nullptr if it is not.
@@ -52,12 +54,39 @@ const SceneResult* WrongOn(const report::Certificate& certificate, const std::st
   return nullptr;
 }
 
-// The first place at which the subject differs from the model on the scene, explained; nothing if
-// it doesn't.
-void PictureFailure(const report::Certificate& certificate, const MeasuredScene& measured,
-                    std::vector<report::Picture>& pictures) {
+// The case, explained; nothing if it can't be.
+std::optional<report::Picture> Explained(const report::Certificate& certificate, const Case& c,
+                                         const Verdict& verdict, const std::string& replay,
+                                         const std::string& file) {
+  const std::string& name = certificate.subject.name;
+  try {
+    const std::unique_ptr<Subject> subject = MakeSubject(name);
+    report::Explanation explanation = Explain(*subject, c, verdict, "");
+    explanation.headline.clear();  // stands above the picture, the command below it
+    if (explanation.edge_values.size() > kMostEdgeValues) {
+      explanation.edge_values.resize(kMostEdgeValues);
+      explanation.edge_values.emplace_back("the command below tells the others");
+    }
+    return report::Picture{verdict.message,
+                           replay,
+                           name,
+                           false,
+                           certificate.folder + "/" + file + ".svg",
+                           report::ExplanationToSvg(explanation)};
+  } catch (const InputError&) {
+    // It drew the scene before and refuses it now: the certificate stands, the page has one picture
+    // less.
+    return std::nullopt;
+  } catch (const SubjectTooSlow&) {
+    return std::nullopt;  // or it was interrupted
+  }
+}
+
+// The first place at which the subject differs from the model on the scene; nothing if it doesn't.
+std::optional<report::Picture> PictureOf(const report::Certificate& certificate,
+                                         const MeasuredScene& measured) {
   const SceneResult* result = WrongOn(certificate, measured.name());
-  if (result == nullptr) return;
+  if (result == nullptr) return std::nullopt;
   const std::string& name = certificate.subject.name;
   Case c;
   c.scene = measured.scene();
@@ -67,18 +96,27 @@ void PictureFailure(const report::Certificate& certificate, const MeasuredScene&
   verdict.message = fmt::format("{} on {}: {} of {} samples wrong, {} missing, {} unexpected", name,
                                 measured.name(), difference.wrong, difference.samples,
                                 difference.missing, difference.unexpected);
-  const std::string replay = measured.CommandThatShows(name);
-  try {
-    const std::unique_ptr<Subject> subject = MakeSubject(name);
-    const report::Explanation explanation = Explain(*subject, c, verdict, replay);
-    pictures.push_back({explanation.headline, replay, report::ExplanationToSvg(explanation), ""});
-  } catch (const InputError&) {
-    // It drew the scene before and refuses it now: the certificate stands, the page has one picture
-    // less.
-    return;
-  } catch (const SubjectTooSlow&) {
-    return;  // or it was interrupted
+  return Explained(certificate, c, verdict, measured.CommandThatShows(name),
+                   FileNameOf(measured.name()));
+}
+
+// The first counterexample that has a place to show.
+std::optional<report::Picture> PictureOfCase(const report::Certificate& certificate) {
+  for (const PropertyResult& result : certificate.tested) {
+    if (result.outcome != Outcome::kViolated || !result.counterexample || !result.verdict) continue;
+    const std::optional<Witness>& witness = result.verdict->witness;
+    if (!result.verdict->compared && !(witness && (witness->x >= 0 || witness->triangle >= 0))) {
+      continue;  // a breakdown
+    }
+    Verdict verdict = *result.verdict;
+    verdict.message = fmt::format("{}: {}: {}", certificate.subject.name, result.property,
+                                  result.verdict->message);
+    std::optional<report::Picture> picture =
+        Explained(certificate, *result.counterexample, verdict,
+                  report::ReplayCommand(certificate, result), result.property);
+    if (picture) return picture;
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -91,8 +129,9 @@ std::vector<report::Picture> TakePictures(MeasuredScenes& scenes,
     progress.Stage("drawing " + measured->name());
     PictureRender(*measured, pictures);
   }
-  // One failure of each scene, by the first subject that shows it and has not been shown yet, so
-  // that the page tells of many subjects rather than of one many times.
+  // Every violated subject shows a shrunken case. One failure of each scene goes to the page of all
+  // subjects, by the first subject that has none there yet: it then tells of many subjects rather
+  // than of one many times. Whoever is not among them has a case there if there is room.
   std::vector<std::string> shown;
   for (const std::unique_ptr<MeasuredScene>& measured : scenes) {
     if (shown.size() == kMostFailures) break;
@@ -100,12 +139,21 @@ std::vector<report::Picture> TakePictures(MeasuredScenes& scenes,
     for (const report::Certificate& certificate : certificates) {
       const std::string& name = certificate.subject.name;
       if (std::ranges::find(shown, name) != shown.end()) continue;
-      const std::size_t before = pictures.size();
-      PictureFailure(certificate, *measured, pictures);
-      if (pictures.size() == before) continue;
+      std::optional<report::Picture> picture = PictureOf(certificate, *measured);
+      if (!picture) continue;
+      picture->is_on_front = true;
+      pictures.push_back(std::move(*picture));
       shown.push_back(name);
       break;
     }
+  }
+  progress.Stage("explaining counterexamples");
+  for (const report::Certificate& certificate : certificates) {
+    std::optional<report::Picture> picture = PictureOfCase(certificate);
+    if (!picture) continue;
+    picture->is_on_front = shown.size() < kMostFailures;
+    if (picture->is_on_front) shown.push_back(certificate.subject.name);
+    pictures.push_back(std::move(*picture));
   }
   return pictures;
 }

@@ -79,17 +79,15 @@ std::vector<report::Certificate> CertifyAll(const std::vector<AskedSubject>& sub
   return certificates;
 }
 
-std::string FolderOf(const std::string& output, const report::Certificate& certificate) {
-  return output + "/" + FileNameOf(certificate.subject.name);
-}
-
-// Every counterexample is saved as a case file; the certificate tells how to run it again.
-void NameReplays(const std::string& output, report::Certificate& certificate) {
+// Every subject has a folder, and every counterexample there a case file; the certificate tells
+// where, and how to run it again.
+void NameFiles(const std::string& output, report::Certificate& certificate) {
   const std::string& subject = certificate.subject.name;
+  certificate.folder = FileNameOf(subject);
   for (const PropertyResult& result : certificate.tested) {
     if (!result.counterexample) continue;
     const std::string path =
-        fmt::format("{}/{}.json", FolderOf(output, certificate), result.property);
+        fmt::format("{}/{}/{}.json", output, certificate.folder, result.property);
     std::string command = "rasterproof replay " + ShellWord(path);
     if (IsOutside(subject)) command += " --subject " + ShellWord(subject);  // no file names it
     certificate.replay[result.property] = command;
@@ -97,7 +95,7 @@ void NameReplays(const std::string& output, report::Certificate& certificate) {
 }
 
 void WriteCertificate(const std::string& output, const report::Certificate& certificate) {
-  const std::string folder = FolderOf(output, certificate);
+  const std::string folder = output + "/" + certificate.folder;
   io::MakeFolder(folder);
   io::WriteFile(folder + "/certificate.json", report::CertificateToJson(certificate));
   io::WriteFile(folder + "/junit.xml", report::JUnitXml(certificate));
@@ -106,6 +104,22 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
     io::WriteFile(folder + "/" + result.property + ".json",
                   io::CaseToJson({*result.counterexample, result.subject, result.property}));
   }
+}
+
+// The page of all subjects comes last: what it leads to and shows is then there, each file whole.
+std::string WritePages(const std::string& output, const report::Page& page) {
+  for (const report::Picture& picture : page.pictures) {
+    const std::string path = output + "/" + picture.file;
+    io::MakeFolder(path.substr(0, path.rfind('/')));
+    io::WriteFile(path, picture.content);
+  }
+  for (const report::Certificate& certificate : page.certificates) {
+    io::WriteFile(output + "/" + certificate.folder + "/report.html",
+                  report::SubjectPageToHtml(page, certificate));
+  }
+  const std::string path = output + "/report.html";
+  io::WriteFile(path, report::PageToHtml(page));
+  return path;
 }
 
 // Wrong samples over the scenes that the subject's own profile judges.
@@ -201,17 +215,17 @@ int RunCertify(const CertifyOptions& options) {
     Progress progress;
     MeasuredScenes scenes = LoadSceneSet(options.scene_set, progress);
     page.title = "rasterproof " RASTERPROOF_VERSION;
+    page.is_survey = options.all;
     page.certificates = CertifyAll(subjects, options, scenes, progress, failure);
     // What is known is written before anything else can go wrong.
     for (report::Certificate& certificate : page.certificates) {
-      NameReplays(options.output, certificate);
+      NameFiles(options.output, certificate);
       WriteCertificate(options.output, certificate);
     }
     if (failure) std::rethrow_exception(failure);
     if (!Interrupted()) page.pictures = TakePictures(scenes, page.certificates, progress);
   }
-  const std::string path = options.output + "/report.html";
-  io::WriteFile(path, report::PageToHtml(page));
+  const std::string path = WritePages(options.output, page);
   io::WriteStandardOutput(Summary(page.certificates, subjects.size(), options.all) +
                           "report: " + path + "\n");
   return ExitStatus(page.certificates, options.all);

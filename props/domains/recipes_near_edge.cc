@@ -131,13 +131,13 @@ Case LongRows(BitSource& bits, const SubjectInfo& info) {
   const auto place = [&](double along, double beside) {
     return along_y ? Point2{beside, along} : Point2{along, beside};
   };
-  // A walk from the box's corner rounds once a step: an edge at the far end sees them all.
+  // Stepping from the box's corner rounds once a step: an edge at the far end sees them all.
   // With dY = (odd) 2^-k next to 1 every rounding goes the same way.
   const double end = std::min<double>(length, sketch.lattice().limit());
   const double slant = 1 + std::ldexp(static_cast<double>(bits.Int(1, 64)), -11);
   const double top = sketch.Uniform(0, 1);
   sketch.AddTriangle({place(0, top), place(end, top), place(end, top + slant)});
-  // And an edge along the whole walk that passes a sample near its far end as closely as it can.
+  // And an edge along all the steps that passes a sample near its far end as closely as it can.
   const Point2 p = sketch.profile().pattern.At(along_y ? across / 2 : length - 1 - length / 64,
                                                along_y ? length - 1 - length / 64 : across / 2);
   const double ahead = sketch.Uniform(0.25, 1);

@@ -12,8 +12,8 @@
 
 namespace rasterproof::props {
 
-/// Two triangles that walk the same edge in opposite directions. Window space: by position after
-/// snapping. Clip space: by (x, y, w) as given.
+/// Two triangles that traverse the same edge in opposite directions. Window space: by position
+/// after snapping. Clip space: by (x, y, w) as given.
 struct Neighbours {
   std::size_t first = 0;
   std::size_t second = 0;
@@ -34,7 +34,7 @@ struct BoundaryEdge {
 /// The directed edges of a mesh that no opposite edge cancels, by x, y and w as they are.
 std::vector<BoundaryEdge> BoundaryOf(const Scene& scene);
 
-/// Whether every directed edge is walked as often as its reverse, by x, y and w as given.
+/// Whether every directed edge is traversed as often as its reverse, by x, y and w as given.
 bool IsClosed(const Scene& scene);
 
 /// Start and end of edge `edge`, the one opposite vertex `edge`, in the triangle's direction.

@@ -34,13 +34,13 @@ Profile FourSampleProfile();
 std::vector<Mutant> TieRuleMutants();     // ties, facing
 std::vector<Mutant> PositionMutants();    // sample locations, snapping
 std::vector<Mutant> SetUpMutants();       // overflow, guard band
-std::vector<Mutant> TraversalMutants();   // box, tiles, walks
+std::vector<Mutant> TraversalMutants();   // box, tiles, stepping
 std::vector<Mutant> TargetMutants();      // scissor, culling, target size, threads
 std::vector<Mutant> SceneMutants();       // state, degenerate and non-finite input, lost triangles
 std::vector<Mutant> RealMutants();        // exact geometry, clip space
 std::vector<Mutant> TransformMutants();   // clip space to window
 std::vector<Mutant> ScanlineMutants();    // where edges cross rows
-std::vector<Mutant> ShownValueMutants();  // edge values, walks, barycentrics
+std::vector<Mutant> ShownValueMutants();  // edge values, steps, barycentrics
 std::vector<Mutant> ContractMutants();    // fixed-point input, target sizes, extents, edge_samples
 std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
 /// Written after the generators and the properties were frozen.

@@ -7,7 +7,7 @@
 
 #include "io/case_file.h"
 #include "io/output.h"
-#include "report/page_parts.h"
+#include "report/page.h"
 #include "tests/report/json.h"
 #include "tests/report/sample_results.h"
 #include "tests/report/schema.h"
@@ -177,7 +177,7 @@ TEST(VerdictTest, SaysWhatItDoesNotSpeakFor) {
   const json tested = Parsed(certificate)["tested"][0];
   EXPECT_EQ(tested["cases_refused"], 118);
   EXPECT_EQ(tested["not_judged"], 7);
-  EXPECT_NE(SubjectDetails(certificate).find("118 refused; 7 samples not judged"),
+  EXPECT_NE(SubjectPageToHtml({}, certificate).find("118 refused; 7 samples not judged"),
             std::string::npos);
 }
 

@@ -4,8 +4,10 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "pugixml.hpp"
+#include "report/drawing.h"
 #include "report/palette.h"
 #include "report/picture.h"
 
@@ -157,6 +159,21 @@ TEST(ExplanationSvgTest, StaysFiniteAndInsideForTrianglesOfAnySize) {
   for (const pugi::xml_node line : document.child("svg").children("line")) {
     EXPECT_GE(line.attribute("x1").as_double(), 0);
     EXPECT_LE(line.attribute("x2").as_double(), width);
+  }
+}
+
+TEST(ExplanationSvgTest, KeepsTheLegendOfASmallPictureInside) {
+  Explanation small = Sample();
+  small.view = {0, 0, 1, 1};
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(ExplanationToSvg(small).c_str()));
+  const pugi::xml_node svg = document.child("svg");
+  for (const pugi::xml_node text : svg.children("text")) {
+    const std::string_view shown = text.text().as_string();
+    const double advance = kAdvance * text.attribute("font-size").as_double();
+    EXPECT_LE(text.attribute("x").as_double() + advance * static_cast<double>(shown.size()),
+              svg.attribute("width").as_double())
+        << shown;
   }
 }
 

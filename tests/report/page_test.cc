@@ -4,7 +4,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "fmt/format.h"
 #include "report/page_parts.h"
 #include "tests/report/sample_results.h"
 
@@ -28,75 +30,155 @@ Page SamplePage() {
   Page page;
   page.title = "a report";
   page.certificates = {SampleCertificate()};
-  page.pictures = {{"a gap", "rasterproof explain case.json", "<svg><rect/></svg>", ""},
-                   {"a bunny", "rasterproof render bunny.obj", "", "\x89PNG"}};
+  page.certificates[0].folder = "f32-direct";
+  page.pictures = {
+      {"a gap", "rasterproof explain case.json", "f32-direct", true, "f32-direct/bunny.svg",
+       "<svg><rect/></svg>"},
+      {"a bunny", "rasterproof render bunny.obj", "", true, "scenes/bunny.png", "\x89PNG"}};
   return page;
 }
 
-TEST(PageTest, RunsNothingAndLoadsNothing) {
-  const std::string html = PageToHtml(SamplePage());
-  EXPECT_FALSE(Has(html, "<script"));
-  EXPECT_FALSE(Has(html, "http:"));
-  EXPECT_FALSE(Has(html, "https:"));
-  EXPECT_FALSE(Has(html, "<link"));
-  EXPECT_FALSE(Has(html, "@import"));
-  EXPECT_FALSE(Has(html, "url("));
-  EXPECT_TRUE(Has(html, "default-src 'none'"));
-  EXPECT_EQ(Count(html, "href=\""), Count(html, "href=\"#"));
+// The page of all subjects, and that of the first.
+std::vector<std::string> PagesOf(const Page& page) {
+  return {PageToHtml(page), SubjectPageToHtml(page, page.certificates[0])};
+}
+
+std::string SubjectPage(const Certificate& certificate) {
+  return SubjectPageToHtml(Page{"a report", false, {certificate}, {}}, certificate);
+}
+
+std::string VerdictsOf(const Certificate& certificate) {
+  return VerdictGroups(Page{"a report", false, {certificate}, {}});
+}
+
+TEST(PageTest, RunsOneScriptByItsHashAndLoadsNothingFromElsewhere) {
+  for (const std::string& html : PagesOf(SamplePage())) {
+    EXPECT_EQ(Count(html, "<script"), 1U);
+    EXPECT_TRUE(Has(html, fmt::format("script-src 'sha256-{}'", kPageScriptHash)));
+    EXPECT_TRUE(Has(html, fmt::format("<script>{}</script>", kPageScript)));
+    EXPECT_TRUE(Has(html, "default-src 'none'"));
+    for (const char* loads : {"http:", "https:", "<link", "@import", "url(", "=\"//"}) {
+      EXPECT_FALSE(Has(html, loads)) << loads;
+    }
+  }
+}
+
+TEST(PageTest, LeadsToThePagesAndPicturesBesideIt) {
+  const std::vector<std::string> pages = PagesOf(SamplePage());
+  EXPECT_TRUE(Has(pages[0], "href=\"f32-direct/report.html\""));
+  EXPECT_TRUE(Has(pages[0], "src=\"f32-direct/bunny.svg\""));
+  EXPECT_TRUE(Has(pages[0], "src=\"scenes/bunny.png\""));
+  EXPECT_TRUE(Has(pages[1], "href=\"../report.html\""));
+  EXPECT_TRUE(Has(pages[1], "src=\"../f32-direct/bunny.svg\""));
+  EXPECT_FALSE(Has(pages[1], "scenes/bunny.png"));
 }
 
 TEST(PageTest, EverythingThatOthersNamedIsEscaped) {
   Page page = SamplePage();
   const std::string evil = "\"><script>alert('1')</script><img src=x onerror=1>&\x1b";
   page.title = evil;
-  page.pictures[0].caption = evil;
-  page.pictures[0].command = evil;
-  page.pictures[1].caption = evil;
+  for (Picture& picture : page.pictures) picture.caption = picture.command = picture.file = evil;
   Certificate& certificate = page.certificates[0];
+  page.pictures[0].subject = evil;
   certificate.subject.name = evil;
   certificate.subject.summary = evil;
   certificate.subject.profile.name = evil;
-  certificate.command = evil;
+  certificate.command = certificate.folder = evil;
   certificate.environment = {{evil, evil}};
   certificate.proved = {{evil, evil}};
   certificate.exhausted = {{evil, evil}};
   certificate.oracle_tiers = {{evil, 1}};
   certificate.measured[0].scene = evil;
   certificate.measured[0].profile = evil;
-  certificate.measured[0].message = evil;
   PropertyResult& result = certificate.tested[1];
   result.property = result.clause = result.message = result.tolerance = evil;
   result.verdict->witness->observed = result.verdict->witness->expected = evil;
-  const std::string html = PageToHtml(page);
-  EXPECT_FALSE(Has(html, "<script"));
-  EXPECT_FALSE(Has(html, "<img src=x"));
-  EXPECT_FALSE(Has(html, "\x1b"));
+  certificate.replay[evil] = evil;
+  for (const std::string& html : PagesOf(page)) {
+    EXPECT_EQ(Count(html, "<script"), 1U);
+    EXPECT_TRUE(Has(html, "&lt;script&gt;"));
+    EXPECT_FALSE(Has(html, "<img src=x"));
+    EXPECT_FALSE(Has(html, "\x1b"));
+  }
 }
 
-TEST(PageTest, SaysEachVerdictOfTheSummaryFirst) {
+TEST(PageTest, SaysTheVerdictThenItsSubjectsThenPictures) {
   const std::string html = PageToHtml(SamplePage());
-  const std::size_t verdicts = html.find("id=\"verdicts\"");
-  EXPECT_LT(verdicts, html.find("id=\"scenes\""));
+  const std::size_t sentence =
+      html.find("f32-direct is violated: properties violated: 1; scenes with wrong samples: 1.");
+  ASSERT_NE(sentence, std::string::npos);
+  EXPECT_LT(sentence, html.find("id=\"verdicts\""));
+  EXPECT_LT(html.find("id=\"verdicts\""), html.find("id=\"pictures\""));
+  EXPECT_LT(html.find("id=\"pictures\""), html.find("id=\"scenes\""));
   EXPECT_LT(html.find("id=\"scenes\""), html.find("id=\"properties\""));
   EXPECT_TRUE(Has(html, "<span class=\"chip violated\">violated</span>"));
 }
 
+// A survey of n methods that state nothing, one that states to be exact and a homogeneous one.
+Page Survey(std::size_t n) {
+  Page page{"a survey", true, {}, {}};
+  page.certificates.assign(n + 2, SampleCertificate());
+  for (std::size_t k = 0; k < page.certificates.size(); ++k) {
+    Certificate& certificate = page.certificates[k];
+    certificate.subject.name = certificate.folder = fmt::format("method-{}", k);
+  }
+  Certificate& exact = page.certificates[n];
+  exact.subject.states_exact = true;
+  exact.tested.resize(1);
+  exact.measured.clear();
+  page.certificates[n + 1].subject.takes_clip = true;
+  page.certificates[n + 1].subject.takes_window = false;
+  return page;
+}
+
+TEST(PageTest, ASurveyHasThreeGroupsByWhatSubjectsState) {
+  const std::string html = VerdictGroups(Survey(3));
+  EXPECT_TRUE(Has(html, "<strong>States exact coverage</strong>"));
+  EXPECT_TRUE(Has(html, "1 subject: 1 holds"));
+  EXPECT_TRUE(Has(html, "<strong>States nothing</strong>"));
+  EXPECT_TRUE(Has(html, "3 subjects: 3 violated"));
+  EXPECT_TRUE(Has(html, "<strong>Homogeneous</strong>"));
+  EXPECT_EQ(Count(html, "<tr><th scope=\"row\">"), 5U) << "each subject in one group";
+  EXPECT_EQ(VerdictSentence(Survey(3)),
+            "The subject that states exact coverage holds. Of 4 subjects that state no such thing: "
+            "4 violated.");
+}
+
+TEST(PageTest, AGroupWithoutSubjectsIsNotShown) {
+  const std::string html = VerdictsOf(SampleCertificate());
+  EXPECT_EQ(Count(html, "<details"), 1U);
+  EXPECT_TRUE(Has(html, "States a profile"));
+  EXPECT_FALSE(Has(html, "States nothing")) << "who asks for a subject holds it to its profile";
+}
+
+TEST(PageTest, ALongGroupIsFoldedAndAShortOneIsNot) {
+  EXPECT_EQ(Count(VerdictGroups(Survey(12)), "<details open>"), 3U);
+  EXPECT_EQ(Count(VerdictGroups(Survey(13)), "<details open>"), 2U);
+}
+
+TEST(PageTest, ASubjectCostsThePageARowHereAndThere) {
+  const std::size_t few = PageToHtml(Survey(10)).size();
+  const std::size_t many = PageToHtml(Survey(110)).size();
+  constexpr std::size_t kMostPerSubject = 2500;  // bytes, of one scene and four properties
+  EXPECT_LT(many - few, 100 * kMostPerSubject);
+}
+
 TEST(PageTest, OnlyWhatHoldsIsGreen) {
-  const std::string matrix = PropertyMatrix({SampleCertificate()});
-  EXPECT_EQ(Count(matrix, "mark holds"), 1U);
-  EXPECT_EQ(Count(matrix, "mark violated"), 1U);
-  EXPECT_EQ(Count(matrix, "mark idle"), 1U);
-  EXPECT_EQ(Count(matrix, "mark none"), 1U);
+  const std::string page = SubjectPage(SampleCertificate());
+  EXPECT_EQ(Count(page, "chip holds\">holds<"), 1U);
+  EXPECT_EQ(Count(page, "chip violated\">violated<"), 2U) << "the subject and a property";
+  EXPECT_EQ(Count(page, "chip idle\">not exercised<"), 1U);
 }
 
 TEST(PageTest, WhatCouldNotBeJudgedIsCountedAndNotGreen) {
   Certificate certificate = SampleCertificate();
   certificate.tested = {SampleProperty("a", Outcome::kInconclusive)};
   certificate.measured.clear();
-  EXPECT_EQ(Count(PropertyMatrix({certificate}), "mark holds"), 0U);
-  EXPECT_EQ(Count(PropertyMatrix({certificate}), "mark idle\">?<"), 1U);
-  EXPECT_TRUE(Has(VerdictTable({certificate}), "<span class=\"chip idle\">inconclusive</span>"));
-  EXPECT_EQ(Count(VerdictTable({certificate}), "<td class=\"number \">1</td>"), 1U);
+  const std::string verdicts = VerdictsOf(certificate);
+  EXPECT_FALSE(Has(verdicts, "chip holds"));
+  EXPECT_TRUE(Has(verdicts, "<span class=\"chip idle\">inconclusive</span>"));
+  EXPECT_EQ(Count(verdicts, "<td class=\"number \">1</td>"), 1U);
+  EXPECT_EQ(Count(PropertyTable({certificate}), "<td class=\"number \">1</td>"), 1U);
 }
 
 TEST(PageTest, WhatALegalSubjectDrawsIsNotCalledWrong) {
@@ -104,51 +186,61 @@ TEST(PageTest, WhatALegalSubjectDrawsIsNotCalledWrong) {
   certificate.subject.profile.name = "free";
   certificate.subject.profile.freedom.snap_tolerance = 0.6;
   certificate.measured[0].profile = "free";
-  EXPECT_EQ(Count(VerdictTable({certificate}), ">5 of"), 0U);
-  EXPECT_TRUE(Has(SubjectDetails(certificate), "samples differ; its profile leaves more than one"));
+  EXPECT_FALSE(Has(VerdictsOf(certificate), ">5</td>"));
+  EXPECT_TRUE(Has(SubjectPage(certificate), "its profile leaves more than one result legal"));
 }
 
-TEST(PageTest, APropertyThatASubjectWasNotAskedIsNotGreenEither) {
-  Certificate asked = SampleCertificate();
-  Certificate other;
+TEST(PageTest, CountsWhoHoldsAPropertyAndNamesWhoViolatesIt) {
+  Certificate other = SampleCertificate();
   other.subject.name = "other";
-  const std::string matrix = PropertyMatrix({asked, other});
-  EXPECT_EQ(Count(matrix, "mark holds"), 1U);
-  EXPECT_EQ(Count(matrix, "mark none"), 5U);
+  const std::string table = PropertyTable({SampleCertificate(), other});
+  EXPECT_TRUE(Has(table, "Shared<wbr>Edge<wbr>Samples"));
+  EXPECT_EQ(Count(table, "<td class=\"number wrong\">2</td>"), 1U);
+  EXPECT_EQ(Count(table, ">other<"), 1U);
 }
 
 TEST(PageTest, CountsWrongMissingAndUnexpectedSamplesPerScene) {
-  const std::string tables = SceneTables({SampleCertificate()});
-  EXPECT_TRUE(Has(tables, "bunny &lt;front&gt;"));
-  EXPECT_EQ(Count(tables, "<td class=\"number split wrong\">5</td>"), 2U);
-  EXPECT_TRUE(Has(tables, ">50<"));  // per million of 100000 covered
+  const std::string page = SubjectPage(SampleCertificate());
+  EXPECT_TRUE(Has(page, "bunny &lt;front&gt;"));
+  EXPECT_EQ(Count(page, "<td class=\"number split wrong\">5</td>"), 1U);
+  EXPECT_TRUE(Has(page, ">50<"));  // per million of 100000 covered
+  EXPECT_TRUE(Has(SceneTables({SampleCertificate()}), "bunny &lt;front&gt;"));
 }
 
 TEST(PageTest, CountsASceneOnceThoughTheOwnProfileIsTheRealOne) {
   Certificate certificate = SampleCertificate();
   certificate.measured.push_back(certificate.measured[0]);
-  EXPECT_EQ(Count(VerdictTable({certificate}), ">5 of 262\u202f144<"), 2U);
+  EXPECT_EQ(Count(VerdictsOf(certificate), "title=\"of 262\u202f144\">5<"), 2U);
 }
 
 TEST(PageTest, LeavesScenesBeyondTheLimitsOutOfTheTotals) {
   Certificate certificate = SampleCertificate();
   certificate.measured[0].message = "coordinates beyond what the profile states";
-  EXPECT_EQ(Count(VerdictTable({certificate}), ">5 of"), 0U);
+  EXPECT_FALSE(Has(VerdictsOf(certificate), ">5</td>"));
 }
 
 TEST(PageTest, SaysWhyASceneWasNotMeasured) {
   Certificate certificate = SampleCertificate();
   certificate.measured[0].applicable = false;
   certificate.measured[0].message = "the scene is in clip space";
-  EXPECT_TRUE(Has(SceneTables({certificate}), "the scene is in clip space"));
+  EXPECT_TRUE(Has(SubjectPage(certificate), "the scene is in clip space"));
 }
 
 TEST(PageTest, ShowsHowOftenEachPropertyWasPutToTheTest) {
-  const std::string details = SubjectDetails(SampleCertificate());
-  EXPECT_TRUE(Has(details, "998 of 1\u202f000"));
-  EXPECT_TRUE(Has(details, "12\u202f345"));
-  EXPECT_TRUE(Has(details, "rasterproof replay SharedEdgeSamplesAreCoveredOnce.json"));
-  EXPECT_TRUE(Has(details, "N = 729"));
+  const std::string page = SubjectPage(SampleCertificate());
+  EXPECT_TRUE(Has(page, "<td class=\"number\">1\u202f000</td><td class=\"number\">998</td>"));
+  EXPECT_TRUE(Has(page, "12\u202f345"));
+  EXPECT_TRUE(Has(page, "N = 729"));
+}
+
+TEST(PageTest, ACommandBreaksBetweenItsWordsOnly) {
+  const std::string page = SubjectPage(SampleCertificate());
+  EXPECT_TRUE(Has(page,
+                  "<code><span>rasterproof</span> <span>replay</span> "
+                  "<span>SharedEdgeSamplesAreCoveredOnce.json</span></code>"));
+  EXPECT_EQ(Command("a --b 'c <d'"),
+            "<pre><code><span>a</span> <span>--b</span> "
+            "<span>&#39;c</span> <span>&lt;d&#39;</span></code></pre>\n");
 }
 
 TEST(PageTest, TheNearEdgeClassesAreDisjoint) {
@@ -161,33 +253,9 @@ TEST(PageTest, TheNearEdgeClassesAreDisjoint) {
 }
 
 TEST(PageTest, AnEmptyReportIsStillAPage) {
-  const std::string html = PageToHtml(Page{"nothing", {}, {}});
-  EXPECT_TRUE(Has(html, "0 subjects"));
+  const std::string html = PageToHtml(Page{"nothing", false, {}, {}});
+  EXPECT_TRUE(Has(html, "No subject was certified."));
   EXPECT_TRUE(html.ends_with("</html>\n"));
-}
-
-TEST(PlainSvgTest, KeepsWhatDraws) {
-  const std::string svg =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\"><g clip-path=\"url(#c)\">"
-      "<text x=\"1\">a &lt; b</text></g></svg>";
-  EXPECT_EQ(PlainSvg(svg), svg);
-}
-
-TEST(PlainSvgTest, DropsWhatRunsOrLoads) {
-  const std::string plain = PlainSvg(
-      "<?xml version=\"1.0\"?><!DOCTYPE svg><svg onload=\"a()\"><script>b()</script>"
-      "<a href=\"http://c\"><rect/></a><image href=\"d.png\"/><use xlink:href=\"e.svg#f\"/>"
-      "<text href=\"http://l\" xlink:href=\"m.svg\"/>"
-      "<style>@import 'g'</style><foreignObject><p>h</p></foreignObject>"
-      "<rect fill=\"url(http://i)\" onclick=\"j\" width=\"2\"/>"
-      "<rect style=\"fill:u\\72l(k)\" width=\"3\"/></svg>");
-  EXPECT_EQ(plain, "<svg><text/><rect width=\"2\"/><rect width=\"3\"/></svg>");
-}
-
-TEST(PlainSvgTest, GivesNothingForWhatIsNoSvg) {
-  EXPECT_EQ(PlainSvg(""), "");
-  EXPECT_EQ(PlainSvg("<svg><g></svg>"), "");
-  EXPECT_EQ(PlainSvg("<html><svg/></html>"), "");
 }
 
 }  // namespace

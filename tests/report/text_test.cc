@@ -41,14 +41,5 @@ TEST(GroupedTest, SeparatesThousands) {
             "18\u202f446\u202f744\u202f073\u202f709\u202f551\u202f615");
 }
 
-TEST(Base64Test, MatchesTheVectorsOfRfc4648) {
-  EXPECT_EQ(Base64(""), "");
-  EXPECT_EQ(Base64("f"), "Zg==");
-  EXPECT_EQ(Base64("fo"), "Zm8=");
-  EXPECT_EQ(Base64("foo"), "Zm9v");
-  EXPECT_EQ(Base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(Base64("\xff\xfe\xfd"), "//79");
-}
-
 }  // namespace
 }  // namespace rasterproof::report

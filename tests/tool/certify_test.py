@@ -2,10 +2,13 @@
 
 usage: certify_test.py PROGRAM SOURCES EXAMPLES PLUGINS
 """
+import base64
 import hashlib
+import html
 import json
 import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -54,7 +57,17 @@ class Certify(unittest.TestCase):
 
     def certificates(self):
         return [json.loads(self.read(os.path.join(self.out, name, "certificate.json")))
-                for name in sorted(os.listdir(self.out)) if name != "report.html"]  # fmt: skip
+                for name in self.folders()]
+
+    def folders(self):
+        """The folders of subjects; that of the scenes' pictures is none."""
+        return [name for name in sorted(os.listdir(self.out))
+                if os.path.exists(os.path.join(self.out, name, "certificate.json"))]  # fmt: skip
+
+    def pages(self):
+        """The page of all subjects, then that of each."""
+        paths = ["report.html"] + [f"{folder}/report.html" for folder in self.folders()]
+        return {path: self.read(os.path.join(self.out, path)).decode() for path in paths}
 
     def agreed(self, done, verdict):
         """The one certificate, if status, certificate, summary, JUnit and page say the verdict."""
@@ -63,15 +76,15 @@ class Certify(unittest.TestCase):
         (certificate,) = self.certificates()
         self.assertEqual(certificate["verdict"], verdict, certificate["reason"])
         self.assertRegex(done.stdout.decode().splitlines()[0], rf" {verdict} +\d+ hold ")
-        (folder,) = [name for name in os.listdir(self.out) if name != "report.html"]
+        (folder,) = self.folders()
         junit = xml.etree.ElementTree.parse(os.path.join(self.out, folder, "junit.xml"))
         (suite,) = junit.getroot()
         self.assertEqual(int(suite.get("failures")) != 0, verdict == "violated")
         self.assertEqual(int(suite.get("errors")) != 0, verdict == "inconclusive")
         self.assertEqual(len(junit.findall(".//failure")), int(suite.get("failures")))
-        page = self.read(os.path.join(self.out, "report.html")).decode()
         look = "idle" if verdict == "inconclusive" else verdict
-        self.assertIn(f'<span class="chip {look}">{verdict}</span>', page)
+        for page in self.pages().values():
+            self.assertIn(f'<span class="chip {look}">{verdict}</span>', page)
         return certificate
 
     def subject_file(self, name, *lines, command=f"{HERE}/paints_all.py"):
@@ -134,13 +147,13 @@ class Outside(Certify):
         for result in refused:
             said = f"{result['cases_refused']} refused"
             self.assertIn(said, done.stdout.decode())
-            self.assertIn(said, self.read(f"{self.out}/report.html").decode())
+            self.assertIn(said, list(self.pages().values())[1])
         said = {entry["statement"]: entry["by"] for entry in certificate["not_applicable"]}
         self.assertIn("the subject refused it: ", said["scene ties"])
         self.assertIn("48 triangles are too many", said["scene ties"])
         self.assertNotIn("scene duplicates", said)
         self.assertIn(b"scene ties: the subject refused it", done.stdout)
-        self.assertIn(b"48 triangles are too many", self.read(f"{self.out}/report.html"))
+        self.assertIn("48 triangles are too many", list(self.pages().values())[1])
 
     def test_one_that_refuses_everything_is_inconclusive(self):
         done = self.certify("--plugin", f"{PLUGINS}/buggy_REFUSES.so", "--cases", "2")
@@ -361,8 +374,9 @@ class Files(Certify):
                                     cwd=self.folder)  # fmt: skip
             self.assertEqual(done.returncode, 1, done.stderr)
             folders += 1
-            entries = [entry for entry in os.listdir(self.out) if entry != "report.html"]
+            entries = self.folders()
             self.assertEqual(len(entries), folders, "each has a folder of its own")
+            self.assertEqual(sorted([*entries, "report.html"]), sorted(os.listdir(self.out)))
             for entry in entries:
                 self.assertRegex(entry, r"^[A-Za-z0-9][-A-Za-z0-9_.+]{0,99}$")
                 self.assertIn("certificate.json", os.listdir(os.path.join(self.out, entry)))
@@ -376,6 +390,73 @@ class Files(Certify):
                          "--scenes", self.scenes("duplicates"), cwd=self.folder)  # fmt: skip
         self.assertEqual({c["subject"]["name"] for c in self.certificates()},
                          {"a b.subject", "a_b.subject"})  # fmt: skip
+
+
+class Pages(Certify):
+    def links(self, path, page):
+        """Where the links of a page lead, as paths below the output folder."""
+        found = re.findall(r'(?:href|src)="([^"#]+)"', page)
+        return [os.path.normpath(os.path.join(os.path.dirname(path), link)) for link in found]
+
+    def test_a_survey_is_a_small_page_and_all_that_it_leads_to_is_there(self):
+        done = self.run_certify("--all", "--cases", "3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        pages = self.pages()
+        self.assertEqual(len(pages), 1 + len(self.certificates()))
+        self.assertLess(len(pages["report.html"].encode()), 400_000)
+        for group in ("States exact coverage", "States nothing", "Homogeneous"):
+            self.assertEqual(pages["report.html"].count(f"<strong>{group}</strong>"), 1)
+        led_to = {"report.html"}
+        for path, page in pages.items():
+            self.assertLess(len(page.encode()), 1_000_000, path)
+            for link in self.links(path, page):
+                self.assertTrue(os.path.isfile(os.path.join(self.out, link)), f"{path}: {link}")
+                led_to.add(link)
+        self.assertLessEqual(set(pages), led_to, "every page is led to")
+        files = [os.path.relpath(os.path.join(folder, name), self.out)
+                 for folder, _, names in os.walk(self.out) for name in names]  # fmt: skip
+        pictures = [name for name in files if name.endswith((".svg", ".png"))]
+        self.assertTrue(pictures)
+        self.assertLessEqual(set(pictures), led_to, "every picture is shown")
+        self.assertEqual([name for name in files if name.endswith(".part")], [])
+
+    def test_the_policy_of_a_page_names_its_script(self):
+        self.certify("--subject", "spans-exact", "--cases", "1")
+        for page in self.pages().values():
+            (script,) = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
+            digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+            self.assertEqual(re.findall("script-src 'sha256-([^']*)'", page), [digest])
+
+    def test_commands_of_a_page_run_as_they_are_printed(self):
+        name = "a 'b' $(c) <script>.subject"
+        self.subject_file(name)
+        self.run_certify("--subject", name, "--cases", "1", "--scenes", self.scenes("duplicates"),
+                         cwd=self.folder)  # fmt: skip
+        (page,) = list(self.pages().values())[1:]
+        self.assertEqual(page.count("<script"), 1)
+        commands = [html.unescape(re.sub("<[^>]*>", "", code))
+                    for code in re.findall(r"<code>(.*?)</code>", page)]  # fmt: skip
+        for command in commands:
+            self.assertIn(name, shlex.split(command))
+        replays = [command for command in commands if " replay " in command]
+        self.assertTrue(replays)
+        for command in replays:
+            line = f"'{PROGRAM}' {command.removeprefix('rasterproof ')}"
+            done = subprocess.run(line, shell=True, cwd=self.folder, capture_output=True,
+                                  timeout=300, check=False)  # fmt: skip
+            self.assertEqual(done.returncode, 1, line + done.stderr.decode())
+
+    def test_a_page_that_can_not_be_written_leaves_no_part_of_it(self):
+        self.certify("--subject", "textbook", "--cases", "1")
+        before = self.pages()["report.html"]
+        os.remove(os.path.join(self.out, "textbook", "report.html"))
+        os.mkdir(os.path.join(self.out, "textbook", "report.html"))
+        done = self.run_certify("--subject", "textbook", "--cases", "2", "--scenes",
+                                self.scenes("ties"))  # fmt: skip
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertEqual(self.read(os.path.join(self.out, "report.html")).decode(), before)
+        names = [name for _, _, names in os.walk(self.out) for name in names]
+        self.assertEqual([name for name in names if name.endswith(".part")], [])
 
 
 class Interrupts(Certify):
@@ -398,6 +479,7 @@ class Interrupts(Certify):
             stdout, stderr = running.communicate(timeout=200)
         self.assertEqual(running.returncode, 128 + signal.SIGINT, stderr)
         self.assertIn(b"interrupted: ", stdout)
+        self.assertIn("The run was interrupted", self.pages()["report.html"])
         hung = [c for c in self.certificates() if c["subject"]["name"].startswith("exec:")][0]
         self.assertTrue(hung["interrupted"])
         self.assertEqual(hung["verdict"], "inconclusive")

@@ -27,8 +27,9 @@ namespace rasterproof::exact {
 ///             profile's to say), and |x / w| and |y / w| below 2^(50 - bits). A profile with
 ///             rounded crossings: window space, and kFast, which alone decides them.
 /// Error:      none; throws WhyNotDecided() where the domain is left.
-/// Cost:       kFast: spans, about one integer decision per edge and row. The other deciders: one
-///             sign per edge and sample of the triangle's box, for cross-checking.
+/// Cost:       kFast: spans, a guess in double per edge and row of samples, and exact signs by
+///             bisection where the guess cannot tell. The other deciders: one sign per edge and
+///             sample of the triangle's box, for cross-checking.
 CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options = {},
                         Decider decider = Decider::kFast);
 

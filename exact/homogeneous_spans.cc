@@ -3,12 +3,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
-#include "core/ulp.h"
 #include "core/vertex.h"
 #include "exact/crossing.h"
 #include "exact/homogeneous.h"
+#include "exact/homogeneous_crossing.h"
 #include "exact/sample_frame.h"
 #include "exact/signs.h"
 #include "exact/spans.h"
@@ -16,44 +15,12 @@
 namespace rasterproof::exact {
 namespace {
 
-// Coordinates in which no product, normal or quotient below over- or underflows: products of two in
-// [2^-400, 2^400], their residuals multiples of 2^-506, so normals 0 or in [2^-506, 2^401], and the
-// quotient below 2^(401 + 18 + 506).
-constexpr double kLeastTame = 0x1p-200;
-constexpr double kLargestTame = 0x1p200;
-
-bool IsTame(double c) {
-  const double magnitude = std::fabs(c);
-  return magnitude == 0 || (magnitude >= kLeastTame && magnitude <= kLargestTame);
-}
-
-// Error of the column -(ny y + nw) / nx - offset at which a row crosses, in units of T / |nx| + 1.
-//
-// With T = |ny y| + |nw|: the normals are off by 2 u each, the product and the sum round once more,
-// so the numerator is off by at most 4.01 u T; nx by 2 u and the quotient by u, of at most T / |nx|
-// each; less the offset: one more of T / |nx| + 1, and the caller's at +- error as much again.
-// Together below 9.1 u T / |nx| + 2.1 u; 16 leaves room for the five roundings of the bound.
-constexpr double kHomogeneousCrossingErrorMultiplier = 16 * rounding_epsilon<double>();
-
-// a b - c d within 2 u of itself (Kahan's algorithm; Jeannerod, Louvet, Muller 2013), without over-
-// or underflow. So it is 0 only if exactly so.
-double ProductDifference(double a, double b, double c, double d) {
-  const double q = c * d;
-  const double q_residual = std::fma(-c, d, q);
-  return std::fma(a, b, -q) + q_residual;
-}
-
 // One of the three half planes, as a function of the column in a row.
 class HalfPlane {
  public:
-  HalfPlane(const Vertex& vi, const Vertex& vj, int facing) : vi_(&vi), vj_(&vj), facing_(facing) {
-    tame_ = true;
-    for (const double c : {vi.x, vi.y, vi.w, vj.x, vj.y, vj.w}) tame_ = tame_ && IsTame(c);
+  HalfPlane(const Vertex& vi, const Vertex& vj, int facing)
+      : vi_(&vi), vj_(&vj), crossing_(vi, vj), facing_(facing) {
     x_sign_ = facing * ProductDifferenceSign(vj.y, vi.w, vj.w, vi.y);
-    if (!tame_) return;
-    nx_ = ProductDifference(vj.y, vi.w, vj.w, vi.y);
-    ny_ = ProductDifference(vj.w, vi.x, vj.x, vi.w);
-    nw_ = ProductDifference(vj.x, vi.y, vj.y, vi.x);
   }
 
   // Narrows [first, last) to the columns of the row that lie inside.
@@ -68,7 +35,7 @@ class HalfPlane {
       if (!inside(first)) last = first;
       return;
     }
-    const Guess guess = Crossing(row + frame.offsets[s].y, frame.offsets[s].x);
+    const Guess guess = crossing_.At(row + frame.offsets[s].y, frame.offsets[s].x);
     if (x_sign_ > 0) {
       first = FirstColumn(guess, first, last, certain, inside);
     } else {
@@ -77,21 +44,11 @@ class HalfPlane {
   }
 
  private:
-  // The zero of nx x + ny y + nw, less the offset.
-  Guess Crossing(double y, double offset) const {
-    if (!tame_) return {0, std::numeric_limits<double>::infinity()};
-    const double reach = (std::fabs(ny_ * y) + std::fabs(nw_)) / std::fabs(nx_);
-    return {-(ny_ * y + nw_) / nx_ - offset, kHomogeneousCrossingErrorMultiplier * (reach + 1)};
-  }
-
   const Vertex* vi_;
   const Vertex* vj_;
+  HomogeneousCrossing crossing_;
   int facing_;
-  bool tame_ = false;
   int x_sign_ = 0;
-  double nx_ = 0;
-  double ny_ = 0;
-  double nw_ = 0;
 };
 
 struct RowRange {

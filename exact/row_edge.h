@@ -17,18 +17,25 @@
 
 namespace rasterproof::exact {
 
-// Error of x = X + (y - Y) m, m = fl(dx / dy), as a crossing of the row y in [Y, Y + dy].
-//
-// With M = max |x| over the edge's ends: y - Y, dx, dy, the quotient and the product round once
-// each, relative to |(y - Y) dx / dy| <= |dx| <= 2 M: 5 * 2 M u. The sum with X - offset rounds
-// twice, relative to at most M + 1 each: 2 (M + 1) u. The caller's at +- error: (M + 1) u.
-// Together, second orders included, below (13.1 M + 3.1) u; 16 leaves room. The quotient underflows
-// by at most 2^-1075, times y - Y < 2^1024: 2^-51; the product's own underflow vanishes beside it.
+/// Error of x = X + (y - Y) m - offset, m = fl(dx / dy), as a crossing of the row y in [Y, Y + dy],
+/// in units of M + 1, M = max |x| over the edge's ends.
+///
+/// y - Y, dx, dy, the quotient and the product round once each, relative to |(y - Y) dx / dy| <=
+/// |dx| <= 2 M: 5 * 2 M u. The sum with X - offset rounds twice, relative to at most M + 1 each:
+/// 2 (M + 1) u. The caller's at +- error: (M + 1) u. Together, second orders included, below
+/// (13.1 M + 3.1) u; 16 leaves room.
+/// Proof:      reference/proofs/row_crossing.g.
+/// Measured:   0.390 of the error is needed, the caller's rounding included: MeasuredBounds, 80000
+///             inputs climbing from seed 66, 2026-11-23.
 inline constexpr double kCrossingErrorMultiplier = 16 * rounding_epsilon<double>();
+/// The quotient underflows by at most 2^-1075, times y - Y < 2^1024: 2^-51; the product's own
+/// underflow vanishes beside it.
+/// Measured:   0.083 of the error is needed where the slope underflows: as above, 20000 inputs,
+///             seed 67.
 inline constexpr double kCrossingUnderflowError = 0x1p-50;
-// Beyond, at M of about 2^1000, sums and products could overflow; an infinite slope (a flat edge,
-// or one of subnormal height) knows nothing either. Then every column is asked exactly, by
-// bisection.
+/// Beyond, at M of about 2^1000, sums and products could overflow; an infinite slope (a flat edge,
+/// or one of subnormal height) knows nothing either. Then every column is asked exactly, by
+/// bisection.
 inline constexpr double kLargestKnownError = 0x1p951;
 
 /// An edge from its upper end to its lower end: the same arithmetic in both triangles that share

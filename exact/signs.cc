@@ -5,43 +5,13 @@
 #include <limits>
 #include <optional>
 
-#include "core/ulp.h"
 #include "core/vertex.h"
 #include "exact/edge.h"
+#include "exact/filters.h"
 #include "exact/wide_integer.h"
 
 namespace rasterproof::exact {
 namespace {
-
-constexpr double kU = rounding_epsilon<double>();
-
-// Filter for E = l - r, l = fl(fl(x-X) fl(Y'-Y)), r likewise, d = fl(l - r).
-//
-// Without underflow each of l and r carries three roundings: |E - (l - r)| <= ((1 + u)^3 - 1)
-// (|l| + |r|). With m = fl(|l| + |r|) >= (|l| + |r|) (1 - u) and |d| <= |l - r| (1 + u), d has E's
-// sign if |d| > (3 u + 9 u^2 + ...) m, and fl(multiplier m) is at least (3 u + 13 u^2 - ...) m: the
-// multiplier, of Shewchuk's orient2d (1997, stage A), covers the roundings of the test and leaves
-// 4 u^2 m. A sum of doubles never underflows inexactly; a product that underflows is off by at most
-// 2^-1075 more, and so is the product of the multiplier: three such errors are below 2^-1072. Where
-// the sum with that constant rounds, m >= 2^-970, only one product can have underflowed, and the
-// 4 u^2 m >= 2^-1074 hold its error. Overflow makes the bound infinite or NaN, and both comparisons
-// fail: undecided.
-constexpr double kEdgeErrorMultiplier = (3 + 16 * kU) * kU;
-constexpr double kEdgeUnderflowError = 0x1p-1072;
-
-// Filter for a 3x3 determinant by minors of the last two rows. Per term a (e i - f h): two
-// roundings (product, difference) in the minor, one in the product with a, two in the sum of three
-// terms: five, each relative to the permanent a (|e i| + |f h|). The permanent itself is computed
-// low by up to five roundings, the product with the multiplier by one. (1 + u)^5 - 1 <= 5.01 u and
-// (1 + u)^6 cover that: 8 leaves 2.9 u spare.
-constexpr double kDeterminantErrorMultiplier = 8 * kU;
-// An underflow inside a minor, at most 2 * 2^-1075, is multiplied by the first row's factor: grown
-// by the roundings, 2^-1073 |a|. Those of the three outer products, 3 * 2^-1075, and of the two
-// products of the bound, 2 * 2^-1075, are below kEdgeUnderflowError. Where its sum with the other
-// terms rounds, the multiplier's spare 2.9 u holds them.
-constexpr double kMinorUnderflowError = 0x1p-1072;
-
-int Certain(double d, double error) { return (d > error) - (d < -error); }
 
 // The sign of a - b if both products are exact enough to tell: rounding is monotone, so different
 // roundings decide; equal ones leave the comparison to the residuals a b - fl(a b), which are
@@ -105,41 +75,21 @@ TierCounts& ThreadTiers() {
 }
 
 TieredSign FastEdgeSign(Point2 a, Point2 b, Point2 p) {
-  const double px = p.x - a.x;
-  const double py = p.y - a.y;
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double l = px * dy;
-  const double r = py * dx;
-  const double error = kEdgeErrorMultiplier * (std::fabs(l) + std::fabs(r)) + kEdgeUnderflowError;
-  const int sign = Certain(l - r, error);
+  const EdgeProducts e(a, b, p);
+  const int sign = e.Filter().CertainSign();
   if (sign != 0) [[likely]] {
     return {sign, &TierCounts::filter};
   }
-  if (IsExactDifference(p.x, a.x, px) && IsExactDifference(p.y, a.y, py) &&
-      IsExactDifference(b.x, a.x, dx) && IsExactDifference(b.y, a.y, dy)) {
-    const std::optional<int> stable = StableProductDifferenceSign(px, dy, py, dx);
+  if (IsExactDifference(p.x, a.x, e.px) && IsExactDifference(p.y, a.y, e.py) &&
+      IsExactDifference(b.x, a.x, e.dx) && IsExactDifference(b.y, a.y, e.dy)) {
+    const std::optional<int> stable = StableProductDifferenceSign(e.px, e.dy, e.py, e.dx);
     if (stable) return {*stable, &TierCounts::stable};
   }
   return {ExactEdgeSign(a, b, p), &TierCounts::exact};
 }
 
 TieredSign FastDeterminantSign(const Rows3& m) {
-  double sum = 0;
-  double permanent = 0;
-  double first_row = 0;
-  for (unsigned k = 0; k < 3; ++k) {
-    const unsigned i = (k + 1) % 3;
-    const unsigned j = (k + 2) % 3;
-    const double l = m[1][i] * m[2][j];
-    const double r = m[1][j] * m[2][i];
-    sum += m[0][k] * (l - r);
-    permanent += std::fabs(m[0][k]) * (std::fabs(l) + std::fabs(r));
-    first_row += std::fabs(m[0][k]);
-  }
-  const double error = kDeterminantErrorMultiplier * permanent + kMinorUnderflowError * first_row +
-                       kEdgeUnderflowError;
-  const int sign = Certain(sum, error);
+  const int sign = FilterDeterminant(m).CertainSign();
   if (sign != 0) [[likely]] {
     return {sign, &TierCounts::filter};
   }

@@ -2,11 +2,11 @@
 #ifndef RASTERPROOF_EXACT_SIGNS_H_
 #define RASTERPROOF_EXACT_SIGNS_H_
 
-#include <array>
 #include <cstdint>
 
 #include "core/vertex.h"
 #include "exact/edge.h"
+#include "exact/filters.h"
 
 namespace rasterproof::exact {
 
@@ -23,7 +23,6 @@ TierCounts& ThreadTiers();
 TieredSign FastEdgeSign(Point2 a, Point2 b, Point2 p);
 
 /// Sign of the determinant with the given rows.
-using Rows3 = std::array<std::array<double, 3>, 3>;
 TieredSign FastDeterminantSign(const Rows3& rows);
 
 /// Sign of a b - c d, for every finite factor.

@@ -21,6 +21,9 @@ namespace rasterproof::reference {
 ///             values computed, rounded up, and grown by the rules of reference/running_error.h.
 ///             kUnsignedArea: NaN where the sample is proved to lie outside the triangle, where the
 ///             form is wrong. kPerspective: NaN where the denominator may be 0.
+/// Measured:   largest error / bound of a barycentric 0.981 (float32), 0.423 (float64), of their
+///             sum 1.000 in both, of an interpolated value 0.538 and 0.952: BarycentricsTest, 2000
+///             samples for each form, fixed seeds, 2026-11-23.
 const BarycentricEvaluator& ReferenceBarycentrics(Precision precision);
 
 /// |l0 + l1 + l2 - 1| <= multiplier u + 3 eta / 2 for kSum where the three edge values agree in

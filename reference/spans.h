@@ -30,7 +30,7 @@ class RowCrossing {
   ///             kCrossingError of a centre (or outside the guess's domain).
   int At(int j, int low, int high) const {
     if (!guess_is_proved_) return SearchCrossing(j, low, high);
-    const double guess = upper_.x + ((j + 0.5) - upper_.y) * slope_;
+    const double guess = Guess(j);
     if (!(guess > low)) {
       // The first centre in range lies half a pixel beyond `low`: far more than the error.
       return low;
@@ -44,7 +44,12 @@ class RowCrossing {
     return ResolveAt(j, column - 1);
   }
 
- private:
+  /// The exact crossing on row j, in x, within kCrossingError; with the 1/2 + kCrossingError that
+  /// At() adds in double as well.
+  ///
+  /// Domain:     every end's |x| <= kGuessDomain; upper.y <= j + 1/2 < lower.y.
+  double Guess(int j) const { return upper_.x + ((j + 0.5) - upper_.y) * slope_; }
+
   /// |guess - exact crossing in x| where every |x| <= kGuessDomain, u = 2^-53, M = max |x|.
   ///
   /// (y - upper.y), dx, dy, their quotient and its product with the first are five relative
@@ -53,8 +58,13 @@ class RowCrossing {
   /// once more, u (M + 1). With M = 2^28: 13 2^-25 + 2^-25 < 2^-21.
   /// A quotient that underflows is off by 2^-1075, times at most y - upper.y < 2^1024: less than
   /// 2^-50, and a product that underflows by less still. 2^-20 holds that too.
+  /// Proof: proofs/row_crossing.g.
+  /// Measured:   largest error / bound 0.143: MeasuredReferenceBounds, 40000 inputs climbing from
+  ///             seed 74, 2026-11-23.
   static constexpr double kGuessDomain = 0x1p28;
   static constexpr double kCrossingError = 0x1p-20;
+
+ private:
   /// Fractions up to twice the error (in units of 2^-32) may lie on either side of the centre.
   static constexpr std::int64_t kUncertainFraction = std::int64_t{1} << (32 - 20 + 1);
 

@@ -37,6 +37,9 @@ std::array<Point3, 3> ReconstructVertices(Precision precision, const SurfacePoin
 
 /// Proven bounds, entry by entry, on the distance of each coordinate from the exact one; NaN where
 /// none is stated (overflow, or an input that is not of the precision).
+///
+/// Measured:   largest error / bound 0.990 (float32), 0.999 (float64): MeasuredReferenceBounds,
+///             10000 inputs each, climbing from seeds 75 and 76, 2026-11-23.
 std::array<Point3, 3> ReconstructionErrorBounds(Precision precision, const SurfacePoint& point);
 
 /// Unsigned barycentrics of p in the plane of a triangle in space: entries 0 and 2 are the lengths

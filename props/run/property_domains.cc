@@ -48,7 +48,8 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
     if (domain == nullptr || Suits(*domain, info)) continue;
     // What the profile does not state is no scene that the subject could not take.
     if (domain->is_stated != nullptr && !domain->is_stated(info.profile)) continue;
-    left_out += left_out.empty() ? "not drawn, the subject takes no such scenes: " : ", ";
+    left_out +=
+        left_out.empty() ? "domains not drawn, for the subject takes no such scenes: " : ", ";
     left_out += name;
   }
   return left_out;

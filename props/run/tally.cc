@@ -35,7 +35,7 @@ Tally::Tally(const Subject& subject, const Property& property, std::uint64_t see
   result_.clause = property.clause;
   result_.tolerance = property.tolerance;
   result_.seed = seed;
-  result_.message = LeftOutDomains(subject.Info(), property);
+  left_out_ = LeftOutDomains(subject.Info(), property);
 }
 
 void Tally::AddCase(std::size_t domain, const Case& c, const Verdict& verdict) {
@@ -63,7 +63,8 @@ PropertyResult Tally::Concluded() const {
   PropertyResult result = result_;
   if (not_applicable_ == result.cases && (result.cases != 0 || domains_.empty())) {
     result.outcome = Outcome::kNotApplicable;
-    AddSentence(result.message, why_not_);
+    result.message = why_not_;
+    AddSentence(result.message, left_out_);
     return result;
   }
   const auto refused = static_cast<double>(refused_within_limits_);
@@ -72,6 +73,7 @@ PropertyResult Tally::Concluded() const {
     result.outcome = Outcome::kInconclusive;
     AddSentence(result.message, "the subject refuses too much: " + SoFar() +
                                     "; the first refusal: " + why_refused_);
+    AddSentence(result.message, left_out_);
     return result;
   }
   const std::string dead = DeadDomains();
@@ -82,6 +84,7 @@ PropertyResult Tally::Concluded() const {
   if (holds && result.cases_refused != 0) {
     AddSentence(result.message, "holds where it did not refuse: " + SoFar());
   }
+  AddSentence(result.message, left_out_);
   return result;
 }
 
@@ -97,6 +100,7 @@ PropertyResult Tally::Inconclusive(const std::string& why) const {
   result.outcome = Outcome::kInconclusive;
   AddSentence(result.message, why);
   AddSentence(result.message, "nothing violated so far, " + SoFar());
+  AddSentence(result.message, left_out_);
   return result;
 }
 
@@ -108,7 +112,8 @@ PropertyResult Tally::Failed(Counterexample found, std::string failing_case) con
   result.failing_case = std::move(failing_case);
   result.counterexample = std::move(found.value);
   result.verdict = std::move(found.verdict);
-  AddSentence(result.message, found.message);
+  result.message = found.message;
+  AddSentence(result.message, left_out_);
   return result;
 }
 

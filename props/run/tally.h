@@ -24,7 +24,8 @@ inline constexpr double kMostRefusedShare = 0.5;
 /// Counts cases, how often they put the property to the test, and how near to edges they came.
 class Tally {
  public:
-  /// Starts with the property's words, nothing run, and the domains that are left out named.
+  /// Starts with the property's words and nothing run. Results name the domains that are left
+  /// out, last.
   Tally(const Subject& subject, const Property& property, std::uint64_t seed);
 
   /// The domains that cases are drawn from. Empty if the subject takes none of the property's.
@@ -51,6 +52,7 @@ class Tally {
   std::string DeadDomains() const;
 
   PropertyResult result_;
+  std::string left_out_;  ///< names the domains that are not drawn
   std::vector<const Domain*> domains_;
   std::vector<std::uint64_t> drawn_;
   std::vector<NearEdgeCounts> near_edge_;

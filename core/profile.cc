@@ -7,19 +7,73 @@
 
 namespace rasterproof {
 
-std::optional<Profile> PresetProfile(std::string_view name) {
+namespace {
+
+constexpr std::string_view kCanonical = "-canonical";
+
+// The model that three APIs agree on. Limits: D3D11's guard band, Vulkan's and GL's smallest
+// guaranteed viewport bounds range.
+Profile CanonicalModel() {
   Profile profile;
-  profile.name = name;
-  if (name == "real") return profile;
-  // The three APIs agree on the canonical model; what each leaves free is a matter of judging, not
-  // of the model. Limits: D3D11 guard band, Vulkan's and GL's smallest guaranteed viewport bounds
-  // range.
   profile.snap = {8, SnapRule::kNearestEven};
   profile.coordinate_limit = 0x1p15;
   profile.infinite_vertex = InfiniteVertex::kUnspecified;
-  if (name == "d3d11") return profile;
-  if (name == "vulkan" || name == "gl") return profile;
-  return std::nullopt;
+  return profile;
+}
+
+// Direct3D 11.3 functional specification: 3.2.4.1 (within 0.6 of a step of the exact value),
+// 3.4.2.1 (top-left), 15.4 and 15.16.1 (a NaN in x, y or z discards, infinities may be clamped).
+Profile Direct3D11() {
+  Profile profile = CanonicalModel();
+  profile.freedom.snap_tolerance = 0.6;
+  profile.nan_z = NanZ::kNothing;
+  return profile;
+}
+
+// No rounding is named, nor who of two neighbours owns a sample of their common edge; four subpixel
+// bits are the fewest. What is not finite or has no area is not spoken of.
+Profile Vulkan() {
+  Profile profile = CanonicalModel();
+  profile.freedom = {.any_rounding = true, .least_bits = 4, .ties = TieOwnership::kPerEdge};
+  profile.nan_vertex = NanVertex::kUnspecified;
+  profile.nan_z = NanZ::kUnspecified;
+  profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
+  return profile;
+}
+
+// As Vulkan, and invariant under translation by whole pixels (OpenGL 4.6 section 14.6.1).
+Profile OpenGl() {
+  Profile profile = Vulkan();
+  profile.translation_invariant = true;
+  return profile;
+}
+
+// WebGPU 23.2.5.4: "If a pixel center is on the edge of the polygon, whether or not it's included
+// is not defined". No number of subpixel bits is stated.
+Profile WebGpu() {
+  Profile profile = Vulkan();
+  profile.freedom.least_bits = 0;
+  profile.freedom.ties = TieOwnership::kOpen;
+  return profile;
+}
+
+}  // namespace
+
+std::optional<Profile> PresetProfile(std::string_view name) {
+  std::optional<Profile> profile;
+  if (name == "real") profile = Profile{};
+  if (IsCanonicalPreset(name)) profile = CanonicalModel();
+  if (name == "d3d11") profile = Direct3D11();
+  if (name == "vulkan") profile = Vulkan();
+  if (name == "gl") profile = OpenGl();
+  if (name == "webgpu") profile = WebGpu();
+  if (profile) profile->name = name;
+  return profile;
+}
+
+bool IsCanonicalPreset(std::string_view name) {
+  return name.ends_with(kCanonical) &&
+         std::ranges::find(kPresetProfiles, name) != kPresetProfiles.end();
 }
 
 // All that is not named here is of the model, keys of a later day too.
@@ -31,6 +85,9 @@ bool SameModel(const Profile& a, const Profile& b) {
   judged_alike.coordinate_limit = b.coordinate_limit;
   judged_alike.degenerate_triangles = b.degenerate_triangles;
   judged_alike.infinite_vertex = b.infinite_vertex;
+  judged_alike.nan_vertex = b.nan_vertex;
+  judged_alike.nan_z = b.nan_z;
+  judged_alike.translation_invariant = b.translation_invariant;
   judged_alike.shares_edge_samples = b.shares_edge_samples;
   judged_alike.guard_band = b.guard_band;
   return judged_alike == b;
@@ -38,7 +95,8 @@ bool SameModel(const Profile& a, const Profile& b) {
 
 bool WithinLimits(const Scene& scene, const Profile& profile) {
   return CanBeGiven(scene, profile) && std::ranges::all_of(scene.vertices, [&](const Vertex& v) {
-           return IsFinite(v) && std::fabs(v.x) <= profile.coordinate_limit &&
+           const bool has_z = profile.nan_z == NanZ::kIgnored || !std::isnan(v.z);
+           return IsFinite(v) && has_z && std::fabs(v.x) <= profile.coordinate_limit &&
                   std::fabs(v.y) <= profile.coordinate_limit;
          });
 }

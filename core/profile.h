@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/fixed_input.h"
+#include "core/freedom.h"
 #include "core/sample_pattern.h"
 #include "core/scene.h"
 #include "core/snap.h"
@@ -32,30 +33,27 @@ enum class Contract : std::uint8_t {
   kNone                ///< observed, never judged
 };
 
-/// What a profile leaves to the rasterizer. Nothing, unless it is said.
-struct Freedom {
-  /// A vertex may take any grid point within so many steps of the grid, on each axis (D3D: 0.6).
-  /// 0: the one that the snap rule names.
-  double snap_tolerance = 0;
-  /// Any of the eight consistent tie rules will do, the same one everywhere.
-  bool any_tie_rule = false;
-
-  bool IsNone() const { return snap_tolerance == 0 && !any_tie_rule; }
-  friend bool operator==(const Freedom&, const Freedom&) = default;
-};
-
-/// At most this many steps of tolerance: a coordinate then has two grid points to choose from, or
-/// three if it is one.
-inline constexpr double kMaxSnapTolerance = 1;
-
 /// What is stated of a triangle that has no area after snapping.
 enum class DegenerateTriangles : std::uint8_t {
   kNothing,     ///< it covers nothing
   kUnspecified  ///< it may cover something: it is left out of what is judged
 };
 
-/// What is stated of a triangle with an infinite x, y or w. (One with a NaN covers nothing.)
+/// What is stated of a triangle with an infinite x, y or w.
 enum class InfiniteVertex : std::uint8_t {
+  kNothing,     ///< it covers nothing
+  kUnspecified  ///< it may cover anything: what it covers is not judged
+};
+
+/// What is stated of a triangle with a NaN in x, y or w.
+enum class NanVertex : std::uint8_t {
+  kNothing,     ///< it covers nothing
+  kUnspecified  ///< it may cover anything: what it covers is not judged
+};
+
+/// What is stated of a triangle with a NaN in z alone.
+enum class NanZ : std::uint8_t {
+  kIgnored,     ///< it covers what it would with any other z
   kNothing,     ///< it covers nothing
   kUnspecified  ///< it may cover anything: what it covers is not judged
 };
@@ -94,14 +92,13 @@ struct TargetModel {
 /// The contracts of a rasterizer.
 ///
 /// A profile denotes a set of models: the canonical one that its members state, and with freedom
-/// every choice of grid points (one for every vertex) and tie rule (one for all) that the freedom
-/// allows. A result is legal if one of them explains all of it.
+/// every choice of a grid, of grid points (one for every vertex) and of owners of samples on edges
+/// that the freedom allows. A result is legal if one of them explains all of it.
 ///
-/// Not finite: a triangle with a NaN or infinite x, y or w covers nothing (z is free), unless
-///             `infinite_vertex` says otherwise of the infinite ones.
+/// Not finite: a triangle with a NaN or infinite x, y or w covers nothing, unless `nan_vertex` or
+///             `infinite_vertex` says otherwise; z is free, unless `nan_z` says otherwise.
 /// Zero area:  a triangle whose area is zero after snapping covers nothing, unless
-/// `degenerate_triangles` says
-///             otherwise.
+///             `degenerate_triangles` says otherwise.
 /// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
 ///             `max_primitive_extent` are dropped. The last three keys speak of window space alone.
 struct Profile {
@@ -123,6 +120,11 @@ struct Profile {
   double coordinate_limit = 0x1p127;
   DegenerateTriangles degenerate_triangles = DegenerateTriangles::kNothing;
   InfiniteVertex infinite_vertex = InfiniteVertex::kNothing;
+  NanVertex nan_vertex = NanVertex::kNothing;
+  NanZ nan_z = NanZ::kIgnored;
+  /// Whether it is stated that a scene moved by whole pixels covers the moved samples, whatever the
+  /// freedom. (One model on a grid always does so.)
+  bool translation_invariant = false;
   /// A sample on an edge belongs to the triangle that the tie rule names, and may belong to every
   /// other one that has the edge. Meshes are then covered at least once.
   bool shares_edge_samples = false;
@@ -139,17 +141,19 @@ struct Profile {
   friend bool operator==(const Profile&, const Profile&) = default;
 };
 
-/// Presets: "real" (no snap), "d3d11", "vulkan", "gl" (8 subpixel bits, nearest-even, top-left).
-/// They are the canonical models: what each API leaves free (docs/decisions/0070) is not in them,
-/// but for triangles with an infinite vertex, which no API speaks of.
+/// Presets.
+///
+/// "real" (no snap), "d3d11-canonical", "vulkan-canonical" and "gl-canonical" (8 subpixel bits,
+/// nearest-even, top-left) name models. "d3d11", "vulkan", "gl" and "webgpu" name legal sets: what
+/// a sentence of the specification leaves open is left open.
 std::optional<Profile> PresetProfile(std::string_view name);
-inline constexpr std::array<std::string_view, 4> kPresetProfiles{"real", "d3d11", "vulkan", "gl"};
+inline constexpr std::array<std::string_view, 8> kPresetProfiles{
+    "real", "d3d11-canonical", "vulkan-canonical", "gl-canonical", "d3d11", "vulkan",
+    "gl",   "webgpu"};
 
 /// Returns whether the preset is the canonical model of an API that leaves more than it to the
 /// rasterizer: a legal one may then differ from it.
-inline bool IsApiPreset(std::string_view name) {
-  return name != "real" && PresetProfile(name).has_value();
-}
+bool IsCanonicalPreset(std::string_view name);
 
 /// Returns whether the profile's model of the scene is that of homogeneous coordinates: clip space
 /// that no transform of the rasterizer's own takes to the window.

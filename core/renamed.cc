@@ -12,6 +12,7 @@ using Pair = std::pair<std::string_view, std::string_view>;
 // Old, new. docs/decisions/0098 has the same table with reasons.
 constexpr auto kRenamed = std::to_array<Pair>({
     // Keys of profiles and their values.
+    {"any_tie_rule", "tie_ownership (stated, axis-aligned, per-edge, open)"},
     {"crossing", "scanline_rounding"},
     {"fill_rule", "tie_rule"},
     {"max_extent", "max_primitive_extent"},

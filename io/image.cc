@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+
+#include "core/error.h"
 
 namespace rasterproof::io {
 
@@ -22,6 +25,27 @@ std::string EncodePng(const Image& image) {
   }
   bytes.resize(size);
   return bytes;
+}
+
+Image DecodePng(std::string_view bytes, const std::string& place) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  const auto refuse = [&]() -> InputError {
+    return {place, std::string("can't be read as a PNG picture: ") + header.message,
+            "give a picture that other programs open"};
+  };
+  if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) throw refuse();
+  constexpr png_uint_32 kMostSide = 1U << 16;
+  if (header.width > kMostSide || header.height > kMostSide) {
+    png_image_free(&header);
+    throw InputError(place, "the picture is wider or higher than 65536 pixels",
+                     "give a picture of the scene's target");
+  }
+  header.format = PNG_FORMAT_RGB;
+  Image image(static_cast<int>(header.width), static_cast<int>(header.height));
+  const png_color black{0, 0, 0};  // under what is transparent
+  if (png_image_finish_read(&header, &black, image.pixels.data(), 0, nullptr) == 0) throw refuse();
+  return image;
 }
 
 }  // namespace rasterproof::io

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rasterproof::io {
@@ -29,6 +30,11 @@ struct Image {
 
 /// The image as the bytes of a PNG file (libpng).
 std::string EncodePng(const Image& image);
+
+/// The picture in the bytes of a PNG file, alpha left out.
+///
+/// Error:      InputError that names `place`.
+Image DecodePng(std::string_view bytes, const std::string& place);
 
 }  // namespace rasterproof::io
 

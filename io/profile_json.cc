@@ -31,7 +31,12 @@ constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
                                                                "coordinate_limit",
                                                                "contract",
                                                                "snap_tolerance",
-                                                               "any_tie_rule",
+                                                               "rounding",
+                                                               "least_subpixel_bits",
+                                                               "tie_ownership",
+                                                               "nan_vertex",
+                                                               "nan_z",
+                                                               "translation_invariant",
                                                                "degenerate_triangles",
                                                                "edge_samples",
                                                                "fixed",
@@ -67,6 +72,19 @@ constexpr std::array<std::pair<DegenerateTriangles, std::string_view>, 2> kDegen
      {DegenerateTriangles::kUnspecified, "unspecified"}}};
 constexpr std::array<std::pair<InfiniteVertex, std::string_view>, 2> kInfiniteVertices{
     {{InfiniteVertex::kNothing, "nothing"}, {InfiniteVertex::kUnspecified, "unspecified"}}};
+constexpr std::array<std::pair<NanVertex, std::string_view>, 2> kNanVertices{
+    {{NanVertex::kNothing, "nothing"}, {NanVertex::kUnspecified, "unspecified"}}};
+constexpr std::array<std::pair<NanZ, std::string_view>, 3> kNanZs{
+    {{NanZ::kIgnored, "ignored"},
+     {NanZ::kNothing, "nothing"},
+     {NanZ::kUnspecified, "unspecified"}}};
+constexpr std::array<std::pair<bool, std::string_view>, 2> kRoundings{
+    {{false, "stated"}, {true, "unspecified"}}};
+constexpr std::array<std::pair<TieOwnership, std::string_view>, 4> kTieOwnerships{
+    {{TieOwnership::kStated, "stated"},
+     {TieOwnership::kAxisAligned, "axis-aligned"},
+     {TieOwnership::kPerEdge, "per-edge"},
+     {TieOwnership::kOpen, "open"}}};
 constexpr std::array<std::pair<bool, std::string_view>, 2> kEdgeSamples{
     {{false, "owned"}, {true, "may-be-shared"}}};
 
@@ -115,6 +133,20 @@ double SnapTolerance(const JsonValue& value) {
   const double steps = CoordinateFromJson(value, Precision::kFloat64);
   if (steps >= 0 && steps <= kMaxSnapTolerance) return steps;
   throw value.Error("is not a snap tolerance", "write a number of grid steps from 0 to 1");
+}
+
+std::optional<int> LeastBits(const JsonValue& value) {
+  if (value.kind() == JsonKind::kNull) return std::nullopt;
+  return Integer(value, 0, kMaxSubpixelBits);
+}
+
+void ReadFreedom(const JsonValue& value, Freedom& freedom) {
+  ReadIfThere(value, "snap_tolerance", freedom.snap_tolerance, SnapTolerance);
+  ReadIfThere(value, "rounding", freedom.any_rounding,
+              [](const JsonValue& v) { return FromName(v, Names<bool>(kRoundings)); });
+  ReadIfThere(value, "least_subpixel_bits", freedom.least_bits, LeastBits);
+  ReadIfThere(value, "tie_ownership", freedom.ties,
+              [](const JsonValue& v) { return FromName(v, Names<TieOwnership>(kTieOwnerships)); });
 }
 
 SamplePattern PatternFromJson(const JsonValue& list) {
@@ -317,6 +349,16 @@ std::string TransformToJson(const Transform& transform) {
          ", \"flips_y\": " + (transform.flips_y ? "true" : "false") + "}";
 }
 
+std::string FreedomToJson(const Freedom& freedom, const std::string& line) {
+  std::string json =
+      line + "\"snap_tolerance\": " + InQuotes(ExactText(freedom.snap_tolerance)) + line +
+      "\"rounding\": " + InQuotes(NameOf(freedom.any_rounding, Names<bool>(kRoundings)));
+  if (freedom.least_bits)
+    json += line + "\"least_subpixel_bits\": " + std::to_string(*freedom.least_bits);
+  return json + line + "\"tie_ownership\": " +
+         InQuotes(NameOf(freedom.ties, Names<TieOwnership>(kTieOwnerships)));
+}
+
 // What most profiles leave out.
 std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   std::string json;
@@ -329,6 +371,14 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
     json += line + "\"infinite_vertex\": " +
             InQuotes(NameOf(profile.infinite_vertex, Names<InfiniteVertex>(kInfiniteVertices)));
   }
+  if (profile.nan_vertex != NanVertex::kNothing) {
+    json += line + "\"nan_vertex\": " +
+            InQuotes(NameOf(profile.nan_vertex, Names<NanVertex>(kNanVertices)));
+  }
+  if (profile.nan_z != NanZ::kIgnored) {
+    json += line + "\"nan_z\": " + InQuotes(NameOf(profile.nan_z, Names<NanZ>(kNanZs)));
+  }
+  if (profile.translation_invariant) json += line + "\"translation_invariant\": true";
   if (profile.shares_edge_samples) {
     json += line + "\"edge_samples\": " + InQuotes(NameOf(true, Names<bool>(kEdgeSamples)));
   }
@@ -358,8 +408,7 @@ Profile ProfileFromObject(const JsonValue& value) {
   ReadIfThere(value, "tie_rule", profile.tie_rule, TieRuleFromJson);
   ReadIfThere(value, "contract", profile.contract,
               [](const JsonValue& v) { return FromName(v, Names<Contract>(kContracts)); });
-  ReadIfThere(value, "snap_tolerance", profile.freedom.snap_tolerance, SnapTolerance);
-  ReadIfThere(value, "any_tie_rule", profile.freedom.any_tie_rule, Boolean);
+  ReadFreedom(value, profile.freedom);
   ReadIfThere(value, "coordinate_limit", profile.coordinate_limit, LimitFromJson);
   ReadIfThere(value, "degenerate_triangles", profile.degenerate_triangles, [](const JsonValue& v) {
     return FromName(v, Names<DegenerateTriangles>(kDegenerates));
@@ -367,6 +416,11 @@ Profile ProfileFromObject(const JsonValue& value) {
   ReadIfThere(value, "infinite_vertex", profile.infinite_vertex, [](const JsonValue& v) {
     return FromName(v, Names<InfiniteVertex>(kInfiniteVertices));
   });
+  ReadIfThere(value, "nan_vertex", profile.nan_vertex,
+              [](const JsonValue& v) { return FromName(v, Names<NanVertex>(kNanVertices)); });
+  ReadIfThere(value, "nan_z", profile.nan_z,
+              [](const JsonValue& v) { return FromName(v, Names<NanZ>(kNanZs)); });
+  ReadIfThere(value, "translation_invariant", profile.translation_invariant, Boolean);
   ReadIfThere(value, "edge_samples", profile.shares_edge_samples,
               [](const JsonValue& v) { return FromName(v, Names<bool>(kEdgeSamples)); });
   ReadIfThere(value, "fixed", profile.fixed, FixedInputFromJson);
@@ -416,10 +470,7 @@ std::string ProfileToJson(const Profile& profile) {
   json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));
   json += line + "\"tie_rule\": " + InQuotes(TieRuleName(profile.tie_rule));
   json += line + "\"contract\": " + InQuotes(NameOf(profile.contract, Names<Contract>(kContracts)));
-  if (!profile.freedom.IsNone()) {
-    json += line + "\"snap_tolerance\": " + InQuotes(ExactText(profile.freedom.snap_tolerance));
-    json += line + "\"any_tie_rule\": " + (profile.freedom.any_tie_rule ? "true" : "false");
-  }
+  if (!profile.freedom.IsNone()) json += FreedomToJson(profile.freedom, line);
   json += line + "\"coordinate_limit\": " + InQuotes(ExactText(profile.coordinate_limit));
   return json + RareKeysToJson(profile, line) + "\n  }";
 }

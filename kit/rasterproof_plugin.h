@@ -127,8 +127,9 @@ typedef struct rasterproof_plugin {
   uint32_t size;    /* sizeof(rasterproof_plugin) */
   const char* name;
   const char* summary;
-  /* What it states: "real", "gl", "vulkan", "d3d11", or the text of a profile file (JSON).
-   * NULL: "real". */
+  /* What it states: the name of a preset ("real"; the models "gl-canonical", "vulkan-canonical",
+   * "d3d11-canonical"; the legal sets "gl", "vulkan", "d3d11", "webgpu"), or the text of a profile
+   * file (JSON). NULL: "real". */
   const char* profile;
   uint32_t input;    /* enum rasterproof_input */
   uint32_t coverage; /* enum rasterproof_coverage */

@@ -96,4 +96,34 @@ std::vector<double> GridPointsWithin(double x, const Snap& snap, double toleranc
   return points;
 }
 
+namespace {
+
+bool IsGridPoint(double x, Snap grid) {
+  grid.rule = SnapRule::kFloor;
+  if (grid.form == SnapForm::kFloat32Difference) grid.form = SnapForm::kExactDifference;
+  return SnapCoordinate(x, grid) == x;
+}
+
+}  // namespace
+
+std::vector<Snap> LegalGrids(const Snap& snap, const Freedom& freedom) {
+  if (snap.IsNone() || !freedom.least_bits) return {snap};
+  std::vector<Snap> grids;
+  for (int bits = *freedom.least_bits; bits <= kMaxSubpixelBits; ++bits) {
+    grids.push_back(snap);
+    grids.back().bits = bits;
+  }
+  return grids;
+}
+
+std::vector<double> LegalGridPoints(double x, const Snap& grid, const Freedom& freedom) {
+  std::vector<double> points = GridPointsWithin(x, grid, freedom.snap_tolerance);
+  if (!freedom.any_rounding || IsGridPoint(x, grid)) return points;
+  for (const double point : GridPointsWithin(x, grid, 1)) {
+    if (std::ranges::find(points, point) == points.end()) points.push_back(point);
+  }
+  std::ranges::sort(points);
+  return points;
+}
+
 }  // namespace rasterproof

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/freedom.h"
 #include "core/snap.h"
 
 namespace rasterproof {
@@ -24,6 +25,17 @@ double SnapCoordinate(double x, const Snap& snap);
 /// Returns:    the one that x rounds to alone if the snap is none, x is not finite, or
 ///             |x| >= 2^36.
 std::vector<double> GridPointsWithin(double x, const Snap& snap, double tolerance);
+
+/// Returns the grids that the freedom leaves to choose from, coarsest first; `snap` alone, unless a
+/// least number of bits is stated.
+std::vector<Snap> LegalGrids(const Snap& snap, const Freedom& freedom);
+
+/// Returns the points of one grid that a coordinate may take, in ascending order.
+///
+/// Domain:     as GridPointsWithin; `grid` is one of LegalGrids.
+/// Returns:    those within the tolerance, and those less than a step away if the rounding is not
+///             stated.
+std::vector<double> LegalGridPoints(double x, const Snap& grid, const Freedom& freedom);
 
 }  // namespace rasterproof
 

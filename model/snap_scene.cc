@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "core/vertex.h"
@@ -20,6 +21,8 @@ Scene SnapScene(const Scene& scene, const Profile& own) {
                                ? own
                                : resolved.emplace(ForTarget(own, scene.width, scene.height));
   for (Vertex& v : snapped.vertices) {
+    // A vertex without a place: its triangles cover nothing.
+    if (profile.nan_z == NanZ::kNothing && std::isnan(v.z)) v.x = v.z;
     if (profile.fixed) v = {Wrapped(v.x, *profile.fixed), Wrapped(v.y, *profile.fixed), v.z, v.w};
     v.x = SnapCoordinate(v.x, profile.snap);
     v.y = SnapCoordinate(v.y, profile.snap);

@@ -9,8 +9,8 @@ namespace rasterproof {
 
 /// Returns the scene as the profile's model places it: x and y of every vertex wrapped into the
 /// range of its fixed-point input and on the subpixel grid; a triangle larger than
-/// `max_primitive_extent` has its three corners in one place. Indices of triangles stay what they
-/// are.
+/// `max_primitive_extent` has its three corners in one place; a vertex of NaN z has no place (x is
+/// NaN) where `nan_z` says that it covers nothing. Indices of triangles stay what they are.
 ///
 /// Domain:     window-space scenes; w is 1. Clip-space scenes that are not homogeneous: they go
 ///             through the profile's transform first. (Others snap after the division: see exact/.)

@@ -128,14 +128,13 @@ std::vector<std::string> SubjectNames() {
 
 void SayOfPreset(const Profile& profile) {
   static std::set<std::string> said;
-  if (!IsApiPreset(profile.name) || PresetProfile(profile.name) != profile) return;
+  if (!IsCanonicalPreset(profile.name) || PresetProfile(profile.name) != profile) return;
   if (!said.insert(profile.name).second) return;
   Tell(fmt::format(
-      "note: profile {} is judged by its canonical model: {} subpixel bits, {}, {}; of a "
-      "rasterizer that the API lets do otherwise (4 bits, another rounding) say so in a "
-      "profile file, snap_tolerance and any_tie_rule included\n",
+      "note: profile {} is one model: {} subpixel bits, {}, {}; all that the API allows is profile "
+      "{}\n",
       profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
-      TieRuleName(profile.tie_rule)));
+      TieRuleName(profile.tie_rule), profile.name.substr(0, profile.name.find('-'))));
 }
 
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile) {

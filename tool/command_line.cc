@@ -23,54 +23,11 @@
 #include "tool/progress.h"
 #include "tool/shell.h"
 #include "tool/typed_number.h"
+#include "tool/verb_options.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
-
-CLI::Validator Positive() {
-  const auto check = [](const std::string& text) {
-    double number = 0;
-    const bool is_positive = CLI::detail::lexical_cast(text, number) && number > 0;
-    return is_positive ? std::string() : text + " is not above 0";
-  };
-  return CLI::Validator(check, "POSITIVE");
-}
-
-// Two more ways to name subjects, and what those may cost.
-void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& add) {
-  app->add_option_function<std::vector<std::string>>(
-         "--plugin",
-         [add](const std::vector<std::string>& paths) {
-           for (const std::string& path : paths) add(std::string(kPluginPrefix) + path);
-         },
-         "Shared library with the interface of kit/rasterproof_plugin.h")
-      ->allow_extra_args(false);
-  app->add_option_function<std::vector<std::string>>(
-         "--exec",
-         [add](const std::vector<std::string>& commands) {
-           for (const std::string& command : commands) add(std::string(kExecPrefix) + command);
-         },
-         "Program that answers requests on a pipe (docs/subjects.md)")
-      ->allow_extra_args(false);
-  app->add_option("--time-limit", OutsideLimits().seconds,
-                  "Seconds that a plugin or program may take for one answer")
-      ->check(Positive())
-      ->capture_default_str();
-  app->add_option_function<double>(
-         "--memory-limit",
-         [](double gibibytes) {
-           OutsideLimits().bytes = static_cast<std::uint64_t>(gibibytes * 0x1p30);
-         },
-         "GiB of address space that it may have (0: no limit)")
-      ->check(CLI::NonNegativeNumber)
-      ->default_str("4");
-}
-
-void AddSubject(CLI::App* app, std::string& subject, const std::string& help = "Subject") {
-  app->add_option("--subject", subject, help)->capture_default_str();
-  AddOutside(app, [&subject](const std::string& name) { subject = name; });
-}
 
 void AddSubjects(CLI::App* app, std::vector<std::string>& subjects) {
   CLI::Option* const named =
@@ -82,20 +39,6 @@ void AddSubjects(CLI::App* app, std::vector<std::string>& subjects) {
     replace = false;
     subjects.push_back(name);
   });
-}
-
-void AddScene(CLI::App* app, SceneOptions& scene) {
-  app->add_option("scene", scene.path,
-                  "Scene file (JSON; - for standard input) or mesh (obj, ply, off, stl, gltf, glb)")
-      ->required();
-  app->add_option("--camera", scene.camera,
-                  "For meshes: front, inside, or \"eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES\"");
-  app->add_option("--project", scene.project, "For meshes: window, clip or auto")
-      ->check(CLI::IsMember({"window", "clip", "auto"}))
-      ->capture_default_str();
-  app->add_option("--width", scene.width, "For meshes: width of the target")->capture_default_str();
-  app->add_option("--height", scene.height, "For meshes: height of the target")
-      ->capture_default_str();
 }
 
 void AddCampaign(CLI::App* app, CampaignChoice& campaign, const std::string& of = "property") {
@@ -146,8 +89,6 @@ void AddPipe(CLI::App* app, PipeOptions& options) {
   AddCampaign(app, options.campaign);
 }
 
-using Run = std::function<int()>;
-
 // For verbs that say what they know so far when they are interrupted. Any other one ends at once,
 // as programs do.
 int UntilInterrupted(const Run& verb) {
@@ -166,46 +107,6 @@ void AddList(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"subjects", "properties", "domains", "profiles", "mutants", "all"}))
       ->capture_default_str();
   verb->callback([&run] { run = [] { return RunList(options); }; });
-}
-
-void AddCoverage(CLI::App& app, Run& run) {
-  static CoverageOptions options;
-  CLI::App* verb = app.add_subcommand("coverage", "The count per sample, as rows of integers");
-  AddScene(verb, options.scene);
-  AddSubject(verb, options.subject);
-  verb->add_option("--profile", options.profile,
-                   "Profile of --subject exact: a preset or a file (default real)");
-  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunCoverage(options); }; });
-}
-
-void AddDiff(CLI::App& app, Run& run) {
-  static DiffOptions options;
-  CLI::App* verb = app.add_subcommand("diff", "Where two subjects disagree on a scene");
-  AddScene(verb, options.scene);
-  AddSubject(verb, options.subject);
-  verb->add_option("--against", options.against, "What to compare with")->capture_default_str();
-  verb->add_option("--profile", options.profile,
-                   "Profile of the oracle (default: the subject's own)");
-  verb->add_option("--png", options.png, "Picture of the difference");
-  verb->callback([&run] { run = [] { return RunDiff(options); }; });
-}
-
-void AddRender(CLI::App& app, Run& run) {
-  static RenderOptions options;
-  CLI::App* verb = app.add_subcommand("render", "Pictures (PNG) of what a method draws");
-  AddScene(verb, options.scene);
-  verb->add_option("--mode", options.mode,
-                   "flat, barycentrics, depth, wireframe, coverage or difference")
-      ->check(
-          CLI::IsMember({"flat", "barycentrics", "depth", "wireframe", "coverage", "difference"}))
-      ->capture_default_str();
-  AddSubject(verb, options.subject);
-  verb->add_option("--line-width", options.line_width, "Half-width of wireframe lines in pixels")
-      ->check(Positive())
-      ->capture_default_str();
-  verb->add_option("-o,--output", options.output, "PNG file (- for standard output)")->required();
-  verb->callback([&run] { run = [] { return RunRender(options); }; });
 }
 
 void AddCheck(CLI::App& app, Run& run, const std::string& own) {
@@ -320,19 +221,6 @@ void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
       [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
 }
 
-void AddPlan(CLI::App& app, Run& run) {
-  static PlanOptions options;
-  CLI::App* verb =
-      app.add_subcommand("plan", "The cheapest exact arithmetic for a scene, and what is left out");
-  AddScene(verb, options.scene);
-  verb->add_option("--profile", options.profile, "Preset or profile file")->capture_default_str();
-  verb->add_flag("--barycentrics", options.barycentrics, "Barycentric barycentrics are needed");
-  verb->add_flag("--depth", options.depth, "Depth is needed");
-  verb->add_flag("--wireframe", options.wireframe, "Edge distances are needed");
-  verb->add_flag("--verify", options.verify, "Draw by the plan and compare with the oracle");
-  verb->callback([&run] { run = [] { return RunPlan(options); }; });
-}
-
 void AddBench(CLI::App& app, Run& run) {
   static BenchOptions options;
   CLI::App* verb = app.add_subcommand("bench", "Error against run time, as ratios within one run");
@@ -433,12 +321,9 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddSurvey(app, run, own);
   AddCertify(app, run, typed, own);
   AddList(app, run);
-  AddCoverage(app, run);
-  AddRender(app, run);
-  AddPlan(app, run);
+  AddSceneVerbs(app, run);
   AddBench(app, run);
   AddShrink(app, run, typed);
-  AddDiff(app, run);
   AddDecode(app, run);
   AddSelftest(app, run);
   AddGen(app, run);

@@ -46,6 +46,27 @@ struct CoverageOptions {
 };
 int RunCoverage(const CoverageOptions& options);
 
+/// What all legal models of a scene agree on.
+struct DecidedOptions {
+  SceneOptions scene;
+  std::string profile = "vulkan";
+  std::string json;  ///< file; empty: none
+  std::string png;
+};
+int RunDecided(const DecidedOptions& options);
+
+/// Whether one legal model explains a drawing.
+struct LegalOptions {
+  SceneOptions scene;
+  std::string image;    ///< counts as text, or a PNG picture; empty: `subject` draws
+  std::string subject;  ///< empty: `image` is given
+  std::string profile;  ///< empty: the subject's own
+  std::string background = "000000";
+  std::string json;  ///< file; empty: none
+  std::string save;  ///< the part that no model explains, as a case file
+};
+int RunLegal(const LegalOptions& options);
+
 struct DiffOptions {
   SceneOptions scene;
   std::string subject;

@@ -67,7 +67,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
       .size = sizeof(rasterproof_plugin),
       .name = "example",
       .summary = "8 subpixel bits in 64-bit integers, every pixel of the target",
-      .profile = "gl",
+      .profile = "gl-canonical",
       .input = RASTERPROOF_FLOAT32,
       .coverage = RASTERPROOF_FACING_COUNTS,
       .draw = draw,

@@ -13,7 +13,7 @@ namespace {
 
 // Whether legal models put a vertex elsewhere.
 bool LeavesGridPoints(const Profile& profile) {
-  return profile.freedom.snap_tolerance != 0 || profile.contract == Contract::kWatertight ||
+  return profile.freedom.MovesVertices() || profile.contract == Contract::kWatertight ||
          profile.contract == Contract::kClosed;
 }
 

@@ -41,10 +41,18 @@ double MostSteps(const Snap& snap) {
   return (nearest ? 0.5 : 1.0) + beside;
 }
 
-// Whether the freedom of the stated profile has the snap among its legal ones.
+// Whether the freedom of the stated profile has the number of bits among its legal ones.
+bool AllowsBits(const Profile& stated, const Snap& snap) {
+  if (stated.snap.bits == snap.bits) return true;
+  return stated.freedom.least_bits && !snap.IsNone() && snap.bits >= *stated.freedom.least_bits;
+}
+
+// Whether it has the snap among them.
 bool AllowsSnap(const Profile& stated, const Snap& snap) {
-  if (stated.freedom.snap_tolerance == 0 || stated.snap.bits != snap.bits) return false;
-  return snap.IsNone() || MostSteps(snap) <= stated.freedom.snap_tolerance;
+  const Freedom& freedom = stated.freedom;
+  const double most_steps = freedom.any_rounding ? 1 : freedom.snap_tolerance;
+  if (most_steps == 0 || !AllowsBits(stated, snap)) return false;
+  return snap.IsNone() || MostSteps(snap) <= most_steps;
 }
 
 }  // namespace
@@ -96,13 +104,16 @@ std::vector<StatementVerdict> VerifyStatements(const Profile& given, FacingRepor
   const auto never = [](const Profile&) { return false; };
   verify("y axis", AxisText, never);
   verify("sample locations", [](const Profile& p) { return PatternText(p.pattern); }, never);
-  verify("subpixel bits", BitsText, never);
+  verify("subpixel bits", BitsText,
+         [&](const Profile& model) { return AllowsBits(stated, model.snap); });
   verify(
       "snap", [](const Profile& p) { return SnapText(p.snap); },
       [&](const Profile& model) { return AllowsSnap(stated, model.snap); });
   verify(
       "tie rule", [](const Profile& p) { return TieRuleName(p.tie_rule); },
-      [&](const Profile& model) { return freedom.any_tie_rule && model.tie_rule.IsConsistent(); });
+      [&](const Profile& model) {
+        return freedom.ties != TieOwnership::kStated && model.tie_rule.IsConsistent();
+      });
   if (facing != FacingReport::kNotTold) {
     const bool as_on_screen = facing == FacingReport::kAsOnScreen;
     verdicts.push_back({"front facing", "counter-clockwise on screen",

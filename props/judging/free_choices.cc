@@ -43,16 +43,16 @@ double LargestCoordinate(const Case& c) {
 
 // How far the legal models of a case may put its vertices.
 struct Reach {
-  double tolerance = 0;  ///< in steps of the grid
-  double slack = 0;      ///< in pixels, on each axis, beyond that
-  double beside = 0;     ///< in pixels: all vertices alike
+  Freedom freedom;    ///< of grids and of their points
+  double slack = 0;   ///< in pixels, on each axis, beyond that
+  double beside = 0;  ///< in pixels: all vertices alike
 };
 
 Reach ReachOf(const Case& c, const Profile& profile) {
-  if (!MayMoveVertices(profile.contract)) return {profile.freedom.snap_tolerance, 0, 0};
+  if (!MayMoveVertices(profile.contract)) return {profile.freedom, 0, 0};
   const double rounding = kOutlineMarginPerCoordinate * LargestCoordinate(c);
-  if (profile.snap.IsNone()) return {0, kMovedOutlineMargin + rounding, 0};
-  return {1, rounding, kMovedOutlineMargin};
+  if (profile.snap.IsNone()) return {{}, kMovedOutlineMargin + rounding, 0};
+  return {{.snap_tolerance = 1}, rounding, kMovedOutlineMargin};
 }
 
 // A coordinate's least and greatest legal value, the canonical one between them, and the given one.
@@ -66,8 +66,14 @@ Span Widened(Span span, double slack) { return {span.low - slack, span.high + sl
 
 Span WindowSpan(double unwrapped, const Profile& profile, const Reach& reach) {
   const double x = profile.fixed ? Wrapped(unwrapped, *profile.fixed) : unwrapped;
-  const std::vector<double> points = GridPointsWithin(x, profile.snap, reach.tolerance);
-  return Widened({points.front(), points.back(), x}, reach.slack);
+  const double own = SnapCoordinate(x, profile.snap);
+  Span span{own, own, x};
+  for (const Snap& grid : LegalGrids(profile.snap, reach.freedom)) {
+    const std::vector<double> points = LegalGridPoints(x, grid, reach.freedom);
+    span.low = std::min(span.low, points.front());
+    span.high = std::max(span.high, points.back());
+  }
+  return Widened(span, reach.slack);
 }
 
 // Nothing if x / w has no place on the grid.
@@ -78,14 +84,18 @@ std::optional<Span> QuotientSpan(double x, double w, const Profile& profile, con
   if (snap.IsNone()) return Widened({quotient, quotient, quotient}, reach.slack);
   const std::optional<double> own = exact::TrySnapQuotient(x, w, snap);
   if (!own) return std::nullopt;
-  const double step = std::ldexp(1.0, -snap.bits);
-  const double far = reach.tolerance * step + kQuotientMargin * std::fabs(quotient);
+  const double steps = reach.freedom.any_rounding ? 1 : reach.freedom.snap_tolerance;
   Span span{*own, *own, quotient};
-  for (int k = -2; k <= 2; ++k) {
-    const double point = *own + k * step;
-    if (std::fabs(point - quotient) > far) continue;
-    span.low = std::min(span.low, point);
-    span.high = std::max(span.high, point);
+  for (const Snap& grid : LegalGrids(snap, reach.freedom)) {
+    const double step = std::ldexp(1.0, -grid.bits);
+    const double far = steps * step + kQuotientMargin * std::fabs(quotient);
+    const double middle = SnapCoordinate(quotient, grid);
+    for (int k = -2; k <= 2; ++k) {
+      const double point = middle + k * step;
+      if (std::fabs(point - quotient) > far) continue;
+      span.low = std::min(span.low, point);
+      span.high = std::max(span.high, point);
+    }
   }
   return Widened(span, reach.slack);
 }

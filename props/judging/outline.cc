@@ -45,9 +45,12 @@ Outline::Outline(const Case& c) : largest_(LargestCoordinate(c.scene)) {
 }
 
 Outline Outline::OfMoved(const Case& c, double most_moved) {
+  const TieOwnership ties = c.profile.freedom.ties;
+  if (ties == TieOwnership::kOpen) return OfAllEdges(c, most_moved);
   Outline outline;
   outline.largest_ = LargestCoordinate(c.scene);
   const Scene scene = AsGiven(c);
+  if (ties == TieOwnership::kPerEdge) outline.AddVertices(scene, most_moved);
   for (const BoundaryEdge& edge : BoundaryOf(scene)) {
     outline.Add(scene, edge, std::max(kMovedOutlineMargin, most_moved));
   }
@@ -75,9 +78,21 @@ void Outline::Add(const Scene& scene, const BoundaryEdge& edge, double moved) {
   if (!seen.IsEmpty()) edges_.push_back({seen, moved + rounded});
 }
 
+void Outline::AddVertices(const Scene& scene, double moved) {
+  const double margin =
+      std::max(kMovedOutlineMargin, moved) + kOutlineMarginPerCoordinate * largest_;
+  for (const Vertex& v : scene.vertices) {
+    if (!IsFinite(v) || !(v.w > 0)) continue;  // behind the eye it is seen nowhere
+    vertices_.push_back({{v.x / v.w, v.y / v.w}, margin});
+  }
+}
+
 bool Outline::IsNear(Point2 p) const {
-  return std::ranges::any_of(
-      edges_, [&](const SeenEdge& edge) { return edge.seen.Distance(p) <= edge.margin; });
+  return std::ranges::any_of(edges_,
+                             [&](const SeenEdge& e) { return e.seen.Distance(p) <= e.margin; }) ||
+         std::ranges::any_of(vertices_, [&](const SeenVertex& v) {
+           return std::hypot(p.x - v.at.x, p.y - v.at.y) <= v.margin;
+         });
 }
 
 }  // namespace rasterproof::props

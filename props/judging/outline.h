@@ -29,12 +29,14 @@ class Outline {
   /// The subject may have moved the boundary, by choosing other grid points than the canonical
   /// ones, by snapping its vertices to a grid of its own or by clipping it: by so many pixels, or
   /// by one if that is more. Edges cancel only if they are one in every legal model.
+  /// Where the profile's tie_ownership states an owner on shared edges alone, vertices count as
+  /// well; where it states none, all edges do.
   static Outline OfMoved(const Case& c, double most_moved);
   /// The same of every edge of every triangle.
   static Outline OfAllEdges(const Case& c, double most_moved);
 
   bool IsNear(Point2 p) const;
-  bool IsEmpty() const { return edges_.empty(); }
+  bool IsEmpty() const { return edges_.empty() && vertices_.empty(); }
 
  private:
   struct SeenEdge {
@@ -42,9 +44,16 @@ class Outline {
     double margin = 0;
   };
 
+  struct SeenVertex {
+    Point2 at;
+    double margin = 0;
+  };
+
   void Add(const Scene& scene, const BoundaryEdge& edge, double moved);
+  void AddVertices(const Scene& scene, double moved);
 
   std::vector<SeenEdge> edges_;
+  std::vector<SeenVertex> vertices_;
   double largest_ = 0;  ///< window coordinate
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "model/snap.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
 #include "props/judging/outline.h"
@@ -119,11 +120,11 @@ double LegalReach(const Case& c) {
   if (profile.contract != Contract::kSampleExact || !IsUnclipped(c.scene, profile)) {
     return std::sqrt(2.0) * kMovedOutlineMargin;
   }
-  if (profile.freedom.snap_tolerance == 0 || profile.snap.IsNone()) return 0;
-  // A legal grid point lies within the tolerance of the vertex, the canonical one within a step;
-  // and on each axis.
-  return std::sqrt(2.0) * (1 + profile.freedom.snap_tolerance) *
-         std::ldexp(1.0, -profile.snap.bits);
+  if (!profile.freedom.MovesVertices() || profile.snap.IsNone()) return 0;
+  // A legal grid point lies within a step of the vertex, and so does the canonical one; and on each
+  // axis.
+  return std::sqrt(2.0) * 2 *
+         std::ldexp(1.0, -LegalGrids(profile.snap, profile.freedom).front().bits);
 }
 
 ThinTriangles::ThinTriangles(const Case& c, double reach) : reach_(reach) {

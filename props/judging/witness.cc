@@ -42,7 +42,7 @@ struct LegalCounts {
 };
 
 LegalCounts LegalCountsOf(const Case& c, const DrawOptions& options) {
-  const bool any_owner = c.profile.freedom.any_tie_rule;
+  const bool any_owner = c.profile.freedom.ties != TieOwnership::kStated;
   const bool draws_again = c.profile.shares_edge_samples || any_owner;
   LegalCounts legal{any_owner ? CoverageUnder(c, {.exclusive = true}, options)
                               : exact::Coverage(c.scene, c.profile, options),

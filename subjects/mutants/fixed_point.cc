@@ -276,7 +276,7 @@ void FixedPoint::Draw(const Scene& scene, const DrawOptions& options, CoverageCo
 }  // namespace
 
 Profile FixedPointProfile() {
-  Profile profile = *PresetProfile("d3d11");
+  Profile profile = *PresetProfile("d3d11-canonical");
   profile.name = "fixed point";
   profile.infinite_vertex = InfiniteVertex::kNothing;
   return profile;

@@ -109,14 +109,16 @@ class FreeChoice final : public Subject {
     return worst;
   }
 
-  static std::array<Point2, 3> Given(const Scene& scene, std::size_t t) {
+  std::array<Point2, 3> Given(const Scene& scene, std::size_t t) const {
     constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
     std::array<Point2, 3> given{};
     for (std::size_t k = 0; k < 3; ++k) {
       given[k] = WindowPoint(v[k]);
       if (scene.clip_space) given[k] = {v[k].x / v[k].w, v[k].y / v[k].w};
-      if (!IsFinite(v[k]) || (scene.clip_space && !(v[k].w > 0))) given[k] = {kNowhere, kNowhere};
+      const bool is_dropped = stages_.profile.nan_z == NanZ::kNothing && std::isnan(v[k].z);
+      if (is_dropped || !IsFinite(v[k]) || (scene.clip_space && !(v[k].w > 0)))
+        given[k] = {kNowhere, kNowhere};
     }
     return given;
   }

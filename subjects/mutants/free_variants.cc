@@ -80,7 +80,7 @@ FreeStages InClipSpace(FreeStages stages) {
 }
 
 FreeStages WithRule(const TieRule& rule, FreeStages stages) {
-  stages.profile.freedom.any_tie_rule = true;
+  stages.profile.freedom.ties = TieOwnership::kAxisAligned;
   stages.rule = [rule](const std::array<Point2, 3>&) { return rule; };
   return stages;
 }

@@ -145,7 +145,7 @@ std::vector<Mutant> OtherBases() {
 std::vector<Mutant> LegalVariants() {
   std::vector<Mutant> table = TieRules();
   for (const auto more : {Snaps, Samples, Freedoms, OtherBases, TransformVariants, ScanlineVariants,
-                          ContractVariants, FreeVariants}) {
+                          ContractVariants, FreeVariants, SetVariants}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;

@@ -43,6 +43,7 @@ std::vector<Mutant> ScanlineMutants();    // where edges cross rows
 std::vector<Mutant> ShownValueMutants();  // edge values, steps, barycentrics
 std::vector<Mutant> ContractMutants();    // fixed-point input, target sizes, extents, edge_samples
 std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
+std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
 /// Written after the generators and the properties were frozen.
 std::vector<Mutant> LateMutants();
 
@@ -51,6 +52,7 @@ std::vector<Mutant> LegalVariants();
 std::vector<Mutant> TransformVariants();
 std::vector<Mutant> ScanlineVariants();
 std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
+std::vector<Mutant> SetVariants();       // of the legal sets of APIs
 std::vector<Mutant> ContractVariants();  // those of profiles with the rarer keys
 
 }  // namespace rasterproof::subjects::mutants

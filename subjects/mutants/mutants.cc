@@ -27,11 +27,11 @@ std::vector<Row> MakeRows() {
       rows.push_back({std::move(info), std::move(planted)});
     }
   };
-  for (const auto table :
-       {mutants::TieRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
-        mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
-        mutants::RealMutants, mutants::TransformMutants, mutants::ScanlineMutants,
-        mutants::ShownValueMutants, mutants::ContractMutants, mutants::FreeMutants}) {
+  for (const auto table : {mutants::TieRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
+                           mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
+                           mutants::RealMutants, mutants::TransformMutants,
+                           mutants::ScanlineMutants, mutants::ShownValueMutants,
+                           mutants::ContractMutants, mutants::FreeMutants, mutants::SetMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);

@@ -68,8 +68,9 @@ void AddIfAny(const std::optional<T>& value, Digest& digest) {
 
 void Add(const Profile& profile, Digest& digest) {
   const auto& [name, snap, crossing, lattice, y_axis, tie_rule, contract, freedom, transform,
-               coordinate_limit, degenerate_triangles, infinite_vertex, edge_samples, targets,
-               fixed, max_primitive_extent, guard_band] = profile;
+               coordinate_limit, degenerate_triangles, infinite_vertex, nan_vertex, nan_z,
+               translation_invariant, edge_samples, targets, fixed, max_primitive_extent,
+               guard_band] = profile;
   static_cast<void>(name);
   Add(snap, digest);
   Add(crossing, digest);
@@ -77,7 +78,10 @@ void Add(const Profile& profile, Digest& digest) {
   digest.Integer(static_cast<int>(y_axis));
   Add(tie_rule, digest);
   digest.Integer(static_cast<int>(contract));
-  digest.Number(freedom.snap_tolerance).Integer(freedom.any_tie_rule);
+  digest.Number(freedom.snap_tolerance).Integer(freedom.any_rounding);
+  digest.Integer(freedom.least_bits.value_or(-1)).Integer(static_cast<int>(freedom.ties));
+  digest.Integer(static_cast<int>(nan_vertex)).Integer(static_cast<int>(nan_z));
+  digest.Integer(translation_invariant);
   AddIfAny(transform, digest);
   digest.Number(coordinate_limit).Integer(static_cast<int>(degenerate_triangles));
   digest.Integer(static_cast<int>(infinite_vertex)).Integer(edge_samples);

@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 4> kMannerNames{"", ":refuses", ":breaks-
                                                        ":nan-barycentrics"};
 
 Profile StatedProfile(ModelSpace space) {
-  Profile profile = *PresetProfile("d3d11");
+  Profile profile = *PresetProfile("d3d11-canonical");
   profile.name = "model";
   profile.infinite_vertex = InfiniteVertex::kNothing;
   switch (space) {

@@ -111,7 +111,7 @@ TEST(BenchTest, CountsGapsAndOverlapsApart) {
 
 TEST(BenchTest, ASnappedSubjectIsRightForItsProfileAndWrongForRealGeometry) {
   Draughtsman snapped("snapped");
-  snapped.info_.profile = *PresetProfile("d3d11");
+  snapped.info_.profile = *PresetProfile("d3d11-canonical");
   snapped.info_.profile.snap.bits = 1;
   Draughtsman real("real");
   for (const BenchRow& row : RunOnce({&snapped, &real}).rows) {

@@ -64,12 +64,12 @@ TEST(Limits, OfAFixedPointInputAreItsIntegers) {
 }
 
 TEST(SameModel, LooksAtWhatCountsDependOn) {
-  Profile a = *PresetProfile("gl");
+  Profile a = *PresetProfile("gl-canonical");
   Profile b = a;
   b.name = "another";
   b.contract = Contract::kNone;
   b.coordinate_limit = 1;
-  b.freedom.any_tie_rule = true;
+  b.freedom.ties = TieOwnership::kAxisAligned;
   b.shares_edge_samples = true;
   EXPECT_TRUE(SameModel(a, b));
   b.scanline_rounding = {8, SnapRule::kFloor};

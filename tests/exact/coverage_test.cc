@@ -199,7 +199,7 @@ TEST(Coverage, CountsSamplesAndNotPixelsAgainstTheLargestTarget) {
 }
 
 TEST(Coverage, SnapsBeforeItDecides) {
-  const Profile d3d11 = *PresetProfile("d3d11");
+  const Profile d3d11 = *PresetProfile("d3d11-canonical");
   // 1/2 + 1/1024 snaps to the centre: top-left keeps the left side.
   const Scene scene =
       MakeScene(2, 1, {{0.5 + 0x1p-10, -4}, {9, 0.5}, {0.5 + 0x1p-10, 5}}, {{0, 1, 2}});
@@ -223,7 +223,7 @@ TEST(Coverage, SnapsInTheProfilesOwnAxes) {
 }
 
 TEST(Coverage, SnapsTheRationalQuotientOfClipSpace) {
-  const Profile d3d11 = *PresetProfile("d3d11");
+  const Profile d3d11 = *PresetProfile("d3d11-canonical");
   Scene scene = MakeScene(3, 1, {{1.5, -12, 0, 3}, {27, 1.5, 0, 3}, {1.5, 15, 0, 3}}, {{0, 1, 2}});
   scene.clip_space = true;
   EXPECT_EQ(RowsOf(scene, d3d11), (Picture{"111"})) << "x / w = 1/2, a left side";
@@ -255,7 +255,7 @@ std::string ThrownBy(const Scene& scene, const Profile& profile) {
 }
 
 TEST(WhyNotDecided, SaysBeforehandWhatCoverageThrows) {
-  const Profile d3d11 = *PresetProfile("d3d11");
+  const Profile d3d11 = *PresetProfile("d3d11-canonical");
   Scene scene = MakeScene(3, 1, {{1.5, -12, 0, 3}, {27, 1.5, 0, 3}, {1.5, 15, 0, 3}}, {{0, 1, 2}});
   scene.clip_space = true;
   std::vector<std::pair<Scene, Profile>> undecided{{scene, d3d11}, {scene, d3d11}, {scene, d3d11},

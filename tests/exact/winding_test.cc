@@ -90,7 +90,7 @@ TEST(ShapeOf, LooksAtTheSnappedMesh) {
   // The third vertex snaps onto the others' line.
   const Scene scene = Window(4, 4, {{0, 0}, {4, 0}, {1, 0x1p-12}}, {{0, 1, 2}});
   EXPECT_EQ(ShapeOf(scene, {}).degenerate, 0U);
-  EXPECT_EQ(ShapeOf(scene, *PresetProfile("gl")).degenerate, 1U);
+  EXPECT_EQ(ShapeOf(scene, *PresetProfile("gl-canonical")).degenerate, 1U);
 }
 
 }  // namespace

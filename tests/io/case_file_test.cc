@@ -73,7 +73,7 @@ TEST(CaseFileTest, EveryPartOfAProfileReadsBack) {
 TEST(CaseFileTest, WhatAProfileDoesNotUseIsNotWritten) {
   Profile profile;
   profile.name = "mine";
-  for (const char* key : {"snap_form", "snap_origin", "snap_tolerance", "any_tie_rule"}) {
+  for (const char* key : {"snap_form", "snap_origin", "snap_tolerance", "tie_ownership"}) {
     EXPECT_EQ(ProfileToJson(profile).find(key), std::string::npos) << key;
   }
 }
@@ -92,9 +92,9 @@ TEST(CaseFileTest, AbsentKeysOfAProfileAreThoseOfReal) {
   expected.name = "mine";
   expected.snap.bits = 4;
   EXPECT_EQ(ReadProfile(path), expected);
-  WriteFile(path, "\"gl\"");
-  EXPECT_EQ(ReadProfile(path), *PresetProfile("gl"));
-  EXPECT_EQ(ReadProfile("vulkan"), *PresetProfile("vulkan"));
+  WriteFile(path, "\"gl-canonical\"");
+  EXPECT_EQ(ReadProfile(path), *PresetProfile("gl-canonical"));
+  EXPECT_EQ(ReadProfile("vulkan-canonical"), *PresetProfile("vulkan-canonical"));
 }
 
 TEST(CaseFileTest, AnUnknownProfileNameIsToldThePresets) {
@@ -103,8 +103,8 @@ TEST(CaseFileTest, AnUnknownProfileNameIsToldThePresets) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "profile \"d3d12\": is neither a preset nor a file; the presets are real d3d11 "
-                 "vulkan gl");
+                 "profile \"d3d12\": is neither a preset nor a file; the presets are real "
+                 "d3d11-canonical vulkan-canonical gl-canonical d3d11 vulkan gl webgpu");
   }
 }
 
@@ -148,7 +148,7 @@ TEST(CaseFileTest, BadCasesAreRefusedWithPlaceAndReason) {
       {profile(R"("snap_origin": 1)"), "profile.snap_origin: is not a snap origin"},
       {profile(R"("snap_tolerance": -0.5)"), "is not a snap tolerance"},
       {profile(R"("snap_tolerance": 1.5)"), "a number of grid steps from 0 to 1"},
-      {profile(R"("any_tie_rule": 1)"), "any_tie_rule: is neither true nor false"},
+      {profile(R"("tie_ownership": "mine")"), "tie_ownership"},
       {profile(R"("tie_rule": "left")"), "profile.tie_rule: \"left\" is no tie rule"},
       {profile(R"("y_axis": "left")"), "profile.y_axis: \"left\" is unknown"},
       {profile(R"("contract": "good")"), "profile.contract: \"good\" is unknown"},

@@ -87,17 +87,18 @@ TEST(ProfileJson, APresetsNameIsForWhatThePresetSays) {
     renamed.name = ProfileName(other);
     EXPECT_EQ(ParseProfile(ProfileToJson(other), "written"), renamed);
   }
-  const std::string vulkan = R"({"name": "vulkan", "subpixel_bits": 8, "coordinate_limit": 32768,
+  const std::string vulkan =
+      R"({"name": "vulkan-canonical", "subpixel_bits": 8, "coordinate_limit": 32768,
                                  "infinite_vertex": "unspecified"})";
-  EXPECT_EQ(ParseProfile(vulkan, "p.json"), *PresetProfile("vulkan"));
+  EXPECT_EQ(ParseProfile(vulkan, "p.json"), *PresetProfile("vulkan-canonical"));
   try {
-    ParseProfile(R"({"name": "vulkan", "subpixel_bits": 4})", "p.json");
+    ParseProfile(R"({"name": "vulkan-canonical", "subpixel_bits": 4})", "p.json");
     ADD_FAILURE() << "a profile of 4 bits is taken for the preset of 8";
   } catch (const InputError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "p.json: name: \"vulkan\" is the name of a preset, and this is not what the preset "
-        "says; give it another name, or write \"vulkan\" alone for the preset");
+    EXPECT_STREQ(error.what(),
+                 "p.json: name: \"vulkan-canonical\" is the name of a preset, and this is not what "
+                 "the preset "
+                 "says; give it another name, or write \"vulkan-canonical\" alone for the preset");
   }
 }
 

@@ -68,7 +68,7 @@ TEST(TransformTest, ToClipComesBackWhereNothingIsRounded) {
 }
 
 TEST(TransformTest, SnappingAProfileWithATransformFollowsIt) {
-  Profile profile = *PresetProfile("d3d11");
+  Profile profile = *PresetProfile("d3d11-canonical");
   profile.transform = Transform{.division = Division::kReciprocal};
   Scene scene;
   scene.clip_space = true;

@@ -203,7 +203,7 @@ TEST(Infer, ContradictsAnUntrueStatementWithACase) {
 
 TEST(Infer, FreedomAllowsWhatItSaysAndNoMore) {
   Profile stated = Snapped(8, SnapRule::kNearestEven);
-  stated.freedom = {0.6, true};
+  stated.freedom = {.snap_tolerance = 0.6, .ties = TieOwnership::kAxisAligned};
   Profile away = Snapped(8, SnapRule::kNearestAway);
   away.tie_rule = kConsistentRules[5];
   PlantedSubject legal = Follows(away, stated);

@@ -23,9 +23,10 @@ namespace {
 
 using testing::PlantedSubject;
 
-SubjectInfo FreeInfo(int bits, double tolerance, bool any_tie_rule) {
+SubjectInfo FreeInfo(int bits, double tolerance, bool any_owner) {
   SubjectInfo info = testing::SnappedInfo(bits);
-  info.profile.freedom = {tolerance, any_tie_rule};
+  info.profile.freedom = {.snap_tolerance = tolerance,
+                          .ties = any_owner ? TieOwnership::kAxisAligned : TieOwnership::kStated};
   return info;
 }
 

@@ -338,7 +338,7 @@ std::vector<PlantedBug> CoveragePlantedBugs() {
        "every edge inclusive",
        "spans-exact",
        {.draw = DrawInclusively,
-        .states = [](Profile& profile) { profile.freedom.any_tie_rule = true; }}},
+        .states = [](Profile& profile) { profile.freedom.ties = TieOwnership::kAxisAligned; }}},
       {"ConservativeCoverageKeepsToItsSide",
        "no top edges, stated over",
        "spans-exact",

@@ -190,7 +190,7 @@ TEST(PlanTest, FollowsEverySnapForm) {
 TEST(PlanTest, ClipSpaceHasNoDifferencesToSnap) {
   Scene scene = WindowScene(8, 8, {{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
   scene.clip_space = true;
-  Profile profile = *PresetProfile("gl");
+  Profile profile = *PresetProfile("gl-canonical");
   profile.snap.form = SnapForm::kExactDifference;
   const Plan plan = MakePlan(scene, profile, {}, kCoverageOnly);
   EXPECT_THROW(DrawPlan(plan, scene, profile), InputError);
@@ -307,7 +307,7 @@ TEST(PlanTest, TieRuleIsKeptForOneSampleOnOneEdgeByHand) {
 
 TEST(PlanTest, SaysWhatItLeavesOutAndWhy) {
   const Scene scene = WindowScene(16, 16, {{1, 1}, {9.5, 2.25}, {3, 12}}, {{0, 1, 2}});
-  const Profile gl = *PresetProfile("gl");
+  const Profile gl = *PresetProfile("gl-canonical");
   const Plan plan = MakePlan(scene, gl, {}, kCoverageOnly);
   EXPECT_EQ(plan.arithmetic, "float32 direct");
   EXPECT_NE(Reason(plan, "edge arithmetic").why.find("2^24"), std::string::npos);
@@ -352,7 +352,7 @@ TEST(PlanTest, AVertexBehindTheEyeCannotBeSnapped) {
   Scene scene = WindowScene(8, 8, {{0, 0}, {4, 0}, {0, 4}}, {{0, 1, 2}});
   scene.clip_space = true;
   scene.vertices[1].w = -1;
-  const Profile gl = *PresetProfile("gl");
+  const Profile gl = *PresetProfile("gl-canonical");
   const Plan plan = MakePlan(scene, gl, {}, kCoverageOnly);
   EXPECT_THROW(DrawPlan(plan, scene, gl), InputError);
   scene.vertices[1] = {1e300, 0, 0, 1e-300};

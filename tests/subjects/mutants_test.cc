@@ -80,7 +80,7 @@ TEST(LegalVariants, UseWhatFreedomThereIs) {
     if (!variant.legal || (info.profile.freedom.IsNone() && !is_unstated)) continue;
     ++free;
     kinds.insert(info.coverage);
-    ruled += info.profile.freedom.any_tie_rule ? 1 : 0;
+    ruled += info.profile.freedom.ties != TieOwnership::kStated ? 1 : 0;
     clip += info.takes_clip ? 1 : 0;
     unstated += is_unstated ? 1 : 0;
   }

@@ -18,7 +18,7 @@ PROGRAM = os.path.abspath(sys.argv[1])
 SOURCES = os.path.abspath(sys.argv[2])
 SHARED_EDGE = "SharedEdgeSamplesAreCoveredOnce"
 MODEL = "CoverageEqualsTheModel"
-PROFILE_BITS = {"real": None, "d3d11": 8, "vulkan": 8, "gl": 8}
+PROFILE_BITS = {"real": None, "d3d11-canonical": 8, "vulkan-canonical": 8, "gl-canonical": 8}
 
 
 def run(*arguments, data=None, stdout=subprocess.PIPE):
@@ -65,7 +65,8 @@ class InferTest(TemporaryFolder):
 
     def test_an_untrue_declaration_is_contradicted_with_a_case(self):
         path = os.path.join(self.folder.name, "inference.json")
-        result = run("infer", "--subject", "i32-snap4", "--profile", "d3d11", "--json", path)
+        result = run("infer", "--subject", "i32-snap4", "--profile", "d3d11-canonical",
+                     "--json", path)
         self.assertEqual(result.returncode, 1, result.stdout)
         self.assertIn(b"CONTRADICTED     stated 8, found 4", result.stdout)
         with open(path, encoding="utf-8") as file:
@@ -245,18 +246,19 @@ class BadInputTest(TemporaryFolder):
 
     def test_a_profile_with_a_presets_name_and_another_content(self):
         path = self.write(json.dumps(self.GOOD))
-        profile = self.write('{"name": "vulkan", "subpixel_bits": 4}', "vulkan.json")
+        profile = self.write('{"name": "vulkan-canonical", "subpixel_bits": 4}', "vulkan.json")
         for verb in ("check", "coverage", "plan", "infer", "certify"):
             scene = [] if verb in ("infer", "certify") else [path]
             options = ["--profile", profile]
             if verb == "certify":
-                options = ["--subject", self.write(f'command true\nprofile {{"name": "vulkan", '
+                options = ["--subject",
+                           self.write(f'command true\nprofile {{"name": "vulkan-canonical", '
                                                    '"subpixel_bits": 4}\n', "x.subject"),
                            "--out", self.folder.name]  # fmt: skip
-            self.refused(verb, *scene, *options, names=["vulkan", "another name"])
+            self.refused(verb, *scene, *options, names=["vulkan-canonical", "another name"])
         case = self.write(json.dumps({"rasterproof_case": 2, "scene": self.GOOD, "subject": "exact",
-                                      "profile": {"name": "gl", "subpixel_bits": 5}}))
-        self.refused("replay", case, names=["gl", "another name"])
+                                      "profile": {"name": "gl-canonical", "subpixel_bits": 5}}))
+        self.refused("replay", case, names=["gl-canonical", "another name"])
 
     def test_deciders_and_plans_that_know_no_rounded_crossings(self):
         path = self.write(json.dumps(self.GOOD))
@@ -271,7 +273,8 @@ class BadInputTest(TemporaryFolder):
         behind = [(0.0, 0.0, 0.0, 1.0), (2.0, 0.0, 0.0, 1.0), (0.0, 2.0, 0.0, -1.0)]
         clip = self.write(scene_text(2, 2, behind, [[0, 1, 2]]))
         self.refused("coverage", clip, "--subject", "f32-direct", names=[clip, "clip space"])
-        self.refused("coverage", clip, "--subject", "exact", "--profile", "d3d11", names="w")
+        self.refused("coverage", clip, "--subject", "exact", "--profile", "d3d11-canonical",
+                     names="w")
         text = scene_text(2, 2, [(0.1, 0.0), (2.0, 0.0), (0.0, 2.0)], [[0, 1, 2]],
                           precision="float64")
         double = self.write(text, "double.json")

@@ -61,7 +61,7 @@ class SoundSubjects(unittest.TestCase):
 
     def test_a_plugin_draws_what_the_oracle_says(self):
         drawn = run("coverage", SCENE, "--plugin", f"{EXAMPLES}/example_plugin.so")
-        exact = run("coverage", SCENE, "--profile", "gl")
+        exact = run("coverage", SCENE, "--profile", "gl-canonical")
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
         self.assertEqual(drawn.stdout, exact.stdout)
 

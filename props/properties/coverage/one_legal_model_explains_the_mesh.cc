@@ -1,24 +1,26 @@
-// One legal grid point for every vertex and one legal tie rule explain all triangles of a mesh.
+// One legal model explains all triangles of a mesh: a grid, a place for each vertex, owners of
+// samples on edges.
 //
-// They explain every sample of every triangle, each drawn alone; and the mesh counts what its
-// triangles count.
+// One explains every sample of every triangle, each drawn alone, and one all that a call with them
+// together shows. Of many triangles the call alone is judged.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/coverage.h"
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/subject_info.h"
 #include "exact/coverage.h"
+#include "legal/joint.h"
 #include "props/judging/as_shown.h"
-#include "props/judging/free_choices.h"
-#include "props/judging/model_search.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
@@ -29,129 +31,147 @@ namespace rasterproof::props {
 namespace {
 
 constexpr std::array kRules{ProfileRule{[](const Profile& p) { return !p.freedom.IsNone(); },
-                                        "grid points or tie rule left free",
+                                        "a grid, grid points or owners left free",
                                         "the profile leaves nothing free: one model is legal"},
                             kCountsTies, kSaysWhatSinglesCover};
 
-// The case with as many of its triangles as are looked at.
-Case LookedAt(const Case& c) {
-  Case some = c;
-  some.scene.triangles.resize(std::min(c.scene.triangles.size(), ModelSearch::kMostTriangles));
-  return some;
-}
+// Of more, what one call shows is judged.
+constexpr std::size_t kMostDrawnAlone = 32;
 
-std::string PointsText(const std::vector<Point2>& points) {
-  std::string text;
-  for (const Point2 p : points) text += (text.empty() ? "" : " or ") + HexText(p);
-  return text;
-}
-
-// For two triangles: the vertices that they have in common and what each needs of them.
-std::string NeedsText(const Case& c, const ModelSearch& search,
-                      const std::vector<std::size_t>& conflict) {
-  if (conflict.size() != 2) return "";
-  std::string text;
-  const Triangle& first = c.scene.triangles[conflict[0]];
-  const Triangle& second = c.scene.triangles[conflict[1]];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vertex& v = c.scene.vertices[static_cast<std::size_t>(first[i])];
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Vertex& w = c.scene.vertices[static_cast<std::size_t>(second[j])];
-      if (v.x != w.x || v.y != w.y) continue;
-      text += "; vertex " + HexText(WindowPoint(v)) + " at " +
-              PointsText(search.PointsOf(conflict[0], i)) + " for one, at " +
-              PointsText(search.PointsOf(conflict[1], j)) + " for the other";
-    }
-  }
-  return text;
-}
-
-Asked NotJudged(const Case& c, std::string_view why) {
-  Asked asked = NothingAsked(std::string(why));
-  asked.otherwise.not_judged = DecisionsOf(c);
-  return asked;
-}
-
-Verdict NoModel(const Case& drawn, const Answers& alone, const ModelSearch& search,
-                const std::vector<std::size_t>& conflict) {
+std::string Names(std::vector<std::size_t> triangles) {
+  std::ranges::sort(triangles);
+  const auto repeated = std::ranges::unique(triangles);
+  triangles.erase(repeated.begin(), repeated.end());
   std::string names;
-  for (const std::size_t t : conflict) names += (names.empty() ? "" : ", ") + std::to_string(t);
-  const std::size_t t = conflict.front();
-  const CoverageCounts& counts = alone.draws[t]->counts;
-  const CoverageCounts canonical = exact::Coverage(OnlyTriangles(drawn, {t}).scene, drawn.profile);
-  const CoverageDifference difference = Compare(counts, canonical);
-  Witness witness;
-  if (difference.wrong != 0) {
-    witness = WitnessOfCounts(counts, canonical, difference.first_wrong);
+  for (const std::size_t t : triangles) names += (names.empty() ? "" : ", ") + std::to_string(t);
+  return names;
+}
+
+std::vector<std::size_t> TrianglesOf(const legal::Core& core) {
+  std::vector<std::size_t> triangles;
+  for (const legal::Requirement& requirement : core.requirements)
+    triangles.insert(triangles.end(), requirement.triangles.begin(), requirement.triangles.end());
+  return triangles;
+}
+
+// "triangle 3 covers (0x1.8p+0, 0x1p-1)", "triangles 3, 4 cover it 2 times".
+std::string SeenText(const legal::Requirement& requirement) {
+  const std::string place = HexText(requirement.at);
+  if (requirement.triangles.empty()) return place + " as no legal model of any triangle has it";
+  if (requirement.triangles.size() == 1) {
+    const std::string triangle = "triangle " + std::to_string(requirement.triangles[0]);
+    if (requirement.most > 1) {
+      return triangle + " covers " + place + " " + std::to_string(requirement.most) + " times";
+    }
+    return triangle + (requirement.most == 0 ? " does not cover " : " covers ") + place;
   }
-  witness.triangle = static_cast<int>(t);
-  const std::string here = witness.observed;
-  const std::string canonical_here = witness.expected;
-  witness.observed =
-      "triangles " + names + ", each drawn alone" + NeedsText(drawn, search, conflict);
-  witness.expected = "one legal grid point for each vertex and one tie rule that explain " +
-                     std::string(conflict.size() == 1 ? "it" : "them together");
-  if (!here.empty()) {
-    witness.observed += "; triangle " + std::to_string(t) + " has " + here + " here";
-    witness.expected += "; the canonical model has " + canonical_here + " here";
+  return "triangles " + Names(requirement.triangles) + " cover " + place + " " +
+         std::to_string(std::max(requirement.least, 0)) +
+         (requirement.least == requirement.most ? "" : " or more") + " times together";
+}
+
+std::string SeenText(const Case& c, const legal::Core& core) {
+  constexpr std::size_t kMostTold = 4;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(core.requirements.size(), kMostTold); ++k)
+    text += (text.empty() ? "" : "; ") + SeenText(core.requirements[k]);
+  if (core.requirements.size() > kMostTold)
+    text += "; and " + std::to_string(core.requirements.size() - kMostTold) + " more";
+  for (std::size_t k = 0; k < std::min(core.vertices.size(), kMostTold); ++k) {
+    text += (k == 0 ? "; decided by where these vertices lie: " : " ") +
+            HexText(WindowPoint(c.scene.vertices[core.vertices[k]]));
   }
-  return Verdict::Violated(DecisionsOf(drawn),
-                           conflict.size() == 1
-                               ? "no legal model explains triangle " + names + " by itself"
-                               : "no legal model explains triangles " + names + " together",
+  return text;
+}
+
+Verdict NoModel(const Case& c, const CoverageCounts& shape, std::uint64_t exercised,
+                const legal::Core& core) {
+  const legal::Requirement& first = core.requirements.front();
+  Witness witness = WitnessAtIndex(shape, first.sample);
+  const std::vector<std::size_t> triangles = TrianglesOf(core);
+  if (!triangles.empty()) witness.triangle = static_cast<int>(triangles.front());
+  const std::string names = Names(triangles);
+  const bool is_one = triangles.empty() || names == std::to_string(triangles.front());
+  witness.observed = SeenText(c, core);
+  witness.expected =
+      "one legal grid, a place for each vertex and owners of samples on edges that "
+      "explain " +
+      std::string(is_one ? "it" : "them together");
+  return Verdict::Violated(exercised,
+                           triangles.empty() ? "no legal model explains a sample by itself"
+                           : is_one ? "no legal model explains triangle " + names + " by itself"
+                                    : "no legal model explains triangles " + names + " together",
                            witness);
 }
 
+Verdict VerdictOf(const Case& c, const CoverageCounts& shape, std::uint64_t exercised,
+                  const legal::JointVerdict& joint) {
+  if (joint.legality == legal::Legality::kNotLegal)
+    return NoModel(c, shape, exercised, *joint.core);
+  Verdict verdict = Verdict::Held(exercised - std::min(exercised, joint.not_judged));
+  verdict.not_judged = joint.not_judged;
+  if (joint.legality == legal::Legality::kNotJudged) {
+    verdict.outcome = Outcome::kNotExercised;
+    verdict.message = "a component of " + std::to_string(joint.largest_given_up) +
+                      " triangles is too large to be judged";
+  }
+  return verdict;
+}
+
 // Violated if no model explains what was drawn for each triangle alone.
-Verdict HaveOneModel(const Case& drawn, const Answers& alone) {
-  ModelSearch search(drawn);
-  for (std::size_t t = 0; t < alone.draws.size(); ++t) search.Observe(t, alone.draws[t]->counts);
-  const std::vector<std::size_t> conflict = search.Conflict();
-  return conflict.empty() ? Verdict::Held(0) : NoModel(drawn, alone, search, conflict);
+Verdict HaveOneModel(const Case& c, const Answers& alone) {
+  legal::Observed observed;
+  for (const auto& drawing : alone.draws) observed.alone.push_back(&drawing->counts);
+  Verdict verdict = VerdictOf(c, alone.draws[0]->counts, DecisionsOf(c),
+                              legal::JudgeJointly(c.scene, c.profile, observed));
+  if (verdict.outcome == Outcome::kHolds) verdict = Verdict::Held(0);  // the other check counts
+  return verdict;
 }
 
 Check OfEachAlone(const Case& c) {
-  const auto scene = std::make_shared<const Scene>(LookedAt(c).scene);
+  const auto scene = std::make_shared<const Scene>(c.scene);
   Check check;
   for (std::size_t t = 0; t < scene->triangles.size(); ++t) {
     check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
   }
-  check.judge = [&c](const Answers& answers) { return HaveOneModel(LookedAt(c), answers); };
+  check.judge = [&c](const Answers& answers) { return HaveOneModel(c, answers); };
   return check;
 }
 
-// Compares the mesh with the sum of its triangles. The last drawing is its own.
-Verdict IsTheSum(const Case& c, std::uint64_t exercised, const Answers& answers) {
-  const CoverageCounts& whole = answers.draws.back()->counts;
-  CoverageCounts sum(whole.width, whole.height, whole.samples);
-  for (std::size_t t = 0; t + 1 < answers.draws.size(); ++t) sum += answers.draws[t]->counts;
-  Verdict verdict =
-      SameCounts(whole, sum, exercised, "the sum of its triangles, each drawn alone,");
-  verdict.not_judged = DecisionsOf(c) - exercised;  // of the triangles behind the most
-  return verdict;
-}
-
-Check OfAllTogether(const Case& c) {
-  const Case drawn = LookedAt(c);
+// One call with all triangles, by the kind of coverage that it shows.
+Check OfOneCall(const Case& c, const Description& subject) {
   Check check;
-  check.questions.draws.push_back(CountsOf(drawn.scene, c.profile, WholeTarget(c)));
-  check.bases.resize(drawn.scene.triangles.size());
-  std::iota(check.bases.begin(), check.bases.end(), std::size_t{0});
-  check.judge = [&c, exercised = DecisionsOf(drawn)](const Answers& answers) {
-    return IsTheSum(c, exercised, answers);
+  check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, WholeTarget(c)));
+  const CoverageKind kind = subject.info.coverage;
+  const bool last = subject.info.fragments.visible == Visible::kLastDrawn;
+  check.judge = [&c, kind, last](const Answers& answers) {
+    const Drawing& drawing = *answers.draws[0];
+    legal::Observed observed;
+    observed.last_is_visible = last;
+    if (kind == CoverageKind::kFacingCounts || kind == CoverageKind::kCounts) {
+      observed.together = &drawing.counts;
+    } else if (!drawing.primitive_ids.empty()) {
+      observed.primitive_ids = &drawing.primitive_ids;
+    } else {
+      observed.together = &drawing.counts;
+      observed.is_mask = true;
+    }
+    return VerdictOf(c, drawing.counts, DecisionsOf(c),
+                     legal::JudgeJointly(c.scene, c.profile, observed));
   };
   return check;
 }
 
 Asked Ask(const Case& c, const Description& subject) {
-  if (c.scene.clip_space) return NotJudged(c, "models are searched in window space alone");
-  if (!IsUnclippedInEveryModel(c)) {
-    return NotJudged(c, "a legal choice leaves the profile's guard-band rectangle");
+  if (const std::optional<std::string> why = legal::WhyNotJoint(c.scene, c.profile)) {
+    Asked asked = NothingAsked(*why);
+    asked.otherwise.not_judged = DecisionsOf(c);
+    return asked;
   }
-  if (IsJudgedAsShown(subject, LookedAt(c))) return NotJudged(c, kJudgedAsShown);
   Asked asked;
-  asked.checks.push_back(OfEachAlone(c));
-  asked.checks.push_back(OfAllTogether(c));
+  if (c.scene.triangles.empty()) return NothingAsked("the scene has no triangles");
+  if (c.scene.triangles.size() <= kMostDrawnAlone) asked.checks.push_back(OfEachAlone(c));
+  asked.checks.push_back(OfOneCall(c, subject));
   return asked;
 }
 
@@ -161,16 +181,18 @@ constinit const Property kOneLegalModelExplainsTheMesh{
     .name = "OneLegalModelExplainsTheMesh",
     .group = "coverage",
     .clause =
-        "A vertex has one position for all triangles that use it, and a sample on an edge "
-        "one owner: D3D11.3 functional specification 3.4.1 (snapping within 0.6 ulp) and "
-        "3.4.2.1.",
+        "A vertex has one position for all triangles that use it, and a sample on an edge the "
+        "owner that the profile's tie_ownership asks for: D3D11.3 functional specification 3.2.4.1 "
+        "(snapping within 0.6 ulp) and 3.4.2.1, OpenGL 4.6 section 14.6.1, Vulkan 1.3 Basic "
+        "Polygon "
+        "Rasterization (a common edge).",
     .tolerance = "the profile's own freedom, jointly for all triangles",
     .domains = kFreeSnaps,
     .gate = {.space = Space::kEither,
              .any_model = true,
+             .judges_clipped = true,
              .rules = kRules,
-             .asks_oracle = true,
-             .where = "window space"},
+             .where = "clip space in front of the eye and on a grid"},
     .ask = Ask,
 };
 

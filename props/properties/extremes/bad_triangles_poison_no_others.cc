@@ -28,31 +28,42 @@ bool IsGood(const Case& c, const Triangle& t) {
 }
 
 // Puts a bad triangle before and after every good one: with one vertex NaN, one infinite, two of
-// them infinite with opposite signs, or all three the same. NaN in the place of infinities where
-// the profile leaves open what these cover.
+// them infinite with opposite signs, or all three the same. Of NaN and infinity only those of which
+// the profile says that they cover nothing.
 Scene Poisoned(const Scene& good, const Profile& profile) {
   Scene scene = good;
-  const double far = profile.infinite_vertex == InfiniteVertex::kNothing ? kInfinity : kNan;
+  const bool nan_covers_nothing = profile.nan_vertex == NanVertex::kNothing;
+  const bool far_covers_nothing = profile.infinite_vertex == InfiniteVertex::kNothing;
+  const bool has_bad = nan_covers_nothing || far_covers_nothing;
+  const double nan = nan_covers_nothing ? kNan : kInfinity;
+  const double far = far_covers_nothing ? kInfinity : kNan;
   const auto first = static_cast<std::int32_t>(scene.vertices.size());
-  scene.vertices.push_back({kNan, 1, 0, 1});
+  scene.vertices.push_back({nan, 1, 0, 1});
   scene.vertices.push_back({1, far, 0, 1});
   scene.vertices.push_back({-far, far, 0, 1});
   scene.triangles.clear();
   for (std::size_t t = 0; t < good.triangles.size(); ++t) {
     const Triangle& triangle = good.triangles[t];
     const auto bad = first + static_cast<std::int32_t>(t % 3);
-    scene.triangles.push_back({triangle[0], bad, triangle[2]});
+    if (has_bad) scene.triangles.push_back({triangle[0], bad, triangle[2]});
     scene.triangles.push_back(triangle);
     if (profile.degenerate_triangles == DegenerateTriangles::kNothing) {
       scene.triangles.push_back({triangle[1], triangle[1], triangle[1]});
     }
-    scene.triangles.push_back({bad, first + 2, triangle[0]});
+    if (has_bad) scene.triangles.push_back({bad, first + 2, triangle[0]});
   }
   return scene;
 }
 
 constexpr std::array kRules{
     kSaysWhatSinglesCover,
+    ProfileRule{[](const Profile& p) {
+                  return p.nan_vertex == NanVertex::kNothing ||
+                         p.infinite_vertex == InfiniteVertex::kNothing ||
+                         p.degenerate_triangles == DegenerateTriangles::kNothing;
+                },
+                "a NaN, an infinity or no area that covers nothing",
+                "the profile leaves open what triangles with a NaN, an infinity or no area cover"},
     ProfileRule{[](const Profile& p) { return !p.fixed; }, "no fixed-point input",
                 "the subject's integers hold nothing that is not finite"}};
 

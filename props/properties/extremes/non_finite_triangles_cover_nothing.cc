@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/coverage.h"
+#include "core/profile.h"
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
@@ -20,13 +21,16 @@ namespace {
 // What is finite of it must be within the limit: beyond that nothing is stated.
 bool IsWithin(double x, double limit) { return !std::isfinite(x) || std::fabs(x) <= limit; }
 
-// Of what is not judged for an infinity, no vertex says more if another one is NaN: such a triangle
-// covers nothing under every profile.
+// Whether the profile says of the triangle that it covers nothing: for a NaN, or else for an
+// infinity.
 bool IsJudged(const std::array<Vertex, 3>& v, const Profile& profile) {
-  if (std::ranges::all_of(v, IsFinite)) return false;
-  if (profile.infinite_vertex == InfiniteVertex::kNothing) return true;
-  return std::ranges::any_of(
+  const bool has_nan = std::ranges::any_of(
       v, [](const Vertex& p) { return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.w); });
+  const bool has_nan_z = std::ranges::any_of(v, [](const Vertex& p) { return std::isnan(p.z); });
+  if (has_nan_z && profile.nan_z == NanZ::kNothing) return true;
+  if (has_nan) return profile.nan_vertex == NanVertex::kNothing;
+  if (std::ranges::all_of(v, IsFinite)) return false;
+  return profile.infinite_vertex == InfiniteVertex::kNothing;
 }
 
 std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
@@ -76,7 +80,14 @@ Asked Blame(const Case& c, const Verdict& verdict, const Description& /*subject*
   return asked;
 }
 
-constexpr std::array kRules{kSaysWhatSinglesCover};
+constexpr std::array kRules{
+    kSaysWhatSinglesCover,
+    ProfileRule{[](const Profile& p) {
+                  return p.nan_vertex == NanVertex::kNothing || p.nan_z == NanZ::kNothing ||
+                         p.infinite_vertex == InfiniteVertex::kNothing;
+                },
+                "a NaN or an infinity that covers nothing",
+                "the profile leaves open what triangles with a NaN or an infinity cover"}};
 
 }  // namespace
 

@@ -62,7 +62,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
 #if defined(BUG_PROFILE)
       .profile = "{\"snap\": {\"bits\": 99}}",
 #else
-      .profile = "gl",
+      .profile = "gl-canonical",
 #endif
 #if defined(BUG_FIXED_BITS)
       .input = RASTERPROOF_FIXED,

@@ -253,7 +253,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
       .size = sizeof(rasterproof_plugin),
 #endif
       .name = "shown",
-      .profile = "gl",
+      .profile = "gl-canonical",
       .input = RASTERPROOF_FLOAT32,
       .coverage = KIND,
 #if defined(NEEDS_ALL)

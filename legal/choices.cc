@@ -1,0 +1,114 @@
+#include "legal/choices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "core/error.h"
+#include "exact/rational.h"
+#include "exact/snap_clip.h"
+#include "model/snap.h"
+#include "model/target_model.h"
+#include "model/wrap.h"
+
+namespace rasterproof::legal {
+namespace {
+
+// The canonical one first.
+std::vector<double> CanonicalFirst(std::vector<double> points, double canonical) {
+  const auto own = std::ranges::find(points, canonical);
+  if (own != points.end()) std::rotate(points.begin(), own, own + 1);
+  return points;
+}
+
+std::vector<double> WindowPlaces(double x, const Profile& profile, const Snap& grid) {
+  const double wrapped = profile.fixed ? Wrapped(x, *profile.fixed) : x;
+  return CanonicalFirst(LegalGridPoints(wrapped, grid, profile.freedom),
+                        SnapCoordinate(wrapped, grid));
+}
+
+// Whether the grid point is as near to x / w as the freedom asks.
+bool IsWithin(double point, double x, double w, double step, const Freedom& freedom) {
+  const exact::Rational off = (exact::Rational(point) * w - x).Abs();
+  const exact::Rational one_step = exact::Rational(step) * w;
+  return off <= one_step * exact::Rational(freedom.snap_tolerance) ||
+         (freedom.any_rounding && off < one_step);
+}
+
+std::vector<double> QuotientPlaces(double x, double w, const Profile& profile, const Snap& grid) {
+  const std::optional<double> own =
+      w > 0 && !grid.IsNone() ? exact::TrySnapQuotient(x, w, grid) : std::nullopt;
+  if (!own) {
+    throw InputError("scene", "a vertex of clip space has no place on the profile's grid",
+                     "give vertices with w > 0 that project onto the target, and a profile with "
+                     "subpixel_bits");
+  }
+  std::vector<double> points{*own};
+  const double step = std::ldexp(1.0, -grid.bits);
+  for (const int k : {-2, -1, 1, 2}) {
+    const double point = *own + k * step;
+    if (IsWithin(point, x, w, step, profile.freedom)) points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<Point2> Pairs(const std::vector<double>& xs, const std::vector<double>& ys,
+                          YAxis y_axis) {
+  std::vector<Point2> points;
+  for (const double x : xs) {
+    for (const double y : ys) points.push_back({x, y_axis == YAxis::kUp ? -y : y});
+  }
+  return points;
+}
+
+std::vector<Point2> PlacesOf(const Vertex& v, bool clip_space, const Profile& profile,
+                             const Snap& grid) {
+  const bool has_no_place = profile.nan_z != NanZ::kIgnored && std::isnan(v.z);
+  if (!IsFinite(v) || has_no_place) return {};
+  if (!clip_space) {
+    return Pairs(WindowPlaces(v.x, profile, grid), WindowPlaces(v.y, profile, grid),
+                 profile.y_axis);
+  }
+  return Pairs(QuotientPlaces(v.x, v.w, profile, grid), QuotientPlaces(v.y, v.w, profile, grid),
+               profile.y_axis);
+}
+
+}  // namespace
+
+std::vector<Family> FamiliesOf(const Profile& profile, int width, int height) {
+  const Profile model = ForTarget(profile, width, height);
+  std::vector<Snap> grids = LegalGrids(model.snap, model.freedom);
+  const auto own = std::ranges::find(grids, model.snap);
+  if (own != grids.end()) std::rotate(grids.begin(), own, own + 1);
+  std::vector<TieRule> rules{model.tie_rule};
+  if (model.freedom.ties == TieOwnership::kAxisAligned) {
+    std::ranges::copy_if(kConsistentRules, std::back_inserter(rules),
+                         [&](const TieRule& rule) { return rule != model.tie_rule; });
+  }
+  std::vector<Family> families;
+  for (const Snap& grid : grids) {
+    for (const TieRule& rule : rules) families.push_back({grid, rule});
+  }
+  return families;
+}
+
+Choices ChoicesOf(const Scene& scene, const Profile& profile, const Family& family) {
+  Choices choices;
+  std::map<std::tuple<double, double, double>, std::size_t> known;  // -0 and +0 are one place
+  for (const Vertex& v : scene.vertices) {
+    const bool is_ordered = !std::isnan(v.x) && !std::isnan(v.y) && !std::isnan(v.w);
+    std::size_t position = choices.places.size();
+    if (is_ordered && !std::isnan(v.z)) {
+      position = known.try_emplace({v.x, v.y, v.w}, position).first->second;
+    }
+    if (position == choices.places.size()) {
+      choices.places.push_back(PlacesOf(v, scene.clip_space, profile, family.grid));
+    }
+    choices.position.push_back(position);
+  }
+  return choices;
+}
+
+}  // namespace rasterproof::legal

@@ -1,0 +1,55 @@
+// What all legal models of a scene agree on, sample by sample.
+#ifndef RASTERPROOF_LEGAL_DECIDED_H_
+#define RASTERPROOF_LEGAL_DECIDED_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/vertex.h"
+
+namespace rasterproof::legal {
+
+/// Counts of up to so many triangles are told apart; more are told as so many.
+inline constexpr int kMostCounted = 63;
+
+/// A triangle and a sample that legal models decide differently.
+struct OpenDecision {
+  std::size_t triangle = 0;
+  std::size_t sample = 0;  ///< index in counts of the target
+  int edge = -1;           ///< the nearest one, opposite vertex `edge`
+  double distance = 0;     ///< of the sample from it, in pixels, where the canonical model puts it
+};
+
+struct Decided {
+  int width = 0;
+  int height = 0;
+  int samples = 1;
+  /// By sample: bit k is set if some legal model covers the sample k times.
+  ///
+  /// Shape:      as CoverageCounts.
+  std::vector<std::uint64_t> counts;
+  std::vector<OpenDecision> open;  ///< each triangle and sample once
+  /// Samples of which only bounds are known: more than was searched is open there.
+  std::uint64_t bounded = 0;
+  /// A step of the coarsest legal grid, in pixels: the unit of the freedom. 0: vertices stay.
+  double step = 0;
+
+  /// Whether every legal model covers the sample equally often.
+  bool IsDecided(std::size_t sample) const { return (counts[sample] & (counts[sample] - 1)) == 0; }
+  int Least(std::size_t sample) const;
+  int Most(std::size_t sample) const;
+};
+
+/// Returns how often legal models of the profile cover each sample of the scene.
+///
+/// Domain:     as JudgeJointly.
+/// Returns:    exactly the counts that some legal model has, where `bounded` does not count the
+///             sample; there, all between the least and the most.
+Decided DecidedSamples(const Scene& scene, const Profile& profile);
+
+}  // namespace rasterproof::legal
+
+#endif  // RASTERPROOF_LEGAL_DECIDED_H_

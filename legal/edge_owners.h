@@ -1,0 +1,26 @@
+// Samples on edges that two triangles have in common, on either side of it.
+#ifndef RASTERPROOF_LEGAL_EDGE_OWNERS_H_
+#define RASTERPROOF_LEGAL_EDGE_OWNERS_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "legal/model_clauses.h"
+#include "legal/triangle_samples.h"
+
+namespace rasterproof::legal {
+
+/// Returns every sample that some choice of places puts on an edge between exactly two triangles,
+/// which lie on either side of it in every legal model. Where more share an edge, or a legal model
+/// turns one of them, no sentence is read to speak of it.
+///
+/// Domain:     `open` by triangle: those of triangle t are [first_open[t], first_open[t + 1]), in
+///             ascending order of their samples.
+std::vector<CommonEdgeSample> CommonEdgeSamplesOf(const FamilyView& view,
+                                                  const std::vector<OpenSample>& open,
+                                                  const std::vector<std::size_t>& first_open,
+                                                  const std::vector<int>& facing);
+
+}  // namespace rasterproof::legal
+
+#endif  // RASTERPROOF_LEGAL_EDGE_OWNERS_H_

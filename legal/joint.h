@@ -1,0 +1,95 @@
+// Does one legal model explain all that was drawn?
+#ifndef RASTERPROOF_LEGAL_JOINT_H_
+#define RASTERPROOF_LEGAL_JOINT_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/vertex.h"
+#include "legal/choices.h"
+
+namespace rasterproof::legal {
+
+/// What was drawn, of whichever kind is known. Facings are not looked at.
+struct Observed {
+  /// Each triangle drawn alone, in the scene's order; empty if not known.
+  std::vector<const CoverageCounts*> alone;
+  /// All of them in one call: how often each sample was covered; nullptr if not known.
+  const CoverageCounts* together = nullptr;
+  /// The counts of one call are 1 wherever they are not 0.
+  bool is_mask = false;
+  /// The triangle that is visible at each sample, or kNoPrimitive; nullptr if not known.
+  const std::vector<std::int32_t>* primitive_ids = nullptr;
+  /// Of the triangles that cover a sample the last one is visible, else the first.
+  bool last_is_visible = true;
+};
+
+enum class Legality : std::uint8_t {
+  kLegal,     ///< one model explains everything
+  kNotLegal,  ///< no model does
+  kNotJudged  ///< none was found, and some component was given up
+};
+
+/// One thing that was seen, and that a legal model has to explain.
+struct Requirement {
+  std::size_t sample = 0;  ///< index in counts of the target
+  Point2 at;               ///< in screen axes
+  /// Those that may cover it: all of them together so often.
+  std::vector<std::size_t> triangles;
+  int least = 0;
+  int most = 0;
+};
+
+/// Why no legal model of one family explains what was drawn: nothing of it can be left out.
+struct Core {
+  std::vector<Requirement> requirements;
+  std::vector<std::size_t> vertices;  ///< of the scene, whose places decide them
+  bool is_minimal = true;             ///< false: the search for a smaller one was cut short
+};
+
+struct JointVerdict {
+  Legality legality = Legality::kLegal;
+  /// The family that explains everything; else the first of the profile's, in which `core` stands.
+  Family family;
+  std::optional<Core> core;  ///< if not legal
+
+  // Of that family.
+  std::uint64_t samples = 0;     ///< of the target
+  std::uint64_t open = 0;        ///< samples that legal models of the family decide differently
+  std::uint64_t not_judged = 0;  ///< of these: in components that were given up
+  std::size_t components = 0;    ///< parts of the scene that can be judged by themselves
+  std::size_t largest_component = 0;  ///< its triangles
+  std::size_t largest_given_up = 0;   ///< triangles of the largest that was given up
+  std::size_t families = 0;           ///< tried
+};
+
+/// How much is tried before a component is given up.
+struct Effort {
+  std::size_t most_open = 2'000'000;              ///< decisions of one component
+  std::uint64_t most_propagations = 200'000'000;  ///< of the solver, for each question
+};
+
+/// Returns why the joint verdict is not for this scene and profile, or nothing if it is.
+std::optional<std::string> WhyNotJoint(const Scene& scene, const Profile& profile);
+
+/// Returns whether one legal model of the profile explains the drawing.
+///
+/// A model is: a grid and a tie rule for everything, a legal place for each vertex, and owners of
+/// the samples on edges, as the profile's freedom says. Vertices of equal coordinates have one
+/// place. Samples on which all models agree are compared; the rest falls into components, each of
+/// which a SAT solver decides exactly.
+///
+/// Domain:     WhyNotJoint says nothing. What was drawn has the shape of the target.
+/// Cost:       a scan of each triangle's box for each family, and the solver.
+JointVerdict JudgeJointly(const Scene& scene, const Profile& profile, const Observed& observed,
+                          const Effort& effort = {});
+
+}  // namespace rasterproof::legal
+
+#endif  // RASTERPROOF_LEGAL_JOINT_H_

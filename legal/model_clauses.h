@@ -1,0 +1,53 @@
+// The legal models of some triangles' samples, as clauses.
+#ifndef RASTERPROOF_LEGAL_MODEL_CLAUSES_H_
+#define RASTERPROOF_LEGAL_MODEL_CLAUSES_H_
+
+#include <cstddef>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "legal/solver.h"
+#include "legal/triangle_samples.h"
+
+namespace rasterproof::legal {
+
+/// Two triangles on either side of a common edge, and a sample that some choice puts on it.
+struct CommonEdgeSample {
+  const OpenSample* first = nullptr;
+  const OpenSample* second = nullptr;
+  std::size_t corner = 0;  ///< of `first`, where the edge begins
+};
+
+/// Variables for places and for who covers what, with the clauses that tie them together.
+class ModelClauses {
+ public:
+  explicit ModelClauses(const FamilyView& view) : view_(view) {}
+
+  /// The variable that the triangle covers the sample.
+  ///
+  /// Domain:     `open` outlives this.
+  Literal Covers(const OpenSample& open);
+  /// Exactly one of the two has the sample under every choice that puts it on the edge.
+  void AddOwner(const CommonEdgeSample& edge);
+  /// A variable whose truth makes at least `least` and at most `most` of the literals true.
+  Literal Between(std::span<const Literal> literals, int least, int most);
+
+  Solver& solver() { return solver_; }
+
+ private:
+  /// Nothing (0) if the position has one place.
+  Literal PlaceOf(std::size_t position, std::size_t place);
+
+  const FamilyView& view_;
+  Solver solver_;
+  std::unordered_map<std::size_t, std::vector<Literal>> places_;  // by position
+  std::unordered_map<const OpenSample*, Literal> covers_;
+};
+
+/// Whether the choice of places puts the sample strictly between the ends, on their line.
+bool LiesOnEdge(Point2 a, Point2 b, Point2 p);
+
+}  // namespace rasterproof::legal
+
+#endif  // RASTERPROOF_LEGAL_MODEL_CLAUSES_H_

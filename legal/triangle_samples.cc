@@ -1,0 +1,340 @@
+#include "legal/triangle_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/coverage.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "model/drop.h"
+#include "model/target_model.h"
+
+namespace rasterproof::legal {
+namespace {
+
+using Corners3 = std::array<const std::vector<Point2>*, 3>;
+
+// A clipped triangle gets vertices of its own: its edges may move by so many pixels. No sentence
+// says how far; a reading.
+constexpr double kClippedEdgesMove = 1;
+
+// One edge of a triangle, over all places of its two ends.
+class EdgeOverPlaces {
+ public:
+  EdgeOverPlaces(const std::vector<Point2>& from, const std::vector<Point2>& to,
+                 std::optional<TieRule> rule)
+      : from_(from), to_(to), rule_(rule), reach_(std::max(Reach(from), Reach(to))) {}
+
+  // The sign that E(from, to; p) has for every choice of places; nothing if they differ, or may.
+  std::optional<int> Constant(Point2 p) const {
+    const Point2 a = from_[0];
+    const Point2 d{to_[0].x - a.x, to_[0].y - a.y};
+    const Point2 q{p.x - a.x, p.y - a.y};
+    const double value = q.x * d.y - q.y * d.x;
+    const double across = std::fabs(d.x) + std::fabs(d.y);
+    const double away = std::fabs(q.x) + std::fabs(q.y);
+    // Each end moves by at most the reach on each axis; the differences and products round.
+    constexpr double kRounding = 0x1p-48;
+    const double change = reach_ * (2 * away + across + 8 * reach_) +
+                          kRounding * (away + reach_) * (across + reach_) + 0x1p-900;
+    if (value > change) return 1;
+    if (value < -change) return -1;
+    std::optional<int> sign;
+    for (std::size_t i = 0; i < from_.size(); ++i) {
+      for (std::size_t j = 0; j < to_.size(); ++j) {
+        const int here = Sign(i, j, p);
+        if (here == 0 || (sign && *sign != here)) return std::nullopt;
+        sign = here;
+      }
+    }
+    return sign;
+  }
+  // 0 on the edge's line, unless a rule decides; and if both ends are one.
+  int Sign(std::size_t i, std::size_t j, Point2 p) const {
+    return rule_ ? exact::ShiftedEdgeSign(from_[i], to_[j], p, *rule_)
+                 : exact::EdgeSign(from_[i], to_[j], p);
+  }
+
+ private:
+  static double Reach(const std::vector<Point2>& places) {
+    double reach = 0;
+    for (const Point2 p : places) {
+      reach = std::max({reach, std::fabs(p.x - places[0].x), std::fabs(p.y - places[0].y)});
+    }
+    return reach;
+  }
+
+  const std::vector<Point2>& from_;
+  const std::vector<Point2>& to_;
+  std::optional<TieRule> rule_;
+  double reach_;
+};
+
+// One triangle, over all places of its corners.
+class TriangleOverPlaces {
+ public:
+  TriangleOverPlaces(const Corners3& places, const Profile& profile,
+                     const std::optional<TieRule>& rule)
+      : places_(places),
+        edges_{EdgeOverPlaces(*places[0], *places[1], rule),
+               EdgeOverPlaces(*places[1], *places[2], rule),
+               EdgeOverPlaces(*places[2], *places[0], rule)},
+        flat_(profile.degenerate_triangles == DegenerateTriangles::kNothing ? Status::kOut
+                                                                            : Status::kFree) {
+    if (rule && rule->inclusive) on_edge_ = Status::kIn;
+    if (rule && rule->exclusive) on_edge_ = Status::kOut;
+    ForEachChoice([&](std::size_t i, std::size_t j, std::size_t k) {
+      const std::array<Point2, 3> v{(*places[0])[i], (*places[1])[j], (*places[2])[k]};
+      const bool is_dropped =
+          profile.max_primitive_extent && Exceeds(v, *profile.max_primitive_extent);
+      const int facing = exact::Facing(v);
+      facings_.push_back(static_cast<std::int8_t>(facing));
+      dropped_.push_back(is_dropped);
+      has_one_shape_ = has_one_shape_ && !is_dropped && facing != 0 && facing == facings_.front();
+    });
+  }
+
+  int facing() const { return has_one_shape_ ? facings_.front() : 0; }
+
+  // The status that every choice gives the sample; nothing if they differ.
+  std::optional<Status> Constant(Point2 p) const {
+    const std::array<std::optional<int>, 3> signs{edges_[0].Constant(p), edges_[1].Constant(p),
+                                                  edges_[2].Constant(p)};
+    const bool on_left = std::ranges::any_of(signs, [](const auto& s) { return s && *s > 0; });
+    const bool on_right = std::ranges::any_of(signs, [](const auto& s) { return s && *s < 0; });
+    // Outside whatever the third edge says, or the facing, unless a flat one may cover anything.
+    if (on_left && on_right && (has_one_shape_ || flat_ == Status::kOut)) return Status::kOut;
+    if (!has_one_shape_) return std::nullopt;
+    if (facing() > 0 ? on_right : on_left) return Status::kOut;
+    const bool is_sure = signs[0] && signs[1] && signs[2];
+    return is_sure ? std::optional(Status::kIn) : std::nullopt;
+  }
+
+  // By choice, the last corner's places fastest.
+  std::vector<Status> ByChoice(Point2 p) const {
+    std::array<std::vector<std::int8_t>, 3> signs;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const std::size_t to = (e + 1) % 3;
+      for (std::size_t i = 0; i < places_[e]->size(); ++i) {
+        for (std::size_t j = 0; j < places_[to]->size(); ++j) {
+          signs[e].push_back(static_cast<std::int8_t>(edges_[e].Sign(i, j, p)));
+        }
+      }
+    }
+    std::vector<Status> by_choice;
+    std::size_t choice = 0;
+    ForEachChoice([&](std::size_t i, std::size_t j, std::size_t k) {
+      const std::array<int, 3> s{signs[0][i * places_[1]->size() + j],
+                                 signs[1][j * places_[2]->size() + k],
+                                 signs[2][k * places_[0]->size() + i]};
+      by_choice.push_back(StatusOf(choice++, s));
+    });
+    return by_choice;
+  }
+
+ private:
+  template <typename Visit>
+  void ForEachChoice(Visit visit) const {
+    for (std::size_t i = 0; i < places_[0]->size(); ++i) {
+      for (std::size_t j = 0; j < places_[1]->size(); ++j) {
+        for (std::size_t k = 0; k < places_[2]->size(); ++k) {
+          // Two corners at one position take one place: the other choices are not legal, and say
+          // what the legal one beside them says.
+          visit(i, places_[1] == places_[0] ? i : j,
+                places_[2] == places_[0] ? i : (places_[2] == places_[1] ? j : k));
+        }
+      }
+    }
+  }
+
+  Status StatusOf(std::size_t choice, const std::array<int, 3>& signs) const {
+    if (dropped_[choice]) return Status::kOut;
+    const int facing = facings_[choice];
+    if (facing == 0) return flat_;
+    if (std::ranges::any_of(signs, [&](int s) { return s == -facing; })) return Status::kOut;
+    const bool on_edge = std::ranges::any_of(signs, [](int s) { return s == 0; });
+    return on_edge ? on_edge_ : Status::kIn;
+  }
+
+  Corners3 places_;
+  std::array<EdgeOverPlaces, 3> edges_;
+  Status flat_;
+  Status on_edge_ = Status::kFree;    // where no consistent rule decides
+  std::vector<std::int8_t> facings_;  // by choice
+  std::vector<bool> dropped_;
+  bool has_one_shape_ = true;
+};
+
+// Leaves out the corners that decide nothing.
+void Reduce(OpenSample& open, const Corners3& places) {
+  std::array<std::size_t, 3> size{places[0]->size(), places[1]->size(), places[2]->size()};
+  open.corner = {0, 1, 2};
+  for (std::size_t n = 3; n-- > 0;) {
+    // The corners from `n + 1` on are those that are left.
+    std::size_t inner = 1;
+    for (std::size_t m = n + 1; m < 3; ++m) inner *= size[m];
+    const std::size_t outer = open.by_choice.size() / (inner * size[n]);
+    const auto at = [&](std::size_t o, std::size_t k, std::size_t i) {
+      return open.by_choice[(o * size[n] + k) * inner + i];
+    };
+    bool decides = false;
+    for (std::size_t o = 0; o < outer && !decides; ++o) {
+      for (std::size_t k = 1; k < size[n] && !decides; ++k) {
+        for (std::size_t i = 0; i < inner && !decides; ++i) decides = at(o, k, i) != at(o, 0, i);
+      }
+    }
+    if (decides) continue;
+    std::vector<Status> fewer;
+    for (std::size_t o = 0; o < outer; ++o) {
+      for (std::size_t i = 0; i < inner; ++i) fewer.push_back(at(o, 0, i));
+    }
+    open.by_choice = std::move(fewer);
+    std::erase(open.corner, n);
+    size[n] = 1;
+  }
+}
+
+struct Box {
+  int x0, y0, x1, y1;  // pixels [x0, x1) x [y0, y1)
+};
+
+Box BoxOf(const Corners3& places, const exact::SampleFrame& frame, double margin) {
+  double low_x = (*places[0])[0].x;
+  double high_x = low_x;
+  double low_y = (*places[0])[0].y;
+  double high_y = low_y;
+  for (const auto* of : places) {
+    for (const Point2 p : *of) {
+      low_x = std::min(low_x, p.x);
+      high_x = std::max(high_x, p.x);
+      low_y = std::min(low_y, p.y);
+      high_y = std::max(high_y, p.y);
+    }
+  }
+  const double up = frame.offsets[0].y;  // with y up, rows are counted from another place
+  const double row0 = std::floor(up);
+  const auto clamp = [](double x, int low, int high) {
+    return static_cast<int>(std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
+  };
+  const PixelRect& clip = frame.clip;
+  return {clamp(std::floor(low_x - margin) - 1, clip.x0, clip.x1),
+          clamp(std::floor(low_y - margin - row0) - 1, clip.y0, clip.y1),
+          clamp(std::ceil(high_x + margin) + 1, clip.x0, clip.x1),
+          clamp(std::ceil(high_y + margin - row0) + 1, clip.y0, clip.y1)};
+}
+
+Point2 InWindow(Point2 screen, YAxis y_axis) {
+  return {screen.x, y_axis == YAxis::kUp ? -screen.y : screen.y};
+}
+
+bool Leaves(const std::vector<Point2>& places, const WindowBox& box, YAxis y_axis) {
+  return std::ranges::any_of(places, [&](Point2 p) {
+    const Point2 at = InWindow(p, y_axis);
+    return !box.Contains(at.x, at.y);
+  });
+}
+
+bool Leaves(const Corners3& places, const std::optional<WindowBox>& box, YAxis y_axis) {
+  return box &&
+         std::ranges::any_of(places, [&](const auto* of) { return Leaves(*of, *box, y_axis); });
+}
+
+// Whether clipping to the box can decide a sample otherwise: it lies beside an edge that leaves the
+// box, or beside the box's own sides, along which the triangle is cut, or beyond them.
+bool IsMovedByClipping(const Corners3& places, const WindowBox& box, YAxis y_axis, Point2 p) {
+  const Point2 at = InWindow(p, y_axis);
+  constexpr double kMargin = kClippedEdgesMove;
+  const bool is_inner = at.x >= box.x0 + kMargin && at.x <= box.x1 - kMargin &&
+                        at.y >= box.y0 + kMargin && at.y <= box.y1 - kMargin;
+  if (!is_inner) return true;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const std::vector<Point2>& from = *places[e];
+    const std::vector<Point2>& to = *places[(e + 1) % 3];
+    if (!Leaves(from, box, y_axis) && !Leaves(to, box, y_axis)) continue;
+    if (SegmentDistance(from[0], to[0], p) <= kMargin) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+double SegmentDistance(Point2 a, Point2 b, Point2 p) {
+  const Point2 d{b.x - a.x, b.y - a.y};
+  const double length = d.x * d.x + d.y * d.y;
+  const double along = length > 0 ? ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / length : 0;
+  const double part = std::clamp(along, 0.0, 1.0);
+  return std::hypot(p.x - (a.x + part * d.x), p.y - (a.y + part * d.y));
+}
+
+FamilyView::FamilyView(const Scene& scene, const Profile& profile, const Family& family)
+    : scene_(scene),
+      profile_(ForTarget(profile, scene.width, scene.height)),
+      family_(family),
+      frame_(scene, profile, {}),
+      choices_(ChoicesOf(scene, profile_, family)),
+      has_rule_(!profile_.shares_edge_samples &&
+                (profile_.freedom.ties == TieOwnership::kStated ||
+                 profile_.freedom.ties == TieOwnership::kAxisAligned)) {}
+
+TriangleSamples FamilyView::Of(std::size_t triangle) const {
+  TriangleSamples samples;
+  const std::array<Vertex, 3> given = Corners(scene_, scene_.triangles[triangle]);
+  Corners3 places{};
+  for (std::size_t k = 0; k < 3; ++k) places[k] = &PlacesOf(triangle, k);
+  if (std::ranges::any_of(places, [](const auto* of) { return of->empty(); })) {
+    const auto is_nan = [](const Vertex& v) {
+      return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w);
+    };
+    const auto is_nan_z = [](const Vertex& v) { return std::isnan(v.z); };
+    if (std::ranges::any_of(given, is_nan_z) && profile_.nan_z == NanZ::kNothing) return samples;
+    if (std::ranges::any_of(given, is_nan)) {
+      samples.covers_anything = profile_.nan_vertex == NanVertex::kUnspecified;
+    } else if (!std::ranges::all_of(given, IsFinite)) {
+      samples.covers_anything = profile_.infinite_vertex == InfiniteVertex::kUnspecified;
+    } else {
+      samples.covers_anything = true;  // a NaN z of which nothing is stated
+    }
+    return samples;
+  }
+  const std::optional<TieRule> rule = has_rule_ ? std::optional(family_.rule) : std::nullopt;
+  const TriangleOverPlaces over(places, profile_, rule);
+  samples.facing = over.facing();
+  const bool is_clipped = Leaves(places, profile_.guard_band, profile_.y_axis);
+  const double margin = is_clipped ? kClippedEdgesMove : 0;
+  const auto is_moved = [&](Point2 p) {
+    return is_clipped && IsMovedByClipping(places, *profile_.guard_band, profile_.y_axis, p);
+  };
+  const Box box = BoxOf(places, frame_, margin);
+  for (int row = box.y0; row < box.y1; ++row) {
+    for (int x = box.x0; x < box.x1; ++x) {
+      for (std::size_t s = 0; s < frame_.offsets.size(); ++s) {
+        const Point2 p = frame_.At(x, row, s);
+        const std::size_t index =
+            (static_cast<std::size_t>(row) * static_cast<std::size_t>(scene_.width) +
+             static_cast<std::size_t>(x)) *
+                frame_.offsets.size() +
+            s;
+        OpenSample open{triangle, index, p, {}, {}, is_moved(p)};
+        if (open.is_clipped) {
+          open.by_choice = {Status::kFree};
+        } else if (const std::optional<Status> status = over.Constant(p)) {
+          if (*status == Status::kIn) samples.covered.push_back(index);
+          continue;
+        } else {
+          open.by_choice = over.ByChoice(p);
+          Reduce(open, places);
+        }
+        if (open.by_choice.size() > 1 || open.by_choice[0] == Status::kFree) {
+          samples.open.push_back(std::move(open));
+        } else if (open.by_choice[0] == Status::kIn) {
+          samples.covered.push_back(index);
+        }
+      }
+    }
+  }
+  return samples;
+}
+
+}  // namespace rasterproof::legal

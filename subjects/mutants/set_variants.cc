@@ -1,0 +1,261 @@
+// Rasterizers of the legal sets of APIs: each does what a sentence leaves open, or one thing that
+// lies just outside.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/profile.h"
+#include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/free_choice.h"
+#include "subjects/mutants/mutant.h"
+
+namespace rasterproof::subjects::mutants {
+namespace {
+
+FixedStages Of(std::string_view preset) {
+  FixedStages stages{.profile = *PresetProfile(preset)};
+  if (stages.profile.nan_z != NanZ::kNothing) return stages;
+  stages.vertices = [](std::array<Vertex, 3>& v) {
+    for (Vertex& corner : v) {
+      if (std::isnan(corner.z)) corner.x = corner.z;
+    }
+  };
+  return stages;
+}
+
+double Floor(double x, int bits) { return std::ldexp(std::floor(std::ldexp(x, bits)), -bits); }
+double Nearest(double x, int bits) {
+  return std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits);
+}
+
+FixedStages Snapping(std::string_view preset, std::function<double(double)> snap) {
+  FixedStages stages = Of(preset);
+  stages.snap = [snap = std::move(snap)](double x, bool) { return snap(x); };
+  return stages;
+}
+
+using Owns = std::function<bool(const GridEdge&, const GridTriangle&, const Sample&)>;
+
+FixedStages Owning(std::string_view preset, Owns owns) {
+  FixedStages stages = Of(preset);
+  stages.owns = std::move(owns);
+  return stages;
+}
+
+bool IsAscending(const GridEdge& edge) {
+  return edge.a.x != edge.b.x ? edge.a.x < edge.b.x : edge.a.y < edge.b.y;
+}
+
+// Equal for both directions of an edge.
+bool Coin(const GridEdge& edge, std::int64_t salt) {
+  const auto mixed = static_cast<std::uint64_t>((edge.a.x + edge.b.x) * 7919 +
+                                                (edge.a.y + edge.b.y) * 104729 + salt * 1299709);
+  return (mixed * 0x9e3779b97f4a7c15U >> 62 & 1U) != 0;
+}
+
+// Of two neighbours, whose directions differ, exactly one owns it, if the coin is theirs.
+bool OwnedBy(const GridEdge& edge, bool coin) { return IsAscending(edge) == coin; }
+
+FixedStages Clamping(std::string_view preset) {
+  FixedStages stages = Of(preset);
+  stages.vertices = [first = stages.vertices](std::array<Vertex, 3>& v) {
+    if (first) first(v);
+    for (Vertex& corner : v) {
+      if (std::isinf(corner.x)) corner.x = std::copysign(0x1p14, corner.x);
+      if (std::isinf(corner.y)) corner.y = std::copysign(0x1p14, corner.y);
+    }
+  };
+  return stages;
+}
+
+FixedStages DrawingNan(std::string_view preset) {
+  FixedStages stages{.profile = *PresetProfile(preset)};
+  stages.vertices = [](std::array<Vertex, 3>& v) {
+    for (Vertex& corner : v) {
+      if (std::isnan(corner.x)) corner.x = 0;
+      if (std::isnan(corner.y)) corner.y = 0;
+    }
+  };
+  return stages;
+}
+
+// A pixel and more around small targets.
+constexpr WindowBox kBand{-2, -2, 14, 14};
+
+// Vertices outside the guard band move, as those that clipping makes in their place could lie.
+FixedStages Clipping(double moved) {
+  FixedStages stages = Of("vulkan");
+  stages.profile.name = "vulkan, clipped";
+  stages.profile.guard_band = kBand;
+  stages.vertices = [moved](std::array<Vertex, 3>& v) {
+    for (Vertex& corner : v) {
+      if (!kBand.Contains(corner.x, corner.y)) corner.x += moved;
+    }
+  };
+  return stages;
+}
+
+FreeStages Farthest(std::string_view preset, int bits, double tolerance, CoverageKind coverage) {
+  FreeStages stages;
+  stages.profile = *PresetProfile(preset);
+  stages.bits = bits;
+  stages.tolerance = tolerance;
+  stages.harm = [](Point2 at, Point2 grid_point) {
+    return (at.x - grid_point.x) * (at.x - grid_point.x) +
+           (at.y - grid_point.y) * (at.y - grid_point.y);
+  };
+  stages.coverage = coverage;
+  return stages;
+}
+
+// Up where the fraction is above the threshold, else down.
+double RoundAbove(double x, int bits, double threshold) {
+  const double scaled = std::ldexp(x, bits);
+  const double whole = std::floor(scaled);
+  return std::ldexp(scaled - whole > threshold ? whole + 1 : whole, -bits);
+}
+
+}  // namespace
+
+std::vector<Mutant> SetVariants() {
+  return {
+      {"vulkan-4-bits", "the grid has four subpixel bits", "SwiftShader",
+       Snapping("vulkan", [](double x) { return Nearest(x, 4); })},
+      {"vulkan-4-bits-floor", "four subpixel bits, and the snap rounds down", "",
+       Snapping("vulkan", [](double x) { return Floor(x, 4); })},
+      {"vulkan-5-bits-truncate", "five subpixel bits, and the snap truncates", "",
+       Snapping("vulkan", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 5)), -5); })},
+      {"vulkan-8-bits-ceiling", "the snap rounds up", "",
+       Snapping("vulkan", [](double x) { return -Floor(-x, 8); })},
+      {"vulkan-owner-by-edge", "each edge has an owner of its own", "",
+       Owning("vulkan", [](const GridEdge& edge, const GridTriangle&,
+                           const Sample&) { return OwnedBy(edge, Coin(edge, 0)); })},
+      {"vulkan-owner-by-sample", "each sample of an edge has an owner of its own", "",
+       Owning("vulkan",
+              [](const GridEdge& edge, const GridTriangle&, const Sample& sample) {
+                return OwnedBy(edge, Coin(edge, sample.x * 31 + sample.row));
+              })},
+      {"vulkan-owner-by-tile", "the owner changes from tile to tile", "",
+       Owning("vulkan",
+              [](const GridEdge& edge, const GridTriangle&, const Sample& sample) {
+                return OwnedBy(edge, (sample.x / 4 + sample.row / 4) % 2 == 0);
+              })},
+      {"vulkan-flat-drawn", "a triangle without area covers the samples on it", "",
+       [] {
+         FixedStages stages = Of("vulkan");
+         stages.draws_flat = true;
+         return stages;
+       }()},
+      {"vulkan-infinite-clamped", "an infinite coordinate is drawn as a far one", "",
+       Clamping("vulkan")},
+      {"vulkan-nan-drawn", "a NaN is drawn as zero", "", DrawingNan("vulkan")},
+      {"vulkan-clipped-moves", "edges of clipped triangles move by half a pixel", "",
+       Clipping(0.5)},
+      {"vulkan-farthest-counts", "each vertex takes the farther grid point, shown as counts", "",
+       Farthest("vulkan", 4, 1, CoverageKind::kCounts)},
+      {"vulkan-farthest-mask", "each vertex takes the farther grid point, shown as a mask", "",
+       Farthest("vulkan", 6, 1, CoverageKind::kMask)},
+      {"vulkan-farthest-ids", "each vertex takes the farther grid point, shown as ids", "",
+       Farthest("vulkan", 5, 1, CoverageKind::kPrimitiveIds)},
+      {"gl-4-bits-floor", "four subpixel bits, and the snap rounds down", "",
+       Snapping("gl", [](double x) { return Floor(x, 4); })},
+      {"gl-owner-by-direction", "an edge's direction decides who owns it", "",
+       Owning("gl",
+              [](const GridEdge& edge, const GridTriangle&, const Sample&) {
+                const std::int64_t across = edge.b.x - edge.a.x;
+                const std::int64_t down = edge.b.y - edge.a.y;
+                return OwnedBy(edge, across * down > 0 || across == 0);
+              })},
+      {"gl-bottom-right", "ties fall to the right and the bottom", "",
+       Owning("gl",
+              [](const GridEdge& edge, const GridTriangle&, const Sample&) { return !edge.owns; })},
+      {"d3d11-nearest-away", "ties of the snap go away from zero", "Direct3D 11.3, 3.2.4.1",
+       Snapping("d3d11", [](double x) { return std::ldexp(std::round(std::ldexp(x, 8)), -8); })},
+      {"d3d11-rounds-above-0.4", "the snap rounds up above 0.4 of a step", "",
+       Snapping("d3d11", [](double x) { return RoundAbove(x, 8, 0.4); })},
+      {"d3d11-farthest", "each vertex takes the farthest grid point within 0.6 of a step", "",
+       Farthest("d3d11", 8, 0.6, CoverageKind::kFacingCounts)},
+      {"d3d11-infinite-clamped", "an infinite coordinate is drawn as a far one", "",
+       Clamping("d3d11")},
+      {"webgpu-inclusive", "every edge owns its samples", "",
+       Owning("webgpu", [](const GridEdge&, const GridTriangle&, const Sample&) { return true; })},
+      {"webgpu-exclusive", "no edge owns its samples", "",
+       Owning("webgpu", [](const GridEdge&, const GridTriangle&, const Sample&) { return false; })},
+      {"webgpu-owner-by-indices",
+       "triangles whose indices add up to an even number own the samples on their edges", "",
+       Owning("webgpu",
+              [](const GridEdge&, const GridTriangle& triangle, const Sample&) {
+                return (triangle.indices[0] + triangle.indices[1] + triangle.indices[2]) % 2 == 0;
+              })},
+      {"webgpu-whole-pixels", "vertices go to whole pixels", "",
+       Snapping("webgpu", [](double x) { return Nearest(x, 0); })},
+  };
+}
+
+std::vector<Mutant> SetMutants() {
+  return {
+      {"vulkan-3-bits", "the grid has three subpixel bits, where four are the fewest", "",
+       Snapping("vulkan", [](double x) { return Nearest(x, 3); })},
+      {"vulkan-two-owners", "every edge owns its samples", "",
+       Owning("vulkan", [](const GridEdge&, const GridTriangle&, const Sample&) { return true; })},
+      {"vulkan-no-owner", "no edge owns its samples", "",
+       Owning("vulkan", [](const GridEdge&, const GridTriangle&, const Sample&) { return false; })},
+      {"vulkan-owner-by-triangle", "every other triangle owns the samples on its edges", "",
+       Owning("vulkan", [](const GridEdge&, const GridTriangle& triangle,
+                           const Sample&) { return triangle.number % 2 == 0; })},
+      {"vulkan-owner-by-order", "the triangle whose first index is even owns the edge's samples",
+       "",
+       Owning("vulkan", [](const GridEdge& edge, const GridTriangle& triangle,
+                           const Sample&) { return OwnedBy(edge, triangle.indices[0] % 2 == 0); })},
+      {"vulkan-sample-off", "samples lie an eighth of a pixel off the centre", "",
+       [] {
+         FixedStages stages = Of("vulkan");
+         stages.sample = [](const Sample& at) { return GridPoint{at.at.x + 32, at.at.y}; };
+         return stages;
+       }()},
+      {"vulkan-clipped-too-far", "edges of clipped triangles move by three pixels", "",
+       Clipping(3)},
+      {"gl-owner-by-sample", "each sample of an edge has an owner of its own", "",
+       Owning("gl",
+              [](const GridEdge& edge, const GridTriangle&, const Sample& sample) {
+                return OwnedBy(edge, Coin(edge, sample.x * 31 + sample.row));
+              })},
+      {"gl-truncates", "the snap truncates to four bits, which zero divides in two", "",
+       Snapping("gl", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 4)), -4); })},
+      {"d3d11-rounds-above-0.38", "the snap rounds up above 0.38 of a step, where 0.4 is legal", "",
+       Snapping("d3d11", [](double x) { return RoundAbove(x, 8, 0.38); })},
+      {"d3d11-floor", "the snap rounds down", "Direct3D 10",
+       Snapping("d3d11", [](double x) { return Floor(x, 8); })},
+      {"d3d11-7-bits", "the grid has seven subpixel bits", "",
+       Snapping("d3d11", [](double x) { return Nearest(x, 7); })},
+      {"d3d11-bottom-right", "ties fall to the right and the bottom", "",
+       Owning("d3d11",
+              [](const GridEdge& edge, const GridTriangle&, const Sample&) { return !edge.owns; })},
+      {"d3d11-nan-drawn", "a NaN is drawn as zero", "", DrawingNan("d3d11")},
+      {"webgpu-edge-twice", "a triangle has the samples on its left edges twice", "",
+       [] {
+         FixedStages stages = Of("webgpu");
+         stages.times = [](const Sample& sample, const GridTriangle& triangle) {
+           return std::ranges::any_of(
+                      triangle.edges,
+                      [&](const GridEdge& edge) { return edge.owns && edge.At(sample.at) == 0; })
+                      ? 2U
+                      : 1U;
+         };
+         return stages;
+       }()},
+      {"webgpu-two-pixels-off", "samples lie two pixels off", "",
+       [] {
+         FixedStages stages = Of("webgpu");
+         stages.sample = [](const Sample& at) { return GridPoint{at.at.x + 512, at.at.y}; };
+         return stages;
+       }()},
+  };
+}
+
+}  // namespace rasterproof::subjects::mutants

@@ -1,0 +1,136 @@
+"""decided and legal: what a specification leaves open, and whether one model explains an image.
+
+usage: legal_test.py PROGRAM SOURCES
+"""
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+PROGRAM = os.path.abspath(sys.argv[1])
+SOURCES = os.path.abspath(sys.argv[2])
+# A square of two triangles on whole pixels and a half: its diagonal passes through samples.
+SQUARE = {"rasterproof_scene": 1, "name": "square", "width": 4, "height": 4,
+          "vertices": [[0.25, 0.25], [3.25, 0.25], [3.25, 3.25], [0.25, 3.25]],
+          "triangles": [[0, 1, 2], [0, 2, 3]]}
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=300,
+                          text=True)
+
+
+def png(rows):
+    """A grey picture as the bytes of a PNG file."""
+    def chunk(kind, data):
+        body = kind + data
+        return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
+    lines = b"".join(b"\0" + bytes(row) for row in rows)
+    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines)) +
+            chunk(b"IEND", b""))
+
+
+class LegalTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.scene = self.write("scene.json", json.dumps(SQUARE))
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb" if isinstance(content, bytes) else "w") as file:
+            file.write(content)
+        return self.path(name)
+
+    def drawn(self, profile):
+        counts = run("coverage", self.scene, "--profile", profile)
+        self.assertEqual(counts.returncode, 0, counts.stderr)
+        return [[int(n) for n in line.split()] for line in counts.stdout.splitlines()]
+
+    def as_text(self, rows):
+        return self.write("counts.txt", "\n".join(" ".join(map(str, row)) for row in rows))
+
+    def legal(self, image, profile, *more):
+        return run("legal", self.scene, image, "--profile", profile, *more)
+
+    def test_an_inner_sample_is_decided_though_its_owner_is_not(self):
+        decided = run("decided", self.scene, "--profile", "vulkan")
+        self.assertEqual(decided.returncode, 0, decided.stderr)
+        # The diagonal's samples have one owner of two; on the outline nothing lies.
+        self.assertEqual(decided.stdout, "1 1 1 0\n1 1 1 0\n1 1 1 0\n0 0 0 0\n")
+        open_ties = run("decided", self.scene, "--profile", "webgpu")
+        self.assertIn("?", open_ties.stdout.splitlines()[1])
+
+    def test_what_is_open_is_told_with_the_edge_and_its_distance(self):
+        told = json.loads(run("decided", self.scene, "--profile", "webgpu", "--json", "-").stdout)
+        self.assertEqual(told["rasterproof_decided"], 1)
+        self.assertGreater(told["open"], 0)
+        on_diagonal = [may for may in told["may"] if may["column"] == may["row"] == 1]
+        self.assertEqual({may["triangle"] for may in on_diagonal}, {0, 1})
+        for may in on_diagonal:
+            self.assertEqual(may["distance_pixels"], 0)
+        self.assertEqual(told["least"][5], 0)
+        self.assertEqual(told["most"][5], 2)
+
+    def test_counts_of_a_legal_model_are_legal_and_a_lost_sample_is_not(self):
+        rows = self.drawn("vulkan-canonical")
+        result = self.legal(self.as_text(rows), "vulkan")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertTrue(result.stdout.startswith("legal: profile vulkan"), result.stdout)
+        rows[1][1] = 2
+        twice = self.legal(self.as_text(rows), "vulkan", "--save", self.path("core.json"))
+        self.assertEqual(twice.returncode, 1, twice.stderr)
+        self.assertIn("column 1 row 1: 2 of triangles 0, 1 cover it", twice.stdout)
+        with open(self.path("core.json")) as file:
+            self.assertEqual(json.load(file)["property"], "OneLegalModelExplainsTheMesh")
+        self.assertEqual(self.legal(self.as_text(rows), "webgpu").returncode, 0)
+
+    def test_a_picture_says_where_and_not_how_often(self):
+        rows = self.drawn("vulkan-canonical")
+        image = self.write("image.png", png([[255 * bool(n) for n in row] for row in rows]))
+        self.assertEqual(self.legal(image, "vulkan").returncode, 0)
+        self.assertEqual(self.legal(image, "vulkan", "--background", "ffffff").returncode, 1)
+
+    def test_a_subject_draws_what_is_judged(self):
+        drawn = run("legal", self.scene, "--subject", "i32-snap4", "--profile", "gl", "--json", "-")
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.assertEqual(json.loads(drawn.stdout)["verdict"], "legal")
+        twice = run("legal", self.scene, "--subject", "textbook", "--profile", "gl")
+        self.assertEqual(twice.returncode, 1, twice.stdout + twice.stderr)
+
+    def refused(self, *arguments, names):
+        result = run(*arguments)
+        self.assertEqual(result.returncode, 2, result.stdout)
+        for name in names:
+            self.assertIn(name, result.stderr)
+
+    def test_bad_input_is_refused_with_the_place(self):
+        rows = self.drawn("real")
+        legal = ("legal", self.scene)
+        self.refused(*legal, names=["--subject"])
+        self.refused(*legal, self.as_text(rows), names=["--profile"])
+        self.refused(*legal, self.as_text(rows[:3]), "--profile", "gl", names=["3 rows", "4"])
+        self.refused(*legal, self.as_text([*rows[:3], [1, 2]]), "--profile", "gl",
+                     names=["line 4", "2 counts"])
+        self.refused(*legal, self.write("x.txt", "1 2 x 4\n" * 4), "--profile", "gl",
+                     names=["line 1"])
+        self.refused(*legal, self.write("x.png", b"\x89PNG broken"), "--profile", "gl",
+                     names=["x.png", "PNG"])
+        small = self.write("small.png", png([[0, 0], [0, 0]]))
+        self.refused(*legal, small, "--profile", "gl", names=["2 x 2", "4 x 4"])
+        self.refused(*legal, small, "--profile", "gl", "--background", "red", names=["red"])
+        watertight = self.write("p.json", '{"name": "mine", "contract": "watertight"}')
+        self.refused("decided", self.scene, "--profile", watertight, names=["single samples"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=0)

@@ -1,0 +1,132 @@
+// rasterproof decided: how often legal models of a profile cover each sample.
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "core/error.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/image.h"
+#include "io/output.h"
+#include "legal/decided.h"
+#include "legal/joint.h"
+#include "report/json_writer.h"
+#include "report/picture.h"
+#include "tool/commands.h"
+#include "tool/progress.h"
+#include "tool/session.h"
+
+namespace rasterproof::tool {
+namespace {
+
+// A count that all legal models have, and "?" where they differ.
+std::string Letters(const legal::Decided& decided) {
+  std::string text;
+  const auto row_length =
+      static_cast<std::size_t>(decided.width) * static_cast<std::size_t>(decided.samples);
+  for (std::size_t s = 0; s < decided.counts.size(); ++s) {
+    text += decided.IsDecided(s) ? std::to_string(decided.Least(s)) : "?";
+    text += (s + 1) % row_length == 0 ? '\n' : ' ';
+  }
+  return text;
+}
+
+std::uint64_t NumberOpen(const legal::Decided& decided) {
+  std::uint64_t open = 0;
+  for (std::size_t s = 0; s < decided.counts.size(); ++s) open += decided.IsDecided(s) ? 0 : 1;
+  return open;
+}
+
+std::string Range(int least, int most) {
+  return least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
+}
+
+std::string ToJson(const legal::Decided& decided, const Profile& profile) {
+  report::JsonWriter json;
+  const auto samples = static_cast<std::size_t>(decided.samples);
+  const auto width = static_cast<std::size_t>(decided.width);
+  const auto place = [&](std::size_t s) {
+    json.Key("column").Integer(s / samples % width);
+    json.Key("row").Integer(s / samples / width);
+    json.Key("sample").Integer(s % samples);
+  };
+  json.BeginObject();
+  json.Key("rasterproof_decided").Integer(1);
+  json.Key("profile").Value(io::ProfileToJson(profile));
+  json.Key("width").Integer(decided.width);
+  json.Key("height").Integer(decided.height);
+  json.Key("samples_per_pixel").Integer(decided.samples);
+  json.Key("open").Integer(NumberOpen(decided));
+  json.Key("bounded").Integer(decided.bounded);
+  json.Key("least").BeginArray();
+  for (std::size_t s = 0; s < decided.counts.size(); ++s) json.Integer(decided.Least(s));
+  json.EndArray();
+  json.Key("most").BeginArray();
+  for (std::size_t s = 0; s < decided.counts.size(); ++s) json.Integer(decided.Most(s));
+  json.EndArray();
+  json.Key("may").BeginArray();
+  for (const legal::OpenDecision& open : decided.open) {
+    json.BeginObject();
+    json.Key("triangle").Integer(open.triangle);
+    place(open.sample);
+    if (open.edge >= 0) {
+      json.Key("edge").Integer(open.edge);
+      json.Key("distance_pixels").Rounded(open.distance);
+      if (decided.step > 0) json.Key("distance_steps").Rounded(open.distance / decided.step);
+    }
+    json.EndObject();
+  }
+  json.EndArray();
+  json.EndObject();
+  return json.Finish();
+}
+
+// Light: covered never; dark: always; loud: legal models differ.
+io::Image Paint(const legal::Decided& decided) {
+  CoverageCounts least(decided.width, decided.height, decided.samples);
+  CoverageCounts most = least;
+  for (std::size_t s = 0; s < decided.counts.size(); ++s) {
+    least.front[s] = static_cast<std::uint32_t>(decided.Least(s));
+    most.front[s] = static_cast<std::uint32_t>(decided.Most(s));
+  }
+  return report::PaintDifference(most, least);
+}
+
+}  // namespace
+
+int RunDecided(const DecidedOptions& options) {
+  RequireHonestEnvironment();
+  const Profile profile = io::ReadProfile(options.profile);
+  const Scene scene = LoadScene(options.scene);
+  if (const auto why = legal::WhyNotJoint(scene, profile)) {
+    throw InputError("--profile " + options.profile, *why,
+                     "give a profile whose models state single samples of this scene");
+  }
+  const legal::Decided decided = legal::DecidedSamples(scene, profile);
+  if (!options.json.empty()) WriteOutput(options.json, ToJson(decided, profile));
+  if (!options.png.empty()) io::WriteFile(options.png, io::EncodePng(Paint(decided)));
+  if (options.json != "-") io::WriteStandardOutput(Letters(decided));
+  const std::uint64_t open = NumberOpen(decided);
+  Tell(fmt::format(
+      "{} of {} samples have one count in every legal model of profile {}; {} have "
+      "several{}\n",
+      decided.counts.size() - open, decided.counts.size(), profile.name, open,
+      decided.bounded == 0 ? "" : fmt::format(", of {} only bounds are known", decided.bounded)));
+  constexpr std::size_t kMostTold = 3;
+  for (std::size_t k = 0; k < decided.open.size() && k < kMostTold; ++k) {
+    const legal::OpenDecision& why = decided.open[k];
+    const std::size_t pixel = why.sample / static_cast<std::size_t>(decided.samples);
+    const auto width = static_cast<std::size_t>(decided.width);
+    Tell(fmt::format(
+        "column {} row {}: {} triangles; open for triangle {}{}\n", pixel % width, pixel / width,
+        Range(decided.Least(why.sample), decided.Most(why.sample)), why.triangle,
+        why.edge < 0 ? ", of which nothing is stated"
+        : decided.step > 0
+            ? fmt::format(", {:.3g} steps of the grid from its edge {}",
+                          why.distance / decided.step, why.edge)
+            : fmt::format(", {:.3g} pixels from its edge {}", why.distance, why.edge)));
+  }
+  return kExitHolds;
+}
+
+}  // namespace rasterproof::tool

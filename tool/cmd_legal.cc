@@ -1,0 +1,246 @@
+// rasterproof legal: whether one legal model of a profile explains a drawing.
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/drawing.h"
+#include "core/error.h"
+#include "core/tie_rule.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/counts_file.h"
+#include "io/output.h"
+#include "legal/joint.h"
+#include "model/target_model.h"
+#include "props/judging/witness.h"
+#include "report/json_writer.h"
+#include "tool/asked.h"
+#include "tool/commands.h"
+#include "tool/session.h"
+
+namespace rasterproof::tool {
+namespace {
+
+// What is judged, and what it is of.
+struct Drawn {
+  Drawing drawing;
+  bool is_mask = false;
+  bool has_counts = true;
+  bool last_is_visible = true;
+
+  legal::Observed Observed() const {
+    legal::Observed observed;
+    observed.last_is_visible = last_is_visible;
+    if (has_counts) {
+      observed.together = &drawing.counts;
+      observed.is_mask = is_mask;
+    } else {
+      observed.primitive_ids = &drawing.primitive_ids;
+    }
+    return observed;
+  }
+};
+
+Drawn DrawnBy(Subject& subject, const Scene& scene) {
+  const SubjectInfo& info = subject.Info();
+  DrawJob job(scene, {}, info.profile.pattern.samples());
+  job.wants = kCoverageAndPrimitiveIds;
+  Drawn drawn{subject.Show(job)};
+  const bool counts =
+      info.coverage == CoverageKind::kFacingCounts || info.coverage == CoverageKind::kCounts;
+  drawn.has_counts = counts || drawn.drawing.primitive_ids.empty();
+  drawn.is_mask = !counts;
+  drawn.last_is_visible = info.fragments.visible == Visible::kLastDrawn;
+  return drawn;
+}
+
+std::string GridText(const Snap& grid) {
+  return grid.IsNone() ? "no grid" : fmt::format("{} subpixel bits", grid.bits);
+}
+
+std::string FamilyText(const legal::Family& family, const Profile& profile) {
+  std::string text = GridText(family.grid);
+  const TieOwnership ties = profile.freedom.ties;
+  if (ties == TieOwnership::kStated || ties == TieOwnership::kAxisAligned)
+    text += ", tie rule " + TieRuleName(family.rule);
+  return text;
+}
+
+std::string LegalityName(legal::Legality legality) {
+  switch (legality) {
+    case legal::Legality::kLegal:
+      return "legal";
+    case legal::Legality::kNotLegal:
+      return "not legal";
+    case legal::Legality::kNotJudged:
+      break;
+  }
+  return "not judged";
+}
+
+std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples) {
+  constexpr std::size_t kMostTold = 8;
+  std::string text =
+      fmt::format("no choice explains these {} samples together{}:\n", core.requirements.size(),
+                  core.is_minimal ? ", and without any of them one does" : "");
+  for (std::size_t k = 0; k < core.requirements.size() && k < kMostTold; ++k) {
+    const legal::Requirement& seen = core.requirements[k];
+    const std::size_t pixel = seen.sample / samples;
+    text += fmt::format("  column {} row {}: ", pixel % static_cast<std::size_t>(scene.width),
+                        pixel / static_cast<std::size_t>(scene.width));
+    if (seen.triangles.empty()) {
+      text += "no legal model of any triangle covers it so\n";
+      continue;
+    }
+    text +=
+        fmt::format("{} of triangles {} cover it\n",
+                    seen.least == seen.most ? fmt::format("{}", seen.most)
+                                            : fmt::format("{} or more", std::max(seen.least, 0)),
+                    fmt::join(seen.triangles, ", "));
+  }
+  if (core.requirements.size() > kMostTold)
+    text += fmt::format("  and {} more\n", core.requirements.size() - kMostTold);
+  if (!core.vertices.empty()) text += "they are decided by where these vertices lie:\n";
+  for (std::size_t k = 0; k < core.vertices.size() && k < kMostTold; ++k) {
+    const Vertex& v = scene.vertices[core.vertices[k]];
+    text += fmt::format("  vertex {} at ({}, {})\n", core.vertices[k], props::HexText(v.x),
+                        props::HexText(v.y));
+  }
+  if (core.vertices.size() > kMostTold)
+    text += fmt::format("  and {} more\n", core.vertices.size() - kMostTold);
+  return text;
+}
+
+std::string Text(const legal::JointVerdict& verdict, const Profile& profile, const Scene& scene) {
+  std::string text = fmt::format("{}: profile {}; ", LegalityName(verdict.legality), profile.name);
+  const std::string family = FamilyText(verdict.family, profile);
+  if (verdict.legality == legal::Legality::kLegal) {
+    text += fmt::format("one model with {} explains all {} samples\n", family, verdict.samples);
+  } else if (verdict.legality == legal::Legality::kNotJudged) {
+    text += fmt::format("a component of {} triangles is too large to be judged\n",
+                        verdict.largest_given_up);
+  } else {
+    text += fmt::format("no model explains the image; {} tried\n",
+                        verdict.families == 1
+                            ? "one grid and tie rule was"
+                            : fmt::format("{} grids and tie rules were", verdict.families));
+  }
+  text += fmt::format(
+      "with {}: {} samples differ between legal models, in {} components, the largest of {} "
+      "triangles; {} are not judged\n",
+      family, verdict.open, verdict.components, verdict.largest_component, verdict.not_judged);
+  if (verdict.core)
+    text += CoreText(*verdict.core, scene, static_cast<std::size_t>(profile.pattern.samples()));
+  return text;
+}
+
+std::string ToJson(const legal::JointVerdict& verdict, const Profile& profile) {
+  report::JsonWriter json;
+  json.BeginObject();
+  json.Key("rasterproof_legal").Integer(1);
+  json.Key("verdict").Text(LegalityName(verdict.legality));
+  json.Key("profile").Value(io::ProfileToJson(profile));
+  json.Key("model").Text(FamilyText(verdict.family, profile));
+  json.Key("models_tried").Integer(verdict.families);
+  json.Key("samples").Integer(verdict.samples);
+  json.Key("open").Integer(verdict.open);
+  json.Key("not_judged").Integer(verdict.not_judged);
+  json.Key("components").Integer(verdict.components);
+  json.Key("largest_component").Integer(verdict.largest_component);
+  if (verdict.core) {
+    json.Key("core").BeginObject();
+    json.Key("is_minimal").Bool(verdict.core->is_minimal);
+    json.Key("samples").BeginArray();
+    for (const legal::Requirement& seen : verdict.core->requirements) {
+      json.BeginObject();
+      json.Key("index").Integer(seen.sample);
+      json.Key("x").Exact(seen.at.x);
+      json.Key("y").Exact(seen.at.y);
+      json.Key("least").Integer(seen.least);
+      json.Key("most").Integer(seen.most);
+      json.Key("triangles").BeginArray();
+      for (const std::size_t t : seen.triangles) json.Integer(t);
+      json.EndArray();
+      json.EndObject();
+    }
+    json.EndArray();
+    json.Key("vertices").BeginArray();
+    for (const std::size_t v : verdict.core->vertices) json.Integer(v);
+    json.EndArray();
+    json.EndObject();
+  }
+  json.EndObject();
+  return json.Finish();
+}
+
+// The scene with the triangles of the core alone.
+Scene CoreScene(const Scene& scene, const legal::Core& core) {
+  std::vector<std::size_t> triangles;
+  for (const legal::Requirement& seen : core.requirements)
+    triangles.insert(triangles.end(), seen.triangles.begin(), seen.triangles.end());
+  std::ranges::sort(triangles);
+  const auto repeated = std::ranges::unique(triangles);
+  triangles.erase(repeated.begin(), repeated.end());
+  Scene part = scene;
+  part.triangles.clear();
+  for (const std::size_t t : triangles) part.triangles.push_back(scene.triangles[t]);
+  return part;
+}
+
+Drawn Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
+  io::CountsFile file = io::ReadCounts(
+      options.image, scene.width, scene.height,
+      ForTarget(profile, scene.width, scene.height).pattern.samples(), options.background);
+  Drawn drawn;
+  drawn.drawing.counts = std::move(file.counts);
+  drawn.is_mask = file.is_mask;
+  return drawn;
+}
+
+}  // namespace
+
+int RunLegal(const LegalOptions& options) {
+  RequireHonestEnvironment();
+  if (options.image.empty() == options.subject.empty()) {
+    throw InputError("legal", "it judges one drawing",
+                     "give the file of an image, or --subject, --plugin or --exec, not both");
+  }
+  if (options.subject.empty() && options.profile.empty()) {
+    throw InputError("legal", "the image's profile is not known",
+                     "give --profile: vulkan, gl, d3d11, webgpu or a file");
+  }
+  const Scene scene = LoadScene(options.scene);
+  std::unique_ptr<Subject> subject;
+  if (!options.subject.empty()) {
+    subject = MakeSubject(options.subject, options.profile);
+    RequireTakes(*subject, scene, options.scene.path);
+  }
+  const Profile profile = subject ? subject->Info().profile : io::ReadProfile(options.profile);
+  if (const auto why = legal::WhyNotJoint(scene, profile)) {
+    throw InputError("profile " + profile.name, *why,
+                     "give a profile whose models state single samples of this scene");
+  }
+  const Drawn drawn = subject ? DrawnBy(*subject, scene) : Read(options, scene, profile);
+  const legal::JointVerdict verdict = legal::JudgeJointly(scene, profile, drawn.Observed());
+  if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, profile));
+  if (!options.save.empty() && verdict.core) {
+    const Case part{CoreScene(scene, *verdict.core), profile, {}, "core of " + options.scene.path};
+    io::WriteFile(options.save,
+                  io::CaseToJson({part, options.subject, "OneLegalModelExplainsTheMesh"}));
+  }
+  if (options.json != "-") io::WriteStandardOutput(Text(verdict, profile, scene));
+  switch (verdict.legality) {
+    case legal::Legality::kLegal:
+      return kExitHolds;
+    case legal::Legality::kNotLegal:
+      return kExitViolated;
+    case legal::Legality::kNotJudged:
+      break;
+  }
+  return kExitInconclusive;
+}
+
+}  // namespace rasterproof::tool

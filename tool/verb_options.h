@@ -1,0 +1,30 @@
+// What verbs' options share. Seen by the two files that parse, and by none else: CLI11 costs about
+// ten seconds a file.
+#ifndef RASTERPROOF_TOOL_VERB_OPTIONS_H_
+#define RASTERPROOF_TOOL_VERB_OPTIONS_H_
+
+#include <functional>
+#include <string>
+
+#include "CLI/CLI.hpp"
+
+namespace rasterproof::tool {
+
+/// What the command is to do once its options are parsed.
+using Run = std::function<int()>;
+
+/// A number above 0.
+CLI::Validator Positive();
+
+/// Adds --plugin and --exec, two more ways to name subjects, and what those may cost.
+void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& add);
+
+/// Adds --subject, --plugin and --exec.
+void AddSubject(CLI::App* app, std::string& subject, const std::string& help = "Subject");
+
+/// Adds the verbs that take one scene: coverage, decided, diff, legal, plan, render.
+void AddSceneVerbs(CLI::App& app, Run& run);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_VERB_OPTIONS_H_

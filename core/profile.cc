@@ -41,7 +41,7 @@ Profile Vulkan() {
   return profile;
 }
 
-// As Vulkan, and invariant under translation by whole pixels (OpenGL 4.6 section 14.6.1).
+// As Vulkan, and invariant under translation by whole pixels (OpenGL 4.6 section 14.2).
 Profile OpenGl() {
   Profile profile = Vulkan();
   profile.translation_invariant = true;

@@ -76,10 +76,33 @@ bool IsCanonicalPreset(std::string_view name) {
          std::ranges::find(kPresetProfiles, name) != kPresetProfiles.end();
 }
 
+Profile FilledIn(const Profile& set, const Profile& device) {
+  Profile filled = set;
+  filled.pattern = device.pattern;
+  filled.coordinate_limit = device.coordinate_limit;
+  filled.guard_band = device.guard_band;
+  if (set.freedom.least_bits && !device.snap.IsNone()) {
+    filled.snap.bits = device.snap.bits;
+    filled.freedom.least_bits = device.freedom.least_bits;
+  }
+  return filled;
+}
+
+bool IsFilledIn(const Profile& profile) {
+  const std::optional<Profile> set = PresetProfile(profile.specification);
+  if (!set) return false;
+  Profile filled = FilledIn(*set, profile);
+  filled.name = profile.name;
+  filled.specification = profile.specification;
+  const int least = set->freedom.least_bits.value_or(0);
+  return filled == profile && profile.freedom.least_bits.value_or(profile.snap.bits) >= least;
+}
+
 // All that is not named here is of the model, keys of a later day too.
 bool SameModel(const Profile& a, const Profile& b) {
   Profile judged_alike = a;
   judged_alike.name = b.name;
+  judged_alike.specification = b.specification;
   judged_alike.contract = b.contract;
   judged_alike.freedom = b.freedom;
   judged_alike.coordinate_limit = b.coordinate_limit;

@@ -103,6 +103,9 @@ struct TargetModel {
 ///             `max_primitive_extent` are dropped. The last three keys speak of window space alone.
 struct Profile {
   std::string name = "real";
+  /// The legal set that this is, with numbers of one device, as the preset is named: "vulkan". See
+  /// FilledIn. Empty: `name` says which preset this is, if any.
+  std::string specification;
   Snap snap;
   /// Where an edge crosses a row of samples, x is rounded to this grid before samples are compared
   /// with it, as scanline rasterizers do. None: the crossing is the real one. A sample at a rounded
@@ -154,6 +157,14 @@ inline constexpr std::array<std::string_view, 8> kPresetProfiles{
 /// Returns whether the preset is the canonical model of an API that leaves more than it to the
 /// rasterizer: a legal one may then differ from it.
 bool IsCanonicalPreset(std::string_view name);
+
+/// Returns the legal set with the numbers of one device: sample locations, coordinate limit, guard
+/// band, and where the set leaves the subpixel bits to the device, those.
+Profile FilledIn(const Profile& set, const Profile& device);
+
+/// Returns whether the profile is its specification's legal set with the numbers of a device that
+/// the set allows: its grid has no fewer bits than the least. False where it names none.
+bool IsFilledIn(const Profile& profile);
 
 /// Returns whether the profile's model of the scene is that of homogeneous coordinates: clip space
 /// that no transform of the rasterizer's own takes to the window.

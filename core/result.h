@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/authority.h"
 #include "core/case.h"
 #include "core/coverage.h"
 #include "core/verdict.h"
@@ -26,8 +27,10 @@ struct NearEdgeCounts {
 struct PropertyResult {
   std::string property;
   std::string subject;
-  std::string clause;     ///< what it enforces, with its source
-  std::string tolerance;  ///< the named bound, or "none: exact"
+  std::string clause;                             ///< what it enforces, with its source
+  Authority authority = Authority::kStatedModel;  ///< who asks for it, by the subject's profile
+  std::vector<std::string> required_by;           ///< ids of clauses, where it is a clause
+  std::string tolerance;                          ///< the named bound, or "none: exact"
   Outcome outcome = Outcome::kNotExercised;
   std::uint64_t cases = 0;            ///< cases run
   std::uint64_t cases_exercised = 0;  ///< cases in which the property was put to the test
@@ -45,6 +48,15 @@ struct PropertyResult {
   /// Name of the case that failed first, before it was shrunk, "near-edge:17@1"; "" if it has none.
   std::string failing_case;
 };
+
+/// A violation that fails a run.
+inline bool IsFailure(const PropertyResult& result, FailOn fail_on) {
+  return result.outcome == Outcome::kViolated && Fails(result.authority, fail_on);
+}
+/// A violation that fails none: nobody but users asks for the property.
+inline bool IsLackOfQuality(const PropertyResult& result, FailOn fail_on) {
+  return result.outcome == Outcome::kViolated && !Fails(result.authority, fail_on);
+}
 
 /// One subject on one real scene.
 struct SceneResult {

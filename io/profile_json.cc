@@ -16,11 +16,13 @@
 #include "io/json_members.h"
 #include "io/number_text.h"
 #include "io/scene_json.h"
+#include "io/specification_json.h"
 
 namespace rasterproof::io {
 namespace {
 
 constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
+                                                               "specification",
                                                                "subpixel_bits",
                                                                "snap_rule",
                                                                "snap_form",
@@ -399,7 +401,7 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
 
 Profile ProfileFromObject(const JsonValue& value) {
   value.RequireObject(kProfileKeys);
-  Profile profile;
+  Profile profile = BeginningOf(value);
   profile.name = value.Get("name").RequireString();
   ReadSnap(value, profile.snap);
   ReadIfThere(value, "sample_locations", profile.pattern, PatternFromJson);
@@ -432,6 +434,7 @@ Profile ProfileFromObject(const JsonValue& value) {
   // Last: an entry has of the profile what it leaves out.
   ReadIfThere(value, "by_target_size", profile.by_target_size,
               [&](const JsonValue& v) { return TargetsFromJson(v, profile); });
+  RequireWithinItsSpecification(value, profile);
   return profile;
 }
 
@@ -465,6 +468,8 @@ std::string ProfileToJson(const Profile& profile) {
   if (PresetProfile(profile.name) == profile) return JsonString(profile.name);
   const std::string line = ",\n    ";
   std::string json = "{\n    \"name\": " + JsonString(ProfileName(profile));
+  if (!profile.specification.empty())
+    json += line + "\"specification\": " + JsonString(profile.specification);
   json += SnapToJson(profile.snap, line);
   json += line + "\"sample_locations\": " + PatternToJson(profile.pattern);
   json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));

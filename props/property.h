@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/profile.h"
 #include "core/question.h"
 #include "core/verdict.h"
 #include "props/judging/gate.h"
@@ -55,7 +56,11 @@ struct Property {
   std::string_view name;  ///< the property: "SharedEdgeSamplesAreCoveredOnce"
   std::string_view
       group;  ///< "edge", "incremental", "barycentric", "coverage", "wireframe", "extremes"
-  std::string_view clause;     ///< what it enforces, with its source
+  std::string_view clause;  ///< what it enforces, with its source
+  /// Clauses of core/clauses/ that require it, by their ids: see AuthorityOf.
+  std::span<const std::string_view> required_by = {};
+  /// Whether a profile's own words state it, of those that the gate lets through. nullptr: all do.
+  bool (*stated_by)(const Profile&) = nullptr;
   std::string_view tolerance;  ///< the named, proven bound, or "none: exact"
   /// Names of the domains whose cases put this property to the test.
   std::span<const std::string_view> domains;

@@ -6,6 +6,7 @@
 
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "report/grounds.h"
 #include "report/json_writer.h"
 
 namespace rasterproof::report {
@@ -76,6 +77,10 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
   json.BeginObject();
   json.Key("property").Text(result.property);
   json.Key("clause").Text(result.clause);
+  json.Key("authority").Text(AuthorityName(result.authority));
+  json.Key("required_by").BeginArray();
+  for (const std::string& id : result.required_by) json.Text(id);
+  json.EndArray();
   json.Key("tolerance").Text(result.tolerance);
   json.Key("outcome").Text(OutcomeName(result.outcome));
   json.Key("message").Text(result.message);
@@ -130,6 +135,8 @@ std::string CertificateToJson(const Certificate& certificate) {
   const Overall overall = OverallOf(certificate);
   json.Key("verdict").Text(OutcomeName(overall.outcome));
   json.Key("reason").Text(overall.reason);
+  json.Key("quality_fails").Bool(certificate.fail_on == FailOn::kQuality);
+  WriteEvidence(json, "assumed", AssumptionsUnder(certificate.subject.profile));
   json.Key("interrupted").Bool(certificate.interrupted);
   WriteSubject(json, certificate);
   json.Key("environment").BeginObject();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/authority.h"
 #include "core/result.h"
 #include "core/subject_info.h"
 
@@ -24,6 +25,7 @@ struct Certificate {
   std::string command;                             ///< the command line that issued it
   std::map<std::string, std::string> environment;  ///< compiler, flags, rounding, subnormals, ...
   std::uint64_t seed = 0;
+  FailOn fail_on = FailOn::kStated;  ///< whether a lack of quality counts as a violation
   bool interrupted = false;  ///< someone ended the run early: not all that was asked was done
   /// What kept every property of the subject's contract from being put to the test; empty if
   /// nothing did. Properties that hold beside the contract are no evidence for it.
@@ -61,7 +63,8 @@ struct Overall {
 
 /// The one place that decides it; JSON, JUnit, page, summary and exit status all read it.
 ///
-/// Returns:    kViolated if a property is, or a judged scene has a wrong sample; else kInconclusive
+/// Returns:    kViolated if a property is, one of quality only where fail_on says so, or a judged
+///             scene has a wrong sample; else kInconclusive
 ///             if the run was interrupted, a property could not be judged, or nothing of the
 ///             contract was exercised, by no property and on no judged scene; else kHolds.
 Overall OverallOf(const Certificate& certificate);

@@ -6,6 +6,7 @@
 #include "fmt/format.h"
 #include "pugixml.hpp"
 #include "report/certificate.h"
+#include "report/grounds.h"
 #include "report/text.h"
 
 namespace rasterproof::report {
@@ -64,7 +65,11 @@ void AppendProperty(pugi::xml_node suite, const Certificate& certificate,
       if (result.cases_refused != 0 || result.not_judged != 0) Say(test, said);
       break;
     case Outcome::kViolated: {
-      std::string text = result.clause + "\n" + said + "\n";
+      if (IsLackOfQuality(result, certificate.fail_on)) {
+        Say(test, AuthorityText(result) + "; " + said);
+        break;
+      }
+      std::string text = result.clause + "\n" + AuthorityText(result) + "\n" + said + "\n";
       if (result.verdict && result.verdict->witness) {
         const Witness& w = *result.verdict->witness;
         text += fmt::format(
@@ -117,6 +122,15 @@ void AppendOverall(pugi::xml_node suite, const Certificate& certificate, Totals&
   ++totals.errors;
 }
 
+// Behind all tests, where the format has room for it.
+void AppendAssumptions(pugi::xml_node suite, const Certificate& certificate) {
+  std::string text;
+  for (const Evidence& one : AssumptionsUnder(certificate.subject.profile)) {
+    text += fmt::format("{}assumed: {}: {}", text.empty() ? "" : "\n", one.statement, one.by);
+  }
+  if (!text.empty()) Say(suite, text);
+}
+
 }  // namespace
 
 std::string JUnitXml(const Certificate& certificate) {
@@ -134,6 +148,7 @@ std::string JUnitXml(const Certificate& certificate) {
     AppendScene(suite, certificate, result, totals);
   }
   AppendOverall(suite, certificate, totals);
+  AppendAssumptions(suite, certificate);
   Set(suite, "tests", std::to_string(totals.tests));
   Set(suite, "failures", std::to_string(totals.failures));
   Set(suite, "errors", std::to_string(totals.errors));

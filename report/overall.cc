@@ -13,8 +13,9 @@ constexpr std::string_view kObserved = ": observed, not judged";
 
 // Empty if none is.
 std::string Violations(const Certificate& certificate) {
-  const auto violated =
-      std::ranges::count(certificate.tested, Outcome::kViolated, &PropertyResult::outcome);
+  const auto violated = std::ranges::count_if(
+      certificate.tested,
+      [&](const PropertyResult& result) { return IsFailure(result, certificate.fail_on); });
   const auto wrong = std::ranges::count_if(certificate.measured, [&](const SceneResult& result) {
     return IsJudged(certificate, result) && result.difference.wrong != 0;
   });
@@ -68,7 +69,11 @@ Overall OverallOf(const Certificate& certificate) {
             result.property + (result.message.empty() ? "" : ": " + result.message)};
   }
   const std::string why = WhyNotExercised(certificate);
-  return {why.empty() ? Outcome::kHolds : Outcome::kInconclusive, why};
+  if (!why.empty()) return {Outcome::kInconclusive, why};
+  const auto lacks = std::ranges::count_if(certificate.tested, [&](const PropertyResult& result) {
+    return IsLackOfQuality(result, certificate.fail_on);
+  });
+  return {Outcome::kHolds, lacks == 0 ? "" : fmt::format("properties short of quality: {}", lacks)};
 }
 
 std::string OverallVerdict(const Certificate& certificate) {

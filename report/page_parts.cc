@@ -114,6 +114,11 @@ std::string Chip(Outcome outcome) {
   return fmt::format("<span class=\"chip {}\">{}</span>", LookOf(outcome), OutcomeName(outcome));
 }
 
+std::string Chip(const Certificate& certificate, const PropertyResult& result) {
+  if (!IsLackOfQuality(result, certificate.fail_on)) return Chip(result.outcome);
+  return fmt::format("<span class=\"chip idle\">{}</span>", AuthorityName(result.authority));
+}
+
 std::string Number(std::uint64_t number, std::string_view loud) {
   return fmt::format("<td class=\"number {}\">{}</td>", number == 0 ? "zero" : loud,
                      Grouped(number));

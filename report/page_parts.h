@@ -47,6 +47,8 @@ std::string Breakable(std::string_view name);
 std::string Link(const Certificate& certificate);
 /// The outcome's word on its colour.
 std::string Chip(Outcome outcome);
+/// That of a result: of a violation that fails nothing, "quality".
+std::string Chip(const Certificate& certificate, const PropertyResult& result);
 /// A right-aligned cell; `loud` is the class of a number that is not 0.
 std::string Number(std::uint64_t number, std::string_view loud = "");
 /// "1 subject", "2 subjects".

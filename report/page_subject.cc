@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fmt/format.h"
+#include "report/grounds.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
@@ -44,9 +45,9 @@ bool Shows(const Picture& picture, const Certificate& certificate, const Propert
 // What failed, where, and how to see it again.
 std::string Failure(const Page& page, const Certificate& certificate,
                     const PropertyResult& result) {
-  std::string html =
-      fmt::format("<article>\n<h3 class=\"name\">{}</h3>\n{}{}", Breakable(result.property),
-                  Line("why", result.clause), Line("said", Said(result)));
+  std::string html = fmt::format(
+      "<article>\n<h3 class=\"name\">{}</h3>\n{}{}", Breakable(result.property),
+      Line("why", result.clause + " (" + AuthorityText(result) + ")"), Line("said", Said(result)));
   if (result.verdict && result.verdict->witness) {
     html += Line("why", WitnessText(*result.verdict->witness));
   }
@@ -75,12 +76,21 @@ std::string Failures(const Page& page, const Certificate& certificate) {
     if (picture.subject == certificate.subject.name && !is_of_case) html += Figure(picture, "../");
   }
   for (const PropertyResult& result : certificate.tested) {
-    if (result.outcome == Outcome::kViolated) html += Failure(page, certificate, result);
+    if (IsFailure(result, certificate.fail_on)) html += Failure(page, certificate, result);
   }
   return html;
 }
 
-std::string TestedRow(const PropertyResult& result) {
+// What nobody but users asks for, and is not there.
+std::string LacksOfQuality(const Page& page, const Certificate& certificate) {
+  std::string html;
+  for (const PropertyResult& result : certificate.tested) {
+    if (IsLackOfQuality(result, certificate.fail_on)) html += Failure(page, certificate, result);
+  }
+  return html;
+}
+
+std::string TestedRow(const Certificate& certificate, const PropertyResult& result) {
   // A property without a bound has no ratio to it.
   const std::string ratio =
       result.worst_ratio == 0 ? "" : fmt::format("{:.3g}", result.worst_ratio);
@@ -88,9 +98,9 @@ std::string TestedRow(const PropertyResult& result) {
       "<tr><th scope=\"row\"><span class=\"name\">{}</span></th><td>{}</td>"
       "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
       "<td class=\"number\" title=\"{}\">{}</td><td class=\"remark\">{}{}</td></tr>\n",
-      Breakable(result.property), Chip(result.outcome), Grouped(result.cases),
+      Breakable(result.property), Chip(certificate, result), Grouped(result.cases),
       Grouped(result.cases_exercised), Grouped(result.exercised), Escaped(result.tolerance), ratio,
-      Line("why", result.clause), Line("", Said(result)));
+      Line("why", result.clause + " (" + AuthorityText(result) + ")"), Line("", Said(result)));
 }
 
 std::string TestedTable(const Certificate& certificate) {
@@ -98,7 +108,7 @@ std::string TestedTable(const Certificate& certificate) {
   std::size_t count = 0;
   for (const PropertyResult& result : certificate.tested) {
     if (result.outcome == Outcome::kNotApplicable) continue;
-    rows += TestedRow(result);
+    rows += TestedRow(certificate, result);
     ++count;
   }
   if (rows.empty()) return {};
@@ -204,8 +214,10 @@ std::string Files(const Certificate& certificate) {
 
 std::string EvidenceLists(const Certificate& certificate) {
   return EvidenceList("proved, by script", certificate.proved) +
-         EvidenceList("exhausted", certificate.exhausted) + TierList(certificate) +
-         EvidenceList("not applicable", NotApplicable(certificate));
+         EvidenceList("exhausted", certificate.exhausted) +
+         EvidenceList("assumed: readings that no sentence of the specification settles",
+                      AssumptionsUnder(certificate.subject.profile)) +
+         TierList(certificate) + EvidenceList("not applicable", NotApplicable(certificate));
 }
 
 }  // namespace
@@ -222,6 +234,8 @@ std::string SubjectPageToHtml(const Page& page, const Certificate& certificate) 
   html += Section("failures", "Failures",
                   "What is violated, each with the command that shows it again.",
                   Failures(page, certificate));
+  html += Section("quality", "Quality", "Violated, but no clause requires it: users want it.",
+                  LacksOfQuality(page, certificate));
   html += Section("scenes", "Scenes", "Every sample against the exact oracle.",
                   MeasuredTable(certificate));
   html += Section("properties", "Properties", "How often each was really put to the test.",

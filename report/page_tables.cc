@@ -94,6 +94,7 @@ std::string SceneMatrix(const std::vector<Certificate>& certificates,
 // One property over all subjects.
 struct PropertyRow {
   std::map<Outcome, std::uint64_t> subjects;
+  std::uint64_t quality = 0;  // violated by so many, but no clause requires it of them
   std::vector<const Certificate*> violated_by;
 };
 
@@ -109,9 +110,9 @@ std::string ViolatedBy(const std::vector<const Certificate*>& subjects) {
 std::string RowOf(const std::string& property, PropertyRow& row) {
   auto& count = row.subjects;
   return fmt::format(
-      "<tr><th scope=\"row\" class=\"name\">{}</th>{}{}{}{}<td class=\"names\">{}</td></tr>\n",
+      "<tr><th scope=\"row\" class=\"name\">{}</th>{}{}{}{}{}<td class=\"names\">{}</td></tr>\n",
       Breakable(property), Number(count[Outcome::kHolds]),
-      Number(count[Outcome::kViolated], "wrong"),
+      Number(count[Outcome::kViolated], "wrong"), Number(row.quality),
       Number(count[Outcome::kNotExercised] + count[Outcome::kInconclusive]),
       Number(count[Outcome::kNotApplicable] + count[Outcome::kRefused]),
       ViolatedBy(row.violated_by));
@@ -159,6 +160,10 @@ std::string PropertyTable(const std::vector<Certificate>& certificates) {
     for (const PropertyResult& result : certificate.tested) {
       const auto [row, is_new] = rows.try_emplace(result.property);
       if (is_new) properties.push_back(result.property);
+      if (IsLackOfQuality(result, certificate.fail_on)) {
+        ++row->second.quality;
+        continue;
+      }
       ++row->second.subjects[result.outcome];
       if (result.outcome == Outcome::kViolated) row->second.violated_by.push_back(&certificate);
     }
@@ -167,11 +172,13 @@ std::string PropertyTable(const std::vector<Certificate>& certificates) {
   std::string html =
       "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>property</th>"
       "<th class=\"number\">hold</th><th class=\"number\">violated</th>"
+      "<th class=\"number\">quality</th>"
       "<th class=\"number\">open</th><th class=\"number\">not asked</th><th>violated by</th>"
       "</tr></thead><tbody>\n";
   for (const std::string& property : properties) html += RowOf(property, rows.at(property));
   html += "</tbody></table></div>\n" +
           ColumnKey({{"hold, violated", "subjects with this outcome"},
+                     {"quality", "subjects that violate it where no clause requires it"},
                      {"open", "subjects on which it was not exercised or could not be judged"},
                      {"not asked", "subjects to which it is not applicable"}});
   return Folded(fmt::format("{} properties, by how many subjects hold them", properties.size()),

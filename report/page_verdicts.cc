@@ -115,8 +115,11 @@ std::string Row(const Certificate& certificate) {
   std::string row = fmt::format("<tr><th scope=\"row\">{}</th><td title=\"{}\">{}{}</td>",
                                 Link(certificate), Escaped(overall.reason), Chip(overall.outcome),
                                 certificate.interrupted ? " interrupted" : "");
-  row += Number(count(Outcome::kHolds)) + Number(count(Outcome::kViolated), "wrong") +
-         Number(count(Outcome::kNotExercised) + count(Outcome::kInconclusive));
+  const auto lacks = static_cast<std::uint64_t>(std::ranges::count_if(
+      certificate.tested,
+      [&](const PropertyResult& result) { return IsLackOfQuality(result, certificate.fail_on); }));
+  row += Number(count(Outcome::kHolds)) + Number(count(Outcome::kViolated) - lacks, "wrong") +
+         Number(lacks) + Number(count(Outcome::kNotExercised) + count(Outcome::kInconclusive));
   row += WrongCell(own) + WorstCell(own.worst);
   return row + WrongCell(WrongOf(certificate, kRealProfile, Counted::kObserved)) + "</tr>\n";
 }
@@ -126,7 +129,8 @@ std::string Table(const Subjects& subjects) {
       "<div class=\"scroll\"><table class=\"sorts "
       "verdicts\"><thead><tr><th>subject</th><th>verdict</th>"
       "<th class=\"number\">hold</th><th class=\"number\">violated</th>"
-      "<th class=\"number\">open</th><th class=\"number\">wrong samples</th>"
+      "<th class=\"number\">quality</th><th class=\"number\">open</th><th class=\"number\">wrong "
+      "samples</th>"
       "<th>most on</th><th class=\"number\">off real geometry</th></tr></thead><tbody>\n";
   for (const Certificate* one : subjects) html += Row(*one);
   return html + "</tbody></table></div>\n";
@@ -208,6 +212,7 @@ std::string VerdictGroups(const Page& page) {
   if (html.empty()) return {};
   return html +
          ColumnKey({{"hold, violated", "properties of the catalogue with this outcome"},
+                    {"quality", "properties violated that no clause requires"},
                     {"open", "properties that were not exercised or could not be judged"},
                     {"wrong samples",
                      "samples of the scenes that the subject's own profile judges, drawn otherwise "

@@ -39,28 +39,26 @@ endif()
 
 rasterproof_subject_package(SUBJECT_GL gl "libegl-dev libopengl-dev libgl1-mesa-dri" egl opengl)
 if(SUBJECT_GL_FOUND)
-  set(llvmpipe_bits 8)
-  set(softpipe_bits null)
-  # rasterproof_gl_subject(NAME DRIVER BITS SUBMISSION [DEFINITION ...])
-  function(rasterproof_gl_subject name driver bits submission)
+  # rasterproof_gl_subject(NAME DRIVER SUBMISSION [DEFINITION ...])
+  function(rasterproof_gl_subject name driver submission)
     rasterproof_real_subject(${name}
       SOURCES subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc
       LINK PkgConfig::SUBJECT_GL
       DEFINITIONS
         RASTERPROOF_GL_NAME="${name}" RASTERPROOF_GL_DRIVER="${driver}"
-        RASTERPROOF_GL_BITS="${bits}" RASTERPROOF_GL_SUBMISSION=k${submission} ${ARGN})
+        RASTERPROOF_GL_SUBMISSION=k${submission} ${ARGN})
   endfunction()
   foreach(submission Batch Alone)
     string(TOLOWER ${submission} ending)
-    foreach(driver llvmpipe softpipe)
-      rasterproof_gl_subject(gl-${driver}-${ending} ${driver} ${${driver}_bits} ${submission})
-    endforeach()
+    rasterproof_gl_subject(gl-llvmpipe-${ending} llvmpipe ${submission})
+    rasterproof_gl_subject(gl-softpipe-${ending} softpipe ${submission}
+      RASTERPROOF_GL_SNAPS_NOTHING)
     if(gpu)
-      rasterproof_gl_subject(gl-gpu-${ending} "" 8 ${submission})
+      rasterproof_gl_subject(gl-gpu-${ending} "" ${submission})
     endif()
   endforeach()
   # Its division as well: not surveyed, whose scenes are window space, but certified.
-  rasterproof_gl_subject(gl-llvmpipe-clip llvmpipe 8 Batch RASTERPROOF_GL_CLIP_SPACE)
+  rasterproof_gl_subject(gl-llvmpipe-clip llvmpipe Batch RASTERPROOF_GL_CLIP_SPACE)
   set_target_properties(plugin_gl-llvmpipe-clip PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/clip_space)
 endif()
@@ -82,9 +80,9 @@ if(SUBJECT_VULKAN_FOUND)
         ${CMAKE_SOURCE_DIR}/subjects/vulkan/triangle.${suffix}
       DEPENDS subjects/vulkan/triangle.${suffix} VERBATIM)
   endforeach()
-  # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE BITS HALF_VIEWPORT)
+  # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE HALF_VIEWPORT)
   # An empty description: the drivers that are installed, and any GPU.
-  function(rasterproof_vulkan_subject name install description device bits half)
+  function(rasterproof_vulkan_subject name install description device half)
     file(GLOB found ${description})
     if(description AND NOT found)
       rasterproof_missing_subject(${name} ${install})
@@ -97,16 +95,16 @@ if(SUBJECT_VULKAN_FOUND)
       LINK PkgConfig::SUBJECT_VULKAN
       DEFINITIONS
         RASTERPROOF_VULKAN_NAME="${name}" RASTERPROOF_VULKAN_ICD="${found}"
-        RASTERPROOF_VULKAN_DEVICE="${device}" RASTERPROOF_VULKAN_BITS=${bits}
+        RASTERPROOF_VULKAN_DEVICE="${device}"
         RASTERPROOF_VULKAN_HALF_VIEWPORT=${half})
     target_include_directories(plugin_${name} PRIVATE ${shaders})
   endfunction()
   rasterproof_vulkan_subject(vulkan-lavapipe mesa-vulkan-drivers
-    "/usr/share/vulkan/icd.d/lvp_icd.*.json" llvmpipe 8 8192)
+    "/usr/share/vulkan/icd.d/lvp_icd.*.json" llvmpipe 8192)
   rasterproof_vulkan_subject(vulkan-swiftshader chromium-common
-    /usr/lib/chromium/vk_swiftshader_icd.json SwiftShader 4 4096)
+    /usr/lib/chromium/vk_swiftshader_icd.json SwiftShader 4096)
   if(gpu)
-    rasterproof_vulkan_subject(vulkan-gpu "" "" "" 8 8192)
+    rasterproof_vulkan_subject(vulkan-gpu "" "" "" 8192)
   endif()
 endif()
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/clauses/clauses.h"
 #include "core/error.h"
 #include "core/renamed.h"
 #include "exact/coverage.h"
@@ -66,6 +67,32 @@ void JudgeBy(const Profile& profile, Subject& subject) {
   if (!profile.fixed) info.profile.fixed = fixed;
   info.profile.name = io::ProfileName(info.profile);
   subject.JudgeAs(std::move(info));
+}
+
+// The set with the numbers that the subject states of its device.
+Profile ReportedBy(const Subject& subject, const Profile& set) {
+  const SubjectInfo info = subject.Info();
+  Profile filled = FilledIn(set, info.profile);
+  if (filled == set) return set;
+  filled.specification = set.name;
+  filled.name = set.name + " of " + info.name;
+  if (IsFilledIn(filled)) return filled;
+  throw InputError(fmt::format("subject '{}'", info.name),
+                   fmt::format("it states {} subpixel bits, and {} asks for {}",
+                               filled.freedom.least_bits.value_or(filled.snap.bits), set.name,
+                               set.freedom.least_bits.value_or(filled.snap.bits)),
+                   "judge it without --device");
+}
+
+// A device's numbers can be put into a specification's legal set alone.
+void RequireLegalSet(const std::optional<Profile>& profile) {
+  const bool is_preset = profile && PresetProfile(profile->name) == *profile;
+  if (is_preset && SpecificationOf(*profile) != nullptr) return;
+  throw InputError("option --device",
+                   profile
+                       ? fmt::format("profile {} is no specification's legal set", profile->name)
+                       : "there is no profile to put a device's numbers into",
+                   "give --profile d3d11, vulkan, gl or webgpu");
 }
 
 // How many letters must be put in, taken out or exchanged (Levenshtein), capitals or not.
@@ -151,9 +178,10 @@ std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profil
   return nullptr;
 }
 
-AskedSubject ResolveSubject(const std::string& name, const std::string& profile) {
+AskedSubject ResolveSubject(const std::string& name, const std::string& profile, bool device) {
   const std::optional<Profile> by =
       profile.empty() ? std::nullopt : std::optional(io::ReadProfile(profile));
+  if (device) RequireLegalSet(by);
   SubjectMaker make = MakerOf(name, by.value_or(Profile{}));
   if (!make) {
     throw InputError(
@@ -162,9 +190,9 @@ AskedSubject ResolveSubject(const std::string& name, const std::string& profile)
                     Suggestion(name, SubjectNames()), fmt::join(SubjectNames(), ", ")));
   }
   if (!by || IsOracle(name)) return {name, std::move(make)};
-  return {name, [make = std::move(make), profile = *by] {
+  return {name, [make = std::move(make), profile = *by, device] {
             std::unique_ptr<Subject> subject = make();
-            JudgeBy(profile, *subject);
+            JudgeBy(device ? ReportedBy(*subject, profile) : profile, *subject);
             return subject;
           }};
 }
@@ -215,7 +243,7 @@ CheckAsked ResolveCheck(const CheckOptions& options) {
     given.name = RequireCaseName(name);
   }
   for (const std::string& name : options.subjects) {
-    asked.subjects.push_back(ResolveSubject(name, options.profile));
+    asked.subjects.push_back(ResolveSubject(name, options.profile, options.device));
   }
   return asked;
 }

@@ -37,10 +37,12 @@ class AskedSubject {
   SubjectMaker make_;
 };
 
-/// The subject of that name, judged by another profile than its own ("": its own).
+/// The subject of that name, judged by another profile than its own ("": its own), with `device` by
+/// that legal set with the numbers that the subject states (FilledIn).
 ///
 /// Error:      InputError naming the subjects there are, or what is wrong with the profile.
-AskedSubject ResolveSubject(const std::string& name, const std::string& profile = "");
+AskedSubject ResolveSubject(const std::string& name, const std::string& profile = "",
+                            bool device = false);
 
 /// The same, made at once: for a verb that needs one.
 std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile = "");

@@ -98,6 +98,7 @@ report::Certificate Certification::Result() const {
   certificate.command = options_.command;
   certificate.environment = DescribeEnvironment();
   certificate.seed = options_.campaign.seed;
+  certificate.fail_on = options_.fail_on;
   certificate.proved = ProvedOf(info_);
   exact::TierCounts tiers;
   const auto add = [&](const Part& part) {

@@ -16,6 +16,7 @@
 #include "fmt/ranges.h"
 #include "io/scene_set.h"
 #include "model/snap_scene.h"
+#include "props/authority.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/flat_triangles.h"
 #include "props/property.h"
@@ -108,6 +109,7 @@ PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
   result.property = fmt::format("{} on {}", property.name, measured.name());
   result.subject = info.name;
   result.clause = property.clause;
+  props::TellGrounds(props::AuthorityOf(property, info.profile), result);
   result.tolerance = property.tolerance;
   result.outcome = attempt.outcome;
   result.cases = 1;

@@ -14,6 +14,7 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "report/certificate.h"
+#include "report/grounds.h"
 #include "report/page.h"
 #include "report/text.h"
 #include "subjects/builtin/builtin.h"
@@ -140,10 +141,14 @@ std::string SummaryLine(const report::Certificate& certificate) {
     return std::ranges::count(certificate.tested, outcome, &PropertyResult::outcome);
   };
   const report::Overall overall = report::OverallOf(certificate);
+  const auto lacks = std::ranges::count_if(certificate.tested, [&](const PropertyResult& result) {
+    return IsLackOfQuality(result, certificate.fail_on);
+  });
   std::string line = fmt::format(
       "{:<38} {:<12} {:>3} hold {:>3} violated  {}{}", certificate.subject.name,
-      OutcomeName(overall.outcome), count(Outcome::kHolds), count(Outcome::kViolated),
+      OutcomeName(overall.outcome), count(Outcome::kHolds), count(Outcome::kViolated) - lacks,
       WrongSamples(certificate), certificate.subject.states_exact ? "  (states exact)" : "");
+  if (lacks != 0) line += fmt::format("; {} short of quality", lacks);
   if (overall.outcome == Outcome::kInconclusive) line += "; " + overall.reason;
   if (overall.outcome == Outcome::kViolated && certificate.interrupted) line += "; interrupted";
   return report::CleanText(line) + "\n";
@@ -153,6 +158,13 @@ std::string SummaryLine(const report::Certificate& certificate) {
 std::string Remarks(const report::Certificate& certificate) {
   std::string text;
   const auto add = [&](const std::string& line) { text += "  " + report::CleanText(line) + "\n"; };
+  for (const report::Evidence& one : report::AssumptionsUnder(certificate.subject.profile)) {
+    add("assumed: " + one.statement + ": " + one.by);
+  }
+  for (const PropertyResult& result : certificate.tested) {
+    if (!IsLackOfQuality(result, certificate.fail_on)) continue;
+    add(result.property + ": " + report::AuthorityText(result) + "; " + report::Said(result));
+  }
   for (const PropertyResult& result : certificate.tested) {
     const bool reserved = result.cases_refused != 0 || result.not_judged != 0;
     if (reserved) add(result.property + ": " + report::Said(result));

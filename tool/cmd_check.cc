@@ -14,17 +14,21 @@
 #include <utility>
 #include <vector>
 
+#include "core/authority.h"
 #include "core/error.h"
 #include "core/result.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "props/authority.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/contract_evidence.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
+#include "report/certificate.h"
+#include "report/grounds.h"
 #include "report/text.h"
 #include "tool/asked.h"
 #include "tool/commands.h"
@@ -46,15 +50,22 @@ using Properties = std::vector<const props::Property*>;
 // nothing exercised is no pass.
 class Tally {
  public:
-  void Count(Outcome outcome, std::uint64_t cases) {
-    ++counts_[static_cast<std::size_t>(outcome)];
-    cases_ += cases;
+  explicit Tally(FailOn fail_on) : fail_on_(fail_on) {}
+
+  void Count(const PropertyResult& result) {
+    if (IsLackOfQuality(result, fail_on_)) {
+      ++quality_;
+    } else {
+      ++counts_[static_cast<std::size_t>(result.outcome)];
+    }
+    cases_ += result.cases;
   }
+  void CountInconclusive() { ++counts_[static_cast<std::size_t>(Outcome::kInconclusive)]; }
   std::uint64_t Of(Outcome outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
   int ExitStatus() const {
     if (Of(Outcome::kViolated) != 0) return kExitViolated;
     if (Of(Outcome::kInconclusive) != 0 || RefusesTooMuch()) return kExitInconclusive;
-    return Of(Outcome::kHolds) != 0 ? kExitHolds : kExitInconclusive;
+    return Of(Outcome::kHolds) + quality_ != 0 ? kExitHolds : kExitInconclusive;
   }
   std::string Line(const std::string& subject) const {
     std::string line = fmt::format("{}: {} hold, {} violated, {} not exercised, {} not applicable",
@@ -63,6 +74,7 @@ class Tally {
     for (const Outcome outcome : {Outcome::kRefused, Outcome::kInconclusive}) {
       if (Of(outcome) != 0) line += fmt::format(", {} {}", Of(outcome), OutcomeName(outcome));
     }
+    if (quality_ != 0) line += fmt::format(", {} short of quality", quality_);
     return line + fmt::format("; {} cases\n", cases_);
   }
 
@@ -74,7 +86,9 @@ class Tally {
     return refused > props::kMostRefusedShare * (refused + holds);
   }
 
+  FailOn fail_on_;
   std::array<std::uint64_t, 6> counts_{};  // by Outcome
+  std::uint64_t quality_ = 0;              // violations that fail nothing
   std::uint64_t cases_ = 0;
 };
 
@@ -104,6 +118,12 @@ class NotAsked {
   std::vector<Reason> reasons_;
 };
 
+// The outcome, or that it is a violation which fails nothing.
+std::string_view OutcomeWord(const PropertyResult& result, FailOn fail_on) {
+  return IsLackOfQuality(result, fail_on) ? AuthorityName(Authority::kQuality)
+                                          : OutcomeName(result.outcome);
+}
+
 std::string NotJudgedText(std::uint64_t samples) {
   return samples == 0
              ? ""
@@ -111,15 +131,15 @@ std::string NotJudgedText(std::uint64_t samples) {
                            samples);
 }
 
-std::string ResultLine(const PropertyResult& result) {
+std::string ResultLine(const PropertyResult& result, FailOn fail_on) {
   std::string line = fmt::format("{:<16} {:<10} {:<50} {} cases, exercised {} times in {}",
-                                 OutcomeName(result.outcome), result.subject, result.property,
+                                 OutcomeWord(result, fail_on), result.subject, result.property,
                                  result.cases, result.exercised, result.cases_exercised);
   if (result.cases_refused != 0) line += fmt::format(", {} refused", result.cases_refused);
   line += NotJudgedText(result.not_judged);
   if (result.worst_ratio != 0) line += fmt::format(", error/bound {:.3f}", result.worst_ratio);
   if (!result.message.empty()) line += "; " + report::CleanText(result.message);
-  return line + "\n";
+  return line + "; " + report::AuthorityText(result) + "\n";
 }
 
 void SaveCounterexample(const std::string& folder, const PropertyResult& result) {
@@ -193,7 +213,7 @@ bool WasNotAsked(const PropertyResult& result) {
 void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
   const PropertyResult& result = *share.result;
   if (WasNotAsked(result)) return;
-  share.text = ResultLine(result);
+  share.text = ResultLine(result, options.fail_on);
   if (!result.counterexample || !result.verdict) return;
   CaseChoice choice;
   choice.subject = result.subject;
@@ -210,7 +230,7 @@ std::string ContractText(const SubjectInfo& subject, std::span<const PropertyRes
                          Tally& tally) {
   const props::ContractEvidence evidence = props::EvidenceOfContract(subject, results);
   if (evidence.is_exercised) return "";
-  tally.Count(Outcome::kInconclusive, 0);
+  tally.CountInconclusive();
   return fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
                      OutcomeName(Outcome::kInconclusive), subject.name, evidence.why);
 }
@@ -223,7 +243,7 @@ std::string TextOf(const std::vector<Share>& shares, const std::string& subject,
   for (const Share& share : shares) {
     if (!share.result) continue;  // an interrupt kept it from being begun
     const PropertyResult& result = results.emplace_back(*share.result);
-    tally.Count(result.outcome, result.cases);
+    tally.Count(result);
     text += share.text;
     if (WasNotAsked(result)) not_asked.Add(result.message, result.property);
   }
@@ -232,7 +252,10 @@ std::string TextOf(const std::vector<Share>& shares, const std::string& subject,
 
 // What came of one subject: what is printed, and what it comes to.
 struct Told {
+  explicit Told(FailOn fail_on) : tally(fail_on) {}
+
   std::string text;
+  Profile profile;
   Tally tally;
 };
 
@@ -263,15 +286,17 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
   const Verdict verdict = props::RunCase(subject, property, c);
   PropertyResult& result = share.result.emplace();
   result.property = property.name;
+  props::TellGrounds(props::AuthorityOf(property, subject.Info().profile), result);
   result.outcome = verdict.outcome;
   result.cases = 1;
   result.exercised = verdict.exercised;
   result.message = verdict.message;
   if (WasNotAsked(result)) return;
-  share.text = fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}\n",
-                           OutcomeName(verdict.outcome), name, property.name, given.place,
+  share.text = fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}; {}\n",
+                           OutcomeWord(result, options.fail_on), name, property.name, given.place,
                            verdict.exercised, NotJudgedText(verdict.not_judged),
-                           verdict.message.empty() ? "" : "; ", report::CleanText(verdict.message));
+                           verdict.message.empty() ? "" : "; ", report::CleanText(verdict.message),
+                           report::AuthorityText(result));
   if (verdict.outcome != Outcome::kViolated) return;
   CaseChoice choice;
   (given.name ? choice.name : choice.path) = given.place;
@@ -318,7 +343,8 @@ std::string Hint(const std::string& subject, const Tally& tally, const std::stri
 Told Check(const AskedSubject& subject, const CheckAsked& asked, const CheckOptions& options) {
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
   SayOfPreset(crew.Of(0).Info().profile);
-  Told told;
+  Told told(options.fail_on);
+  told.profile = crew.Of(0).Info().profile;
   try {
     Progress progress(crew.size());
     if (asked.cases.empty()) {
@@ -342,7 +368,8 @@ int RunCheck(const CheckOptions& options) {
   for (const AskedSubject& subject : asked.subjects) {
     if (Interrupted()) break;
     const Told told = Check(subject, asked, options);
-    io::WriteStandardOutput(told.text + told.tally.Line(subject.name()) +
+    io::WriteStandardOutput(told.text + report::AssumptionLines(told.profile) +
+                            told.tally.Line(subject.name()) +
                             Hint(subject.name(), told.tally, options.profile));
     status = WorseStatus(status, told.tally.ExitStatus());
   }

@@ -16,6 +16,7 @@
 #include "legal/joint.h"
 #include "model/target_model.h"
 #include "props/judging/witness.h"
+#include "report/grounds.h"
 #include "report/json_writer.h"
 #include "tool/asked.h"
 #include "tool/commands.h"
@@ -231,7 +232,9 @@ int RunLegal(const LegalOptions& options) {
     io::WriteFile(options.save,
                   io::CaseToJson({part, options.subject, "OneLegalModelExplainsTheMesh"}));
   }
-  if (options.json != "-") io::WriteStandardOutput(Text(verdict, profile, scene));
+  if (options.json != "-") {
+    io::WriteStandardOutput(Text(verdict, profile, scene) + report::AssumptionLines(profile));
+  }
   switch (verdict.legality) {
     case legal::Legality::kLegal:
       return kExitHolds;

@@ -1,14 +1,18 @@
 // rasterproof list: what there is to choose from.
 #include <string>
 
+#include "core/error.h"
+#include "core/freedom.h"
 #include "core/profile.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "io/output.h"
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/asked.h"
 #include "tool/commands.h"
+#include "tool/list_clauses.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -35,6 +39,9 @@ std::string ListProperties() {
     text += fmt::format("  {} ({})\n    enforces: {}\n    applies:  {}\n    limit:    {}\n",
                         property.name, property.group, property.clause,
                         props::WordsOf(property.gate), property.tolerance);
+    if (!property.required_by.empty()) {
+      text += fmt::format("    required: {}\n", fmt::join(property.required_by, ", "));
+    }
   }
   return text;
 }
@@ -48,16 +55,42 @@ std::string ListDomains() {
   return text;
 }
 
+std::string RoundingText(const Profile& profile) {
+  if (profile.freedom.any_rounding) return "any rounding";
+  if (profile.freedom.snap_tolerance == 0) return std::string(SnapRuleName(profile.snap.rule));
+  return fmt::format("within {} of a step", profile.freedom.snap_tolerance);
+}
+
+std::string GridText(const Profile& profile) {
+  const auto bits = [&](const std::string& number) {
+    return number + " subpixel bits, " + RoundingText(profile);
+  };
+  if (profile.freedom.least_bits)
+    return bits(fmt::format("at least {}", *profile.freedom.least_bits));
+  return profile.snap.IsNone() ? "no snap" : bits(fmt::format("{}", profile.snap.bits));
+}
+
+std::string TiesText(const Profile& profile) {
+  switch (profile.freedom.ties) {
+    case TieOwnership::kStated:
+      return std::string(TieRuleName(profile.tie_rule));
+    case TieOwnership::kAxisAligned:
+      return "any consistent tie rule";
+    case TieOwnership::kPerEdge:
+      return "one owner for each sample of a common edge";
+    case TieOwnership::kOpen:
+      break;
+  }
+  return "ties open";
+}
+
 std::string ListProfiles() {
   std::string text = "profiles\n";
   for (const std::string_view name : kPresetProfiles) {
     const Profile profile = *PresetProfile(name);
-    const std::string snap = profile.snap.IsNone()
-                                 ? "no snap"
-                                 : fmt::format("{} subpixel bits, {}", profile.snap.bits,
-                                               SnapRuleName(profile.snap.rule));
-    text += fmt::format("  {:<10} {}, {}, coordinates up to {:a}\n", name, snap,
-                        TieRuleName(profile.tie_rule), profile.coordinate_limit);
+    text += fmt::format("  {:<17} {:<11} {}, {}, coordinates up to {:a}\n", name,
+                        HasOneModel(profile) ? "model" : "legal set", GridText(profile),
+                        TiesText(profile), profile.coordinate_limit);
   }
   return text;
 }
@@ -73,6 +106,9 @@ std::string ListMutants() {
 }  // namespace
 
 int RunList(const ListOptions& options) {
+  if (options.json && options.what != "clauses") {
+    throw InputError("--json", "only clauses are listed as JSON", "write list clauses --json");
+  }
   std::string text;
   const bool all = options.what == "all";
   if (all || options.what == "subjects") text += ListSubjects();
@@ -80,6 +116,7 @@ int RunList(const ListOptions& options) {
   if (all || options.what == "domains") text += ListDomains();
   if (all || options.what == "profiles") text += ListProfiles();
   if (all || options.what == "mutants") text += ListMutants();
+  if (options.what == "clauses") text += options.json ? ClausesToJson() : ListClauses();
   io::WriteStandardOutput(text);
   return kExitHolds;
 }

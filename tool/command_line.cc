@@ -9,6 +9,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <new>
 #include <string>
 
@@ -103,10 +104,19 @@ int UntilInterrupted(const Run& verb) {
 void AddList(CLI::App& app, Run& run) {
   static ListOptions options;
   CLI::App* verb = app.add_subcommand("list", "Subjects, properties, domains and profiles");
-  verb->add_option("what", options.what, "subjects, properties, domains, profiles, mutants or all")
-      ->check(CLI::IsMember({"subjects", "properties", "domains", "profiles", "mutants", "all"}))
+  verb->add_option("what", options.what, "What; all leaves out the clauses, which are many")
+      ->check(CLI::IsMember(
+          {"subjects", "properties", "domains", "profiles", "mutants", "clauses", "all"}))
       ->capture_default_str();
+  verb->add_flag("--json", options.json, "Clauses as JSON");
   verb->callback([&run] { run = [] { return RunList(options); }; });
+}
+
+void AddFailOn(CLI::App* verb, FailOn& fail_on) {
+  verb->add_option("--fail-on", fail_on, "Violations that fail: of what is stated, or of quality")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, FailOn>{
+          {"stated", FailOn::kStated}, {"quality", FailOn::kQuality}}))
+      ->default_str("stated");
 }
 
 void AddCheck(CLI::App& app, Run& run, const std::string& own) {
@@ -119,9 +129,13 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   AddSubjects(verb, options.subjects);
   verb->add_option("--property", options.properties, "Properties (default: all)");
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
+  verb->add_flag("--device", options.device,
+                 "Put the subject's numbers into the legal set that --profile names: its subpixel "
+                 "bits, sample locations, coordinate limit and guard band");
   verb->add_option("--save", options.save, "Folder for shrunken counterexamples");
   AddCampaign(verb, options.campaign);
   AddJobs(verb, options.jobs, "Properties");
+  AddFailOn(verb, options.fail_on);
   AddCount(
       verb, "--batch", "Cases whose draws share calls, of a subject outside", kMostInABatch,
       [](int count) { options.batch = static_cast<std::size_t>(count); },
@@ -145,6 +159,7 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
   AddCampaign(verb, options.campaign);
   AddJobs(verb, options.jobs, "Properties or scenes");
+  AddFailOn(verb, options.fail_on);
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });
 }
@@ -299,13 +314,6 @@ void OpenStandardFiles() {
   for (int n = STDIN_FILENO; n <= STDERR_FILENO; ++n) {
     if (fcntl(n, F_GETFD) < 0) open("/dev/null", n == STDERR_FILENO ? O_WRONLY : O_RDONLY);
   }
-}
-
-// As it was typed, to be typed again.
-std::string CommandLine(int argc, char** argv) {
-  std::string line = "rasterproof";
-  for (int k = 1; k < argc; ++k) line += " " + ShellWord(argv[k]);
-  return line;
 }
 
 int Parse(int argc, char** argv, const std::string& own) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/authority.h"
+
 namespace rasterproof::tool {
 
 /// Exit statuses.
@@ -34,7 +36,9 @@ struct CampaignChoice {
 };
 
 struct ListOptions {
-  std::string what = "all";  ///< "subjects", "properties", "domains", "profiles", "mutants", "all"
+  /// "subjects", "properties", "domains", "profiles", "mutants", "clauses", or "all" but clauses
+  std::string what = "all";
+  bool json = false;  ///< of clauses
 };
 int RunList(const ListOptions& options);
 
@@ -92,10 +96,12 @@ struct CheckOptions {
   std::vector<std::string> scenes;  ///< case or scene files
   std::vector<std::string> named;   ///< drawn cases, by their names; no scenes either: a campaign
   std::string profile;              ///< judge by this one instead of the subject's own
+  bool device = false;              ///< with the numbers of its device in it
   CampaignChoice campaign;
   std::size_t batch = 32;  ///< cases whose draws share calls
   std::string save;        ///< folder for counterexamples
   int jobs = 1;            ///< properties at once
+  FailOn fail_on = FailOn::kStated;
 };
 int RunCheck(const CheckOptions& options);
 
@@ -107,6 +113,7 @@ struct CertifyOptions {
   CampaignChoice campaign;
   std::string command;  ///< the command line, for the record
   int jobs = 1;         ///< properties or scenes at once
+  FailOn fail_on = FailOn::kStated;
 };
 int RunCertify(const CertifyOptions& options);
 

@@ -135,7 +135,7 @@ Hunt HuntBug(Subject& subject, const HuntOptions& options) {
       hunt.cases += result.cases;
       hunt.exercised += result.cases_exercised;
       if (result.outcome == Outcome::kInconclusive) ++hunt.inconclusive;
-      if (result.outcome != Outcome::kViolated) continue;
+      if (!IsFailure(result, FailOn::kStated)) continue;
       hunt.violation = std::move(result);
       break;
     }

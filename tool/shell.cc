@@ -54,4 +54,10 @@ std::string ShellWord(std::string_view word) {
   return quoted + "'";
 }
 
+std::string CommandLine(int argc, char** argv) {
+  std::string line = "rasterproof";
+  for (int k = 1; k < argc; ++k) line += " " + ShellWord(argv[k]);
+  return line;
+}
+
 }  // namespace rasterproof::tool

@@ -63,6 +63,7 @@ extern const Property kFragmentBarycentricsStayWithinTheirError;
 extern const Property kFragmentDepthStaysInTheHull;
 extern const Property kFragmentDepthFollowsItsBarycentrics;
 extern const Property kOneCallDrawsLikeItsTriangles;
+extern const Property kOpenTiesAreCoveredOnce;
 extern const Property kPrimitiveIdFollowsTheStatedOrder;
 extern const Property kBatchDrawsLikeSingleCalls;
 extern const Property kTargetHeightKeepsCoverage;
@@ -127,6 +128,7 @@ inline constexpr const Property* kAllProperties[] = {
     &kPrimitiveIdFollowsTheStatedOrder,
     &kBatchDrawsLikeSingleCalls,
     &kTargetHeightKeepsCoverage,
+    &kOpenTiesAreCoveredOnce,
 };
 
 }  // namespace rasterproof::props

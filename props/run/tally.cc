@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/profile.h"
+#include "props/authority.h"
 #include "props/run/near_edge.h"
 #include "props/run/own_transform.h"
 #include "props/run/property_domains.h"
@@ -33,6 +34,7 @@ Tally::Tally(const Subject& subject, const Property& property, std::uint64_t see
   result_.property = property.name;
   result_.subject = subject.Info().name;
   result_.clause = property.clause;
+  TellGrounds(AuthorityOf(property, subject.Info().profile), result_);
   result_.tolerance = property.tolerance;
   result_.seed = seed;
   left_out_ = LeftOutDomains(subject.Info(), property);

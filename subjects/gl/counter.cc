@@ -31,6 +31,17 @@ GLuint Compile(GLenum stage, const char* text) {
 
 }  // namespace
 
+std::optional<int> ReportedSubpixelBits(const char* gallium_driver) {
+  try {
+    const GlContext context(gallium_driver);
+    GLint bits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+    return bits;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 GlCounter::GlCounter(const char* gallium_driver, GlSubmission submission)
     : context_(gallium_driver), submission_(submission) {
   const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));

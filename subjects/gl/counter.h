@@ -6,6 +6,7 @@
 #include <GL/glcorearb.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kit/rasterproof_plugin.h"
@@ -18,6 +19,9 @@ enum class GlSubmission : std::uint8_t {
   kBatch,  ///< all in one draw call
   kAlone   ///< each in a draw call that is finished before the next
 };
+
+/// The subpixel bits that the driver reports (GL_SUBPIXEL_BITS); nothing if there is no driver.
+std::optional<int> ReportedSubpixelBits(const char* gallium_driver);
 
 /// Window coordinates arrive exactly: the viewport is centred on the origin and a power of two
 /// wide, so that window = clip * 8192 + 0, and clip = window / 8192 is exact for every float32 that

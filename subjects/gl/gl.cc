@@ -1,6 +1,7 @@
 // OpenGL as a plugin. The build makes one of each driver and submission: see subjects/real.cmake.
 #include <exception>
 #include <memory>
+#include <string>
 
 #include "kit/rasterproof_plugin.h"
 #include "subjects/gl/counter.h"
@@ -10,23 +11,35 @@ namespace {
 using rasterproof::subjects::GlCounter;
 using rasterproof::subjects::GlSubmission;
 
-// OpenGL leaves snapping and ties free; two triangles with a common edge share no sample and leave
-// none out (OpenGL 4.6, 14.6.1). llvmpipe reports 8 subpixel bits and has them; softpipe reports 4
-// and snaps nothing.
-#ifndef RASTERPROOF_GL_CLIP_SPACE
-constexpr const char* kProfile =
-    R"({"name": ")" RASTERPROOF_GL_NAME R"(", "subpixel_bits": )" RASTERPROOF_GL_BITS R"(,
-  "snap_rule": "nearest-even", "contract": "watertight", "coordinate_limit": 8192})";
-constexpr std::uint32_t kTakes = 0;
-#else
+#if defined(RASTERPROOF_GL_CLIP_SPACE)
 // In clip space the division is the driver's as well: held to it, to every sample. Within 1024 none
 // of its triangles is lost (docs/findings.md, 1).
-constexpr const char* kProfile =
-    R"({"name": "gl, clip space", "subpixel_bits": )" RASTERPROOF_GL_BITS
-    R"(, "snap_rule": "nearest-even", "snap_form": "float32-difference", "snap_origin": 0.5,
-  "coordinate_limit": 1024, "transform": {"precision": "float32", "division": "reciprocal"}})";
 constexpr std::uint32_t kTakes = RASTERPROOF_TAKES_CLIP_SPACE | RASTERPROOF_TAKES_NO_WINDOW_SPACE;
+std::string States() {
+  return R"("subpixel_bits": 8, "snap_rule": "nearest-even", "snap_form": "float32-difference",
+            "snap_origin": 0.5, "coordinate_limit": 1024,
+            "transform": {"precision": "float32", "division": "reciprocal"})";
+}
+#elif defined(RASTERPROOF_GL_SNAPS_NOTHING)
+// It reports 4 subpixel bits and snaps nothing, which no grid explains: two triangles with a common
+// edge share no sample and leave none out (OpenGL 4.6, 14.6.1).
+constexpr std::uint32_t kTakes = 0;
+std::string States() { return R"("contract": "watertight", "coordinate_limit": 8192)"; }
+#else
+// All that OpenGL allows, with the subpixel bits that the driver reports: an estimate (table
+// 23.53), so there may be more.
+constexpr std::uint32_t kTakes = 0;
+std::string States() {
+  const int bits = rasterproof::subjects::ReportedSubpixelBits(RASTERPROOF_GL_DRIVER).value_or(4);
+  return R"("specification": "gl", "coordinate_limit": 8192, "least_subpixel_bits": )" +
+         std::to_string(bits);
+}
 #endif
+
+const std::string& Profile() {
+  static const std::string profile = R"({"name": ")" RASTERPROOF_GL_NAME R"(", )" + States() + "}";
+  return profile;
+}
 
 void* Open() {
   try {
@@ -54,7 +67,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
     described.size = sizeof(rasterproof_plugin);
     described.name = RASTERPROOF_GL_NAME;
     described.summary = "OpenGL, additive blending, " RASTERPROOF_GL_NAME;
-    described.profile = kProfile;
+    described.profile = Profile().c_str();
     described.input = RASTERPROOF_FLOAT32;
     described.coverage = RASTERPROOF_FACING_COUNTS;
     described.takes = kTakes;

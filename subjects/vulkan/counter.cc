@@ -70,9 +70,7 @@ void Transition(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
                        VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
 
-}  // namespace
-
-VulkanCounter::VulkanCounter(const VulkanDriver& driver) : half_viewport_(driver.half_viewport) {
+VkResult MakeInstance(const VulkanDriver& driver, VkInstance& instance) {
   if (*driver.description != '\0') setenv("VK_DRIVER_FILES", driver.description, 1);
   VkApplicationInfo application{};
   application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
@@ -80,25 +78,51 @@ VulkanCounter::VulkanCounter(const VulkanDriver& driver) : half_viewport_(driver
   VkInstanceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
   info.pApplicationInfo = &application;
-  Require(vkCreateInstance(&info, nullptr, &instance_), "no Vulkan");
-  MakeDevice(driver.device);
-  MakePipeline();
-  MakeCommands();
+  return vkCreateInstance(&info, nullptr, &instance);
 }
 
-void VulkanCounter::MakeDevice(const char* name) {
+// The last device whose name begins so, or any GPU; VK_NULL_HANDLE if there is none.
+VkPhysicalDevice FindDevice(VkInstance instance, const char* name) {
   std::uint32_t count = 0;
-  vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+  vkEnumeratePhysicalDevices(instance, &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
-  vkEnumeratePhysicalDevices(instance_, &count, devices.data());
+  vkEnumeratePhysicalDevices(instance, &count, devices.data());
+  VkPhysicalDevice found = VK_NULL_HANDLE;
   for (VkPhysicalDevice device : devices) {
     VkPhysicalDeviceProperties properties{};
     vkGetPhysicalDeviceProperties(device, &properties);
     const bool is_gpu = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU ||
                         properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
     const bool is_named = std::string_view(properties.deviceName).starts_with(name);
-    if (*name == '\0' ? is_gpu : is_named) physical_ = device;
+    if (*name == '\0' ? is_gpu : is_named) found = device;
   }
+  return found;
+}
+
+}  // namespace
+
+std::optional<int> ReportedSubpixelBits(const VulkanDriver& driver) {
+  VkInstance instance = VK_NULL_HANDLE;
+  if (MakeInstance(driver, instance) != VK_SUCCESS) return std::nullopt;
+  std::optional<int> bits;
+  if (const VkPhysicalDevice device = FindDevice(instance, driver.device)) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    bits = static_cast<int>(properties.limits.subPixelPrecisionBits);
+  }
+  vkDestroyInstance(instance, nullptr);
+  return bits;
+}
+
+VulkanCounter::VulkanCounter(const VulkanDriver& driver) : half_viewport_(driver.half_viewport) {
+  Require(MakeInstance(driver, instance_), "no Vulkan");
+  MakeDevice(driver.device);
+  MakePipeline();
+  MakeCommands();
+}
+
+void VulkanCounter::MakeDevice(const char* name) {
+  physical_ = FindDevice(instance_, name);
   if (physical_ == VK_NULL_HANDLE) throw std::runtime_error("no such device");
   VkFormatProperties format{};
   vkGetPhysicalDeviceFormatProperties(physical_, kFormat, &format);

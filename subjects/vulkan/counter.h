@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kit/rasterproof_plugin.h"
@@ -27,6 +28,9 @@ struct VulkanDriver {
   const char* device;  ///< how the device's name begins; empty: any GPU
   int half_viewport;   ///< a power of two; nothing within is clipped
 };
+
+/// The subpixel bits that the driver's device reports; nothing if there is no such device.
+std::optional<int> ReportedSubpixelBits(const VulkanDriver& driver);
 
 /// Draws a scene in one draw.
 ///

@@ -13,15 +13,13 @@ using rasterproof::subjects::VulkanCounter;
 constexpr rasterproof::subjects::VulkanDriver kDriver{
     RASTERPROOF_VULKAN_ICD, RASTERPROOF_VULKAN_DEVICE, RASTERPROOF_VULKAN_HALF_VIEWPORT};
 
-// Vulkan leaves the rounding to subpixels and ties free; of two polygons on either side of a common
-// edge with identical endpoints exactly one covers a sample on it (Vulkan 1.3,
-// Basic Polygon Rasterization). The bits are those that the device reports.
+// All that Vulkan allows, with the subpixel bits that the device reports; the fewest where there is
+// no device.
 const std::string& Profile() {
   static const std::string profile =
-      R"({"name": ")" RASTERPROOF_VULKAN_NAME R"(", "subpixel_bits": )" +
-      std::to_string(RASTERPROOF_VULKAN_BITS) +
-      R"(, "snap_rule": "nearest-even", "contract": "watertight", "coordinate_limit": )" +
-      std::to_string(kDriver.half_viewport) + "}";
+      R"({"name": ")" RASTERPROOF_VULKAN_NAME R"(", "specification": "vulkan", "subpixel_bits": )" +
+      std::to_string(rasterproof::subjects::ReportedSubpixelBits(kDriver).value_or(4)) +
+      R"(, "coordinate_limit": )" + std::to_string(kDriver.half_viewport) + "}";
   return profile;
 }
 

@@ -67,11 +67,12 @@ void AddIfAny(const std::optional<T>& value, Digest& digest) {
 }
 
 void Add(const Profile& profile, Digest& digest) {
-  const auto& [name, snap, crossing, lattice, y_axis, tie_rule, contract, freedom, transform,
-               coordinate_limit, degenerate_triangles, infinite_vertex, nan_vertex, nan_z,
-               translation_invariant, edge_samples, targets, fixed, max_primitive_extent,
+  const auto& [name, specification, snap, crossing, lattice, y_axis, tie_rule, contract, freedom,
+               transform, coordinate_limit, degenerate_triangles, infinite_vertex, nan_vertex,
+               nan_z, translation_invariant, edge_samples, targets, fixed, max_primitive_extent,
                guard_band] = profile;
   static_cast<void>(name);
+  static_cast<void>(specification);
   Add(snap, digest);
   Add(crossing, digest);
   Add(lattice, digest);

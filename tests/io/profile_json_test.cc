@@ -1,4 +1,5 @@
 // The keys of a profile that most profiles leave out.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -39,6 +40,45 @@ TEST(ProfileJson, CrossingAndTransformReadBack) {
   profile.transform = Transform{Precision::kFloat64, Division::kReciprocal,
                                 ViewportForm::kAddMultiply, /*flips_y=*/true};
   ExpectReadsBack(profile);
+}
+
+TEST(ProfileJson, ADevicesNumbersReadBack) {
+  const Profile device = ParseProfile(
+      R"({"name": "card", "specification": "vulkan", "subpixel_bits": 6, "coordinate_limit": 4096,
+          "guard_band": [-64, -64, 64, 64], "sample_locations": [[0.25, 0.75]]})",
+      "device");
+  EXPECT_EQ(device.snap.bits, 6);
+  EXPECT_EQ(device.freedom.least_bits, std::nullopt);
+  EXPECT_TRUE(device.freedom.any_rounding);
+  EXPECT_EQ(device.nan_vertex, NanVertex::kUnspecified);
+  ExpectReadsBack(device);
+  const Profile at_least = ParseProfile(
+      R"({"name": "card", "specification": "gl", "least_subpixel_bits": 8})", "device");
+  EXPECT_EQ(at_least.freedom.least_bits, 8);
+  EXPECT_TRUE(at_least.translation_invariant);
+  ExpectReadsBack(at_least);
+}
+
+TEST(ProfileJson, ADeviceMayNotLeaveItsSpecification) {
+  const auto refusal = [](const std::string& keys) -> std::string {
+    try {
+      ParseProfile(R"({"name": "card", "specification": )" + keys + "}", "device");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using testing::HasSubstr;
+  EXPECT_EQ(refusal(R"("vulkan", "subpixel_bits": 4)"), "");
+  EXPECT_THAT(refusal(R"("vulkan", "subpixel_bits": 3)"), HasSubstr("\"subpixel_bits\""));
+  EXPECT_THAT(refusal(R"("vulkan", "least_subpixel_bits": 3)"), HasSubstr("\"subpixel_bits\""));
+  EXPECT_THAT(refusal(R"("vulkan", "subpixel_bits": null)"), HasSubstr("\"subpixel_bits\""));
+  EXPECT_THAT(refusal(R"("d3d11", "subpixel_bits": 12)"), HasSubstr("\"subpixel_bits\""));
+  EXPECT_THAT(refusal(R"("vulkan", "rounding": "stated")"), HasSubstr("\"rounding\""));
+  EXPECT_THAT(refusal(R"("d3d11", "tie_ownership": "open")"), HasSubstr("\"tie_ownership\""));
+  EXPECT_THAT(refusal(R"("d3d11", "contract": "none")"), HasSubstr("\"contract\""));
+  EXPECT_THAT(refusal(R"("gl-canonical")"), HasSubstr("legal set"));
+  EXPECT_THAT(refusal(R"("mine")"), HasSubstr("legal set"));
 }
 
 TEST(ProfileJson, TargetsReadBackWithWhatTheyOverride) {

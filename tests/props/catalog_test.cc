@@ -12,6 +12,7 @@
 
 #include "core/profile.h"
 #include "exact/coverage.h"
+#include "props/authority.h"
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
@@ -365,9 +366,12 @@ TEST(Fairness, AFreeProfileIsNotHeldToTheCanonicalModel) {
   c.profile.freedom.snap_tolerance = 0.6;
   for (const std::string_view property :
        {"CoverageEqualsTheModel", "SignedCoverageEqualsTheWindingNumber",
-        "IntegerTranslationMovesCoverage", "VertexRotationKeepsCoverage"}) {
+        "VertexRotationKeepsCoverage"}) {
     EXPECT_EQ(Judge(property, ExtraCount(), c).outcome, Outcome::kNotApplicable) << property;
   }
+  // It is asked what users want, too: AuthorityOf says that it is not stated.
+  EXPECT_EQ(AuthorityOf(*FindProperty("IntegerTranslationMovesCoverage"), c.profile).authority,
+            Authority::kQuality);
   EXPECT_EQ(Judge("OneLegalModelExplainsTheMesh", ExtraCount(), c).outcome, Outcome::kViolated);
   for (const std::string_view property :
        {"TileSizeKeepsCoverage", "TriangleOrderKeepsCoverage", "OneLegalModelExplainsTheMesh"}) {

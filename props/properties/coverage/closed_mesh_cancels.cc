@@ -14,6 +14,7 @@
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/signed_coverage.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -61,6 +62,7 @@ constinit const Property kClosedMeshCancels{
     .name = "ClosedMeshCancels",
     .group = "coverage",
     .clause = "A closed surface has no boundary: what it shows of its front it shows of its back.",
+    .required_by = kEveryEdgeClauses,
     .tolerance = kExact,
     .domains = kClosed,
     .gate = {.space = Space::kEither,

@@ -17,6 +17,7 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -91,6 +92,7 @@ constinit const Property kConservativeCoverageKeepsToItsSide{
     .clause =
         "Conservative coverage strays to one side only: an overestimate leaves no covered "
         "sample out, an underestimate adds none.",
+    .required_by = kConservativeClauses,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither,

@@ -2,6 +2,7 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -13,6 +14,7 @@ constinit const Property kCoverageEqualsTheModel{
     .clause =
         "A sample is covered if it is inside, or on a top or left edge (D3D11.3 functional "
         "specification 3.4.2.1 (top-left rule); the profile names the rule).",
+    .required_by = kLegalModelClauses,
     .tolerance = kExact,
     .domains = kModelCoverage,
     .gate = {.judges_shared_edge_samples = true, .asks_oracle = true},

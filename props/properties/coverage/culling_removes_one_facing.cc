@@ -7,6 +7,7 @@
 #include "props/judging/redraw.h"
 #include "props/judging/sides.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -69,6 +70,7 @@ constinit const Property kCullingRemovesOneFacing{
     .clause =
         "Culling discards triangles of one facing (Vulkan 1.3, Basic Polygon Rasterization) "
         "and changes no other.",
+    .required_by = kFacingClauses,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither, .shows = Shows::kCulling},

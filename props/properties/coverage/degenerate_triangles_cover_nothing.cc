@@ -10,6 +10,7 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -44,6 +45,7 @@ constinit const Property kDegenerateTrianglesCoverNothing{
     .clause =
         "A triangle of zero area after snapping produces nothing (D3D11.3 functional "
         "specification, rasterizer; the profile says so).",
+    .required_by = kZeroAreaClauses,
     .tolerance = kExact,
     .domains = kDegenerate,
     .gate = {.space = Space::kEither, .rules = kRules, .where = "triangles of zero area"},

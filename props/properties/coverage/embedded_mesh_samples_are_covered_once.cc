@@ -4,6 +4,7 @@
 #include "props/judging/planar_mesh.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -21,6 +22,7 @@ constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
         "Polygons on either side of a common edge produce exactly one fragment for a sample "
         "on it (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization); at "
         "a shared vertex D3D11.3 functional specification 3.4.2.1 (top-left rule).",
+    .required_by = kOneOwnerClauses,
     .tolerance = kExact,
     .domains = kMeshesAnySpace,
     .gate =

@@ -14,6 +14,7 @@
 #include "model/snap_scene.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -80,12 +81,13 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-constexpr std::array kRules{ProfileRule{
-    [](const Profile& p) {
-      return p.translation_invariant || (p.freedom.IsNone() && !p.shares_edge_samples);
-    },
-    "translation_invariant, or one model",
-    "the profile leaves grid points or owners free, and does not state translation_invariant"}};
+constexpr std::array kRules{kCountsTies};
+
+// What leaves grid points or owners free may choose others a pixel further: then it is users who
+// want it.
+bool StatesTranslation(const Profile& profile) {
+  return profile.translation_invariant || profile.freedom.IsNone();
+}
 
 }  // namespace
 
@@ -95,6 +97,8 @@ constinit const Property kIntegerTranslationMovesCoverage{
     .clause =
         "Moving a scene by whole pixels moves its image (OpenGL 4.6 section 14.2, "
         "Invariance; Vulkan does not state it by itself, a sample-exact model does).",
+    .required_by = kTranslationClauses,
+    .stated_by = StatesTranslation,
     .tolerance = kExact,
     .domains = kOnTheLattice,
     .gate = {.any_model = true,

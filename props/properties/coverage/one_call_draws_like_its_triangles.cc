@@ -17,6 +17,7 @@
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -110,6 +111,7 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
     .clause =
         "A mesh is its triangles: what one call with all of them gives, also behind 256 "
         "others, is what calls with each alone add up to.",
+    .required_by = kIndependentClauses,
     .tolerance = kExact,
     .domains = kMeshes,
     .takes_long = true,

@@ -24,6 +24,7 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -184,8 +185,8 @@ constinit const Property kOneLegalModelExplainsTheMesh{
         "A vertex has one position for all triangles that use it, and a sample on an edge the "
         "owner that the profile's tie_ownership asks for: D3D11.3 functional specification 3.2.4.1 "
         "(snapping within 0.6 ulp) and 3.4.2.1, OpenGL 4.6 section 14.6.1, Vulkan 1.3 Basic "
-        "Polygon "
-        "Rasterization (a common edge).",
+        "Polygon Rasterization (a common edge).",
+    .required_by = kLegalModelClauses,
     .tolerance = "the profile's own freedom, jointly for all triangles",
     .domains = kFreeSnaps,
     .gate = {.space = Space::kEither,

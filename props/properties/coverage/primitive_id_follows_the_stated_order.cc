@@ -10,6 +10,7 @@
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -52,6 +53,7 @@ constinit const Property kPrimitiveIdFollowsTheStatedOrder{
     .clause =
         "Primitives are drawn in order (OpenGL 4.6 section 2.1; Vulkan 1.3, Rasterization "
         "Order): without a depth test the last one on a sample stays.",
+    .required_by = kOrderClauses,
     .tolerance = kExact,
     .domains = kAnyMesh,
     .gate = {.space = Space::kEither, .shows = Shows::kPrimitiveIds, .asks_oracle = true},

@@ -6,6 +6,7 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -58,6 +59,7 @@ constinit const Property kScissorOnlyCutsCoverage{
     .clause =
         "The scissor test discards samples outside its rectangle and changes nothing else "
         "(Vulkan 1.3, Scissor Test).",
+    .required_by = kScissorClauses,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither, .shows = Shows::kScissor, .any_model = true},

@@ -11,6 +11,7 @@
 #include "props/judging/planar_mesh.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -68,6 +69,7 @@ constinit const Property kSharedEdgeSamplesAreCoveredOnce{
         "Exactly one of two polygons on either side of a common edge with identical "
         "endpoints owns a sample on it (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic "
         "Polygon Rasterization).",
+    .required_by = kOneOwnerClauses,
     .tolerance = kExact,
     .domains = kMeshesAnySpace,
     .gate = {.space = Space::kEither,

@@ -8,6 +8,7 @@
 #include "props/judging/signed_coverage.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -34,6 +35,7 @@ constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .clause =
         "Front minus back is the winding number of the boundary: every interior edge is "
         "walked once each way, and its two triangles decide it alike.",
+    .required_by = kEveryEdgeClauses,
     .tolerance = kExact,
     .domains = kAnyMesh,
     .gate = {.space = Space::kEither,

@@ -5,6 +5,7 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -29,6 +30,7 @@ constinit const Property kTriangleOrderKeepsCoverage{
     .name = "TriangleOrderKeepsCoverage",
     .group = "coverage",
     .clause = "Coverage of a triangle depends on no other triangle.",
+    .required_by = kIndependentClauses,
     .tolerance = kExact,
     .domains = kMeshes,
     .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},

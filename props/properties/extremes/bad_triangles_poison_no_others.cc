@@ -11,6 +11,7 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -86,6 +87,7 @@ constinit const Property kBadTrianglesPoisonNoOthers{
     .name = "BadTrianglesPoisonNoOthers",
     .group = "extremes",
     .clause = "A triangle that covers nothing leaves the coverage of the others alone.",
+    .required_by = kPoisonClauses,
     .tolerance = kExact,
     .domains = kExtremes,
     .gate = {.space = Space::kEither,

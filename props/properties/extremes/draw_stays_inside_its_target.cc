@@ -10,6 +10,7 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -102,6 +103,7 @@ constinit const Property kDrawStaysInsideItsTarget{
     .clause =
         "Writes outside the scissor and the target never happen, and a draw comes back, "
         "whatever the input.",
+    .required_by = kInsideTheTargetClauses,
     .tolerance = kExact,
     .domains = kExtremes,
     .gate = {.space = Space::kEither,

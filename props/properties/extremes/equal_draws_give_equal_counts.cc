@@ -5,6 +5,7 @@
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -31,6 +32,7 @@ constinit const Property kEqualDrawsGiveEqualCounts{
     .name = "EqualDrawsGiveEqualCounts",
     .group = "extremes",
     .clause = "Equal calls give equal counts, and counts are added to.",
+    .required_by = kRepeatableClauses,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .is_about_sequence = true,

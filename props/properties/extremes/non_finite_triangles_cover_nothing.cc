@@ -12,6 +12,7 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -97,6 +98,7 @@ constinit const Property kNonFiniteTrianglesCoverNothing{
     .clause =
         "A triangle with NaN or infinity in x, y or w covers nothing (the profile says so; "
         "D3D11.3 drops NaN).",
+    .required_by = kNanClauses,
     .tolerance = kExact,
     .domains = kNonFinite,
     .gate = {.space = Space::kEither,

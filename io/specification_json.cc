@@ -1,0 +1,57 @@
+#include "io/specification_json.h"
+
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "core/clauses/clauses.h"
+#include "core/quoted.h"
+#include "io/case_file.h"
+
+namespace rasterproof::io {
+namespace {
+
+// The first key that two profiles say otherwise.
+std::string FirstDifference(const Profile& a, const Profile& b) {
+  std::istringstream one(ProfileToJson(a));
+  std::istringstream other(ProfileToJson(b));
+  std::string line;
+  for (std::string expected; std::getline(one, line) && std::getline(other, expected);) {
+    if (line != expected) break;
+  }
+  const std::size_t begin = line.find('"');
+  return line.substr(begin, line.find('"', begin + 1) + 1 - begin);
+}
+
+}  // namespace
+
+Profile BeginningOf(const JsonValue& value) {
+  const std::optional<JsonValue> named = value.Find("specification");
+  if (!named) return {};
+  std::optional<Profile> set = PresetProfile(named->RequireString());
+  if (!set || SpecificationOf(*set) == nullptr) {
+    throw named->Error(Quoted(named->text()) + " is no specification's legal set",
+                       "write one of the presets that are: d3d11, vulkan, gl, webgpu");
+  }
+  set->specification = set->name;
+  // A number of bits that is stated is the one there is.
+  if (value.Find("subpixel_bits")) set->freedom.least_bits.reset();
+  return *std::move(set);
+}
+
+void RequireWithinItsSpecification(const JsonValue& value, const Profile& profile) {
+  if (profile.specification.empty() || IsFilledIn(profile)) return;
+  Profile filled = FilledIn(*PresetProfile(profile.specification), profile);
+  filled.name = profile.name;
+  filled.specification = profile.specification;
+  const bool has_too_few_bits = filled == profile;
+  const std::string key = has_too_few_bits ? "\"subpixel_bits\"" : FirstDifference(profile, filled);
+  throw value.Get("specification")
+      .Error(Quoted(profile.specification) + " does not leave this " + key + " to a device",
+             has_too_few_bits ? "write no fewer than the specification asks for"
+                              : "leave that key out, or \"specification\"");
+}
+
+}  // namespace rasterproof::io

@@ -1,0 +1,20 @@
+// The key "specification" of a profile: a legal set, and a device's numbers in it.
+#ifndef RASTERPROOF_IO_SPECIFICATION_JSON_H_
+#define RASTERPROOF_IO_SPECIFICATION_JSON_H_
+
+#include "core/profile.h"
+#include "io/json_document.h"
+
+namespace rasterproof::io {
+
+/// What the keys of a profile are put over: the legal set that "specification" names, or Profile{}.
+///
+/// Error:      InputError if it names none.
+Profile BeginningOf(const JsonValue& value);
+
+/// Error:      InputError if a key says what the specification does not leave to a device.
+void RequireWithinItsSpecification(const JsonValue& value, const Profile& profile);
+
+}  // namespace rasterproof::io
+
+#endif  // RASTERPROOF_IO_SPECIFICATION_JSON_H_

@@ -1,0 +1,54 @@
+#include "props/authority.h"
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rasterproof::props {
+namespace {
+
+// What the subject shows beside its coverage is held to the bounds that it states itself.
+bool IsJudgedByStatedBounds(const Gate& gate) {
+  return gate.shows == Shows::kEdgeValues || gate.shows == Shows::kSteps ||
+         gate.shows == Shows::kBarycentrics;
+}
+
+std::vector<const Clause*> ClausesFor(const Property& property,
+                                      const Specification& specification) {
+  std::vector<const Clause*> clauses;
+  for (const std::string_view id : property.required_by) {
+    const Clause* clause = FindClause(id);
+    if (clause == nullptr) continue;  // a test sees to it that there is none
+    const std::string_view api = ApiOf(*clause);
+    if (api != specification.api && api != specification.base) continue;
+    clauses.push_back(clause);
+  }
+  return clauses;
+}
+
+// Whether it follows from the profile, or from what the subject states beside it.
+bool FollowsFromTheProfile(const Property& property, const Profile& profile,
+                           bool is_of_a_specification) {
+  if (property.stated_by != nullptr && !property.stated_by(profile)) return false;
+  return !is_of_a_specification || HasOneModel(profile) || IsJudgedByStatedBounds(property.gate);
+}
+
+}  // namespace
+
+Grounds AuthorityOf(const Property& property, const Profile& profile) {
+  const Specification* specification = SpecificationOf(profile);
+  if (specification != nullptr) {
+    std::vector<const Clause*> clauses = ClausesFor(property, *specification);
+    if (!clauses.empty()) return {Authority::kClause, std::move(clauses)};
+  }
+  const bool is_stated = FollowsFromTheProfile(property, profile, specification != nullptr);
+  return {is_stated ? Authority::kStatedModel : Authority::kQuality, {}};
+}
+
+void TellGrounds(const Grounds& grounds, PropertyResult& result) {
+  result.authority = grounds.authority;
+  result.required_by.clear();
+  for (const Clause* clause : grounds.clauses) result.required_by.emplace_back(clause->id);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,34 @@
+// Whether a clause, the stated model or nobody but its users asks for a property.
+#ifndef RASTERPROOF_PROPS_AUTHORITY_H_
+#define RASTERPROOF_PROPS_AUTHORITY_H_
+
+#include <vector>
+
+#include "core/authority.h"
+#include "core/clauses/clauses.h"
+#include "core/profile.h"
+#include "core/result.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+
+/// Who asks for a property, and by which sentences.
+struct Grounds {
+  Authority authority = Authority::kStatedModel;
+  std::vector<const Clause*> clauses = {};  ///< kClause: at least one, in the row's order
+};
+
+/// Returns who asks for the property of a subject that states the profile.
+///
+/// kClause       the profile is a specification's, and the row names a clause of it or of its base.
+/// kStatedModel  otherwise, if the profile is nobody's but the subject's own and states it, or
+///               leaves one model; or if the property is judged by bounds that the subject states.
+/// kQuality      otherwise: the specification, or the profile, leaves it open.
+Grounds AuthorityOf(const Property& property, const Profile& profile);
+
+/// Writes them into a result.
+void TellGrounds(const Grounds& grounds, PropertyResult& result);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_AUTHORITY_H_

@@ -1,0 +1,47 @@
+// The clauses that require what several properties state: ids of core/clauses/.
+#ifndef RASTERPROOF_PROPS_PROPERTIES_CLAUSE_LISTS_H_
+#define RASTERPROOF_PROPS_PROPERTIES_CLAUSE_LISTS_H_
+
+#include <array>
+#include <string_view>
+
+namespace rasterproof::props {
+
+// A sample off every edge is decided by all four; one on a shared edge by all but WebGPU.
+inline constexpr auto kOneOwnerClauses = std::to_array<std::string_view>(
+    {"gl.common-edge", "gl.point-sampling", "vulkan.common-edge", "vulkan.point-sampling",
+     "d3d11.top-left", "d3d11.point-sampling", "webgpu.point-sampling"});
+// A result is legal if one choice of places and owners explains it.
+inline constexpr auto kLegalModelClauses = std::to_array<std::string_view>(
+    {"gl.point-sampling", "gl.subpixel-bits", "gl.common-edge", "vulkan.point-sampling",
+     "vulkan.subpixel-bits", "vulkan.common-edge", "d3d11.snap-tolerance", "d3d11.eight-bits",
+     "d3d11.top-left", "d3d11.two-edges", "webgpu.point-sampling"});
+// At folds and silhouettes Direct3D's rule, which goes by position alone, is the only one that says
+// who owns a sample.
+inline constexpr auto kEveryEdgeClauses =
+    std::to_array<std::string_view>({"d3d11.top-left", "d3d11.two-edges"});
+inline constexpr auto kIndependentClauses =
+    std::to_array<std::string_view>({"webgpu.independent-primitives"});
+inline constexpr auto kScissorClauses = std::to_array<std::string_view>(
+    {"gl.scissor", "vulkan.scissor", "d3d11.scissor", "webgpu.scissor"});
+inline constexpr auto kRepeatableClauses =
+    std::to_array<std::string_view>({"gl.repeatability", "vulkan.repeatability"});
+inline constexpr auto kInsideTheTargetClauses =
+    std::to_array<std::string_view>({"gl.framebuffer-bounds", "gl.no-termination",
+                                     "vulkan.no-termination", "d3d11.scissor", "webgpu.scissor"});
+inline constexpr auto kNanClauses = std::to_array<std::string_view>({"d3d11.nan"});
+inline constexpr auto kZeroAreaClauses = std::to_array<std::string_view>({"d3d11.zero-area"});
+inline constexpr auto kPoisonClauses =
+    std::to_array<std::string_view>({"d3d11.nan", "webgpu.independent-primitives"});
+inline constexpr auto kTranslationClauses = std::to_array<std::string_view>({"gl.translation"});
+inline constexpr auto kOrderClauses =
+    std::to_array<std::string_view>({"gl.command-order", "vulkan.rasterization-order"});
+inline constexpr auto kFacingClauses = std::to_array<std::string_view>(
+    {"gl.facing", "vulkan.facing", "d3d11.cull-after-snap", "webgpu.facing"});
+inline constexpr auto kConservativeClauses = std::to_array<std::string_view>(
+    {"gl.nv-conservative", "vulkan.overestimate", "vulkan.underestimate", "d3d12.must-cover",
+     "d3d12.inner-coverage"});
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_PROPERTIES_CLAUSE_LISTS_H_

@@ -1,0 +1,59 @@
+// A sample inside a mesh is covered once even where the profile leaves open who owns it.
+//
+// Specifications speak of an edge and its two sides, or not even of that. At vertices, and where no
+// owner is stated at all, nobody has to cover a sample once; whoever draws a mesh wants it.
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "props/judging/planar_mesh.h"
+#include "props/properties/all.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The mesh, judged as under a profile that is the case's but for its owners.
+Asked AskForOnce(const Case& c, const Description& subject) {
+  const auto owned = std::make_shared<Case>(c);
+  owned->profile.freedom.ties = TieOwnership::kStated;
+  Asked asked = CompareWithItsWinding(*owned, subject);
+  for (Check& check : asked.checks) {
+    check.judge = [owned, judge = std::move(check.judge)](const Answers& answers) {
+      return judge(answers);
+    };
+  }
+  return asked;
+}
+
+constexpr std::array kRulesForOnce{
+    ProfileRule{[](const Profile& p) {
+                  return p.freedom.ties == TieOwnership::kPerEdge ||
+                         p.freedom.ties == TieOwnership::kOpen;
+                },
+                "tie_ownership per-edge or open",
+                "the profile states an owner for every sample, so other properties judge them"},
+    kCountsTies, kOwnsEdges};
+
+}  // namespace
+
+constinit const Property kOpenTiesAreCoveredOnce{
+    .name = "OpenTiesAreCoveredOnce",
+    .group = "coverage",
+    .clause =
+        "A sample inside a mesh is covered once, at its vertices and on its edges too, whoever "
+        "owns it: no specification but Direct3D's says so of vertices.",
+    .stated_by = [](const Profile&) { return false; },
+    .tolerance = kExact,
+    .domains = kMeshesAnySpace,
+    .gate = {.space = Space::kEither,
+             .contract = ContractNeeded::kWatertight,
+             .judges_clipped = true,
+             .rules = kRulesForOnce,
+             .asks_oracle = true,
+             .where = "as EmbeddedMeshSamplesAreCoveredOnce"},
+    .ask = AskForOnce,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,136 @@
+// Who asks for a property: a clause, the stated model, or users alone.
+#include "props/authority.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/clauses/clauses.h"
+#include "core/profile.h"
+#include "core/result.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+namespace {
+
+// A profile of the name that leaves more than one result legal.
+Profile LegalSet(std::string_view name) {
+  Profile profile;
+  profile.name = name;
+  profile.snap = {8, SnapRule::kNearestEven};
+  profile.freedom.snap_tolerance = 0.6;
+  return profile;
+}
+
+Profile OneModel(std::string_view name) {
+  Profile profile = LegalSet(name);
+  profile.freedom = {};
+  return profile;
+}
+
+Grounds GroundsOf(std::string_view property, const Profile& profile) {
+  return AuthorityOf(*FindProperty(property), profile);
+}
+
+std::vector<std::string> IdsOf(const Grounds& grounds) {
+  PropertyResult result;
+  TellGrounds(grounds, result);
+  return result.required_by;
+}
+
+TEST(Authority, EveryClauseThatARowNamesExistsAndRequires) {
+  for (const Property& property : Catalog()) {
+    for (const std::string_view id : property.required_by) {
+      ASSERT_NE(FindClause(id), nullptr) << property.name << ": " << id;
+      EXPECT_NE(FindClause(id)->force, Force::kSilent) << property.name << ": " << id;
+    }
+  }
+}
+
+TEST(Authority, ASentenceOfTheProfilesOwnSpecificationRequires) {
+  const Grounds vulkan = GroundsOf("SharedEdgeSamplesAreCoveredOnce", LegalSet("vulkan"));
+  EXPECT_EQ(vulkan.authority, Authority::kClause);
+  EXPECT_EQ(IdsOf(vulkan),
+            (std::vector<std::string>{"vulkan.common-edge", "vulkan.point-sampling"}));
+  EXPECT_EQ(IdsOf(GroundsOf("IntegerTranslationMovesCoverage", LegalSet("gl"))),
+            (std::vector<std::string>{"gl.translation"}));
+}
+
+TEST(Authority, WhatNoSentenceRequiresIsQuality) {
+  EXPECT_EQ(GroundsOf("IntegerTranslationMovesCoverage", LegalSet("vulkan")).authority,
+            Authority::kQuality);
+  EXPECT_EQ(GroundsOf("TriangleOrderKeepsCoverage", LegalSet("gl")).authority, Authority::kQuality);
+  EXPECT_EQ(GroundsOf("ClosedMeshCancels", LegalSet("vulkan")).authority, Authority::kQuality)
+      << "at a silhouette both polygons lie on one side of their edge";
+  EXPECT_EQ(GroundsOf("ClosedMeshCancels", LegalSet("d3d11")).authority, Authority::kClause);
+  EXPECT_EQ(GroundsOf("EqualDrawsGiveEqualCounts", LegalSet("d3d11")).authority,
+            Authority::kQuality);
+  EXPECT_EQ(GroundsOf("TriangleOrderKeepsCoverage", LegalSet("webgpu")).authority,
+            Authority::kClause);
+}
+
+TEST(Authority, AModelOrAUsersOwnProfileIsItsOwnAuthority) {
+  for (const char* property :
+       {"IntegerTranslationMovesCoverage", "TriangleOrderKeepsCoverage", "ClosedMeshCancels"}) {
+    EXPECT_EQ(GroundsOf(property, OneModel("real")).authority, Authority::kStatedModel) << property;
+    EXPECT_EQ(GroundsOf(property, OneModel("vulkan-canonical")).authority, Authority::kStatedModel)
+        << property;
+  }
+  EXPECT_EQ(GroundsOf("ClosedMeshCancels", LegalSet("mine")).authority, Authority::kStatedModel);
+  EXPECT_EQ(GroundsOf("TriangleOrderKeepsCoverage", OneModel("vulkan")).authority,
+            Authority::kStatedModel)
+      << "what is stated leaves one model";
+}
+
+TEST(Authority, AUsersOwnFreedomStatesNoMoreThanItsWords) {
+  Profile mine = LegalSet("mine");
+  EXPECT_EQ(GroundsOf("IntegerTranslationMovesCoverage", mine).authority, Authority::kQuality);
+  mine.translation_invariant = true;
+  EXPECT_EQ(GroundsOf("IntegerTranslationMovesCoverage", mine).authority, Authority::kStatedModel);
+}
+
+TEST(Authority, OnceAtAVertexIsQualityUnlessAnOwnerIsStated) {
+  for (const char* name : {"gl", "vulkan", "webgpu", "mine"}) {
+    EXPECT_EQ(GroundsOf("OpenTiesAreCoveredOnce", LegalSet(name)).authority, Authority::kQuality)
+        << name;
+  }
+}
+
+TEST(Authority, BoundsThatASubjectStatesAreItsOwn) {
+  for (const char* property : {"EdgeErrorStaysWithinItsBound", "BarycentricsSumToOne",
+                               "SteppingStaysWithinItsBound", "EdgeIsZeroAtItsEnds"}) {
+    EXPECT_EQ(GroundsOf(property, LegalSet("vulkan")).authority, Authority::kStatedModel)
+        << property;
+  }
+}
+
+TEST(Authority, ASpecificationHasTheClausesOfItsBase) {
+  EXPECT_EQ(IdsOf(GroundsOf("NonFiniteTrianglesCoverNothing", LegalSet("d3d12"))),
+            (std::vector<std::string>{"d3d11.nan"}));
+  EXPECT_EQ(GroundsOf("NonFiniteTrianglesCoverNothing", LegalSet("gl")).authority,
+            Authority::kQuality);
+}
+
+TEST(Authority, QualityFailsOnlyWhereItIsAskedTo) {
+  PropertyResult result;
+  result.outcome = Outcome::kViolated;
+  for (const Authority authority : {Authority::kClause, Authority::kStatedModel}) {
+    result.authority = authority;
+    EXPECT_TRUE(IsFailure(result, FailOn::kStated));
+    EXPECT_TRUE(IsFailure(result, FailOn::kQuality));
+    EXPECT_FALSE(IsLackOfQuality(result, FailOn::kStated));
+  }
+  result.authority = Authority::kQuality;
+  EXPECT_FALSE(IsFailure(result, FailOn::kStated));
+  EXPECT_TRUE(IsFailure(result, FailOn::kQuality));
+  EXPECT_TRUE(IsLackOfQuality(result, FailOn::kStated));
+  EXPECT_FALSE(IsLackOfQuality(result, FailOn::kQuality));
+  result.outcome = Outcome::kHolds;
+  EXPECT_FALSE(IsFailure(result, FailOn::kQuality));
+  EXPECT_FALSE(IsLackOfQuality(result, FailOn::kStated));
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+
+#include "core/square_presets.h"
 
 namespace rasterproof {
 
@@ -26,15 +30,20 @@ Profile CanonicalModel() {
 Profile Direct3D11() {
   Profile profile = CanonicalModel();
   profile.freedom.snap_tolerance = 0.6;
+  profile.freedom.transform_error.reset();
   profile.nan_z = NanZ::kNothing;
   return profile;
 }
 
 // No rounding is named, nor who of two neighbours owns a sample of their common edge; four subpixel
-// bits are the fewest. What is not finite or has no area is not spoken of.
+// bits are the fewest. What is not finite or has no area is not spoken of. Divide and viewport are
+// formulas without an error, here and in the others.
 Profile Vulkan() {
   Profile profile = CanonicalModel();
-  profile.freedom = {.any_rounding = true, .least_bits = 4, .ties = TieOwnership::kPerEdge};
+  profile.freedom = {.any_rounding = true,
+                     .least_bits = 4,
+                     .ties = TieOwnership::kPerEdge,
+                     .transform_error = std::nullopt};
   profile.nan_vertex = NanVertex::kUnspecified;
   profile.nan_z = NanZ::kUnspecified;
   profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
@@ -57,9 +66,7 @@ Profile WebGpu() {
   return profile;
 }
 
-}  // namespace
-
-std::optional<Profile> PresetProfile(std::string_view name) {
+std::optional<Profile> OneSamplePreset(std::string_view name) {
   std::optional<Profile> profile;
   if (name == "real") profile = Profile{};
   if (IsCanonicalPreset(name)) profile = CanonicalModel();
@@ -67,6 +74,37 @@ std::optional<Profile> PresetProfile(std::string_view name) {
   if (name == "vulkan") profile = Vulkan();
   if (name == "gl") profile = OpenGl();
   if (name == "webgpu") profile = WebGpu();
+  return profile;
+}
+
+// The set's samples, and where they lie as far as the API says: Direct3D 11.3 19.2.4 and WebGPU
+// 23.2.5 have tables; Vulkan has one where standardSampleLocations is true, else positions "may
+// differ" by pixel; OpenGL has none, and 14.2 relaxes its invariance for multisampling.
+Profile WithSamples(Profile profile, std::string_view api, SamplePattern pattern) {
+  profile.pattern = std::move(pattern);
+  if (api != "vulkan" && api != "gl") return profile;
+  profile.sample_positions = SamplePositions::kVary;
+  profile.translation_invariant = false;
+  return profile;
+}
+
+std::optional<Profile> MultisampledPreset(std::string_view name) {
+  for (const int samples : {2, 4, 8, 16}) {
+    const std::string ending = "-" + std::to_string(samples) + "x";
+    if (!name.ends_with(ending)) continue;
+    const std::string_view api = name.substr(0, name.size() - ending.size());
+    const std::optional<Profile> one = OneSamplePreset(api == "vulkan-standard" ? "vulkan" : api);
+    if (one) return WithSamples(*one, api, *StandardPattern(samples));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Profile> PresetProfile(std::string_view name) {
+  std::optional<Profile> profile = OneSamplePreset(name);
+  if (!profile) profile = MultisampledPreset(name);
+  if (!profile) return SquarePreset(name);
   if (profile) profile->name = name;
   return profile;
 }
@@ -113,6 +151,7 @@ bool SameModel(const Profile& a, const Profile& b) {
   judged_alike.translation_invariant = b.translation_invariant;
   judged_alike.shares_edge_samples = b.shares_edge_samples;
   judged_alike.guard_band = b.guard_band;
+  judged_alike.sample_positions = b.sample_positions;
   return judged_alike == b;
 }
 

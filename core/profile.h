@@ -14,6 +14,7 @@
 #include "core/sample_pattern.h"
 #include "core/scene.h"
 #include "core/snap.h"
+#include "core/square_rule.h"
 #include "core/tie_rule.h"
 #include "core/transform.h"
 
@@ -25,12 +26,13 @@ enum class YAxis : std::uint8_t { kDown, kUp };
 
 /// What a subject's coverage can be held to.
 enum class Contract : std::uint8_t {
-  kSampleExact,        ///< equal to the model's at every sample
-  kWatertight,         ///< every sample of an embedded mesh covered exactly once
-  kClosed,             ///< front minus back is zero wherever a closed surface is drawn
-  kConservativeOver,   ///< each triangle covers at least the samples that the model covers
-  kConservativeUnder,  ///< each triangle covers at most the samples that the model covers
-  kNone                ///< observed, never judged
+  kSampleExact,   ///< equal to the model's at every sample
+  kWatertight,    ///< every sample of an embedded mesh covered exactly once
+  kClosed,        ///< front minus back is zero wherever a closed surface is drawn
+  kAtLeastModel,  ///< each triangle covers at least the samples that the model covers
+  kAtMostModel,   ///< each triangle covers at most the samples that the model covers
+  kSquares,       ///< what `squares` states of whole pixels
+  kNone           ///< observed, never judged
 };
 
 /// What is stated of a triangle that has no area after snapping.
@@ -112,12 +114,15 @@ struct Profile {
   /// crossing is owned as one on a vertical edge.
   Snap scanline_rounding;
   SamplePattern pattern;
+  /// Whether samples lie where `pattern` says. Where they need not, singles are not judged, while
+  /// meshes are: whatever a sample's place, a shared edge gives it to one side.
+  SamplePositions sample_positions = SamplePositions::kStated;
   YAxis y_axis = YAxis::kDown;
   TieRule tie_rule;
   Contract contract = Contract::kSampleExact;
   Freedom freedom;
-  /// The way from clip space to window space that the rasterizer computes itself. None: clip space
-  /// is held to its exact quotients.
+  /// The way from clip space, or from a map, to window space that the rasterizer computes itself.
+  /// None: clip space is held to its exact quotients.
   std::optional<Transform> transform;
   /// Coordinates beyond +-limit are outside what is stated. Binds verdicts, never the oracle.
   double coordinate_limit = 0x1p127;
@@ -141,6 +146,9 @@ struct Profile {
   /// single samples do is then not stated, what meshes do is.
   std::optional<WindowBox> guard_band;
 
+  /// What is stated of pixels as squares, of a contract `squares`. Nothing: samples are points.
+  std::optional<SquareRule> squares;
+
   friend bool operator==(const Profile&, const Profile&) = default;
 };
 
@@ -149,6 +157,10 @@ struct Profile {
 /// "real" (no snap), "d3d11-canonical", "vulkan-canonical" and "gl-canonical" (8 subpixel bits,
 /// nearest-even, top-left) name models. "d3d11", "vulkan", "gl" and "webgpu" name legal sets: what
 /// a sentence of the specification leaves open is left open.
+///
+/// With 2, 4, 8 or 16 samples a pixel: each name with "-2x", "-4x", "-8x" or "-16x" behind it.
+/// Where the API's own text leaves their positions open ("vulkan" without standardSampleLocations,
+/// "gl"), so does the set; "vulkan-standard-4x" is Vulkan's where that limit is true.
 std::optional<Profile> PresetProfile(std::string_view name);
 inline constexpr std::array<std::string_view, 8> kPresetProfiles{
     "real", "d3d11-canonical", "vulkan-canonical", "gl-canonical", "d3d11", "vulkan",
@@ -166,16 +178,22 @@ Profile FilledIn(const Profile& set, const Profile& device);
 /// the set allows: its grid has no fewer bits than the least. False where it names none.
 bool IsFilledIn(const Profile& profile);
 
+/// Returns whether the profile's transform takes the scene to the window: a transform of clip space
+/// takes clip space, that of a map all else.
+inline bool TakesToWindow(const Profile& profile, const Scene& scene) {
+  return profile.transform && scene.clip_space != profile.transform->map.has_value();
+}
+
 /// Returns whether the profile's model of the scene is that of homogeneous coordinates: clip space
 /// that no transform of the rasterizer's own takes to the window.
 inline bool IsHomogeneous(const Scene& scene, const Profile& profile) {
-  return scene.clip_space && !profile.transform;
+  return scene.clip_space && !TakesToWindow(profile, scene);
 }
 
 /// Returns whether exactly one result is legal for every scene within the limits.
 inline bool HasOneModel(const Profile& profile) {
   return profile.contract == Contract::kSampleExact && profile.freedom.IsNone() &&
-         !profile.shares_edge_samples;
+         !profile.shares_edge_samples && profile.sample_positions == SamplePositions::kStated;
 }
 
 /// Returns whether the canonical models of two profiles are one: whether they say the same of every

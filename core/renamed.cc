@@ -13,6 +13,8 @@ using Pair = std::pair<std::string_view, std::string_view>;
 constexpr auto kRenamed = std::to_array<Pair>({
     // Keys of profiles and their values.
     {"any_tie_rule", "tie_ownership (stated, axis-aligned, per-edge, open)"},
+    {"conservative-over", "at-least-model"},
+    {"conservative-under", "at-most-model"},
     {"crossing", "scanline_rounding"},
     {"fill_rule", "tie_rule"},
     {"max_extent", "max_primitive_extent"},
@@ -50,6 +52,7 @@ constexpr auto kRenamed = std::to_array<Pair>({
     {"w-mixed", "mixed-w"},
     {"windings", "vertex-orders"},
     // Properties.
+    {"ConservativeCoverageKeepsToItsSide", "CoverageKeepsToItsSideOfTheModel"},
     {"DepthByDeltasEqualsDepthByWeights", "DepthByDeltasEqualsDepthByBarycentrics"},
     {"FragmentDepthFollowsItsWeights", "FragmentDepthFollowsItsBarycentrics"},
     {"FragmentWeightsStayWithinTheirError", "FragmentBarycentricsStayWithinTheirError"},

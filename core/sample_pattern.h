@@ -3,6 +3,8 @@
 #define RASTERPROOF_CORE_SAMPLE_PATTERN_H_
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/vertex.h"
@@ -28,6 +30,17 @@ struct SamplePattern {
 };
 
 inline constexpr int kMaxSamplesPerPixel = 64;
+
+/// The standard pattern of 1, 2, 4, 8 or 16 samples: Direct3D 11.3 section 19.2.4, and Vulkan's
+/// Standard Sample Locations, which are the same. Of other numbers there is none.
+std::optional<SamplePattern> StandardPattern(int samples);
+
+/// What is stated of where samples lie.
+enum class SamplePositions : std::uint8_t {
+  kStated,  ///< where the pattern says, in every pixel
+  kFixed,   ///< anywhere in the pixel, in every pixel alike; the pattern says how many there are
+  kVary     ///< anywhere in the pixel, in another pixel elsewhere
+};
 
 }  // namespace rasterproof
 

@@ -1,4 +1,4 @@
-// The operations by which a rasterizer goes from clip space to window space.
+// The operations by which a rasterizer goes from clip space, or from a map, to window space.
 #ifndef RASTERPROOF_CORE_TRANSFORM_H_
 #define RASTERPROOF_CORE_TRANSFORM_H_
 
@@ -24,8 +24,21 @@ enum class ViewportForm : std::uint8_t {
   kAddMultiply   ///< (q + 1) * h
 };
 
+/// A map's coordinates on a target: where the corner of its first pixel lies, and what a step to
+/// the next column and to the next row is. On maps with y up, dy is negative.
+struct MapGrid {
+  double x0 = 0;
+  double y0 = 0;
+  double dx = 1;
+  double dy = 1;
+
+  friend bool operator==(const MapGrid&, const MapGrid&) = default;
+};
+
 /// The transform that a rasterizer owns: every operation rounds to nearest in `precision`.
 ///
+/// With a map the coordinates that are given are the map's, and no clip space is: x becomes
+/// (x - x0) / dx, or (x - x0) * (1 / dx), as `division` says; viewport and flip are of clip space.
 /// A rasterizer that owns none takes window space, or is held to the exact quotients.
 struct Transform {
   Precision precision = Precision::kFloat32;
@@ -33,6 +46,7 @@ struct Transform {
   ViewportForm viewport = ViewportForm::kNone;
   /// Clip space has y up where the target has it down: -q takes the place of q along y.
   bool flips_y = false;
+  std::optional<MapGrid> map = {};
 
   friend bool operator==(const Transform&, const Transform&) = default;
 };

@@ -20,6 +20,7 @@
 #include "exact/sample_scan.h"
 #include "exact/snap_clip.h"
 #include "exact/spans.h"
+#include "exact/square_coverage.h"
 #include "model/snap_scene.h"
 #include "model/target_model.h"
 
@@ -43,14 +44,17 @@ Scene PlacedScene(const Scene& scene, const Profile& profile) {
   return SnapsOn(scene, profile) ? SnapClipScene(scene, profile) : scene;
 }
 
-// Where an edge crosses a row is worked out by the fast path alone: a second opinion that is the
-// first one's would be none.
+// Where an edge crosses a row is worked out by the fast path alone, and so are squares: a second
+// opinion that is the first one's would be none.
 void RequireSecondOpinion(const Profile& profile, Decider decider) {
-  if (decider == Decider::kFast || profile.scanline_rounding.IsNone()) return;
+  const bool squares = profile.squares.has_value();
+  if (decider == Decider::kFast || (profile.scanline_rounding.IsNone() && !squares)) return;
   throw InputError("profile \"" + profile.name + "\"",
-                   "its rounded crossings are decided by the fast path alone, not by " +
+                   std::string(squares ? "its squares" : "its rounded crossings") +
+                       " are decided by the fast path alone, not by " +
                        std::string(DeciderName(decider)),
-                   "use the fast path (the subject exact), or a profile without scanline_rounding");
+                   std::string("use the fast path (the subject exact), or a profile without ") +
+                       (squares ? "coverage" : "scanline_rounding"));
 }
 
 // A scene on the grid, and where its samples lie.
@@ -99,6 +103,10 @@ bool Covers(const std::array<Point2, 3>& v, Point2 p, const TieRule& rule, Decid
 std::optional<InputError> WhyNotDecided(const Scene& scene, const Profile& profile) {
   const int samples = profile.pattern.samples();
   if (auto error = TargetSizeError("oracle", scene.width, scene.height, samples)) return error;
+  if (profile.squares && scene.clip_space) {
+    return InputError("profile \"" + profile.name + "\"", "its squares are of window space",
+                      "give vertices [x, y]");
+  }
   if (IsHomogeneous(scene, profile) && !PlacesClipSpace(profile)) {
     return InputError(
         "profile \"" + profile.name + "\"",
@@ -116,6 +124,7 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
                         Decider decider) {
   if (const auto why = WhyNotDecided(scene, profile)) throw InputError(*why);
   RequireSecondOpinion(profile, decider);
+  if (profile.squares) return SquareCoverage(scene, profile, options);
   const Drawable drawable(scene, profile, options);
   CoverageCounts counts(scene.width, scene.height, profile.pattern.samples());
   SpanTarget target(counts);

@@ -25,7 +25,8 @@ namespace rasterproof::exact {
 ///             cover nothing. Clip space with a snapped profile: every w of a triangle must be
 ///             positive (snapping follows the division, and what clipping does is not the
 ///             profile's to say), and |x / w| and |y / w| below 2^(50 - bits). A profile with
-///             rounded crossings: window space, and kFast, which alone decides them.
+///             rounded crossings or of squares: window space, and kFast, which alone decides them.
+/// Squares:    what at least is covered: SquareCoverage().
 /// Error:      none; throws WhyNotDecided() where the domain is left.
 /// Cost:       kFast: spans, a guess in double per edge and row of samples, and exact signs by
 ///             bisection where the guess cannot tell. The other deciders: one sign per edge and

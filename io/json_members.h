@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/quoted.h"
+#include "core/renamed.h"
 #include "io/json_document.h"
 
 namespace rasterproof::io {
@@ -32,7 +33,7 @@ E FromName(const JsonValue& value, Names<E> names) {
     if (name == text) return known;
     remedy += " \"" + std::string(name) + "\"";
   }
-  throw value.Error(Quoted(text) + " is unknown", remedy);
+  throw value.Error(Quoted(text) + " is unknown" + RenamedText(text), remedy);
 }
 
 /// The member `key`, turned by `read`, if the object has it.

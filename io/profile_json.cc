@@ -11,12 +11,16 @@
 #include <vector>
 
 #include "core/quoted.h"
+#include "core/square_presets.h"
 #include "io/case_file.h"
+#include "io/freedom_json.h"
 #include "io/json_document.h"
 #include "io/json_members.h"
 #include "io/number_text.h"
+#include "io/pattern_json.h"
 #include "io/scene_json.h"
 #include "io/specification_json.h"
+#include "io/square_json.h"
 
 namespace rasterproof::io {
 namespace {
@@ -28,6 +32,7 @@ constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
                                                                "snap_form",
                                                                "snap_origin",
                                                                "sample_locations",
+                                                               "sample_positions",
                                                                "y_axis",
                                                                "tie_rule",
                                                                "coordinate_limit",
@@ -36,6 +41,7 @@ constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
                                                                "rounding",
                                                                "least_subpixel_bits",
                                                                "tie_ownership",
+                                                               "transform_error",
                                                                "nan_vertex",
                                                                "nan_z",
                                                                "translation_invariant",
@@ -47,7 +53,8 @@ constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
                                                                "scanline_rounding",
                                                                "transform",
                                                                "by_target_size",
-                                                               "infinite_vertex"});
+                                                               "infinite_vertex",
+                                                               "coverage"});
 constexpr auto kTargetKeys =
     std::to_array<std::string_view>({"max_width", "max_height", "subpixel_bits", "snap_rule",
                                      "snap_form", "snap_origin", "sample_locations", "tie_rule"});
@@ -56,18 +63,23 @@ constexpr auto kFixedKeys =
 
 constexpr auto kScanlineRoundingKeys = std::to_array<std::string_view>({"bits", "rule", "origin"});
 constexpr auto kTransformKeys =
-    std::to_array<std::string_view>({"precision", "division", "viewport", "flips_y"});
+    std::to_array<std::string_view>({"precision", "division", "viewport", "flips_y", "map"});
 
 constexpr std::array<std::pair<Precision, std::string_view>, 2> kPrecisions{
     {{Precision::kFloat32, "float32"}, {Precision::kFloat64, "float64"}}};
 constexpr std::array<std::pair<YAxis, std::string_view>, 2> kYAxes{
     {{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
-constexpr std::array<std::pair<Contract, std::string_view>, 6> kContracts{
+constexpr std::array<std::pair<SamplePositions, std::string_view>, 3> kSamplePositions{
+    {{SamplePositions::kStated, "stated"},
+     {SamplePositions::kFixed, "fixed"},
+     {SamplePositions::kVary, "vary"}}};
+constexpr std::array<std::pair<Contract, std::string_view>, 7> kContracts{
     {{Contract::kSampleExact, "sample-exact"},
      {Contract::kWatertight, "watertight"},
      {Contract::kClosed, "closed"},
-     {Contract::kConservativeOver, "conservative-over"},
-     {Contract::kConservativeUnder, "conservative-under"},
+     {Contract::kAtLeastModel, "at-least-model"},
+     {Contract::kAtMostModel, "at-most-model"},
+     {Contract::kSquares, "squares"},
      {Contract::kNone, "none"}}};
 constexpr std::array<std::pair<DegenerateTriangles, std::string_view>, 2> kDegenerates{
     {{DegenerateTriangles::kNothing, "nothing"},
@@ -80,13 +92,6 @@ constexpr std::array<std::pair<NanZ, std::string_view>, 3> kNanZs{
     {{NanZ::kIgnored, "ignored"},
      {NanZ::kNothing, "nothing"},
      {NanZ::kUnspecified, "unspecified"}}};
-constexpr std::array<std::pair<bool, std::string_view>, 2> kRoundings{
-    {{false, "stated"}, {true, "unspecified"}}};
-constexpr std::array<std::pair<TieOwnership, std::string_view>, 4> kTieOwnerships{
-    {{TieOwnership::kStated, "stated"},
-     {TieOwnership::kAxisAligned, "axis-aligned"},
-     {TieOwnership::kPerEdge, "per-edge"},
-     {TieOwnership::kOpen, "open"}}};
 constexpr std::array<std::pair<bool, std::string_view>, 2> kEdgeSamples{
     {{false, "owned"}, {true, "may-be-shared"}}};
 
@@ -116,60 +121,7 @@ TieRule TieRuleFromJson(const JsonValue& value) {
                     "(y moves first), inclusive or exclusive");
 }
 
-// A place within a pixel. On multiples of 2^-8, pixel + place is exact.
-double PlaceInPixel(const JsonValue& value, const std::string& what) {
-  const double x = CoordinateFromJson(value, Precision::kFloat64);
-  if (!(x >= 0 && x < 1) || x * 256 != std::floor(x * 256)) {
-    throw value.Error("is not " + what, "write a multiple of 1/256, at least 0 and below 1");
-  }
-  return x;
-}
-
-double LocationCoordinate(const JsonValue& value) {
-  return PlaceInPixel(value, "a sample location");
-}
-
 double SnapOrigin(const JsonValue& value) { return PlaceInPixel(value, "a snap origin"); }
-
-double SnapTolerance(const JsonValue& value) {
-  const double steps = CoordinateFromJson(value, Precision::kFloat64);
-  if (steps >= 0 && steps <= kMaxSnapTolerance) return steps;
-  throw value.Error("is not a snap tolerance", "write a number of grid steps from 0 to 1");
-}
-
-std::optional<int> LeastBits(const JsonValue& value) {
-  if (value.kind() == JsonKind::kNull) return std::nullopt;
-  return Integer(value, 0, kMaxSubpixelBits);
-}
-
-void ReadFreedom(const JsonValue& value, Freedom& freedom) {
-  ReadIfThere(value, "snap_tolerance", freedom.snap_tolerance, SnapTolerance);
-  ReadIfThere(value, "rounding", freedom.any_rounding,
-              [](const JsonValue& v) { return FromName(v, Names<bool>(kRoundings)); });
-  ReadIfThere(value, "least_subpixel_bits", freedom.least_bits, LeastBits);
-  ReadIfThere(value, "tie_ownership", freedom.ties,
-              [](const JsonValue& v) { return FromName(v, Names<TieOwnership>(kTieOwnerships)); });
-}
-
-SamplePattern PatternFromJson(const JsonValue& list) {
-  std::vector<Point2> locations;
-  const JsonValue::Items items = list.RequireArray();
-  const std::size_t size = items.size();
-  if (size < 1 || size > std::size_t{kMaxSamplesPerPixel}) {
-    throw list.Error("has " + std::to_string(size) + " sample locations",
-                     "write from 1 to " + std::to_string(kMaxSamplesPerPixel));
-  }
-  for (const JsonValue item : items) {
-    const JsonValue::Items pair = item.RequireArray();
-    if (pair.size() != 2) {
-      throw item.Error("has " + std::to_string(pair.size()) + " coordinates", "write [x, y]");
-    }
-    JsonValue::Iterator coordinate = pair.begin();
-    const double x = LocationCoordinate(*coordinate);
-    locations.push_back({x, LocationCoordinate(*++coordinate)});
-  }
-  return {std::move(locations)};
-}
 
 double LimitFromJson(const JsonValue& value) {
   const double limit = CoordinateFromJson(value, Precision::kFloat64);
@@ -237,6 +189,13 @@ Snap ScanlineRoundingFromJson(const JsonValue& value) {
   return rounding;
 }
 
+std::optional<MapGrid> MapFromJson(const JsonValue& value) {
+  if (value.kind() == JsonKind::kNull) return std::nullopt;
+  const auto [x0, y0, dx, dy] = FiniteNumbers<4>(value, "[x0, y0, dx, dy]");
+  if (dx != 0 && dy != 0) return MapGrid{x0, y0, dx, dy};
+  throw value.Error("has a step of zero", "write dx and dy in the map's units, dy < 0 for y up");
+}
+
 Transform TransformFromJson(const JsonValue& value) {
   value.RequireObject(kTransformKeys);
   Transform transform;
@@ -252,6 +211,11 @@ Transform TransformFromJson(const JsonValue& value) {
                   "write none, multiply-add, fused or add-multiply");
   });
   ReadIfThere(value, "flips_y", transform.flips_y, Boolean);
+  ReadIfThere(value, "map", transform.map, MapFromJson);
+  if (transform.map && (transform.viewport != ViewportForm::kNone || transform.flips_y)) {
+    throw value.Error("has a map and a viewport",
+                      "leave viewport and flips_y out: a map's dy turns y over");
+  }
   return transform;
 }
 
@@ -300,20 +264,6 @@ std::string SnapToJson(const Snap& snap, const std::string& line) {
   return json;
 }
 
-std::string NumbersToJson(std::initializer_list<double> numbers) {
-  std::string json;
-  for (const double x : numbers) json += (json.empty() ? "[" : ", ") + InQuotes(ExactText(x));
-  return json + "]";
-}
-
-std::string PatternToJson(const SamplePattern& pattern) {
-  std::string json;
-  for (const Point2& l : pattern.locations) {
-    json += (json.empty() ? "[" : ", ") + NumbersToJson({l.x, l.y});
-  }
-  return json + "]";
-}
-
 std::string TargetsToJson(const std::vector<TargetModel>& models) {
   std::string json;
   for (const TargetModel& target : models) {
@@ -345,20 +295,12 @@ std::string ScanlineRoundingToJson(const Snap& rounding) {
 }
 
 std::string TransformToJson(const Transform& transform) {
+  const std::optional<MapGrid>& map = transform.map;
   return "{\"precision\": " + InQuotes(NameOf(transform.precision, Names<Precision>(kPrecisions))) +
          ", \"division\": " + InQuotes(DivisionName(transform.division)) +
          ", \"viewport\": " + InQuotes(ViewportFormName(transform.viewport)) +
-         ", \"flips_y\": " + (transform.flips_y ? "true" : "false") + "}";
-}
-
-std::string FreedomToJson(const Freedom& freedom, const std::string& line) {
-  std::string json =
-      line + "\"snap_tolerance\": " + InQuotes(ExactText(freedom.snap_tolerance)) + line +
-      "\"rounding\": " + InQuotes(NameOf(freedom.any_rounding, Names<bool>(kRoundings)));
-  if (freedom.least_bits)
-    json += line + "\"least_subpixel_bits\": " + std::to_string(*freedom.least_bits);
-  return json + line + "\"tie_ownership\": " +
-         InQuotes(NameOf(freedom.ties, Names<TieOwnership>(kTieOwnerships)));
+         ", \"flips_y\": " + (transform.flips_y ? "true" : "false") +
+         (map ? ", \"map\": " + NumbersToJson({map->x0, map->y0, map->dx, map->dy}) : "") + "}";
 }
 
 // What most profiles leave out.
@@ -380,6 +322,10 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   if (profile.nan_z != NanZ::kIgnored) {
     json += line + "\"nan_z\": " + InQuotes(NameOf(profile.nan_z, Names<NanZ>(kNanZs)));
   }
+  if (profile.sample_positions != SamplePositions::kStated) {
+    json += line + "\"sample_positions\": " +
+            InQuotes(NameOf(profile.sample_positions, Names<SamplePositions>(kSamplePositions)));
+  }
   if (profile.translation_invariant) json += line + "\"translation_invariant\": true";
   if (profile.shares_edge_samples) {
     json += line + "\"edge_samples\": " + InQuotes(NameOf(true, Names<bool>(kEdgeSamples)));
@@ -394,6 +340,7 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   if (!profile.scanline_rounding.IsNone())
     json += line + "\"scanline_rounding\": " + ScanlineRoundingToJson(profile.scanline_rounding);
   if (profile.transform) json += line + "\"transform\": " + TransformToJson(*profile.transform);
+  if (profile.squares) json += line + "\"coverage\": " + SquareRuleToJson(*profile.squares);
   if (!profile.by_target_size.empty())
     json += line + "\"by_target_size\": " + TargetsToJson(profile.by_target_size);
   return json;
@@ -422,6 +369,9 @@ Profile ProfileFromObject(const JsonValue& value) {
               [](const JsonValue& v) { return FromName(v, Names<NanVertex>(kNanVertices)); });
   ReadIfThere(value, "nan_z", profile.nan_z,
               [](const JsonValue& v) { return FromName(v, Names<NanZ>(kNanZs)); });
+  ReadIfThere(value, "sample_positions", profile.sample_positions, [](const JsonValue& v) {
+    return FromName(v, Names<SamplePositions>(kSamplePositions));
+  });
   ReadIfThere(value, "translation_invariant", profile.translation_invariant, Boolean);
   ReadIfThere(value, "edge_samples", profile.shares_edge_samples,
               [](const JsonValue& v) { return FromName(v, Names<bool>(kEdgeSamples)); });
@@ -431,6 +381,11 @@ Profile ProfileFromObject(const JsonValue& value) {
   ReadIfThere(value, "guard_band", profile.guard_band, WindowBoxFromJson);
   ReadIfThere(value, "scanline_rounding", profile.scanline_rounding, ScanlineRoundingFromJson);
   ReadIfThere(value, "transform", profile.transform, TransformFromJson);
+  ReadIfThere(value, "coverage", profile.squares, SquareRuleFromJson);
+  if (profile.squares.has_value() != (profile.contract == Contract::kSquares)) {
+    throw value.Error("has the key coverage or the contract squares, but not both",
+                      "write both: \"contract\": \"squares\" is about what coverage states");
+  }
   // Last: an entry has of the profile what it leaves out.
   ReadIfThere(value, "by_target_size", profile.by_target_size,
               [&](const JsonValue& v) { return TargetsFromJson(v, profile); });
@@ -443,6 +398,7 @@ Profile ProfileFromObject(const JsonValue& value) {
 std::string PresetNames() {
   std::string names;
   for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
+  for (const SquarePresetInfo& preset : kSquarePresets) names += " " + std::string(preset.name);
   return names;
 }
 

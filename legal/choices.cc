@@ -29,9 +29,12 @@ std::vector<double> WindowPlaces(double x, const Profile& profile, const Snap& g
                         SnapCoordinate(wrapped, grid));
 }
 
-// Whether the grid point is as near to x / w as the freedom asks.
+// Whether the grid point is as near as the freedom asks to some place that the transform may give
+// x / w.
 bool IsWithin(double point, double x, double w, double step, const Freedom& freedom) {
-  const exact::Rational off = (exact::Rational(point) * w - x).Abs();
+  const exact::Rational off = (exact::Rational(point) * w - x).Abs() -
+                              exact::Rational(freedom.transform_error.value_or(0)) *
+                                  exact::Rational(kTransformErrorUnit) * exact::Rational(x).Abs();
   const exact::Rational one_step = exact::Rational(step) * w;
   return off <= one_step * exact::Rational(freedom.snap_tolerance) ||
          (freedom.any_rounding && off < one_step);
@@ -47,9 +50,10 @@ std::vector<double> QuotientPlaces(double x, double w, const Profile& profile, c
   }
   std::vector<double> points{*own};
   const double step = std::ldexp(1.0, -grid.bits);
-  for (const int k : {-2, -1, 1, 2}) {
+  const int most = 2 + static_cast<int>(profile.freedom.TransformReach(x / w) / step);
+  for (int k = -most; k <= most; ++k) {
     const double point = *own + k * step;
-    if (IsWithin(point, x, w, step, profile.freedom)) points.push_back(point);
+    if (k != 0 && IsWithin(point, x, w, step, profile.freedom)) points.push_back(point);
   }
   return points;
 }
@@ -77,9 +81,10 @@ std::vector<Point2> PlacesOf(const Vertex& v, bool clip_space, const Profile& pr
 
 }  // namespace
 
-std::vector<Family> FamiliesOf(const Profile& profile, int width, int height) {
-  const Profile model = ForTarget(profile, width, height);
+std::vector<Family> FamiliesOf(const Profile& profile, const Scene& scene) {
+  const Profile model = ForTarget(profile, scene.width, scene.height);
   std::vector<Snap> grids = LegalGrids(model.snap, model.freedom);
+  if (scene.clip_space) std::erase_if(grids, [](const Snap& grid) { return grid.IsNone(); });
   const auto own = std::ranges::find(grids, model.snap);
   if (own != grids.end()) std::rotate(grids.begin(), own, own + 1);
   std::vector<TieRule> rules{model.tie_rule};

@@ -20,8 +20,10 @@ struct Family {
   TieRule rule;
 };
 
-/// Returns every family that the profile allows on a target of this size, the canonical one first.
-std::vector<Family> FamiliesOf(const Profile& profile, int width, int height);
+/// Returns every family that the profile allows for the scene, the canonical one first.
+///
+/// Clip space is not judged without a grid: of such a family it has no places.
+std::vector<Family> FamiliesOf(const Profile& profile, const Scene& scene);
 
 /// Where the legal models of one family put the vertices of a scene.
 struct Choices {

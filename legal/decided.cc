@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <set>
-#include <utility>
 
 #include "core/coverage.h"
 #include "legal/choices.h"
@@ -56,12 +55,17 @@ std::uint64_t NumbersOf(const FamilyView& view, const FamilySamples& all,
 }
 
 // The nearest edge in the family's canonical places.
-OpenDecision WhyOpen(const FamilyView& view, const OpenSample& open) {
-  OpenDecision why{open.triangle, open.sample, -1, HUGE_VAL};
+OpenDecision WhyOpen(const FamilyView& view, int width, std::size_t triangle, std::size_t sample) {
+  const auto samples = static_cast<std::size_t>(view.samples_per_pixel());
+  const std::size_t pixel = sample / samples;
+  const auto row_length = static_cast<std::size_t>(width);
+  const Point2 at = view.At(static_cast<int>(pixel % row_length),
+                            static_cast<int>(pixel / row_length), sample % samples);
+  OpenDecision why{triangle, sample, -1, HUGE_VAL};
   for (std::size_t e = 0; e < 3; ++e) {
-    const Point2 a = view.PlacesOf(open.triangle, (e + 1) % 3)[0];
-    const Point2 b = view.PlacesOf(open.triangle, (e + 2) % 3)[0];
-    const double distance = SegmentDistance(a, b, open.at);
+    const Point2 a = view.PlacesOf(triangle, (e + 1) % 3)[0];
+    const Point2 b = view.PlacesOf(triangle, (e + 2) % 3)[0];
+    const double distance = SegmentDistance(a, b, at);
     if (distance < why.distance) {
       why.edge = static_cast<int>(e);
       why.distance = distance;
@@ -70,8 +74,30 @@ OpenDecision WhyOpen(const FamilyView& view, const OpenSample& open) {
   return why;
 }
 
-void AddFamily(const FamilyView& view, Decided& decided,
-               std::set<std::pair<std::size_t, std::size_t>>& known) {
+// Every model of the profile is one of a family: what must be covered must be in each of them.
+void AddTriangles(const FamilySamples& all, bool is_first,
+                  std::vector<TriangleDecided>& triangles) {
+  triangles.resize(all.covered.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    TriangleDecided& triangle = triangles[t];
+    std::set<std::size_t> covered(all.covered[t].begin(), all.covered[t].end());
+    std::set<std::size_t> may(triangle.may.begin(), triangle.may.end());
+    for (std::size_t o = all.first_open[t]; o < all.first_open[t + 1]; ++o)
+      may.insert(all.open[o].sample);
+    if (is_first) triangle.must.assign(covered.begin(), covered.end());
+    for (const std::size_t s : triangle.must) {
+      if (!covered.contains(s)) may.insert(s);
+    }
+    std::erase_if(triangle.must, [&](std::size_t s) { return !covered.contains(s); });
+    for (const std::size_t s : covered) {
+      if (!std::ranges::binary_search(triangle.must, s)) may.insert(s);
+    }
+    triangle.may.assign(may.begin(), may.end());
+    triangle.is_anything = triangle.is_anything || all.covers_anything[t];
+  }
+}
+
+void AddFamily(const FamilyView& view, bool is_first, Decided& decided) {
   const FamilySamples all(view);
   const std::size_t samples = decided.counts.size();
   const std::vector<int> covered = all.CoveredTimes(samples);
@@ -91,10 +117,7 @@ void AddFamily(const FamilyView& view, Decided& decided,
       if ((numbers >> k & 1U) != 0) decided.counts[s] |= BitOf(covered[s] + k);
     }
   }
-  for (const OpenSample& sample : all.open) {
-    if (known.insert({sample.triangle, sample.sample}).second)
-      decided.open.push_back(WhyOpen(view, sample));
-  }
+  AddTriangles(all, is_first, decided.triangles);
 }
 
 }  // namespace
@@ -104,13 +127,18 @@ int Decided::Most(std::size_t sample) const { return 63 - std::countl_zero(count
 
 Decided DecidedSamples(const Scene& scene, const Profile& profile) {
   const Profile model = ForTarget(profile, scene.width, scene.height);
-  Decided decided{scene.width, scene.height, model.pattern.samples(), {}, {}, 0, 0};
+  Decided decided{scene.width, scene.height, model.pattern.samples(), {}, {}, {}, 0, 0};
   decided.counts.assign(CoverageCounts::Size(scene.width, scene.height, decided.samples), 0);
   if (model.freedom.MovesVertices() && !model.snap.IsNone())
     decided.step = std::ldexp(1.0, -LegalGrids(model.snap, model.freedom).front().bits);
-  std::set<std::pair<std::size_t, std::size_t>> known;
-  for (const Family& family : FamiliesOf(profile, scene.width, scene.height))
-    AddFamily(FamilyView(scene, profile, family), decided, known);
+  const std::vector<Family> families = FamiliesOf(profile, scene);
+  for (std::size_t f = 0; f < families.size(); ++f)
+    AddFamily(FamilyView(scene, profile, families[f]), f == 0, decided);
+  const FamilyView canonical(scene, profile, families.front());
+  for (std::size_t t = 0; t < decided.triangles.size(); ++t) {
+    for (const std::size_t s : decided.triangles[t].may)
+      decided.open.push_back(WhyOpen(canonical, scene.width, t, s));
+  }
   return decided;
 }
 

@@ -23,6 +23,13 @@ struct OpenDecision {
   double distance = 0;     ///< of the sample from it, in pixels, where the canonical model puts it
 };
 
+/// What legal models say of one triangle alone.
+struct TriangleDecided {
+  std::vector<std::size_t> must;  ///< samples that every legal model covers, in rising order
+  std::vector<std::size_t> may;   ///< those that some cover and others do not, in rising order
+  bool is_anything = false;       ///< some legal model may cover any samples: `may` is not listed
+};
+
 struct Decided {
   int width = 0;
   int height = 0;
@@ -31,7 +38,9 @@ struct Decided {
   ///
   /// Shape:      as CoverageCounts.
   std::vector<std::uint64_t> counts;
-  std::vector<OpenDecision> open;  ///< each triangle and sample once
+  std::vector<TriangleDecided> triangles;
+  std::vector<OpenDecision>
+      open;  ///< why each of a triangle's `may` is one, by triangle and sample
   /// Samples of which only bounds are known: more than was searched is open there.
   std::uint64_t bounded = 0;
   /// A step of the coarsest legal grid, in pixels: the unit of the freedom. 0: vertices stay.

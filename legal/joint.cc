@@ -294,15 +294,39 @@ JointVerdict JudgeByFamily(const Scene& scene, const Profile& profile, const Obs
 
 }  // namespace
 
+namespace {
+
+// More places on an axis than this, and a vertex has hundreds.
+constexpr double kMostSteps = 4;
+
+std::optional<std::string> WhyNoPlaces(const Scene& scene, const Profile& model) {
+  if (!model.freedom.transform_error) return "the profile states no error of its transform";
+  double farthest = 0;
+  for (const Vertex& v : scene.vertices) {
+    if (IsFinite(v)) farthest = std::max({farthest, std::fabs(v.x / v.w), std::fabs(v.y / v.w)});
+  }
+  const int bits = model.freedom.least_bits ? kMaxSubpixelBits : model.snap.bits;
+  if (std::ldexp(model.freedom.TransformReach(farthest), bits) <= kMostSteps) return std::nullopt;
+  return "the error of the profile's transform is more than 4 steps of the grid";
+}
+
+}  // namespace
+
 std::optional<std::string> WhyNotJoint(const Scene& scene, const Profile& profile) {
   const Profile model = ForTarget(profile, scene.width, scene.height);
   if (!model.scanline_rounding.IsNone()) return "the profile rounds crossings, which has no model";
-  if (model.contract != Contract::kSampleExact) return "the contract does not state single samples";
+  if (model.contract == Contract::kSquares) {
+    return "the contract states whole pixels of each triangle alone, which check judges";
+  }
+  const bool is_free_and_watertight =
+      model.contract == Contract::kWatertight && !model.freedom.IsNone();
+  if (model.contract != Contract::kSampleExact && !is_free_and_watertight)
+    return "the contract does not state single samples";
   if (!scene.clip_space) return std::nullopt;
   if (model.transform) return "the profile has a transform of its own";
   if (model.snap.IsNone()) return "the profile has no grid in clip space";
   if (const auto error = exact::SnapClipError(scene, model)) return error->what();
-  return std::nullopt;
+  return WhyNoPlaces(scene, model);
 }
 
 JointVerdict JudgeJointly(const Scene& scene, const Profile& profile, const Observed& observed,
@@ -310,7 +334,7 @@ JointVerdict JudgeJointly(const Scene& scene, const Profile& profile, const Obse
   std::optional<JointVerdict> first;
   std::optional<JointVerdict> open;
   std::size_t tried = 0;
-  for (const Family& family : FamiliesOf(profile, scene.width, scene.height)) {
+  for (const Family& family : FamiliesOf(profile, scene)) {
     JointVerdict verdict = JudgeByFamily(scene, profile, observed, family, effort);
     verdict.families = ++tried;
     if (verdict.legality == Legality::kLegal) return verdict;

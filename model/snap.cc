@@ -113,6 +113,7 @@ std::vector<Snap> LegalGrids(const Snap& snap, const Freedom& freedom) {
     grids.push_back(snap);
     grids.back().bits = bits;
   }
+  grids.push_back({});
   return grids;
 }
 

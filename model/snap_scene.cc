@@ -15,7 +15,7 @@
 namespace rasterproof {
 
 Scene SnapScene(const Scene& scene, const Profile& own) {
-  Scene snapped = scene.clip_space && own.transform ? ToWindow(scene, *own.transform) : scene;
+  Scene snapped = TakesToWindow(own, scene) ? ToWindow(scene, *own.transform) : scene;
   std::optional<Profile> resolved;
   const Profile& profile = own.by_target_size.empty()
                                ? own

@@ -28,7 +28,16 @@ T Placed(T q, int size, ViewportForm form) {
 }
 
 template <class T>
+Vertex OnMapIn(const Vertex& v, const MapGrid& map, Division division) {
+  const T x = static_cast<T>(v.x) - static_cast<T>(map.x0);
+  const T y = static_cast<T>(v.y) - static_cast<T>(map.y0);
+  return {Divided(x, static_cast<T>(map.dx), division),
+          Divided(y, static_cast<T>(map.dy), division), v.z, 1};
+}
+
+template <class T>
 Vertex ToWindowIn(const Vertex& clip, const Transform& transform, int width, int height) {
+  if (transform.map) return OnMapIn<T>(clip, *transform.map, transform.division);
   const T w = static_cast<T>(clip.w);
   const T x = Divided(static_cast<T>(clip.x), w, transform.division);
   const T y = Divided(static_cast<T>(clip.y), w, transform.division);
@@ -44,7 +53,7 @@ double BeforeViewport(double x, int size, ViewportForm form) {
 }  // namespace
 
 Vertex ToWindow(const Vertex& clip, const Transform& transform, int width, int height) {
-  if (!IsFinite(clip) || !(clip.w > 0)) {
+  if (!IsFinite(clip) || (!transform.map && !(clip.w > 0))) {
     constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     return {kNowhere, kNowhere, clip.z, 1};
   }
@@ -54,6 +63,8 @@ Vertex ToWindow(const Vertex& clip, const Transform& transform, int width, int h
 }
 
 Vertex ToClip(const Vertex& window, double w, const Transform& transform, int width, int height) {
+  if (const auto& map = transform.map)
+    return {window.x * map->dx + map->x0, window.y * map->dy + map->y0, window.z, 1};
   const double x = BeforeViewport(window.x, width, transform.viewport);
   const double y = BeforeViewport(window.y, height, transform.viewport);
   return {x * w, (transform.flips_y ? -y : y) * w, window.z, w};

@@ -1,5 +1,9 @@
 #include "props/authority.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,7 +17,33 @@ bool IsJudgedByStatedBounds(const Gate& gate) {
          gate.shows == Shows::kBarycentrics;
 }
 
-std::vector<const Clause*> ClausesFor(const Property& property,
+std::string_view NameOf(SquareRelation relation) {
+  return relation == SquareRelation::kIntersects ? "intersects" : "contains";
+}
+
+std::string_view NameOf(FlatSquares flat) {
+  if (flat == FlatSquares::kNothing) return "nothing";
+  return flat == FlatSquares::kFree ? "free" : "drawn";
+}
+
+bool SaysOtherwise(const ClauseKey& key, const std::optional<SquareRegion>& region) {
+  if (key.key.ends_with(".relation")) return !region || NameOf(region->relation) != key.value;
+  if (!key.key.ends_with(".half_width") || key.value.empty()) return false;
+  return !region || std::strtod(std::string(key.value).c_str(), nullptr) != region->half_width;
+}
+
+// Whether the clause is about other squares than the profile's: another tier's, say.
+bool IsOfOtherSquares(const Clause& clause, const Profile& profile) {
+  if (!profile.squares) return false;
+  const SquareRule& rule = *profile.squares;
+  return std::ranges::any_of(KeysOf(clause), [&](const ClauseKey& key) {
+    if (key.key == "coverage.flat") return key.value != NameOf(rule.flat);
+    if (key.key.starts_with("coverage.must.")) return SaysOtherwise(key, rule.must);
+    return key.key.starts_with("coverage.may.") && SaysOtherwise(key, rule.may);
+  });
+}
+
+std::vector<const Clause*> ClausesFor(const Property& property, const Profile& profile,
                                       const Specification& specification) {
   std::vector<const Clause*> clauses;
   for (const std::string_view id : property.required_by) {
@@ -21,6 +51,7 @@ std::vector<const Clause*> ClausesFor(const Property& property,
     if (clause == nullptr) continue;  // a test sees to it that there is none
     const std::string_view api = ApiOf(*clause);
     if (api != specification.api && api != specification.base) continue;
+    if (IsOfOtherSquares(*clause, profile)) continue;
     clauses.push_back(clause);
   }
   return clauses;
@@ -38,7 +69,7 @@ bool FollowsFromTheProfile(const Property& property, const Profile& profile,
 Grounds AuthorityOf(const Property& property, const Profile& profile) {
   const Specification* specification = SpecificationOf(profile);
   if (specification != nullptr) {
-    std::vector<const Clause*> clauses = ClausesFor(property, *specification);
+    std::vector<const Clause*> clauses = ClausesFor(property, profile, *specification);
     if (!clauses.empty()) return {Authority::kClause, std::move(clauses)};
   }
   const bool is_stated = FollowsFromTheProfile(property, profile, specification != nullptr);

@@ -267,7 +267,7 @@ void RequireKernelFor(const Scene& scene, const Profile& profile) {
 Plan MakePlan(const Scene& scene, const Profile& profile, const DrawOptions& options,
               const Needs& needs) {
   RequireKernelFor(scene, profile);
-  const bool owns_transform = scene.clip_space && profile.transform;
+  const bool owns_transform = TakesToWindow(profile, scene);
   if (!PlacesClipSpace(profile) || owns_transform) return PlanPlaced(needs);
   return scene.clip_space ? PlanClipSpace(scene, profile, options, needs)
                           : PlanWindowSpace(scene, profile, options, needs);

@@ -12,17 +12,6 @@
 namespace rasterproof::report {
 namespace {
 
-void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evidence>& list) {
-  json.Key(key).BeginArray();
-  for (const Evidence& evidence : list) {
-    json.BeginObject();
-    json.Key("statement").Text(evidence.statement);
-    json.Key("by").Text(evidence.by);
-    json.EndObject();
-  }
-  json.EndArray();
-}
-
 void WriteSubject(JsonWriter& json, const Certificate& certificate) {
   const SubjectInfo& info = certificate.subject;
   json.Key("subject").BeginObject();

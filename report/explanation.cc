@@ -45,18 +45,6 @@ std::vector<std::string> Wrapped(std::string_view text, std::size_t columns) {
   return lines;
 }
 
-// The corners of a triangle as they lie in the window; nothing if one of them does not.
-std::optional<std::array<Point2, 3>> WindowCorners(const Scene& scene, int triangle) {
-  std::array<Point2, 3> window;
-  const auto v = Corners(scene, scene.triangles[static_cast<std::size_t>(triangle)]);
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!(v[k].w > 0)) return std::nullopt;
-    window[k] = scene.clip_space ? Point2{v[k].x / v[k].w, v[k].y / v[k].w} : WindowPoint(v[k]);
-    if (!std::isfinite(window[k].x) || !std::isfinite(window[k].y)) return std::nullopt;
-  }
-  return window;
-}
-
 class Layout {
  public:
   explicit Layout(const Explanation& explanation)

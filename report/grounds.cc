@@ -40,4 +40,15 @@ std::string AssumptionLines(const Profile& profile) {
   return lines;
 }
 
+void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evidence>& list) {
+  json.Key(key).BeginArray();
+  for (const Evidence& evidence : list) {
+    json.BeginObject();
+    json.Key("statement").Text(evidence.statement);
+    json.Key("by").Text(evidence.by);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
 }  // namespace rasterproof::report

@@ -3,11 +3,13 @@
 #define RASTERPROOF_REPORT_GROUNDS_H_
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/profile.h"
 #include "core/result.h"
 #include "report/certificate.h"
+#include "report/json_writer.h"
 
 namespace rasterproof::report {
 
@@ -20,6 +22,9 @@ std::string AuthorityText(const PropertyResult& result);
 std::vector<Evidence> AssumptionsUnder(const Profile& profile);
 /// The same as lines of text: "assumed          vulkan.one-position: Polygons that ...".
 std::string AssumptionLines(const Profile& profile);
+
+/// Writes a member of an object: [{"statement": "vulkan.one-position", "by": "Triangles ..."}].
+void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evidence>& list);
 
 }  // namespace rasterproof::report
 

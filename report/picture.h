@@ -61,6 +61,15 @@ io::Image PaintCounts(const CoverageCounts& counts);
 /// Right samples muted, missing and unexpected ones in two loud colours.
 io::Image PaintDifference(const CoverageCounts& observed, const CoverageCounts& expected);
 
+/// The part `view` of an image of the scene's target with each pixel as a square of `scale` pixels;
+/// from 4 on with the edges of the scene's triangles, from 8 on with pixel borders, from 16 on with
+/// pixel centres.
+///
+/// Domain:     the view lies within the image; scale at least 1. Edges with a vertex that is not
+///             finite or not in front of the eye are left out.
+io::Image Enlarged(const io::Image& image, const Scene& scene, PixelRect view, int scale,
+                   YAxis y_axis);
+
 }  // namespace rasterproof::report
 
 #endif  // RASTERPROOF_REPORT_PICTURE_H_

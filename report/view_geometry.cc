@@ -67,6 +67,17 @@ std::vector<Point2> PointsOnBox(Point2 p, Point2 q, const ViewBox& box) {
 
 }  // namespace
 
+std::optional<std::array<Point2, 3>> WindowCorners(const Scene& scene, int triangle) {
+  std::array<Point2, 3> window;
+  const auto v = Corners(scene, scene.triangles[static_cast<std::size_t>(triangle)]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(v[k].w > 0)) return std::nullopt;
+    window[k] = scene.clip_space ? Point2{v[k].x / v[k].w, v[k].y / v[k].w} : WindowPoint(v[k]);
+    if (!std::isfinite(window[k].x) || !std::isfinite(window[k].y)) return std::nullopt;
+  }
+  return window;
+}
+
 std::optional<std::array<Point2, 2>> ClipSegment(Point2 a, Point2 b, const ViewBox& box) {
   const std::vector<Point2> points = PointsOnBox(a, b, box);
   std::optional<std::array<Point2, 2>> longest;

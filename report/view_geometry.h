@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "core/scene.h"
 #include "core/vertex.h"
 
 namespace rasterproof::report {
@@ -25,6 +26,9 @@ struct ViewBox {
 /// Error:      a few 2^-53 of the box's place and size, however far away the ends are: good for the
 ///             eye, no verdict rests on it.
 std::optional<std::array<Point2, 2>> ClipSegment(Point2 a, Point2 b, const ViewBox& box);
+
+/// The corners of a triangle as they lie in the window; nothing if one of them does not.
+std::optional<std::array<Point2, 3>> WindowCorners(const Scene& scene, int triangle);
 
 }  // namespace rasterproof::report
 

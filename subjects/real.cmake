@@ -20,6 +20,12 @@ function(rasterproof_real_subject name)
   add_dependencies(real_subjects plugin_${name})
 endfunction()
 
+# Several samples a pixel: not surveyed, whose table is of centres, but checked.
+function(rasterproof_multisampled name)
+  set_target_properties(plugin_${name} PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/multisampled)
+endfunction()
+
 # rasterproof_subject_package(VARIABLE SUBJECT INSTALL module ...): pkg-config's modules as the
 # target PkgConfig::VARIABLE, or a line that says what to install; VARIABLE_FOUND tells which.
 macro(rasterproof_subject_package variable subject install)
@@ -39,14 +45,22 @@ endif()
 
 rasterproof_subject_package(SUBJECT_GL gl "libegl-dev libopengl-dev libgl1-mesa-dri" egl opengl)
 if(SUBJECT_GL_FOUND)
-  # rasterproof_gl_subject(NAME DRIVER SUBMISSION [DEFINITION ...])
+  # rasterproof_gl_subject(NAME DRIVER SUBMISSION [SAMPLES n] [DEFINITION ...])
   function(rasterproof_gl_subject name driver submission)
+    cmake_parse_arguments(GL "" "SAMPLES" "" ${ARGN})
+    if(NOT GL_SAMPLES)
+      set(GL_SAMPLES 1)
+    endif()
     rasterproof_real_subject(${name}
-      SOURCES subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc
+      SOURCES
+        subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc subjects/gl/program.cc
+        subjects/gl/sample_fetcher.cc
       LINK PkgConfig::SUBJECT_GL
       DEFINITIONS
         RASTERPROOF_GL_NAME="${name}" RASTERPROOF_GL_DRIVER="${driver}"
-        RASTERPROOF_GL_SUBMISSION=k${submission} ${ARGN})
+        RASTERPROOF_GL_SUBMISSION=k${submission}
+        RASTERPROOF_GL_SAMPLES=${GL_SAMPLES} RASTERPROOF_GL_SAMPLES_TEXT="${GL_SAMPLES}"
+        ${GL_UNPARSED_ARGUMENTS})
   endfunction()
   foreach(submission Batch Alone)
     string(TOLOWER ${submission} ending)
@@ -57,6 +71,12 @@ if(SUBJECT_GL_FOUND)
       rasterproof_gl_subject(gl-gpu-${ending} "" ${submission})
     endif()
   endforeach()
+  rasterproof_gl_subject(gl-llvmpipe-4x llvmpipe Batch SAMPLES 4)
+  rasterproof_multisampled(gl-llvmpipe-4x)
+  if(gpu)
+    rasterproof_gl_subject(gl-gpu-4x "" Batch SAMPLES 4)
+    rasterproof_multisampled(gl-gpu-4x)
+  endif()
   # Its division as well: not surveyed, whose scenes are window space, but certified.
   rasterproof_gl_subject(gl-llvmpipe-clip llvmpipe Batch RASTERPROOF_GL_CLIP_SPACE)
   set_target_properties(plugin_gl-llvmpipe-clip PROPERTIES
@@ -71,18 +91,24 @@ else()
 endif()
 if(SUBJECT_VULKAN_FOUND)
   set(shaders ${CMAKE_BINARY_DIR}/shaders)
-  foreach(stage Vertex Fragment)
-    string(TOLOWER ${stage} suffix)
-    string(SUBSTRING ${suffix} 0 4 suffix) # vert, frag
-    add_custom_command(OUTPUT ${shaders}/triangle.${suffix}.h
+  foreach(shader triangle.vert triangle.frag read_samples.comp)
+    string(REGEX MATCH "[a-z]+$" stage ${shader})
+    string(REPLACE vert Vertex stage ${stage})
+    string(REPLACE frag Fragment stage ${stage})
+    string(REPLACE comp Compute stage ${stage})
+    add_custom_command(OUTPUT ${shaders}/${shader}.h
       COMMAND ${CMAKE_COMMAND} -E make_directory ${shaders}
-      COMMAND ${GLSLANG} -V --quiet --vn k${stage}Shader -o ${shaders}/triangle.${suffix}.h
-        ${CMAKE_SOURCE_DIR}/subjects/vulkan/triangle.${suffix}
-      DEPENDS subjects/vulkan/triangle.${suffix} VERBATIM)
+      COMMAND ${GLSLANG} -V --quiet --vn k${stage}Shader -o ${shaders}/${shader}.h
+        ${CMAKE_SOURCE_DIR}/subjects/vulkan/${shader}
+      DEPENDS subjects/vulkan/${shader} VERBATIM)
   endforeach()
-  # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE HALF_VIEWPORT)
+  # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE HALF_VIEWPORT [SAMPLES])
   # An empty description: the drivers that are installed, and any GPU.
   function(rasterproof_vulkan_subject name install description device half)
+    set(samples 1)
+    if(ARGC GREATER 5)
+      set(samples ${ARGV5})
+    endif()
     file(GLOB found ${description})
     if(description AND NOT found)
       rasterproof_missing_subject(${name} ${install})
@@ -90,22 +116,31 @@ if(SUBJECT_VULKAN_FOUND)
     endif()
     rasterproof_real_subject(${name}
       SOURCES
-        subjects/vulkan/vulkan.cc subjects/vulkan/counter.cc ${shaders}/triangle.vert.h
-        ${shaders}/triangle.frag.h
+        subjects/vulkan/vulkan.cc subjects/vulkan/counter.cc subjects/vulkan/sample_reader.cc
+        ${shaders}/triangle.vert.h ${shaders}/triangle.frag.h ${shaders}/read_samples.comp.h
       LINK PkgConfig::SUBJECT_VULKAN
       DEFINITIONS
         RASTERPROOF_VULKAN_NAME="${name}" RASTERPROOF_VULKAN_ICD="${found}"
         RASTERPROOF_VULKAN_DEVICE="${device}"
-        RASTERPROOF_VULKAN_HALF_VIEWPORT=${half})
+        RASTERPROOF_VULKAN_HALF_VIEWPORT=${half} RASTERPROOF_VULKAN_SAMPLES=${samples})
     target_include_directories(plugin_${name} PRIVATE ${shaders})
+    if(samples GREATER 1)
+      rasterproof_multisampled(${name})
+    endif()
   endfunction()
-  rasterproof_vulkan_subject(vulkan-lavapipe mesa-vulkan-drivers
-    "/usr/share/vulkan/icd.d/lvp_icd.*.json" llvmpipe 8192)
-  rasterproof_vulkan_subject(vulkan-swiftshader chromium-common
-    /usr/lib/chromium/vk_swiftshader_icd.json SwiftShader 4096)
-  if(gpu)
-    rasterproof_vulkan_subject(vulkan-gpu "" "" "" 8192)
-  endif()
+  foreach(samples 1 4)
+    set(ending "")
+    if(samples GREATER 1)
+      set(ending -${samples}x)
+    endif()
+    rasterproof_vulkan_subject(vulkan-lavapipe${ending} mesa-vulkan-drivers
+      "/usr/share/vulkan/icd.d/lvp_icd.*.json" llvmpipe 8192 ${samples})
+    rasterproof_vulkan_subject(vulkan-swiftshader${ending} chromium-common
+      /usr/lib/chromium/vk_swiftshader_icd.json SwiftShader 4096 ${samples})
+    if(gpu)
+      rasterproof_vulkan_subject(vulkan-gpu${ending} "" "" "" 8192 ${samples})
+    endif()
+  endforeach()
 endif()
 
 rasterproof_subject_package(SUBJECT_SDL2 sdl2 libsdl2-dev sdl2)

@@ -13,6 +13,7 @@
 #include "core/clauses/clauses.h"
 #include "core/error.h"
 #include "core/renamed.h"
+#include "core/square_presets.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
@@ -155,6 +156,12 @@ std::vector<std::string> SubjectNames() {
 
 void SayOfPreset(const Profile& profile) {
   static std::set<std::string> said;
+  for (const SquarePresetInfo& preset : kSquarePresets) {
+    if (preset.name != profile.name || PresetProfile(profile.name) != profile) continue;
+    if (preset.assumed.empty() || !said.insert(profile.name).second) return;
+    Tell(fmt::format("note: profile {} takes from {} what it says; assumed: {}\n", profile.name,
+                     preset.source, preset.assumed));
+  }
   if (!IsCanonicalPreset(profile.name) || PresetProfile(profile.name) != profile) return;
   if (!said.insert(profile.name).second) return;
   Tell(fmt::format(
@@ -162,6 +169,16 @@ void SayOfPreset(const Profile& profile) {
       "{}\n",
       profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
       TieRuleName(profile.tie_rule), profile.name.substr(0, profile.name.find('-'))));
+}
+
+void RequireSamples(const SubjectInfo& info) {
+  if (!info.profile.squares) return;
+  throw InputError(
+      fmt::format("subject '{}'", info.name),
+      fmt::format("its profile {} states which whole pixels it covers, and no model of "
+                  "samples does",
+                  info.profile.name),
+      "judge it by rasterproof check, or state a profile of samples by --profile");
 }
 
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile) {

@@ -51,6 +51,10 @@ std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string&
 /// that it leaves legal, so that nobody takes another legal one for wrong.
 void SayOfPreset(const Profile& profile);
 
+/// For commands that look for a model of samples. Throws InputError if the subject's profile states
+/// whole pixels.
+void RequireSamples(const SubjectInfo& info);
+
 /// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);
 

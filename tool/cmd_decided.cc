@@ -1,7 +1,9 @@
 // rasterproof decided: how often legal models of a profile cover each sample.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "fmt/format.h"
@@ -41,6 +43,35 @@ std::string Range(int least, int most) {
   return least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
 }
 
+// A list of each triangle's samples as runs, which ends where it would grow beyond reading.
+void AddTriangles(const legal::Decided& decided, report::JsonWriter& json) {
+  constexpr std::size_t kMostRuns = 1'000'000;
+  std::size_t runs = 0;
+  const auto add_runs = [&](const char* key, const std::vector<std::size_t>& samples) {
+    json.Key(key).BeginArray();
+    for (std::size_t k = 0; k < samples.size();) {
+      std::size_t end = k + 1;
+      while (end < samples.size() && samples[end] == samples[end - 1] + 1) ++end;
+      json.BeginArray().Integer(samples[k]).Integer(end - k).EndArray();
+      ++runs;
+      k = end;
+    }
+    json.EndArray();
+  };
+  json.Key("triangles").BeginArray();
+  std::size_t told = 0;
+  for (; told < decided.triangles.size() && runs < kMostRuns; ++told) {
+    const legal::TriangleDecided& triangle = decided.triangles[told];
+    json.BeginObject();
+    add_runs("must", triangle.must);
+    add_runs("may", triangle.may);
+    if (triangle.is_anything) json.Key("anything").Bool(true);
+    json.EndObject();
+  }
+  json.EndArray();
+  json.Key("triangles_left_out").Integer(decided.triangles.size() - told);
+}
+
 std::string ToJson(const legal::Decided& decided, const Profile& profile) {
   report::JsonWriter json;
   const auto samples = static_cast<std::size_t>(decided.samples);
@@ -77,6 +108,7 @@ std::string ToJson(const legal::Decided& decided, const Profile& profile) {
     json.EndObject();
   }
   json.EndArray();
+  AddTriangles(decided, json);
   json.EndObject();
   return json.Finish();
 }
@@ -92,6 +124,28 @@ io::Image Paint(const legal::Decided& decided) {
   return report::PaintDifference(most, least);
 }
 
+// The picture that the options ask for.
+io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profile& profile,
+                  const DecidedOptions& options) {
+  PixelRect view{0, 0, decided.width, decided.height};
+  if (!options.view.empty()) {
+    const std::vector<int>& v = options.view;
+    const bool fits = v[0] >= 0 && v[1] >= 0 && v[2] > 0 && v[3] > 0 && v[2] <= view.x1 - v[0] &&
+                      v[3] <= view.y1 - v[1];
+    if (!fits) {
+      throw InputError("--view", "it is not within the target",
+                       fmt::format("choose columns below {} and rows below {}", view.x1, view.y1));
+    }
+    view = {v[0], v[1], v[0] + v[2], v[1] + v[3]};
+  }
+  constexpr int kLongestSide = 8192;
+  if (std::max(view.x1 - view.x0, view.y1 - view.y0) > kLongestSide / options.scale) {
+    throw InputError("--scale", fmt::format("the picture is longer than {} pixels", kLongestSide),
+                     "give a smaller --scale or --view");
+  }
+  return report::Enlarged(Paint(decided), scene, view, options.scale, profile.y_axis);
+}
+
 }  // namespace
 
 int RunDecided(const DecidedOptions& options) {
@@ -104,7 +158,8 @@ int RunDecided(const DecidedOptions& options) {
   }
   const legal::Decided decided = legal::DecidedSamples(scene, profile);
   if (!options.json.empty()) WriteOutput(options.json, ToJson(decided, profile));
-  if (!options.png.empty()) io::WriteFile(options.png, io::EncodePng(Paint(decided)));
+  if (!options.png.empty())
+    io::WriteFile(options.png, io::EncodePng(Picture(decided, scene, profile, options)));
   if (options.json != "-") io::WriteStandardOutput(Letters(decided));
   const std::uint64_t open = NumberOpen(decided);
   Tell(fmt::format(

@@ -59,6 +59,14 @@ std::string NoFitText(const props::Inference& inference) {
   return text;
 }
 
+std::string PlacesText(const props::Inference& inference) {
+  std::string text;
+  if (!inference.sample_places) return text;
+  for (const std::string& line : props::PlacesText(*inference.sample_places))
+    text += fmt::format("{:<16} {}\n", text.empty() ? "places" : "", line);
+  return text;
+}
+
 std::string CaseText(const std::string& what, const Case& c, const std::string& subject) {
   return what + "\n" + io::CaseToJson({c, subject, "CoverageEqualsTheModel"});
 }
@@ -98,6 +106,11 @@ std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
     json.Key("experiments").Integer(nearest->experiments);
     json.EndObject();
   }
+  if (inference.sample_places) {
+    json.Key("sample_places").BeginArray();
+    for (const std::string& line : props::PlacesText(*inference.sample_places)) json.Text(line);
+    json.EndArray();
+  }
   const auto& shown = inference.witness ? inference.witness : inference.against_stated;
   if (shown) {
     json.Key("witness").Value(io::CaseToJson({*shown, info.name, "CoverageEqualsTheModel"}));
@@ -112,6 +125,7 @@ int RunInfer(const InferOptions& options) {
   RequireHonestEnvironment();
   const std::unique_ptr<Subject> subject = MakeSubject(options.subject, options.profile);
   SayOfPreset(subject->Info().profile);
+  RequireSamples(subject->Info());
   props::InferOptions choice;
   choice.seed = options.seed;
   const props::Inference inference = props::Infer(*subject, choice);
@@ -120,6 +134,7 @@ int RunInfer(const InferOptions& options) {
   std::string text = fmt::format("{}: {} models, {} draws, {:.2f} s\n", info.name, inference.models,
                                  inference.experiments, inference.seconds);
   text += inference.Fits() ? FittingText(inference) : NoFitText(inference);
+  text += PlacesText(inference);
   if (inference.witness) {
     text += CaseText("a case that it draws in another way:", *inference.witness, info.name);
   }

@@ -130,8 +130,9 @@ std::string Text(const legal::JointVerdict& verdict, const Profile& profile, con
                             : fmt::format("{} grids and tie rules were", verdict.families));
   }
   text += fmt::format(
-      "with {}: {} samples differ between legal models, in {} components, the largest of {} "
-      "triangles; {} are not judged\n",
+      "with {}: {} samples depend on choices, in {} components, the largest of {} triangles; {} "
+      "are "
+      "not judged\n",
       family, verdict.open, verdict.components, verdict.largest_component, verdict.not_judged);
   if (verdict.core)
     text += CoreText(*verdict.core, scene, static_cast<std::size_t>(profile.pattern.samples()));
@@ -144,6 +145,7 @@ std::string ToJson(const legal::JointVerdict& verdict, const Profile& profile) {
   json.Key("rasterproof_legal").Integer(1);
   json.Key("verdict").Text(LegalityName(verdict.legality));
   json.Key("profile").Value(io::ProfileToJson(profile));
+  report::WriteEvidence(json, "assumed", report::AssumptionsUnder(profile));
   json.Key("model").Text(FamilyText(verdict.family, profile));
   json.Key("models_tried").Integer(verdict.families);
   json.Key("samples").Integer(verdict.samples);

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/freedom.h"
 #include "core/profile.h"
+#include "core/square_presets.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "io/output.h"
@@ -88,9 +89,14 @@ std::string ListProfiles() {
   std::string text = "profiles\n";
   for (const std::string_view name : kPresetProfiles) {
     const Profile profile = *PresetProfile(name);
-    text += fmt::format("  {:<17} {:<11} {}, {}, coordinates up to {:a}\n", name,
+    text += fmt::format("  {:<21} {:<9} {}, {}, coordinates up to {:a}\n", name,
                         HasOneModel(profile) ? "model" : "legal set", GridText(profile),
                         TiesText(profile), profile.coordinate_limit);
+  }
+  for (const SquarePresetInfo& preset : kSquarePresets) {
+    text += fmt::format("  {:<21} {:<9} {} ({}){}\n", preset.name, "squares", preset.summary,
+                        preset.source,
+                        preset.assumed.empty() ? "" : fmt::format("; assumed: {}", preset.assumed));
   }
   return text;
 }

@@ -19,6 +19,11 @@ int RunPlan(const PlanOptions& options) {
   RequireHonestEnvironment();
   const Scene scene = LoadScene(options.scene);
   const Profile profile = ForTarget(io::ReadProfile(options.profile), scene.width, scene.height);
+  if (profile.squares) {
+    throw InputError("--profile " + options.profile,
+                     "it states whole pixels, and what is planned samples points",
+                     "give a profile of samples");
+  }
   const reference::Needs needs{options.barycentrics, options.depth, options.wireframe};
   const reference::Plan plan = reference::MakePlan(scene, profile, {}, needs);
   std::string text = fmt::format("scene       {}\nprofile     {}\narithmetic  {}\n",

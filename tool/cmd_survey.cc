@@ -197,6 +197,7 @@ std::vector<DomainSurvey> SurveyAll(Crew& crew, const SurveyOptions& options,
 int RunSurvey(const SurveyOptions& options) {
   RequireHonestEnvironment();
   std::unique_ptr<Subject> first = MakeSubject(options.subject, options.profile);
+  RequireSamples(first->Info());
   const SubjectInfo info = first->Info();
   const SurveyModel model = NearestTo(*first, options.campaign.seed);
   if (Interrupted()) return InterruptStatus();

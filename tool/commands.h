@@ -56,6 +56,8 @@ struct DecidedOptions {
   std::string profile = "vulkan";
   std::string json;  ///< file; empty: none
   std::string png;
+  std::vector<int> view;  ///< of the picture: column, row, width, height; empty: the target
+  int scale = 1;          ///< side of a pixel in it
 };
 int RunDecided(const DecidedOptions& options);
 

@@ -89,6 +89,13 @@ void AddDecided(CLI::App& app, Run& run) {
   verb->add_option("--json", options.json,
                    "Counts and what is open, as JSON (- for standard output)");
   verb->add_option("--png", options.png, "Picture: where legal models differ");
+  verb->add_option("--view", options.view, "The picture's part: COLUMN,ROW,WIDTH,HEIGHT")
+      ->delimiter(',')
+      ->expected(4);
+  verb->add_option("--scale", options.scale,
+                   "Side of a pixel in the picture; from 4 on with the triangles' edges")
+      ->check(CLI::Range(1, 128))
+      ->capture_default_str();
   verb->callback([&run] { run = [] { return RunDecided(options); }; });
 }
 

@@ -87,7 +87,7 @@ constexpr auto k11 = std::to_array<Clause>({
      .sentence = "The divide and the viewport scale are done in float32, by given formulas.",
      .reading = "Neither the order of the operations nor fusing is fixed, so through an ordinary "
                 "viewport the position is not known to the last bit.",
-     .keys = "transform"},
+     .keys = "transform_error=null"},
     {.id = "d3d11.nan",
      .place = "15.16.1, 15.4",
      .sentence = "A primitive of which x, y or z is NaN after the viewport \"is discarded\".",
@@ -133,7 +133,7 @@ constexpr auto k11 = std::to_array<Clause>({
                  "4 and 8 are required.",
      .reading = "Positions from the centre of the pixel, in sixteenths, in the order of the "
                 "figures.",
-     .keys = "sample_locations",
+     .keys = "sample_locations; sample_positions=stated",
      .shown_by = "SpecificationPatterns.PatternsOfDirect3D11Section1924"},
     {.id = "d3d11.multisample-coverage",
      .place = "3.5.4",
@@ -172,7 +172,8 @@ constexpr auto k12 = std::to_array<Clause>({
                  "be rasterized\", by the floating-point vertices.",
      .reading = "Must: pixels whose square meets the float triangle, not the snapped one, for "
                 "triangles that have area once snapped.",
-     .keys = "contract=conservative-over",
+     .keys = "contract=squares; "
+             "coverage.must.relation=intersects; coverage.must.geometry=given",
      .shown_by = "SpecificationSquares.OnlyTheFourMiddlePixels"},
     {.id = "d3d12.may-cover-tier-1",
      .place = "Conservative Rasterization, Rasterization Rules",
@@ -181,12 +182,16 @@ constexpr auto k12 = std::to_array<Clause>({
                  "fixed point domain\".",
      .reading = "May: pixels whose square meets the snapped triangle swept by a square of half "
                 "width 1/2.",
+     .keys = "coverage.may.relation=intersects; coverage.may.geometry=placed; "
+             "coverage.may.growth=swept; coverage.may.half_width=0.5",
      .shown_by = "SpecificationSquares.OnlyTheFourMiddlePixels"},
     {.id = "d3d12.may-cover-tier-2",
      .place = "Conservative Rasterization, Tier 2, Smaller Outer Uncertainty Region",
      .force = kAllowed,
      .sentence = "From tier 2 on the region is at most 1/256 of a pixel.",
      .reading = "May: the snapped triangle swept by a square of half width 1/256.",
+     .keys = "coverage.may.relation=intersects; coverage.may.geometry=placed; "
+             "coverage.may.growth=swept; coverage.may.half_width=0x1p-8",
      .shown_by = "SpecificationSquares.OnlyTheMiddlePixel"},
     {.id = "d3d12.least-uncertainty",
      .place = "Conservative Rasterization, Rasterization Rules",
@@ -203,19 +208,21 @@ constexpr auto k12 = std::to_array<Clause>({
      .force = kAllowed,
      .sentence = "Where an edge or corner falls along a pixel's, the top-left rule is "
                  "\"implementation-specific\" at any larger region.",
-     .reading = "A pixel that is only touched may be covered or not."},
+     .reading = "A pixel that is only touched may be covered or not.",
+     .keys = "coverage.must.square=open; coverage.must.shape=open; "
+             "coverage.may.square=closed; coverage.may.shape=closed"},
     {.id = "d3d12.flat-tier-1",
      .place = "Conservative Rasterization, Overview and Tier 1",
      .force = kAllowed,
      .sentence = "Triangles that are flat, or become flat by snapping, \"may or may not be "
                  "culled\".",
      .reading = "Tier 1: what they cover is not judged below may.",
-     .keys = "degenerate_triangles"},
+     .keys = "coverage.flat=free"},
     {.id = "d3d12.flat-tier-2",
      .place = "Conservative Rasterization, Tier 2, Degenerate Triangle Culling",
      .sentence = "From tier 2 on flat triangles \"must not be culled\", unless indices repeat.",
      .reading = "They cover at least one pixel, those that the float triangle meets.",
-     .keys = "degenerate_triangles",
+     .keys = "coverage.flat=drawn",
      .shown_by = "SpecificationSquares.AFlatTriangleStillMeetsPixels"},
     {.id = "d3d12.flat-back-facing",
      .place = "Conservative Rasterization, Overview",
@@ -228,7 +235,9 @@ constexpr auto k12 = std::to_array<Clause>({
      .reading =
          "No false inner pixel. A pixel that touches a side from within may be left out, and "
          "the specification's own test (consras7) expects that it is.",
-     .keys = "contract=conservative-under",
+     .keys = "contract=squares; coverage.flat=nothing; "
+             "coverage.may.relation=contains; coverage.may.square=closed; "
+             "coverage.may.shape=open; coverage.may.geometry=given",
      .shown_by = "SpecificationSquares.InnerCoverageIsTheMiddlePixel"},
     {.id = "d3d12.inner-omission",
      .place = "Conservative Rasterization, InnerCoverage",
@@ -236,6 +245,9 @@ constexpr auto k12 = std::to_array<Clause>({
      .sentence = "A fully covered pixel may be left out only if it meets an inner region of at "
                  "most 1/256 of a pixel.",
      .reading = "Within the inner boundary of the swept snapped triangle it must be set.",
+     .keys = "coverage.must.relation=contains; coverage.must.square=closed; "
+             "coverage.must.shape=open; coverage.must.geometry=placed; "
+             "coverage.must.growth=swept; coverage.must.half_width=0x1p-8",
      .shown_by = "SpecificationSquares.InnerCoverageIsTheMiddlePixel"},
     {.id = "d3d12.all-samples",
      .place = "Conservative Rasterization, Multisampling",

@@ -86,7 +86,7 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .sentence = "Floating-point operations are accurate to \"about 1 part in 10^5\".",
      .reading = "The error of the divide and of the viewport transform is not stated closely "
                 "enough to judge samples through an ordinary viewport.",
-     .keys = "transform"},
+     .keys = "transform_error=null"},
     {.id = "gl.translation",
      .place = "14.2",
      .sentence = "A primitive moved by whole pixels gives the moved fragments, \"as long as "
@@ -100,7 +100,8 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .force = kAllowed,
      .sentence = "The invariance of 14.2 is \"relaxed for all multisample rasterization\".",
      .reading = "With more than one sample a pixel nothing is required of a moved scene, since "
-                "sample locations may depend on the pixel."},
+                "sample locations may depend on the pixel.",
+     .keys = "sample_positions=vary"},
     {.id = "gl.clipping",
      .place = "13.7",
      .force = kAllowed,
@@ -164,8 +165,10 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .force = kAllowed,
      .sentence = "Sample points are exact positions; they \"cannot be queried\", may lie outside "
                  "the pixel, and may differ from pixel to pixel.",
-     .reading = "Multisample positions are inferred, never taken from a table.",
-     .keys = "sample_locations"},
+     .reading =
+         "Multisample positions are inferred, never taken from a table; meshes are judged at "
+         "every sample away from their outline, singles at none.",
+     .keys = "sample_locations; sample_positions=vary"},
     {.id = "gl.sample-position-query",
      .place = "14.3.1, GetMultisamplefv",
      .force = kAllowed,
@@ -210,13 +213,15 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .sentence = "A fragment for a pixel of which any portion is covered, edges and corners "
                  "included.",
      .reading = "Closed squares: touching counts, so the tie rule is out of use there.",
-     .keys = "contract=conservative-over"},
+     .keys = "contract=squares; "
+             "coverage.must.relation=intersects; coverage.must.square=closed; "
+             "coverage.must.shape=closed; coverage.must.geometry=placed"},
     {.id = "gl.nv-conservative-zero-area",
      .place = "GL_NV_conservative_raster, 14.6.X and issue 2",
      .sentence = "\"Polygons with an area of zero generate no fragments\" even there.",
      .reading = "The opposite of Direct3D's tiers 2 and 3; of areas that rounding made zero the "
                 "issue says that drawing them may be wished for.",
-     .keys = "degenerate_triangles=nothing"},
+     .keys = "coverage.flat=nothing"},
 });
 
 }  // namespace

@@ -14,26 +14,30 @@ constexpr auto kPdf = std::to_array<Clause>({
      .place = "6.5.3",
      .sentence = "A pixel is the half-open square i <= x < i + 1, j <= y < j + 1.",
      .reading = "Squares with their floor sides and without their ceiling sides.",
+     .keys = "coverage.must.square=half-open; coverage.may.square=half-open",
      .shown_by = "SpecificationSquares.HalfOpenSquaresLeaveTheCeilingOut"},
     {.id = "pdf.shape",
      .place = "6.5.3",
      .sentence = "Shapes include \"the boundaries along their floor sides, but not along their "
                  "ceiling sides\".",
      .reading = "The shape is the interior moved by an infinitesimal towards its ceiling, as a tie "
-                "rule does with samples."},
+                "rule does with samples.",
+     .keys = "coverage.must.shape=half-open"},
     {.id = "pdf.fill",
      .place = "6.5.3",
      .sentence = "A fill paints every pixel whose square intersects the shape, however small the "
                  "intersection is.",
      .reading = "Any-part coverage of half-open squares by a half-open shape.",
-     .keys = "contract=conservative-over",
+     .keys = "contract=squares; y_axis=up; "
+             "coverage.must.relation=intersects; coverage.must.geometry=given; "
+             "coverage.may.relation=intersects; coverage.may.geometry=given",
      .shown_by = "SpecificationSquares.HalfOpenSquaresLeaveTheCeilingOut"},
     {.id = "pdf.empty-interior",
      .place = "6.5.3, note",
      .sentence = "A shape intersects every pixel that its boundary passes, \"even if the interior "
                  "of the filling region is empty\".",
      .reading = "A flat triangle paints the pixels along it, at least one pixel wide.",
-     .keys = "degenerate_triangles"},
+     .keys = "coverage.flat=drawn; coverage.may.shape=closed"},
     {.id = "pdf.image",
      .place = "6.5.3",
      .sentence = "Of a sampled image only pixels \"whose centers lie within the region\" are "
@@ -70,14 +74,26 @@ constexpr auto kGdal = std::to_array<Clause>({
      .reading =
          "Meant, by its author in 6415, as interiors that meet: contact with a border is not "
          "burned.",
-     .keys = "contract=conservative-over",
+     .keys = "contract=squares; "
+             "coverage.must.relation=intersects; coverage.must.geometry=given; "
+             "coverage.must.square=open; coverage.must.shape=open; "
+             "coverage.may.relation=intersects; coverage.may.geometry=given",
      .shown_by = "SpecificationSquares.OpenSquaresNeedInteriors"},
     {.id = "gdal.all-touched-epsilon",
      .place = "pull requests 6415 and 7526",
      .force = kAllowed,
      .sentence = "Contact is told from overlap within a tolerance that has been changed once.",
      .reading = "Within that tolerance of a grid line both answers are met in the field: not "
-                "judged."},
+                "judged.",
+     .keys = "coverage.may.square=closed; coverage.may.shape=closed; "
+             "coverage.must.growth=swept; coverage.must.half_width; "
+             "coverage.may.growth=swept; coverage.may.half_width"},
+    {.id = "gdal.flat",
+     .place = "gdal_rasterize",
+     .force = kSilent,
+     .sentence = "Nothing is said about polygons without area.",
+     .reading = "They may burn what they touch, or nothing.",
+     .keys = "coverage.flat=free"},
     {.id = "gdal.arithmetic",
      .place = "issue 9822",
      .force = kSilent,

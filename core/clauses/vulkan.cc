@@ -87,7 +87,7 @@ constexpr auto kVulkan = std::to_array<Clause>({
                  "for them.",
      .reading = "Samples are judged where the window position is exact whatever was fused or "
                 "rounded; through an ordinary viewport they are not judged.",
-     .keys = "transform"},
+     .keys = "transform_error=null"},
     {.id = "vulkan.translation",
      .place = "Appendix: Invariance, note after rule 7",
      .force = kAllowed,
@@ -157,13 +157,13 @@ constexpr auto kVulkan = std::to_array<Clause>({
      .sentence = "Sample points lie inside or on the boundary of the pixel's unit square, and "
                  "\"may differ\" from pixel to pixel.",
      .reading = "Without standard locations positions are inferred, each pixel apart.",
-     .keys = "sample_locations"},
+     .keys = "sample_locations; sample_positions=vary"},
     {.id = "vulkan.standard-samples",
      .place = "Multisampling, Standard Sample Locations; Limits, standardSampleLocations",
      .sentence = "Where standardSampleLocations is true (required from Vulkan 1.4 on), 1, 2, 4, 8 "
                  "and 16 samples lie where a table says.",
      .reading = "The same places as in Direct3D, from the pixel's upper left corner.",
-     .keys = "sample_locations",
+     .keys = "sample_locations; sample_positions=stated",
      .shown_by = "SpecificationPatterns.StandardLocationsOfVulkanAreThoseOfDirect3D"},
     {.id = "vulkan.centroid",
      .place = "Interpolation Decorations",
@@ -199,7 +199,9 @@ constexpr auto kVulkan = std::to_array<Clause>({
      .sentence = "A fragment if the primitive covers any portion of the pixel, \"including its "
                  "edges and corners\".",
      .reading = "Closed squares against the placed triangle: touching counts.",
-     .keys = "contract=conservative-over",
+     .keys = "contract=squares; "
+             "coverage.must.relation=intersects; coverage.must.square=closed; "
+             "coverage.must.shape=closed; coverage.must.geometry=placed",
      .shown_by = "SpecificationSquares.ClosedSquaresCountATouch"},
     {.id = "vulkan.overestimate-ties",
      .place = "Conservative Rasterization",
@@ -218,7 +220,9 @@ constexpr auto kVulkan = std::to_array<Clause>({
      .sentence = "A fragment only if the whole pixel, \"including its edges and corners\", is "
                  "covered.",
      .reading = "Closed squares, wholly within the closed triangle.",
-     .keys = "contract=conservative-under",
+     .keys = "contract=squares; coverage.flat=nothing; "
+             "coverage.may.relation=contains; coverage.may.square=closed; "
+             "coverage.may.shape=closed; coverage.may.geometry=placed",
      .shown_by = "SpecificationSquares.InnerCoverageIsTheMiddlePixel"},
     {.id = "vulkan.conservative-zero-area",
      .place = "Conservative Rasterization; Limits, degenerateTrianglesRasterized",
@@ -226,7 +230,7 @@ constexpr auto kVulkan = std::to_array<Clause>({
                  "those of zero area before may be culled regardless.",
      .reading = "The device says which; drawn ones are back-facing and cover every pixel that a "
                 "vertex or an edge touches.",
-     .keys = "degenerate_triangles"},
+     .keys = "coverage.flat=free"},
 });
 
 }  // namespace

@@ -56,14 +56,14 @@ constexpr auto kWebGpu = std::to_array<Clause>({
      .sentence = "The divide and the viewport map are formulas without an error.",
      .reading = "Samples are judged where the window position is exact whatever was fused or "
                 "rounded.",
-     .keys = "transform"},
+     .keys = "transform_error=null"},
     {.id = "webgpu.viewport-rounding",
      .place = "Rasterization state, setViewport, queue timeline steps",
      .force = kAllowed,
      .sentence = "The viewport's corner and size are rounded \"to some uniform precision, no less "
                  "precise than integer rounding\".",
      .reading = "Only viewports of whole numbers place vertices predictably.",
-     .keys = "transform"},
+     .keys = "transform_error=null"},
     {.id = "webgpu.translation",
      .place = "23.2.5",
      .force = kSilent,

@@ -17,7 +17,9 @@ bool LeavesGridPoints(const Profile& profile) {
          profile.contract == Contract::kClosed;
 }
 
-// In the order in which they are told. The next new number is 54; given back: none.
+bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
+
+// In the order in which they are told. The next new number is 59; given back: none.
 constexpr std::array kDomains{
     Domain{.number = 1,
            .name = "uniform-subpixel",
@@ -275,6 +277,21 @@ constexpr std::array kDomains{
            .summary = "edges of every length along a row or a column of samples",
            .near_edge = true,
            .draw = RowsAndColumns},
+    Domain{.number = 56,
+           .name = "square-grid-lines",
+           .summary = "corners and edges on the sides of pixels, an ulp, a subpixel, a band beside",
+           .is_stated = StatesSquares,
+           .draw = SquareGridLines},
+    Domain{.number = 57,
+           .name = "square-crossings",
+           .summary = "edges through the corners of pixels, or an ulp beside",
+           .is_stated = StatesSquares,
+           .draw = SquareCrossings},
+    Domain{.number = 58,
+           .name = "square-interiors",
+           .summary = "triangles inside one pixel, thin ones, and thin ones that leave it",
+           .is_stated = StatesSquares,
+           .draw = SquareInteriors},
     Domain{.number = 46,
            .name = "perspective-meshes",
            .summary = "grids in clip space, in front of the eye, each vertex with a w of its own",
@@ -306,8 +323,9 @@ const Domain* DomainOfNumber(std::uint16_t number) {
 bool Suits(const Domain& domain, const SubjectInfo& info) {
   if (domain.is_stated != nullptr && !domain.is_stated(info.profile)) return false;
   if (info.profile.fixed && domain.non_finite) return false;
-  // A transform of its own says nothing of what lies behind the eye.
-  if (info.takes_clip && info.profile.transform) return !domain.clip;
+  // A transform of its own says nothing of what lies behind the eye; that of a map takes none.
+  if (info.profile.transform && (info.takes_clip || info.profile.transform->map))
+    return !domain.clip;
   if (!PlacesClipSpace(info.profile) || info.profile.guard_band) {
     return !domain.clip && info.takes_window;
   }

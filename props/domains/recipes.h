@@ -77,6 +77,11 @@ Case Grids(BitSource& bits, const SubjectInfo& info);
 Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info);
 Case SharedSnapTies(BitSource& bits, const SubjectInfo& info);
 
+// recipes_squares.cc: next to the sides and corners of pixels.
+Case SquareGridLines(BitSource& bits, const SubjectInfo& info);
+Case SquareCrossings(BitSource& bits, const SubjectInfo& info);
+Case SquareInteriors(BitSource& bits, const SubjectInfo& info);
+
 // recipes_subdivisions.cc
 Case Triangulations(BitSource& bits, const SubjectInfo& info);
 Case Subdivisions(BitSource& bits, const SubjectInfo& info);

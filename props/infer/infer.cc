@@ -109,12 +109,15 @@ bool ConcludeWithoutFacings(Observer& observer, const ModelSpace& space,
   return true;
 }
 
-void FindModels(Observer& observer, const InferOptions& options, Inference& inference) {
-  inference.message = TooLittleRoom(observer.info());
-  inference.is_inconclusive = !inference.message.empty();
-  if (inference.is_inconclusive) return;
-  const Location location = Locate(observer);
-  if (observer.HasBrokenOff()) return;
+// Which model there is, or none, says nothing of pixels that differ.
+void LookAtSamples(Observer& observer, YAxis y_axis, Inference& inference) {
+  if (observer.info().profile.pattern.samples() == 1 && inference.Fits()) return;
+  if (observer.HasBrokenOff() || inference.is_inconclusive) return;
+  inference.sample_places = FindSamplePlaces(observer, y_axis);
+}
+
+void RaceModels(Observer& observer, const Location& location, const InferOptions& options,
+                Inference& inference) {
   inference.facing = observer.facing();
   const ModelSpace space(location.y_axis, location.patterns, observer.stated());
   inference.models = space.models().size();
@@ -129,6 +132,16 @@ void FindModels(Observer& observer, const InferOptions& options, Inference& infe
                           ? "each model draws some triangle in another way than the subject"
                           : location.complaint;
   NameNearest(observer, location, options, inference);
+}
+
+void FindModels(Observer& observer, const InferOptions& options, Inference& inference) {
+  inference.message = TooLittleRoom(observer.info());
+  inference.is_inconclusive = !inference.message.empty();
+  if (inference.is_inconclusive) return;
+  const Location location = Locate(observer);
+  if (observer.HasBrokenOff()) return;
+  RaceModels(observer, location, options, inference);
+  LookAtSamples(observer, location.y_axis, inference);
 }
 
 // What was found so far rests on draws that came; what it was about to show does not.

@@ -11,6 +11,7 @@
 #include "core/profile.h"
 #include "core/subject.h"
 #include "props/infer/observer.h"
+#include "props/infer/sample_places.h"
 
 namespace rasterproof::props {
 
@@ -51,6 +52,8 @@ struct Inference {
   std::string message;
   std::optional<Case> witness;
   std::optional<NearestModel> nearest;
+  /// Of several samples, and of one where no model fits.
+  std::optional<SamplePlaces> sample_places;
   /// Each statement of the subject's profile against what was found; empty if none fits.
   std::vector<StatementVerdict> statements;
   /// A case in which the stated model itself is wrong.

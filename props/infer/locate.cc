@@ -150,6 +150,10 @@ std::vector<PatternCandidate> CandidatesFor(const std::vector<SampleReading>& se
 std::string TooLittleRoom(const SubjectInfo& info) {
   const Profile& stated = info.profile;
   const auto& transform = stated.transform;
+  if (transform && transform->map) {
+    return "it draws maps, and infer looks at places of the window; infer a variant that takes "
+           "window space";
+  }
   if (!info.takes_window && transform && transform->viewport != ViewportForm::kNone) {
     return "its viewport takes no vertex to most of the places that infer looks at; infer a "
            "variant that takes window space, or whose viewport is none";

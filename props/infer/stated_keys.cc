@@ -103,7 +103,9 @@ std::vector<StatementVerdict> VerifyStatements(const Profile& given, FacingRepor
   };
   const auto never = [](const Profile&) { return false; };
   verify("y axis", AxisText, never);
-  verify("sample locations", [](const Profile& p) { return PatternText(p.pattern); }, never);
+  verify(
+      "sample locations", [](const Profile& p) { return PatternText(p.pattern); },
+      [&](const Profile&) { return stated.sample_positions != SamplePositions::kStated; });
   verify("subpixel bits", BitsText,
          [&](const Profile& model) { return AllowsBits(stated, model.snap); });
   verify(

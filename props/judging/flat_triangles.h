@@ -11,7 +11,7 @@ namespace rasterproof::props {
 
 /// The finite triangles of the case whose area is zero after snapping, by their places in its list.
 ///
-/// Domain:     window space, or clip space under a profile without a snap.
+/// Clip space without places on the profile's grid: by its homogeneous area.
 std::vector<std::size_t> FlatTriangles(const Case& c);
 
 }  // namespace rasterproof::props

@@ -87,15 +87,12 @@ std::optional<Span> QuotientSpan(double x, double w, const Profile& profile, con
   const double steps = reach.freedom.any_rounding ? 1 : reach.freedom.snap_tolerance;
   Span span{*own, *own, quotient};
   for (const Snap& grid : LegalGrids(snap, reach.freedom)) {
+    if (grid.IsNone()) continue;  // the quotient lies between points of the others
     const double step = std::ldexp(1.0, -grid.bits);
-    const double far = steps * step + kQuotientMargin * std::fabs(quotient);
-    const double middle = SnapCoordinate(quotient, grid);
-    for (int k = -2; k <= 2; ++k) {
-      const double point = middle + k * step;
-      if (std::fabs(point - quotient) > far) continue;
-      span.low = std::min(span.low, point);
-      span.high = std::max(span.high, point);
-    }
+    const double far = steps * step + kQuotientMargin * std::fabs(quotient) +
+                       reach.freedom.TransformReach(quotient);
+    span.low = std::min(span.low, std::ceil((quotient - far) / step) * step);
+    span.high = std::max(span.high, std::floor((quotient + far) / step) * step);
   }
   return Widened(span, reach.slack);
 }
@@ -271,7 +268,8 @@ OpenTriangles::OpenTriangles(const Case& c) {
       add_fixed(*facing);
       continue;
     }
-    Open open{.is_dropped = drops != Drops::kNever, .reach = reach.beside + margin};
+    Open open{.is_dropped = drops != Drops::kNever,
+              .reach = reach.beside + margin + SampleReach(profile)};
     double farthest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       open.at[k] = Middle(placed->places[k]);

@@ -29,6 +29,9 @@ Wanted WantedBy(Shows shows) {
   switch (shows) {
     case Shows::kCoverage:
       break;
+    case Shows::kFacings:
+      return {[](const D& d) { return d.info.coverage == CoverageKind::kFacingCounts; },
+              "the subject tells no facings", "the subject counts by facing"};
     case Shows::kEdgeValues:
       return {[](const D& d) { return d.edges != nullptr; }, "the subject shows no edge values",
               "the subject shows edge values and states a finite bound there"};
@@ -83,6 +86,10 @@ std::optional<std::string> ContractDoesNotState(const Profile& profile, const Ga
     return std::nullopt;
   switch (profile.contract) {
     case Contract::kSampleExact:
+      if (profile.sample_positions != SamplePositions::kStated && !gate.any_model &&
+          gate.contract != ContractNeeded::kWatertight) {
+        return "the profile does not state where samples lie";
+      }
       if (!LeavesAChoice(profile, gate) || gate.any_model ||
           gate.contract == ContractNeeded::kWatertight) {
         return std::nullopt;
@@ -95,9 +102,11 @@ std::optional<std::string> ContractDoesNotState(const Profile& profile, const Ga
     case Contract::kClosed:
       if (gate.contract == ContractNeeded::kClosed) return std::nullopt;
       return "the profile's contract states closed surfaces only";
-    case Contract::kConservativeOver:
-    case Contract::kConservativeUnder:
+    case Contract::kAtLeastModel:
+    case Contract::kAtMostModel:
       return "the profile's contract states a bound on coverage only";
+    case Contract::kSquares:
+      return "the profile's contract states what whole pixels show";
     case Contract::kNone:
       break;
   }
@@ -113,7 +122,7 @@ bool MayBeClipped(const Gate& gate) {
 // Barycentrics belong to the vertices as given or to their grid points, which a profile may leave
 // free.
 bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile) {
-  const bool chooses_points = profile.freedom.snap_tolerance != 0 ||
+  const bool chooses_points = profile.freedom.MovesVertices() ||
                               profile.contract == Contract::kWatertight ||
                               profile.contract == Contract::kClosed;
   return info.fragments.barycentrics_of == BarycentricsOf::kSnapped && chooses_points;
@@ -159,6 +168,21 @@ bool ProjectsWithinLimits(const Scene& scene, const Profile& profile) {
   });
 }
 
+// Whether what is judged depends on where the vertices lie.
+bool DependsOnPlaces(const Gate& gate) {
+  switch (gate.contract) {
+    case ContractNeeded::kNone:
+    case ContractNeeded::kAny:
+      return false;
+    case ContractNeeded::kSampleExact:
+      return !gate.any_model;
+    case ContractNeeded::kWatertight:
+    case ContractNeeded::kClosed:
+      break;
+  }
+  return true;
+}
+
 std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, const Case& c) {
   if (gate.space == Space::kWindow && c.scene.clip_space) {
     return NotExercised("the case is in clip space");
@@ -175,6 +199,9 @@ std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, con
   }
   if (!Takes(info, c.scene)) {
     return Verdict::NotApplicable("the subject does not take scenes of this kind or precision");
+  }
+  if (c.scene.clip_space && !c.profile.freedom.transform_error && DependsOnPlaces(gate)) {
+    return NotExercised("the profile states no error of the transform from clip space");
   }
   if (c.scene.clip_space && !c.profile.snap.IsNone() && !IsInFrontOfTheEye(c.scene)) {
     return NotExercised("snapped clip space: a vertex is not in front of the eye");

@@ -29,6 +29,7 @@ enum class Space : std::uint8_t { kWindow, kClip, kEither };
 /// What a subject must show, or take as an option.
 enum class Shows : std::uint8_t {
   kCoverage,  ///< every subject does
+  kFacings,   ///< counts by facing
   kEdgeValues,
   kSteps,
   kBarycentrics,
@@ -130,6 +131,13 @@ inline constexpr ProfileRule kClosesEdges{
 inline constexpr ProfileRule kCountsTies{[](const Profile& p) { return !p.shares_edge_samples; },
                                          "no shared ties",
                                          "the profile leaves it open how often an edge is drawn"};
+inline constexpr ProfileRule kStatesSamplePositions{
+    [](const Profile& p) { return p.sample_positions == SamplePositions::kStated; },
+    "stated sample positions", "the profile does not state where samples lie"};
+inline constexpr ProfileRule kFixesSamplePositions{
+    [](const Profile& p) { return p.sample_positions != SamplePositions::kVary; },
+    "sample positions that are the same in every pixel",
+    "samples may lie elsewhere in another pixel"};
 inline constexpr ProfileRule kSaysWhatSinglesCover{
     [](const Profile& p) { return p.contract == Contract::kSampleExact; }, "contract sample-exact",
     "the profile's contract does not say what single triangles cover", true};

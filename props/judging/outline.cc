@@ -50,10 +50,9 @@ Outline Outline::OfMoved(const Case& c, double most_moved) {
   Outline outline;
   outline.largest_ = LargestCoordinate(c.scene);
   const Scene scene = AsGiven(c);
-  if (ties == TieOwnership::kPerEdge) outline.AddVertices(scene, most_moved);
-  for (const BoundaryEdge& edge : BoundaryOf(scene)) {
-    outline.Add(scene, edge, std::max(kMovedOutlineMargin, most_moved));
-  }
+  const double moved = std::max(kMovedOutlineMargin, most_moved) + SampleReach(c.profile);
+  if (ties == TieOwnership::kPerEdge) outline.AddVertices(scene, moved);
+  for (const BoundaryEdge& edge : BoundaryOf(scene)) outline.Add(scene, edge, moved);
   return outline;
 }
 
@@ -61,12 +60,11 @@ Outline Outline::OfAllEdges(const Case& c, double most_moved) {
   Outline all;
   all.largest_ = LargestCoordinate(c.scene);
   const Scene scene = AsGiven(c);
+  const double moved = std::max(kMovedOutlineMargin, most_moved) + SampleReach(c.profile);
   for (const Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> v = Corners(scene, t);
     if (!std::ranges::all_of(v, IsFinite)) continue;
-    for (int i = 0; i < 3; ++i) {
-      all.Add(scene, {EdgeStart(v, i), EdgeEnd(v, i)}, std::max(kMovedOutlineMargin, most_moved));
-    }
+    for (int i = 0; i < 3; ++i) all.Add(scene, {EdgeStart(v, i), EdgeEnd(v, i)}, moved);
   }
   return all;
 }
@@ -79,8 +77,7 @@ void Outline::Add(const Scene& scene, const BoundaryEdge& edge, double moved) {
 }
 
 void Outline::AddVertices(const Scene& scene, double moved) {
-  const double margin =
-      std::max(kMovedOutlineMargin, moved) + kOutlineMarginPerCoordinate * largest_;
+  const double margin = moved + kOutlineMarginPerCoordinate * largest_;
   for (const Vertex& v : scene.vertices) {
     if (!IsFinite(v) || !(v.w > 0)) continue;  // behind the eye it is seen nowhere
     vertices_.push_back({{v.x / v.w, v.y / v.w}, margin});

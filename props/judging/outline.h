@@ -18,6 +18,13 @@ namespace rasterproof::props {
 inline constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
 inline constexpr double kOutlineMargin = 0x1p-10;
 inline constexpr double kMovedOutlineMargin = 1;
+// A sample whose place in its pixel is not stated lies at most a diagonal from any other place.
+inline constexpr double kSampleMargin = 1.4142135623730952;
+
+/// How far a sample may lie from where the profile's pattern has it.
+inline double SampleReach(const Profile& profile) {
+  return profile.sample_positions == SamplePositions::kStated ? 0 : kSampleMargin;
+}
 
 /// The samples beside some edges of a mesh: those of its boundary, or all.
 class Outline {

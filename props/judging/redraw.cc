@@ -135,6 +135,20 @@ CoverageCounts CoverageUnder(const Case& c, const TieRule& rule, const DrawOptio
   return exact::Coverage(c.scene, profile, options);
 }
 
+CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole) {
+  CoverageCounts part(whole.width, whole.height, whole.samples);
+  for (int row = rect.y0; row < rect.y1; ++row) {
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      for (int s = 0; s < whole.samples; ++s) {
+        const std::size_t k = whole.Index(x, row, s);
+        part.front[k] = whole.front[k];
+        part.back[k] = whole.back[k];
+      }
+    }
+  }
+  return part;
+}
+
 Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                    std::uint64_t exercised, const std::string& property) {
   const CoverageDifference difference = Compare(observed, expected);

@@ -61,6 +61,9 @@ std::uint64_t DecisionsOf(const Case& c);
 /// What the canonical model of the case's profile counts under another tie rule.
 CoverageCounts CoverageUnder(const Case& c, const TieRule& rule, const DrawOptions& options);
 
+/// The counts within the rectangle, and zero elsewhere.
+CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole);
+
 /// Holds if the counts are equal; else violated, with the first sample that differs.
 ///
 /// `property` completes the sentence of the message: "coverage differs from ...".

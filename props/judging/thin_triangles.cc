@@ -113,9 +113,8 @@ bool IsWithin(const std::vector<Point2>& polygon, Point2 p, double reach) {
   return left || right;
 }
 
-}  // namespace
-
-double LegalReach(const Case& c) {
+// What the freedom of places allows.
+double ReachOfVertices(const Case& c) {
   const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
   if (profile.contract != Contract::kSampleExact || !IsUnclipped(c.scene, profile)) {
     return std::sqrt(2.0) * kMovedOutlineMargin;
@@ -126,6 +125,10 @@ double LegalReach(const Case& c) {
   return std::sqrt(2.0) * 2 *
          std::ldexp(1.0, -LegalGrids(profile.snap, profile.freedom).front().bits);
 }
+
+}  // namespace
+
+double LegalReach(const Case& c) { return ReachOfVertices(c) + SampleReach(c.profile); }
 
 ThinTriangles::ThinTriangles(const Case& c, double reach) : reach_(reach) {
   if (reach == 0) return;

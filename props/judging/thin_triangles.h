@@ -11,7 +11,8 @@ namespace rasterproof::props {
 
 /// How far the subject may have moved what the profile's canonical model places, in pixels: 0 where
 /// one model is legal, the grid points that a tolerance leaves free, or kMovedOutlineMargin where
-/// the grid is not stated at all, on each axis.
+/// the grid is not stated at all, on each axis; and how far a sample may lie from where its pattern
+/// has it.
 double LegalReach(const Case& c);
 
 /// The triangles of a clip-space case, around the eye as they may lie, that may turn over or vanish

@@ -41,13 +41,20 @@ extern const Property kSignedCoverageEqualsTheWindingNumber;
 extern const Property kClosedMeshCancels;
 extern const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften;
 extern const Property kOneLegalModelExplainsTheMesh;
-extern const Property kConservativeCoverageKeepsToItsSide;
+extern const Property kCoverageKeepsToItsSideOfTheModel;
+extern const Property kSquaresThatMustBeAreCovered;
+extern const Property kSquaresOutsideTheMayRegionStayFree;
+extern const Property kMetSquaresIncludeCoveredCentres;
+extern const Property kHeldSquaresHaveCoveredCentres;
+extern const Property kSubdivisionLeavesNoSquareUntouched;
 extern const Property kVertexRotationKeepsCoverage;
 extern const Property kReversalSwapsFacing;
+extern const Property kFacingIsOneAtAllSamples;
 extern const Property kTriangleOrderKeepsCoverage;
 extern const Property kDuplicatedVerticesKeepCoverage;
 extern const Property kDegenerateTrianglesCoverNothing;
 extern const Property kScissorOnlyCutsCoverage;
+extern const Property kTilesDrawnApartEqualTheWhole;
 extern const Property kNeighboursAreClippedAlike;
 extern const Property kCullingRemovesOneFacing;
 extern const Property kIntegerTranslationMovesCoverage;
@@ -103,13 +110,20 @@ inline constexpr const Property* kAllProperties[] = {
     &kClosedMeshCancels,
     &kClosedSurfaceAroundTheEyeIsSeenEquallyOften,
     &kOneLegalModelExplainsTheMesh,
-    &kConservativeCoverageKeepsToItsSide,
+    &kCoverageKeepsToItsSideOfTheModel,
+    &kSquaresThatMustBeAreCovered,
+    &kSquaresOutsideTheMayRegionStayFree,
+    &kMetSquaresIncludeCoveredCentres,
+    &kHeldSquaresHaveCoveredCentres,
+    &kSubdivisionLeavesNoSquareUntouched,
     &kVertexRotationKeepsCoverage,
     &kReversalSwapsFacing,
+    &kFacingIsOneAtAllSamples,
     &kTriangleOrderKeepsCoverage,
     &kDuplicatedVerticesKeepCoverage,
     &kDegenerateTrianglesCoverNothing,
     &kScissorOnlyCutsCoverage,
+    &kTilesDrawnApartEqualTheWhole,
     &kNeighboursAreClippedAlike,
     &kCullingRemovesOneFacing,
     &kIntegerTranslationMovesCoverage,

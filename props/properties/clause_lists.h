@@ -38,9 +38,18 @@ inline constexpr auto kOrderClauses =
     std::to_array<std::string_view>({"gl.command-order", "vulkan.rasterization-order"});
 inline constexpr auto kFacingClauses = std::to_array<std::string_view>(
     {"gl.facing", "vulkan.facing", "d3d11.cull-after-snap", "webgpu.facing"});
-inline constexpr auto kConservativeClauses = std::to_array<std::string_view>(
-    {"gl.nv-conservative", "vulkan.overestimate", "vulkan.underestimate", "d3d12.must-cover",
-     "d3d12.inner-coverage"});
+// Pixels as squares: what is met must be covered, what is held may be.
+inline constexpr auto kSquaresMetClauses =
+    std::to_array<std::string_view>({"gl.nv-conservative", "vulkan.overestimate",
+                                     "d3d12.must-cover", "pdf.fill", "gdal.all-touched"});
+inline constexpr auto kSquaresThatMustBeClauses = std::to_array<std::string_view>(
+    {"gl.nv-conservative", "vulkan.overestimate", "d3d12.must-cover", "d3d12.flat-tier-2",
+     "d3d12.inner-omission", "pdf.fill", "pdf.empty-interior", "gdal.all-touched"});
+inline constexpr auto kSquaresHeldClauses =
+    std::to_array<std::string_view>({"vulkan.underestimate", "d3d12.inner-coverage"});
+inline constexpr auto kSquaresThatMayBeClauses = std::to_array<std::string_view>(
+    {"vulkan.underestimate", "d3d12.may-cover-tier-1", "d3d12.may-cover-tier-2",
+     "d3d12.inner-coverage", "pdf.shape", "pdf.fill", "gdal.all-touched"});
 
 }  // namespace rasterproof::props
 

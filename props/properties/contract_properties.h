@@ -22,8 +22,11 @@ inline constexpr auto kWatertightProperties = std::to_array<std::string_view>(
      "NeighboursAreClippedAlike"});
 inline constexpr auto kClosedProperties = std::to_array<std::string_view>(
     {"ClosedMeshCancels", "ClosedSurfaceAroundTheEyeIsSeenEquallyOften"});
-inline constexpr auto kConservativeProperties =
-    std::to_array<std::string_view>({"ConservativeCoverageKeepsToItsSide"});
+inline constexpr auto kSideProperties =
+    std::to_array<std::string_view>({"CoverageKeepsToItsSideOfTheModel"});
+
+inline constexpr auto kSquareProperties = std::to_array<std::string_view>(
+    {"SquaresThatMustBeAreCovered", "SquaresOutsideTheMayRegionStayFree"});
 
 /// The names of the properties that put the contract to the test; none for the contract `none`.
 constexpr std::span<const std::string_view> PropertiesOf(Contract contract) {
@@ -34,9 +37,11 @@ constexpr std::span<const std::string_view> PropertiesOf(Contract contract) {
       return kWatertightProperties;
     case Contract::kClosed:
       return kClosedProperties;
-    case Contract::kConservativeOver:
-    case Contract::kConservativeUnder:
-      return kConservativeProperties;
+    case Contract::kAtLeastModel:
+    case Contract::kAtMostModel:
+      return kSideProperties;
+    case Contract::kSquares:
+      return kSquareProperties;
     case Contract::kNone:
       break;
   }
@@ -52,10 +57,12 @@ constexpr std::string_view ContractName(Contract contract) {
       return "watertight";
     case Contract::kClosed:
       return "closed";
-    case Contract::kConservativeOver:
-      return "conservative-over";
-    case Contract::kConservativeUnder:
-      return "conservative-under";
+    case Contract::kAtLeastModel:
+      return "at-least-model";
+    case Contract::kAtMostModel:
+      return "at-most-model";
+    case Contract::kSquares:
+      return "squares";
     case Contract::kNone:
       break;
   }

@@ -67,6 +67,7 @@ constexpr auto kKeys = std::to_array<Key>(
      {"snap_tolerance", [](Profile& p) { p.freedom.snap_tolerance = 0; }},
      {"rounding", [](Profile& p) { p.freedom.any_rounding = false; }},
      {"least_subpixel_bits", [](Profile& p) { p.freedom.least_bits.reset(); }},
+     {"transform_error", [](Profile& p) { p.freedom.transform_error = 0; }},
      {"tie_ownership", [](Profile& p) { p.freedom.ties = TieOwnership::kStated; }},
      {"snap_form", [](Profile& p) { p.snap.form = SnapForm::kCoordinate; }},
      {"subpixel_bits", [](Profile& p) { p.snap = {}; }},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/profile.h"
+#include "exact/snap_clip.h"
 #include "model/target_model.h"
 #include "props/judging/flat_triangles.h"
 #include "props/judging/redraw.h"
@@ -27,7 +28,7 @@ Description AsJudged(Description subject) {
 JudgedCase Judged(const Case& given, const Description& subject, bool judges_degenerates) {
   JudgedCase judged{given, subject, subject.info.profile, {}, {}, {}};
   Case& c = judged.value;
-  if (given.profile.transform && given.scene.clip_space) {
+  if (TakesToWindow(given.profile, given.scene)) {
     c = SeenCase(given);
     judged.subject = AsJudged(subject);
     judged.places.emplace(given.scene, c.scene);
@@ -35,7 +36,8 @@ JudgedCase Judged(const Case& given, const Description& subject, bool judges_deg
   c.profile = ForTarget(c.profile, c.scene.width, c.scene.height);
   if (c.profile.degenerate_triangles == DegenerateTriangles::kNothing || judges_degenerates)
     return judged;
-  if (c.scene.clip_space && !c.profile.snap.IsNone()) {
+  const bool is_snapped_clip = c.scene.clip_space && !c.profile.snap.IsNone();
+  if (is_snapped_clip && exact::SnapClipError(c.scene, c.profile)) {
     judged.instead = {Outcome::kNotExercised, 0, 0,
                       "the area after the division and snapping is not decided", std::nullopt};
     return judged;

@@ -39,6 +39,23 @@ double DrawW(BitSource& bits) {
   return power * (1 + std::ldexp(static_cast<double>(bits.Bits(23)), -23));
 }
 
+// Where a map's coordinates round otherwise: one of its steps beside, now and then.
+double Beside(double x, BitSource& bits) {
+  if (!bits.Chance(64)) return x;
+  return std::nextafter(x, bits.Chance(128) ? HUGE_VAL : -HUGE_VAL);
+}
+
+Vertex DrawGiven(const Vertex& window, const Scene& scene, const SubjectInfo& info,
+                 BitSource& bits) {
+  const Transform& transform = *info.profile.transform;
+  const double w = transform.map ? 1 : DrawW(bits);
+  Vertex given = Rounded(ToClip(window, w, transform, scene.width, scene.height), info.input);
+  if (!transform.map) return given;
+  given.x = Beside(given.x, bits);
+  given.y = Beside(given.y, bits);
+  return Rounded(given, info.input);
+}
+
 SubjectInfo SeenInfo(SubjectInfo info) {
   info.input = info.profile.transform->precision;
   info.takes_window = true;
@@ -56,35 +73,35 @@ SubjectInfo AsSeenByRecipes(const SubjectInfo& info) {
 Case PutBehindTransform(Case window, const SubjectInfo& info, BitSource& bits) {
   if (!OwnsTransform(info)) return window;
   Scene& scene = window.scene;
-  std::map<PlaceBits, Vertex> clip_of;
+  std::map<PlaceBits, Vertex> given_of;
   for (Vertex& v : scene.vertices) {
-    const auto [found, is_new] = clip_of.try_emplace(PlaceOf(v));
-    if (is_new) {
-      found->second = Rounded(
-          ToClip(v, DrawW(bits), *info.profile.transform, scene.width, scene.height), info.input);
-    }
+    const auto [found, is_new] = given_of.try_emplace(PlaceOf(v));
+    if (is_new) found->second = DrawGiven(v, scene, info, bits);
     const double z = v.z;
     v = found->second;
     v.z = z;
   }
-  scene.clip_space = true;
+  scene.clip_space = !info.profile.transform->map;
   scene.precision = info.input;
   window.profile = info.profile;
   return window;
 }
 
 Case SeenCase(const Case& c) {
-  if (!c.profile.transform || !c.scene.clip_space) return c;
+  if (!TakesToWindow(c.profile, c.scene)) return c;
   Case seen = c;
   seen.scene = ToWindow(c.scene, *c.profile.transform);
   seen.profile.transform.reset();
   return seen;
 }
 
-PlacesOfTransform::PlacesOfTransform(const Scene& clip, const Scene& window)
-    : width_(clip.width), height_(clip.height), precision_(clip.precision) {
-  for (std::size_t k = 0; k < clip.vertices.size(); ++k) {
-    clip_of_.emplace(PlaceOf(window.vertices[k]), clip.vertices[k]);
+PlacesOfTransform::PlacesOfTransform(const Scene& given, const Scene& window)
+    : width_(given.width),
+      height_(given.height),
+      precision_(given.precision),
+      clip_space_(given.clip_space) {
+  for (std::size_t k = 0; k < given.vertices.size(); ++k) {
+    given_of_.emplace(PlaceOf(window.vertices[k]), given.vertices[k]);
   }
 }
 
@@ -92,19 +109,19 @@ bool PlacesOfTransform::IsOfTheTarget(const Scene& window) const {
   return window.width == width_ && window.height == height_;
 }
 
-std::optional<Scene> PlacesOfTransform::InClipSpace(const Scene& window) const {
+std::optional<Scene> PlacesOfTransform::AsGiven(const Scene& window) const {
   if (!IsOfTheTarget(window)) return std::nullopt;
-  Scene clip = window;
-  clip.clip_space = true;
-  clip.precision = precision_;
-  for (Vertex& v : clip.vertices) {
-    const auto found = clip_of_.find(PlaceOf(v));
-    if (found == clip_of_.end()) return std::nullopt;
+  Scene given = window;
+  given.clip_space = clip_space_;
+  given.precision = precision_;
+  for (Vertex& v : given.vertices) {
+    const auto found = given_of_.find(PlaceOf(v));
+    if (found == given_of_.end()) return std::nullopt;
     const double z = v.z;
     v = found->second;
     v.z = z;
   }
-  return clip;
+  return given;
 }
 
 std::string PlacesOfTransform::WhyNot(const Scene& window) const {

@@ -1,8 +1,8 @@
-// Subjects that own the transform from clip space to window space.
+// Subjects that own the transform from clip space, or from a map, to window space.
 //
-// Such a subject is given clip space and held to what its transform, computed operation by
-// operation, makes of it. Properties see a window-space subject and the transformed case: all that
-// is stated of window space holds for it.
+// Such a subject is given clip space, or a map's coordinates, and held to what its transform,
+// computed operation by operation, makes of it. Properties see a window-space subject and the
+// transformed case: all that is stated of window space holds for it.
 #ifndef RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 #define RASTERPROOF_PROPS_RUN_OWN_TRANSFORM_H_
 
@@ -21,21 +21,21 @@
 
 namespace rasterproof::props {
 
-/// Returns whether the subject takes clip space through a transform of its own.
+/// Returns whether the subject takes clip space, or a map, through a transform of its own.
 inline bool OwnsTransform(const SubjectInfo& info) {
-  return info.takes_clip && info.profile.transform.has_value();
+  const auto& transform = info.profile.transform;
+  return transform && (transform->map ? info.takes_window : info.takes_clip);
 }
 
 /// What recipes draw for the subject: itself, or for an owner of a transform a taker of window
 /// space in the transform's precision.
 SubjectInfo AsSeenByRecipes(const SubjectInfo& info);
 
-/// The case with every vertex in clip space, so that the transform takes it back to its place, or
-/// some roundings beside it. Vertices of one place stay at one place.
+/// The case with every vertex in clip space, or on the map, so that the transform takes it back to
+/// its place, or some roundings beside it. Vertices of one place stay at one place.
 Case PutBehindTransform(Case window, const SubjectInfo& info, BitSource& bits);
 
-/// The case as properties see it: after the profile's transform, if it has one and the scene is in
-/// clip space.
+/// The case as properties see it: after the profile's transform, if it takes the scene.
 Case SeenCase(const Case& c);
 
 /// A place in window space by its bits: NaN is a place as well, and -0 is not +0.
@@ -44,14 +44,14 @@ using PlaceBits = std::array<std::uint64_t, 2>;
 /// The places that a subject's own transform takes the vertices of a scene to.
 class PlacesOfTransform {
  public:
-  /// Domain:     the window-space scene that the transform makes of the clip-space one.
-  PlacesOfTransform(const Scene& clip, const Scene& window);
+  /// Domain:     the window-space scene that the transform makes of the given one.
+  PlacesOfTransform(const Scene& given, const Scene& window);
 
   /// The scene with the vertices that the transform takes to where its own lie.
   ///
   /// Returns:    nothing if a vertex has no such place, or the target is another one: `why`.
-  std::optional<Scene> InClipSpace(const Scene& window) const;
-  /// Why InClipSpace gave nothing for the scene.
+  std::optional<Scene> AsGiven(const Scene& window) const;
+  /// Why AsGiven gave nothing for the scene.
   std::string WhyNot(const Scene& window) const;
 
  private:
@@ -60,7 +60,8 @@ class PlacesOfTransform {
   int width_;
   int height_;
   Precision precision_;
-  std::map<PlaceBits, Vertex> clip_of_;
+  bool clip_space_;
+  std::map<PlaceBits, Vertex> given_of_;
 };
 
 }  // namespace rasterproof::props

@@ -35,9 +35,9 @@ std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Ans
     return std::nullopt;
   }
   if (!judged.places) return job;
-  if (std::optional<Scene> clip = judged.places->InClipSpace(*job.scene)) {
+  if (std::optional<Scene> scene = judged.places->AsGiven(*job.scene)) {
     DrawJob given = job;
-    given.scene = std::make_shared<const Scene>(*std::move(clip));
+    given.scene = std::make_shared<const Scene>(*std::move(scene));
     return given;
   }
   const InputError error("subject " + judged.subject.info.name, judged.places->WhyNot(*job.scene),

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "subjects/gl/program.h"
+
 namespace rasterproof::subjects {
 namespace {
 
@@ -19,16 +21,6 @@ out vec2 counts;
 void main() { counts = gl_FrontFacing ? vec2(1.0, 0.0) : vec2(0.0, 1.0); }
 )";
 
-GLuint Compile(GLenum stage, const char* text) {
-  const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  GLint done = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
-  if (done != GL_TRUE) throw std::runtime_error("a shader does not compile");
-  return shader;
-}
-
 }  // namespace
 
 std::optional<int> ReportedSubpixelBits(const char* gallium_driver) {
@@ -42,16 +34,17 @@ std::optional<int> ReportedSubpixelBits(const char* gallium_driver) {
   }
 }
 
-GlCounter::GlCounter(const char* gallium_driver, GlSubmission submission)
-    : context_(gallium_driver), submission_(submission) {
+GlCounter::GlCounter(const char* gallium_driver, GlSubmission submission, int samples)
+    : context_(gallium_driver), submission_(submission), samples_(samples) {
   const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   if (!renderer.starts_with(gallium_driver)) {
     throw std::runtime_error("the renderer is " + renderer);
   }
-  MakeProgram();
+  if (samples_ > 1) reader_.emplace(samples_);
+  program_ = MakeProgram(kVertexShader, kFragmentShader);
+  glGenVertexArrays(1, &attributes_);
+  glBindVertexArray(attributes_);
   GLuint name = 0;
-  glGenVertexArrays(1, &name);
-  glBindVertexArray(name);
   glGenBuffers(1, &name);
   glBindBuffer(GL_ARRAY_BUFFER, name);
   glEnableVertexAttribArray(0);
@@ -59,23 +52,10 @@ GlCounter::GlCounter(const char* gallium_driver, GlSubmission submission)
   glGenBuffers(1, &name);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, name);
   glGenFramebuffers(1, &framebuffer_);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   // With y down, counter-clockwise on screen is clockwise in OpenGL's axes.
   glFrontFace(GL_CW);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-}
-
-void GlCounter::MakeProgram() {
-  const GLuint program = glCreateProgram();
-  glAttachShader(program, Compile(GL_VERTEX_SHADER, kVertexShader));
-  glAttachShader(program, Compile(GL_FRAGMENT_SHADER, kFragmentShader));
-  glLinkProgram(program);
-  GLint done = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &done);
-  if (done != GL_TRUE) throw std::runtime_error("the shaders do not link");
-  glUseProgram(program);
 }
 
 void GlCounter::Resize(int width, int height) {
@@ -84,15 +64,37 @@ void GlCounter::Resize(int width, int height) {
   height_ = height;
   if (texture_ != 0) glDeleteTextures(1, &texture_);
   glGenTextures(1, &texture_);
-  glBindTexture(GL_TEXTURE_2D, texture_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, width, height, 0, GL_RG, GL_FLOAT, nullptr);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+  const GLenum kind = samples_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  glBindTexture(kind, texture_);
+  if (reader_) {
+    glTexImage2DMultisample(kind, samples_, GL_RG32F, width, height, GL_TRUE);
+    reader_->Resize(width, height);
+  } else {
+    glTexImage2D(kind, 0, GL_RG32F, width, height, 0, GL_RG, GL_FLOAT, nullptr);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, texture_, 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw std::runtime_error("the driver cannot draw into RG32F");
   }
+  RequireSamples();
+  texels_.resize(2 * static_cast<std::size_t>(width * samples_) * static_cast<std::size_t>(height));
+}
+
+// A driver may give more than it is asked for.
+void GlCounter::RequireSamples() const {
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  if (samples_ > 1 && samples != samples_) throw std::runtime_error("not so many samples");
+}
+
+void GlCounter::Bind() const {
   constexpr GLsizei kSide = 2 * static_cast<GLsizei>(kHalfViewport);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glViewport(-kSide / 2, -kSide / 2, kSide, kSide);
-  texels_.resize(2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  glEnable(GL_BLEND);
+  glUseProgram(program_);
+  glBindVertexArray(attributes_);
 }
 
 bool GlCounter::Upload(const rasterproof_scene& scene) {
@@ -131,17 +133,25 @@ void GlCounter::Submit(const rasterproof_scene& scene) const {
 }
 
 std::int32_t GlCounter::Draw(const rasterproof_scene& scene, const rasterproof_target& target) {
-  if (scene.width > kHalfViewport || scene.height > kHalfViewport || !Upload(scene)) return 1;
+  if (target.samples != samples_) return 1;
+  // The samples of a row are read side by side, in a texture of at most 16384 columns.
+  if (scene.width > kHalfViewport || scene.height > kHalfViewport ||
+      scene.width * samples_ > 2 * kHalfViewport) {
+    return 1;
+  }
   Resize(scene.width, scene.height);
+  Bind();
+  if (!Upload(scene)) return 1;
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
   Submit(scene);
-  glReadPixels(0, 0, width_, height_, GL_RG, GL_FLOAT, texels_.data());
+  if (reader_) reader_->Fetch(texture_);
+  glReadPixels(0, 0, width_ * samples_, height_, GL_RG, GL_FLOAT, texels_.data());
   if (glGetError() != GL_NO_ERROR) return 1;
   const float* texel = texels_.data();
   for (int y = 0; y < height_; ++y) {
     const std::size_t row = static_cast<std::size_t>(y) * target.stride;
-    for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x, texel += 2) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width_ * samples_); ++x, texel += 2) {
       target.front[row + x] += static_cast<std::uint32_t>(texel[0]);
       target.back[row + x] += static_cast<std::uint32_t>(texel[1]);
     }

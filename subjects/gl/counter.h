@@ -11,6 +11,7 @@
 
 #include "kit/rasterproof_plugin.h"
 #include "subjects/gl/context.h"
+#include "subjects/gl/sample_fetcher.h"
 
 namespace rasterproof::subjects {
 
@@ -31,19 +32,24 @@ std::optional<int> ReportedSubpixelBits(const char* gallium_driver);
 class GlCounter {
  public:
   /// Error:      throws std::runtime_error where there is no such driver.
-  GlCounter(const char* gallium_driver, GlSubmission submission);
+  GlCounter(const char* gallium_driver, GlSubmission submission, int samples);
 
   /// Returns 0, or 1 if the scene is out of range.
   std::int32_t Draw(const rasterproof_scene& scene, const rasterproof_target& target);
 
  private:
-  void MakeProgram();
+  void RequireSamples() const;
+  void Bind() const;
   void Resize(int width, int height);
   bool Upload(const rasterproof_scene& scene);
   void Submit(const rasterproof_scene& scene) const;
 
   GlContext context_;
   GlSubmission submission_;
+  int samples_;
+  std::optional<SampleFetcher> reader_;  ///< of more samples than one
+  GLuint program_ = 0;
+  GLuint attributes_ = 0;
   GLuint texture_ = 0;
   GLuint framebuffer_ = 0;
   int width_ = 0;

@@ -27,12 +27,14 @@ constexpr std::uint32_t kTakes = 0;
 std::string States() { return R"("contract": "watertight", "coordinate_limit": 8192)"; }
 #else
 // All that OpenGL allows, with the subpixel bits that the driver reports: an estimate (table
-// 23.53), so there may be more.
+// 23.53), so there may be more. Where several samples lie OpenGL does not say.
 constexpr std::uint32_t kTakes = 0;
+constexpr const char* kSet =
+    RASTERPROOF_GL_SAMPLES == 1 ? "gl" : "gl-" RASTERPROOF_GL_SAMPLES_TEXT "x";
 std::string States() {
   const int bits = rasterproof::subjects::ReportedSubpixelBits(RASTERPROOF_GL_DRIVER).value_or(4);
-  return R"("specification": "gl", "coordinate_limit": 8192, "least_subpixel_bits": )" +
-         std::to_string(bits);
+  return R"("specification": ")" + std::string(kSet) +
+         R"(", "coordinate_limit": 8192, "least_subpixel_bits": )" + std::to_string(bits);
 }
 #endif
 
@@ -44,7 +46,8 @@ const std::string& Profile() {
 void* Open() {
   try {
     return std::make_unique<GlCounter>(RASTERPROOF_GL_DRIVER,
-                                       GlSubmission::RASTERPROOF_GL_SUBMISSION)
+                                       GlSubmission::RASTERPROOF_GL_SUBMISSION,
+                                       RASTERPROOF_GL_SAMPLES)
         .release();
   } catch (const std::exception&) {
     return nullptr;

@@ -14,6 +14,7 @@
 #include "subjects/mutants/real_geometry.h"
 #include "subjects/mutants/scanline.h"
 #include "subjects/mutants/shown_values.h"
+#include "subjects/mutants/squares.h"
 
 namespace rasterproof::subjects::mutants {
 
@@ -23,12 +24,15 @@ struct Mutant {
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
   std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
-               FreeStages>
+               FreeStages, SquareStages>
       stages;
 };
 
 /// Eight subpixel bits and four samples a pixel, on a rotated grid.
 Profile FourSampleProfile();
+
+/// Sound, under a preset.
+FixedStages StagesOfPreset(std::string_view preset);
 
 // The mutants, by stage.
 std::vector<Mutant> TieRuleMutants();     // ties, facing
@@ -39,20 +43,26 @@ std::vector<Mutant> TargetMutants();      // scissor, culling, target size, thre
 std::vector<Mutant> SceneMutants();       // state, degenerate and non-finite input, lost triangles
 std::vector<Mutant> RealMutants();        // exact geometry, clip space
 std::vector<Mutant> TransformMutants();   // clip space to window
+std::vector<Mutant> MapMutants();         // a map to window, tiles
 std::vector<Mutant> ScanlineMutants();    // where edges cross rows
 std::vector<Mutant> ShownValueMutants();  // edge values, steps, barycentrics
 std::vector<Mutant> ContractMutants();    // fixed-point input, target sizes, extents, edge_samples
+std::vector<Mutant> SquareMutants();      // whole pixels
 std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
 std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
+std::vector<Mutant> SampleMutants();      // several samples a pixel
 /// Written after the generators and the properties were frozen.
 std::vector<Mutant> LateMutants();
 
 std::vector<Mutant> LegalVariants();
 // Parts of them.
 std::vector<Mutant> TransformVariants();
+std::vector<Mutant> MapVariants();
 std::vector<Mutant> ScanlineVariants();
+std::vector<Mutant> SquareVariants();
 std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
 std::vector<Mutant> SetVariants();       // of the legal sets of APIs
+std::vector<Mutant> SampleVariants();    // several samples a pixel
 std::vector<Mutant> ContractVariants();  // those of profiles with the rarer keys
 
 }  // namespace rasterproof::subjects::mutants

@@ -27,11 +27,13 @@ std::vector<Row> MakeRows() {
       rows.push_back({std::move(info), std::move(planted)});
     }
   };
-  for (const auto table : {mutants::TieRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
-                           mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
-                           mutants::RealMutants, mutants::TransformMutants,
-                           mutants::ScanlineMutants, mutants::ShownValueMutants,
-                           mutants::ContractMutants, mutants::FreeMutants, mutants::SetMutants}) {
+  for (const auto table :
+       {mutants::TieRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
+        mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
+        mutants::RealMutants, mutants::TransformMutants, mutants::ScanlineMutants,
+        mutants::MapMutants, mutants::ShownValueMutants, mutants::ContractMutants,
+        mutants::FreeMutants, mutants::SquareMutants, mutants::SetMutants,
+        mutants::SampleMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);
@@ -66,6 +68,9 @@ struct Maker {
   }
   std::unique_ptr<Subject> operator()(const mutants::FreeStages& stages) const {
     return mutants::MakeFreeChoice(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::SquareStages& stages) const {
+    return mutants::MakeSquares(info.name, info.change, stages);
   }
 };
 

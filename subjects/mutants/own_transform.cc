@@ -1,5 +1,6 @@
 #include "subjects/mutants/own_transform.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,8 +27,9 @@ class OwnTransform final : public Subject {
       : base_(MakeFixedPoint(name, summary, {})), info_(base_->Info()), stages_(std::move(stages)) {
     info_.profile.name = "transform of its own";
     info_.profile.transform = stages_.stated;
-    info_.takes_window = false;
-    info_.takes_clip = true;
+    info_.takes_window = stages_.stated.map.has_value();
+    info_.takes_clip = !info_.takes_window;
+    if (info_.takes_window) info_.input = Precision::kFloat64;
     if (!stages_.shows_fragments) return;
     info_.coverage = CoverageKind::kFragments;
     info_.fragments = {.barycentrics_of = BarycentricsOf::kSnapped,
@@ -38,6 +40,10 @@ class OwnTransform final : public Subject {
   const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    if (stages_.to_tile) {
+      DrawTile(scene, options, counts);
+      return;
+    }
     if (!stages_.shows_fragments) {
       base_->Draw(InTheWindow(scene), options, counts);
       return;
@@ -67,6 +73,36 @@ class OwnTransform final : public Subject {
   }
 
  private:
+  void DrawTile(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+    PixelRect tile{0, 0, scene.width, scene.height};
+    if (const auto& cut = options.scissor) {
+      tile = {std::max(cut->x0, 0), std::max(cut->y0, 0), std::min(cut->x1, scene.width),
+              std::min(cut->y1, scene.height)};
+    }
+    if (tile.x0 >= tile.x1 || tile.y0 >= tile.y1) return;
+    Scene part = scene;
+    part.width = tile.x1 - tile.x0;
+    part.height = tile.y1 - tile.y0;
+    for (Vertex& v : part.vertices) {
+      constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+      const Point2 p = IsFinite(v) ? stages_.to_tile(v, tile) : Point2{kNowhere, kNowhere};
+      v = {p.x, p.y, v.z, 1};
+    }
+    DrawOptions whole = options;
+    whole.scissor.reset();
+    CoverageCounts drawn(part.width, part.height, counts.samples);
+    base_->Draw(part, whole, drawn);
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      const auto samples = static_cast<std::size_t>(counts.samples);
+      const auto width = static_cast<std::size_t>(part.width);
+      const std::size_t at = counts.Index(tile.x0 + static_cast<int>(k / samples % width),
+                                          tile.y0 + static_cast<int>(k / samples / width),
+                                          static_cast<int>(k % samples));
+      counts.front[at] += drawn.front[k];
+      counts.back[at] += drawn.back[k];
+    }
+  }
+
   Scene InTheWindow(const Scene& scene) const {
     Scene window = scene;
     window.clip_space = false;

@@ -1,4 +1,4 @@
-// The base of mutants that own the transform from clip space to the window.
+// The base of mutants that own the transform from clip space, or from a map, to the window.
 #ifndef RASTERPROOF_SUBJECTS_MUTANTS_OWN_TRANSFORM_H_
 #define RASTERPROOF_SUBJECTS_MUTANTS_OWN_TRANSFORM_H_
 
@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "core/draw_options.h"
 #include "core/scene.h"
 #include "core/subject.h"
 #include "core/transform.h"
@@ -21,6 +22,9 @@ struct TransformStages {
   bool shows_fragments = false;
   /// What the interpolated depths are off.
   double depth_error = 0;
+  /// Of a map: it draws what a scissor leaves as a target of its own, whose first pixel is the
+  /// tile's; where a vertex lies on it. In place of `to_window`.
+  std::function<Point2(const Vertex& vertex, const PixelRect& tile)> to_tile = {};
 };
 
 /// What the subject says of the fragments that it shows: barycentrics and depths in double, of
@@ -29,7 +33,7 @@ inline constexpr double kBarycentricError = 0x1p-46;
 inline constexpr double kDepthError = 0x1p-44;
 
 /// The fixed-point rasterizer behind a transform. A vertex that is not finite or not in front of
-/// the eye has no place: its triangles are not drawn.
+/// the eye has no place: its triangles are not drawn. Behind a map it takes float64.
 std::unique_ptr<Subject> MakeOwnTransform(const std::string& name, const std::string& summary,
                                           TransformStages stages);
 

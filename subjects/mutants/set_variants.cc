@@ -17,16 +17,7 @@
 namespace rasterproof::subjects::mutants {
 namespace {
 
-FixedStages Of(std::string_view preset) {
-  FixedStages stages{.profile = *PresetProfile(preset)};
-  if (stages.profile.nan_z != NanZ::kNothing) return stages;
-  stages.vertices = [](std::array<Vertex, 3>& v) {
-    for (Vertex& corner : v) {
-      if (std::isnan(corner.z)) corner.x = corner.z;
-    }
-  };
-  return stages;
-}
+FixedStages Of(std::string_view preset) { return StagesOfPreset(preset); }
 
 double Floor(double x, int bits) { return std::ldexp(std::floor(std::ldexp(x, bits)), -bits); }
 double Nearest(double x, int bits) {
@@ -122,6 +113,17 @@ double RoundAbove(double x, int bits, double threshold) {
 
 }  // namespace
 
+FixedStages StagesOfPreset(std::string_view preset) {
+  FixedStages stages{.profile = *PresetProfile(preset)};
+  if (stages.profile.nan_z != NanZ::kNothing) return stages;
+  stages.vertices = [](std::array<Vertex, 3>& v) {
+    for (Vertex& corner : v) {
+      if (std::isnan(corner.z)) corner.x = corner.z;
+    }
+  };
+  return stages;
+}
+
 std::vector<Mutant> SetVariants() {
   return {
       {"vulkan-4-bits", "the grid has four subpixel bits", "SwiftShader",
@@ -169,7 +171,7 @@ std::vector<Mutant> SetVariants() {
               [](const GridEdge& edge, const GridTriangle&, const Sample&) {
                 const std::int64_t across = edge.b.x - edge.a.x;
                 const std::int64_t down = edge.b.y - edge.a.y;
-                return OwnedBy(edge, across * down > 0 || across == 0);
+                return OwnedBy(edge, across * down < 0 || across == 0);
               })},
       {"gl-bottom-right", "ties fall to the right and the bottom", "",
        Owning("gl",
@@ -227,8 +229,8 @@ std::vector<Mutant> SetMutants() {
               })},
       {"gl-truncates", "the snap truncates to four bits, which zero divides in two", "",
        Snapping("gl", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 4)), -4); })},
-      {"d3d11-rounds-above-0.38", "the snap rounds up above 0.38 of a step, where 0.4 is legal", "",
-       Snapping("d3d11", [](double x) { return RoundAbove(x, 8, 0.38); })},
+      {"d3d11-rounds-above-0.39", "the snap rounds up above 0.39 of a step, where 0.4 is legal", "",
+       Snapping("d3d11", [](double x) { return RoundAbove(x, 8, 0.39); })},
       {"d3d11-floor", "the snap rounds down", "Direct3D 10",
        Snapping("d3d11", [](double x) { return Floor(x, 8); })},
       {"d3d11-7-bits", "the grid has seven subpixel bits", "",

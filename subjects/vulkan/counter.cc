@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "subjects/vulkan/objects.h"
 #include "triangle.frag.h"
 #include "triangle.vert.h"
 
@@ -19,30 +20,6 @@ constexpr VkFormat kFormat = VK_FORMAT_R32G32_SFLOAT;
 constexpr VkVertexInputBindingDescription kBinding{0, 2 * sizeof(float),
                                                    VK_VERTEX_INPUT_RATE_VERTEX};
 constexpr VkVertexInputAttributeDescription kAttribute{0, 0, VK_FORMAT_R32G32_SFLOAT, 0};
-
-void Require(VkResult result, const char* what) {
-  if (result != VK_SUCCESS) throw std::runtime_error(what);
-}
-
-template <std::size_t n>
-VkShaderModule Module(VkDevice device, const std::uint32_t (&words)[n]) {
-  VkShaderModuleCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-  info.codeSize = sizeof(words);
-  info.pCode = words;
-  VkShaderModule module = VK_NULL_HANDLE;
-  Require(vkCreateShaderModule(device, &info, nullptr, &module), "no shader module");
-  return module;
-}
-
-VkPipelineShaderStageCreateInfo Stage(VkShaderStageFlagBits stage, VkShaderModule module) {
-  VkPipelineShaderStageCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  info.stage = stage;
-  info.module = module;
-  info.pName = "main";
-  return info;
-}
 
 VkPipelineColorBlendAttachmentState Additive() {
   VkPipelineColorBlendAttachmentState add{};
@@ -114,9 +91,16 @@ std::optional<int> ReportedSubpixelBits(const VulkanDriver& driver) {
   return bits;
 }
 
-VulkanCounter::VulkanCounter(const VulkanDriver& driver) : half_viewport_(driver.half_viewport) {
+VulkanCounter::VulkanCounter(const VulkanDriver& driver)
+    : half_viewport_(driver.half_viewport),
+      samples_(driver.samples),
+      sample_bit_(static_cast<VkSampleCountFlagBits>(driver.samples)) {
   Require(MakeInstance(driver, instance_), "no Vulkan");
   MakeDevice(driver.device);
+  if (samples_ > 1) {
+    RequireSamples();
+    reader_.emplace(device_);
+  }
   MakePipeline();
   MakeCommands();
 }
@@ -144,6 +128,25 @@ void VulkanCounter::MakeDevice(const char* name) {
   info.pQueueCreateInfos = &queue;
   Require(vkCreateDevice(physical_, &info, nullptr, &device_), "no Vulkan device");
   vkGetDeviceQueue(device_, 0, 0, &queue_);
+}
+
+void VulkanCounter::RequireSamples() const {
+  VkPhysicalDeviceProperties properties{};
+  vkGetPhysicalDeviceProperties(physical_, &properties);
+  const VkPhysicalDeviceLimits& limits = properties.limits;
+  if (limits.standardSampleLocations != VK_TRUE) {
+    throw std::runtime_error("the device does not say where its samples lie");
+  }
+  VkImageFormatProperties format{};
+  Require(vkGetPhysicalDeviceImageFormatProperties(physical_, kFormat, VK_IMAGE_TYPE_2D,
+                                                   VK_IMAGE_TILING_OPTIMAL, Usage(), 0, &format),
+          "no multisampled image of two floats");
+  if ((format.sampleCounts & sample_bit_) == 0) throw std::runtime_error("not so many samples");
+}
+
+VkImageUsageFlags VulkanCounter::Usage() const {
+  return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+         (samples_ > 1 ? VK_IMAGE_USAGE_SAMPLED_BIT : VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
 }
 
 void VulkanCounter::MakeCommands() {
@@ -191,7 +194,7 @@ void VulkanCounter::MakePipeline() {
   raster.lineWidth = 1;
   VkPipelineMultisampleStateCreateInfo samples{};
   samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
-  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  samples.rasterizationSamples = sample_bit_;
   const VkPipelineColorBlendAttachmentState add = Additive();
   VkPipelineColorBlendStateCreateInfo blend{};
   blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
@@ -283,8 +286,8 @@ void VulkanCounter::Resize(std::uint32_t width, std::uint32_t height) {
   info.extent = {width, height, 1};
   info.mipLevels = 1;
   info.arrayLayers = 1;
-  info.samples = VK_SAMPLE_COUNT_1_BIT;
-  info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  info.samples = sample_bit_;
+  info.usage = Usage();
   Require(vkCreateImage(device_, &info, nullptr, &image_), "no image");
   VkMemoryRequirements needs{};
   vkGetImageMemoryRequirements(device_, image_, &needs);
@@ -344,13 +347,22 @@ void VulkanCounter::Record(std::uint32_t indices) {
   vkCmdBindIndexBuffer(commands_, indices_.buffer, 0, VK_INDEX_TYPE_UINT32);
   vkCmdDrawIndexed(commands_, indices, 1, 0, 0, 0);
   vkCmdEndRendering(commands_);
+  RecordReading();
+  Require(vkEndCommandBuffer(commands_), "no commands");
+}
+
+void VulkanCounter::RecordReading() {
+  if (reader_) {
+    Transition(commands_, image_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL);
+    reader_->Record(commands_, view_, texels_.buffer, extent_, samples_);
+    return;
+  }
   Transition(commands_, image_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   VkBufferImageCopy copy{};
   copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   copy.imageExtent = {extent_.width, extent_.height, 1};
   vkCmdCopyImageToBuffer(commands_, image_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, texels_.buffer, 1,
                          &copy);
-  Require(vkEndCommandBuffer(commands_), "no commands");
 }
 
 void VulkanCounter::Run() {
@@ -365,15 +377,18 @@ void VulkanCounter::Run() {
 
 std::int32_t VulkanCounter::Draw(const rasterproof_scene& scene, const rasterproof_target& target) {
   if (scene.width > half_viewport_ || scene.height > half_viewport_ || !Upload(scene)) return 1;
+  if (target.samples != samples_) return 1;
   const auto width = static_cast<std::size_t>(scene.width);
   const auto height = static_cast<std::size_t>(scene.height);
   Resize(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
-  Grow(texels_, width * height * 8, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  const std::size_t row = width * static_cast<std::size_t>(samples_);
+  Grow(texels_, row * height * 2 * sizeof(float),
+       VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   Record(static_cast<std::uint32_t>(3 * scene.triangle_count));
   Run();
   const auto* texel = static_cast<const float*>(texels_.mapped);
   for (std::size_t y = 0; y < height; ++y) {
-    for (std::size_t x = 0; x < width; ++x, texel += 2) {
+    for (std::size_t x = 0; x < row; ++x, texel += 2) {
       target.front[y * target.stride + x] += static_cast<std::uint32_t>(texel[0]);
       target.back[y * target.stride + x] += static_cast<std::uint32_t>(texel[1]);
     }
@@ -383,6 +398,7 @@ std::int32_t VulkanCounter::Draw(const rasterproof_scene& scene, const rasterpro
 
 VulkanCounter::~VulkanCounter() {
   vkDeviceWaitIdle(device_);
+  reader_.reset();
   for (VulkanBuffer* buffer : {&vertices_, &indices_, &texels_}) Release(*buffer);
   ReleaseImage();
   vkDestroyFence(device_, fence_, nullptr);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kit/rasterproof_plugin.h"
+#include "subjects/vulkan/sample_reader.h"
 
 namespace rasterproof::subjects {
 
@@ -27,6 +28,7 @@ struct VulkanDriver {
   const char* description;
   const char* device;  ///< how the device's name begins; empty: any GPU
   int half_viewport;   ///< a power of two; nothing within is clipped
+  int samples;         ///< a pixel
 };
 
 /// The subpixel bits that the driver's device reports; nothing if there is no such device.
@@ -38,7 +40,8 @@ std::optional<int> ReportedSubpixelBits(const VulkanDriver& driver);
 /// origin, a power of two to either side.
 class VulkanCounter {
  public:
-  /// Error:      throws std::runtime_error where there is no such device.
+  /// Error:      throws std::runtime_error where there is no such device, or where it does not have
+  ///             so many samples at the standard locations.
   explicit VulkanCounter(const VulkanDriver& driver);
   ~VulkanCounter();
   VulkanCounter(const VulkanCounter&) = delete;
@@ -49,6 +52,8 @@ class VulkanCounter {
 
  private:
   void MakeDevice(const char* name);
+  void RequireSamples() const;
+  VkImageUsageFlags Usage() const;
   void MakePipeline();
   void MakeCommands();
   VkDeviceMemory Allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted);
@@ -58,9 +63,12 @@ class VulkanCounter {
   void ReleaseImage();
   bool Upload(const rasterproof_scene& scene);
   void Record(std::uint32_t indices);
+  void RecordReading();
   void Run();
 
   int half_viewport_;
+  int samples_;
+  VkSampleCountFlagBits sample_bit_;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
   VkDevice device_ = VK_NULL_HANDLE;
@@ -77,6 +85,7 @@ class VulkanCounter {
   VulkanBuffer vertices_;
   VulkanBuffer indices_;
   VulkanBuffer texels_;
+  std::optional<SampleReader> reader_;  ///< of more samples than one
 };
 
 }  // namespace rasterproof::subjects

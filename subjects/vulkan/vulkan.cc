@@ -11,13 +11,20 @@ namespace {
 using rasterproof::subjects::VulkanCounter;
 
 constexpr rasterproof::subjects::VulkanDriver kDriver{
-    RASTERPROOF_VULKAN_ICD, RASTERPROOF_VULKAN_DEVICE, RASTERPROOF_VULKAN_HALF_VIEWPORT};
+    RASTERPROOF_VULKAN_ICD, RASTERPROOF_VULKAN_DEVICE, RASTERPROOF_VULKAN_HALF_VIEWPORT,
+    RASTERPROOF_VULKAN_SAMPLES};
 
 // All that Vulkan allows, with the subpixel bits that the device reports; the fewest where there is
-// no device.
+// no device. Where several samples lie it reports too: one without standardSampleLocations is not
+// opened.
+constexpr const char* kSet = kDriver.samples == 1   ? "vulkan"
+                             : kDriver.samples == 2 ? "vulkan-standard-2x"
+                             : kDriver.samples == 4 ? "vulkan-standard-4x"
+                                                    : "vulkan-standard-8x";
 const std::string& Profile() {
   static const std::string profile =
-      R"({"name": ")" RASTERPROOF_VULKAN_NAME R"(", "specification": "vulkan", "subpixel_bits": )" +
+      R"({"name": ")" RASTERPROOF_VULKAN_NAME R"(", "specification": ")" + std::string(kSet) +
+      R"(", "subpixel_bits": )" +
       std::to_string(rasterproof::subjects::ReportedSubpixelBits(kDriver).value_or(4)) +
       R"(, "coordinate_limit": )" + std::to_string(kDriver.half_viewport) + "}";
   return profile;

@@ -32,9 +32,10 @@ void Add(const TieRule& rule, Digest& digest) {
 }
 
 void Add(const Transform& transform, Digest& digest) {
-  const auto& [precision, division, viewport, flips_y] = transform;
+  const auto& [precision, division, viewport, flips_y, map] = transform;
   digest.Integer(static_cast<int>(precision)).Integer(static_cast<int>(division));
   digest.Integer(static_cast<int>(viewport)).Integer(flips_y);
+  if (map) digest.Number(map->x0).Number(map->y0).Number(map->dx).Number(map->dy);
 }
 
 void Add(const FixedInput& fixed, Digest& digest) {
@@ -60,17 +61,32 @@ void Add(const TargetModel& model, Digest& digest) {
   Add(tie_rule, digest);
 }
 
+void Add(const SquareRegion& region, Digest& digest) {
+  const auto& [relation, square, shape, geometry, growth, half_width] = region;
+  digest.Integer(static_cast<int>(relation)).Integer(static_cast<int>(square));
+  digest.Integer(static_cast<int>(shape)).Integer(static_cast<int>(geometry));
+  digest.Integer(static_cast<int>(growth)).Number(half_width);
+}
+
+void Add(const SquareRule& rule, Digest& digest);
+
 template <class T>
 void AddIfAny(const std::optional<T>& value, Digest& digest) {
   digest.Integer(value.has_value());
   if (value) Add(*value, digest);
 }
 
+void Add(const SquareRule& rule, Digest& digest) {
+  AddIfAny(rule.must, digest);
+  AddIfAny(rule.may, digest);
+  digest.Integer(static_cast<int>(rule.flat));
+}
+
 void Add(const Profile& profile, Digest& digest) {
-  const auto& [name, specification, snap, crossing, lattice, y_axis, tie_rule, contract, freedom,
-               transform, coordinate_limit, degenerate_triangles, infinite_vertex, nan_vertex,
-               nan_z, translation_invariant, edge_samples, targets, fixed, max_primitive_extent,
-               guard_band] = profile;
+  const auto& [name, specification, snap, crossing, lattice, sample_positions, y_axis, tie_rule,
+               contract, freedom, transform, coordinate_limit, degenerate_triangles,
+               infinite_vertex, nan_vertex, nan_z, translation_invariant, edge_samples, targets,
+               fixed, max_primitive_extent, guard_band, squares] = profile;
   static_cast<void>(name);
   static_cast<void>(specification);
   Add(snap, digest);
@@ -81,6 +97,7 @@ void Add(const Profile& profile, Digest& digest) {
   digest.Integer(static_cast<int>(contract));
   digest.Number(freedom.snap_tolerance).Integer(freedom.any_rounding);
   digest.Integer(freedom.least_bits.value_or(-1)).Integer(static_cast<int>(freedom.ties));
+  digest.Number(freedom.transform_error.value_or(-1));
   digest.Integer(static_cast<int>(nan_vertex)).Integer(static_cast<int>(nan_z));
   digest.Integer(translation_invariant);
   AddIfAny(transform, digest);
@@ -91,6 +108,8 @@ void Add(const Profile& profile, Digest& digest) {
   AddIfAny(fixed, digest);
   AddIfAny(max_primitive_extent, digest);
   AddIfAny(guard_band, digest);
+  digest.Integer(static_cast<int>(sample_positions));
+  AddIfAny(squares, digest);
 }
 
 void AddTarget(const Scene& scene, Digest& digest) {

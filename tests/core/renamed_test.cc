@@ -10,6 +10,7 @@ TEST(Renamed, OldWordsAreToldTheirNewOnesAndOthersNothing) {
   EXPECT_EQ(RenamedText("fill_rule"), ", which is tie_rule now");
   EXPECT_EQ(RenamedText("WinnerFollowsTheDeclaredOrder"),
             ", which is PrimitiveIdFollowsTheStatedOrder now");
+  EXPECT_EQ(RenamedText("conservative-under"), ", which is at-most-model now");
   EXPECT_EQ(RenamedText("tie_rule"), "");
   EXPECT_EQ(RenamedText(""), "");
 }

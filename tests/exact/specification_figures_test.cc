@@ -267,7 +267,13 @@ TEST(SpecificationPatterns, StandardLocationsOfVulkanAreThoseOfDirect3D) {
         {0.0625, 0.0}}}};
   for (std::size_t k = 0; k < table.size(); ++k) {
     EXPECT_EQ(PatternOf(kFigures[k]).locations, table[k]) << k;
+    EXPECT_EQ(StandardPattern(2 << k)->locations, table[k]) << k;
   }
+}
+
+TEST(SpecificationPatterns, OneSampleIsTheCentreAndOddNumbersHaveNoStandard) {
+  EXPECT_EQ(StandardPattern(1), SamplePattern());
+  EXPECT_FALSE(StandardPattern(0) || StandardPattern(3) || StandardPattern(32));
 }
 
 // WebGPU 23.2.5: a table for 1 and 4 samples.

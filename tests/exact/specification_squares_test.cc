@@ -1,12 +1,21 @@
 // The figures of conservative rasterization, worked out by hand: a first reading of the sentences,
-// by separating axes over integers, which knows nothing of the project's own.
+// by separating axes over integers, which knows nothing of the project's own. The second is the
+// project's: its two deciders give the same pixels, and its presets say what the figures show.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/square_rule.h"
+#include "exact/edge.h"
+#include "exact/square.h"
+#include "exact/square_coverage.h"
 
 namespace rasterproof {
 namespace {
@@ -99,12 +108,70 @@ Drawn Draw(int width, int height, const Covers& covers) {
   return rows;
 }
 
+double Pixels(std::int64_t units) {
+  return static_cast<double>(units) / static_cast<double>(kPixel);
+}
+
+// The second reading: both of the project's deciders must say what was read by hand.
+void ReadAgain(const Drawn& first, const Shape& shape, SquareRelation relation, std::int64_t grown,
+               Touch touch) {
+  const int height = static_cast<int>(first.size());
+  const int width = static_cast<int>(first[0].size());
+  const bool counts = touch == Touch::kCounts;
+  SquareRegion region;
+  region.relation = relation;
+  region.half_width = Pixels(grown);
+  region.shape = counts ? Closure::kClosed : Closure::kOpen;
+  // Within a triangle squares are closed: what differs is whether its boundary is the triangle's.
+  region.square = relation == SquareRelation::kContains ? Closure::kClosed : region.shape;
+  std::array<Point2, 3> v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = {Pixels(shape[k].x), Pixels(shape[k].y)};
+  const exact::SquareFrame frame{{0, 0, width, height}};
+  EXPECT_EQ(Draw(width, height,
+                 [&](int i, int row) {
+                   return exact::IsSquareCovered(v, region, frame, i, row,
+                                                 exact::Decider::kIntegers);
+                 }),
+            first);
+  Drawn spans(first.size(), std::string(first[0].size(), '0'));
+  exact::ForEachSquareSpan(v, region, frame, [&](int row, exact::Columns columns) {
+    for (int i = columns.first; i < columns.last; ++i) {
+      spans[static_cast<std::size_t>(row)][static_cast<std::size_t>(i)] = '1';
+    }
+  });
+  EXPECT_EQ(spans, first);
+}
+
 Drawn Meeting(int width, int height, const Shape& shape, std::int64_t grown, Touch touch) {
-  return Draw(width, height, [&](int i, int row) { return Meet(shape, i, row, grown, touch); });
+  Drawn drawn =
+      Draw(width, height, [&](int i, int row) { return Meet(shape, i, row, grown, touch); });
+  ReadAgain(drawn, shape, SquareRelation::kIntersects, grown, touch);
+  return drawn;
 }
 
 Drawn Inner(int width, int height, const Shape& shape, std::int64_t grown, Touch touch) {
-  return Draw(width, height, [&](int i, int row) { return Holds(shape, i, row, grown, touch); });
+  Drawn drawn =
+      Draw(width, height, [&](int i, int row) { return Holds(shape, i, row, grown, touch); });
+  ReadAgain(drawn, shape, SquareRelation::kContains, grown, touch);
+  return drawn;
+}
+
+enum class Bound : std::uint8_t { kMust, kMay };
+
+// What a preset says of the shape, its vertices placed without freedom: figures show grid points.
+Drawn ByPreset(const char* preset, Bound bound, int width, int height, const Shape& shape) {
+  Profile profile = *PresetProfile(preset);
+  profile.freedom = {};
+  Scene scene;
+  scene.width = width;
+  scene.height = height;
+  scene.precision = Precision::kFloat64;
+  for (const Place p : shape) scene.vertices.push_back({Pixels(p.x), Pixels(p.y)});
+  scene.triangles = {{0, 1, 2}};
+  const CoverageCounts counts =
+      bound == Bound::kMust ? exact::MustCover(scene, profile) : exact::MayCover(scene, profile);
+  return Draw(width, height,
+              [&](int i, int row) { return counts.Count(counts.Index(i, row)) != 0; });
 }
 
 // Direct3D, figure consras3, d = 1/128: at half a pixel of uncertainty only the four middle pixels
@@ -115,6 +182,33 @@ TEST(SpecificationSquares, OnlyTheFourMiddlePixels) {
   EXPECT_EQ(Meeting(4, 4, shape, 0, Touch::kDoesNot), (Drawn{"0000", "0110", "0100", "0000"}));
   EXPECT_EQ(Meeting(4, 4, shape, kPixel / 2, Touch::kDoesNot),
             (Drawn{"0000", "0110", "0110", "0000"}));
+}
+
+TEST(SpecificationSquares, PresetsShowWhatTheFiguresShow) {
+  constexpr double kD = 1.0 / 64;
+  const Shape consras3{At(1.5 + kD, 1.5 + kD), At(1.5 + kD, 2.5 - kD), At(2.5 - kD, 1.5 + kD)};
+  EXPECT_EQ(ByPreset("d3d12-conservative-1", Bound::kMust, 4, 4, consras3),
+            (Drawn{"0000", "0110", "0100", "0000"}));
+  EXPECT_EQ(ByPreset("d3d12-conservative-1", Bound::kMay, 4, 4, consras3),
+            (Drawn{"0000", "0110", "0110", "0000"}));
+  constexpr double kIn = 1.0 / 128;
+  const Shape consras4{At(1 + kIn, 1 + kIn), At(1 + kIn, 2 - kIn), At(2 - kIn, 1 + kIn)};
+  for (const char* preset : {"d3d12-conservative-2", "d3d12-conservative-3"}) {
+    EXPECT_EQ(ByPreset(preset, Bound::kMay, 3, 3, consras4), (Drawn{"000", "010", "000"}));
+  }
+  constexpr double kOut = 1.0 / 32;
+  const Shape consras7{At(-kOut, 3), At(3 + kOut, 3), At(1.5, -2 * kOut)};
+  EXPECT_EQ(ByPreset("d3d12-inner", Bound::kMay, 3, 3, consras7), (Drawn{"000", "010", "000"}))
+      << "a pixel that a side touches from within is not inner";
+  EXPECT_EQ(ByPreset("d3d12-inner", Bound::kMust, 3, 3, consras7), (Drawn{"000", "010", "000"}));
+  EXPECT_EQ(ByPreset("vulkan-underestimate", Bound::kMay, 3, 3, consras7),
+            (Drawn{"000", "010", "010"}));
+  const Shape low{At(0, 0), At(3, 1.0 / 4096), At(3, 0)};
+  EXPECT_EQ(ByPreset("d3d12-conservative-2", Bound::kMust, 3, 1, low), Drawn{"111"});
+  EXPECT_EQ(ByPreset("d3d12-conservative-1", Bound::kMust, 3, 1, low), Drawn{"000"});
+  const Shape half{At(1, 1), At(2, 1), At(1, 2)};
+  EXPECT_EQ(ByPreset("vulkan-overestimate", Bound::kMust, 3, 3, half),
+            (Drawn{"111", "111", "110"}));
 }
 
 // Figure consras4, with vertices 1/128 within the middle pixel: at 1/256 of a pixel it is the only

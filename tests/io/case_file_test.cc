@@ -60,8 +60,8 @@ TEST(CaseFileTest, EveryPartOfAProfileReadsBack) {
   ExpectReadsBack(file);
   profile.snap.bits = Snap::kNone;
   profile.tie_rule = TieRule{.inclusive = true};
-  for (const Contract contract : {Contract::kClosed, Contract::kConservativeOver,
-                                  Contract::kConservativeUnder, Contract::kNone}) {
+  for (const Contract contract :
+       {Contract::kClosed, Contract::kAtLeastModel, Contract::kAtMostModel, Contract::kNone}) {
     profile.contract = contract;
     ExpectReadsBack(file);
   }
@@ -104,7 +104,9 @@ TEST(CaseFileTest, AnUnknownProfileNameIsToldThePresets) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
                  "profile \"d3d12\": is neither a preset nor a file; the presets are real "
-                 "d3d11-canonical vulkan-canonical gl-canonical d3d11 vulkan gl webgpu");
+                 "d3d11-canonical vulkan-canonical gl-canonical d3d11 vulkan gl webgpu "
+                 "d3d12-conservative-1 d3d12-conservative-2 d3d12-conservative-3 d3d12-inner "
+                 "vulkan-overestimate vulkan-underestimate gdal-all-touched pdf-fill voxel");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -13,7 +14,9 @@
 
 #include "core/clauses/clauses.h"
 #include "core/profile.h"
+#include "core/square_presets.h"
 #include "io/case_file.h"
+#include "nlohmann/json.hpp"
 
 namespace rasterproof::io {
 namespace {
@@ -93,12 +96,57 @@ TEST(PresetClauses, WhatPresetsLeaveOutIsCitedToo) {
   constexpr auto kKeys = std::to_array<std::string_view>(
       {"contract", "subpixel_bits", "snap_rule", "snap_tolerance", "rounding", "tie_rule",
        "tie_ownership", "sample_locations", "y_axis", "coordinate_limit", "degenerate_triangles",
-       "infinite_vertex", "nan_vertex", "nan_z", "guard_band", "transform",
+       "infinite_vertex", "nan_vertex", "nan_z", "guard_band", "transform_error",
        "translation_invariant"});
   for (const char* api : {"gl", "vulkan", "d3d11", "webgpu"}) {
     for (const std::string_view key : kKeys) {
       EXPECT_TRUE(IsCited(*FindSpecification(api), std::string(key), "", /*is_model=*/true))
           << api << ": " << key;
+    }
+  }
+}
+
+// The members of a region as ProfileToJson writes them, in one line each: "must", "relation".
+std::vector<std::pair<std::string, std::string>> KeysOfSquares(const Profile& profile) {
+  const auto coverage = nlohmann::json::parse(ProfileToJson(profile)).at("coverage");
+  std::vector<std::pair<std::string, std::string>> keys{
+      {"coverage.flat", coverage.at("flat").get<std::string>()}};
+  for (const char* bound : {"must", "may"}) {
+    const auto& region = coverage.at(bound);
+    if (region.is_null()) continue;
+    const bool grows = region.at("half_width") != "0x0p+0";
+    for (const auto& [key, value] : region.items()) {
+      if (!grows && (key == "half_width" || key == "growth")) continue;  // of no effect
+      keys.emplace_back(std::string("coverage.") + bound + "." + key, value.get<std::string>());
+    }
+  }
+  return keys;
+}
+
+TEST(PresetClauses, EveryKeyOfEveryPresetOfSquaresCitesARow) {
+  for (const SquarePresetInfo& preset : kSquarePresets) {
+    const Specification* specification = SpecificationOf(preset.name);
+    if (specification == nullptr) {
+      EXPECT_EQ(preset.name, "voxel") << "a definition, of no specification";
+      continue;
+    }
+    Profile renamed = *PresetProfile(preset.name);
+    renamed.name = "its keys, not its name";
+    auto keys = KeysOfSquares(renamed);
+    for (const auto& [key, value] : keys) {
+      EXPECT_TRUE(IsCited(*specification, key, value, /*is_model=*/false))
+          << preset.name << ": no clause stands for " << key << "=" << value;
+    }
+    EXPECT_TRUE(IsCited(*specification, "contract", "squares", /*is_model=*/false)) << preset.name;
+    renamed.squares.reset();
+    renamed.contract = Contract::kSampleExact;
+    Profile plain;
+    plain.name = renamed.name;
+    const auto usual = KeysOf(plain);
+    for (const auto& [key, value] : KeysOf(renamed)) {
+      if (key == "name" || std::ranges::count(usual, std::pair(key, value)) != 0) continue;
+      EXPECT_TRUE(IsCited(*specification, key, value, /*is_model=*/false))
+          << preset.name << ": no clause stands for " << key << "=" << value;
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/square_presets.h"
 #include "io/case_file.h"
 #include "model/target_model.h"
 
@@ -31,6 +32,40 @@ TEST(ProfileJson, RareKeysReadBack) {
   profile.shares_edge_samples = true;
   profile.tie_rule = {.exclusive = true};
   ExpectReadsBack(profile);
+}
+
+TEST(ProfileJson, SampleLocationsAreNamedOrListedAsFractions) {
+  const auto parsed = [](const std::string& locations) {
+    return ParseProfile(R"({"name": "p", "sample_locations": )" + locations + "}", "p.json")
+        .pattern;
+  };
+  EXPECT_EQ(parsed(R"("standard-4")"), *StandardPattern(4));
+  EXPECT_EQ(parsed(R"("standard-16")"), *StandardPattern(16));
+  EXPECT_EQ(parsed(R"([["3/8", "1/8"], ["7/8", 0.375], [0.125, "160/256"], ["5/8", "14/16"]])"),
+            *StandardPattern(4));
+  Profile profile;
+  profile.name = "mine";
+  profile.pattern = *StandardPattern(8);
+  profile.sample_positions = SamplePositions::kFixed;
+  ExpectReadsBack(profile);
+  profile.sample_positions = SamplePositions::kVary;
+  profile.pattern.locations.assign(kMaxSamplesPerPixel, {255 / 256.0, 1 / 256.0});
+  ExpectReadsBack(profile);
+}
+
+TEST(ProfileJson, PresetsOfSeveralSamplesLeavePositionsOpenWhereTheApiDoes) {
+  for (const std::string_view name : {"d3d11-2x", "d3d11-canonical-8x", "vulkan-standard-4x",
+                                      "vulkan-16x", "gl-4x", "webgpu-4x"}) {
+    const Profile preset = *PresetProfile(name);
+    EXPECT_EQ(preset, ParseProfile('"' + std::string(name) + '"', "p.json"));
+    EXPECT_EQ(preset.pattern, StandardPattern(preset.pattern.samples()));
+    const bool is_open = name == "vulkan-16x" || name == "gl-4x";
+    EXPECT_EQ(preset.sample_positions == SamplePositions::kVary, is_open) << name;
+    EXPECT_FALSE(preset.translation_invariant) << name;
+    ExpectReadsBack(preset);
+  }
+  for (const std::string_view name : {"d3d11-3x", "d3d11-x", "d3d9-4x", "-4x", "gl-4x-4x"})
+    EXPECT_FALSE(PresetProfile(name)) << name;
 }
 
 TEST(ProfileJson, CrossingAndTransformReadBack) {
@@ -81,6 +116,14 @@ TEST(ProfileJson, ADeviceMayNotLeaveItsSpecification) {
   EXPECT_THAT(refusal(R"("mine")"), HasSubstr("legal set"));
 }
 
+TEST(ProfileJson, AMapReadsBack) {
+  Profile profile;
+  profile.name = "map";
+  profile.transform =
+      Transform{.precision = Precision::kFloat64, .map = MapGrid{872512, 6114970, 1.0 / 3, -0.1}};
+  ExpectReadsBack(profile);
+}
+
 TEST(ProfileJson, TargetsReadBackWithWhatTheyOverride) {
   Profile profile;
   profile.name = "mine";
@@ -113,6 +156,54 @@ TEST(ProfileJson, KeysThatAreLeftOutSayWhatTheyAlwaysDid) {
   const Profile fixed =
       ParseProfile(R"({"name": "p", "fixed": {"integer_bits": 9, "fraction_bits": 0}})", "p.json");
   EXPECT_EQ(fixed.fixed, (FixedInput{9, 0, true, false}));
+}
+
+std::string WhyRefused(const std::string& json) {
+  try {
+    ParseProfile(json, "p.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "it is read";
+}
+
+TEST(ProfileJson, SquaresAreReadBackAsTheyAreWritten) {
+  for (const SquarePresetInfo& preset : kSquarePresets) {
+    Profile profile = *PresetProfile(preset.name);
+    EXPECT_EQ(ParseProfile(ProfileToJson(profile), "written"), profile);
+    profile.name = "own";
+    EXPECT_EQ(ParseProfile(ProfileToJson(profile), "written"), profile) << preset.name;
+  }
+  const Profile own = ParseProfile(
+      R"({"name": "own", "contract": "squares", "coverage": {"may":
+          {"relation": "intersects", "growth": "edges", "half_width": "0x1p-9"}}})",
+      "p.json");
+  EXPECT_FALSE(own.squares->must);
+  EXPECT_EQ(own.squares->may->growth, SquareGrowth::kEdges);
+  EXPECT_EQ(own.squares->may->half_width, 0x1p-9);
+  EXPECT_EQ(own.squares->flat, FlatSquares::kNothing);
+}
+
+TEST(ProfileJson, SquaresThatCannotBeDecidedAreRefused) {
+  const std::string head = R"({"name": "p", "contract": "squares", "coverage": )";
+  EXPECT_EQ(WhyRefused(R"({"name": "p", "contract": "squares"})"),
+            "p.json: has the key coverage or the contract squares, but not both; write both: "
+            "\"contract\": \"squares\" is about what coverage states");
+  EXPECT_EQ(WhyRefused(head + "{}}"),
+            "p.json: coverage: states neither squares that must be covered nor squares that may "
+            "be; give it a must or a may region, or leave coverage out");
+  EXPECT_EQ(WhyRefused(head + R"({"may": {"relation": "intersects", "half_width": 1.5}}})"),
+            "p.json: coverage.may.half_width: is not a half width; write a multiple of 2^-20 "
+            "pixel, at least -7/16 and at most 1");
+  EXPECT_EQ(WhyRefused(head + R"({"may": {"relation": "intersects", "shape": "half-open"}}})"),
+            "p.json: coverage.may: lets a closed square meet a half-open shape, which is not "
+            "decided; write a half-open square, or an open or closed shape");
+}
+
+TEST(ProfileJson, TheOldWordsForBoundsAreToldTheNewOnes) {
+  const std::string old = std::string("conservative") + "-over";
+  const std::string why = WhyRefused(R"({"name": "p", "contract": ")" + old + "\"}");
+  EXPECT_NE(why.find(old + "\" is unknown, which is at-least-model now"), std::string::npos) << why;
 }
 
 TEST(ProfileJson, APresetsNameIsForWhatThePresetSays) {
@@ -176,7 +267,19 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("guard_band": [0, 0, 0, 1])", "guard_band: is empty; write x0 < x1 and y0 < y1"},
            Bad{R"("guard_band": [0, 0, "inf", 1])", "guard_band[2]: is not finite"},
            Bad{R"("scanline_rounding": {"rule": "floor"})", "bits"},
+           Bad{R"("sample_locations": "standard-3")",
+               "sample_locations: \"standard-3\" is no standard pattern; write standard-1, -2"},
+           Bad{R"("sample_locations": [["1/3", 0]])", "is not a sample location"},
+           Bad{R"("sample_locations": [["8/8", 0]])", "is not a sample location"},
+           Bad{R"("sample_locations": [["1/0", 0]])", "sample_locations[0][0]"},
+           Bad{R"("sample_positions": "random")", "sample_positions: \"random\" is unknown"},
            Bad{R"("scanline_rounding": {"bits": 17})", "scanline_rounding.bits"},
+           Bad{R"("transform": {"map": [0, 0, 1, 0]})",
+               "transform.map: has a step of zero; write dx and dy in the map's units, dy < 0 for "
+               "y up"},
+           Bad{R"("transform": {"map": [0, 0, 1, 1], "flips_y": true})",
+               "transform: has a map and a viewport; leave viewport and flips_y out: a map's dy "
+               "turns y over"},
            Bad{R"("transform": {"division": "rcp"})",
                "transform.division: \"rcp\" is no division; write quotient or reciprocal"},
            Bad{R"("transform": {"viewport": "half"})", "write none, multiply-add, fused"},

@@ -166,16 +166,23 @@ bool IsLarger(const std::array<std::array<mpq_class, 2>, 3>& corners,
 }
 
 Value InWindow(double x, const Vertex& clip, const Transform& transform, int size, bool flips) {
-  if (!IsFinite(clip) || clip.w <= 0) return kNaN;
+  if (!IsFinite(clip) || (!transform.map && clip.w <= 0)) return kNaN;
   const Format& format = transform.precision == Precision::kFloat32 ? kFloat32 : kFloat64;
   const auto rounded = [&](const Value& exact) { return Rounded(exact, format); };
   const Value one = FromDouble(1);
   const Value half = {Kind::kFinite, false, mpq_class(size) / 2};
   const Value given = rounded(FromDouble(x));
-  const Value w = rounded(FromDouble(clip.w));
-  Value q = transform.division == Division::kQuotient
-                ? rounded(Quotient(given, w))
-                : rounded(Product(given, rounded(Quotient(one, w))));
+  const auto divided = [&](const Value& v, double by) {
+    const Value w = rounded(FromDouble(by));
+    return transform.division == Division::kQuotient
+               ? rounded(Quotient(v, w))
+               : rounded(Product(v, rounded(Quotient(one, w))));
+  };
+  if (const auto& map = transform.map) {
+    const Value origin = rounded(FromDouble(flips ? map->y0 : map->x0));
+    return divided(rounded(Sum(given, Negated(origin))), flips ? map->dy : map->dx);
+  }
+  Value q = divided(given, clip.w);
   if (flips && transform.flips_y) q = Negated(q);
   switch (transform.viewport) {
     case ViewportForm::kNone:

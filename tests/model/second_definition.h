@@ -67,6 +67,8 @@ bool IsLarger(const std::array<std::array<mpq_class, 2>, 3>& corners,
               const MaxPrimitiveExtent& extent);
 /// x (or y, turned over if the transform says so) of a clip-space vertex in window space; NaN where
 /// the vertex has no place.
+///
+/// Behind a map: of its x along the given axis. w is not read.
 Value InWindow(double x, const Vertex& clip, const Transform& transform, int size, bool flips);
 
 }  // namespace rasterproof::second

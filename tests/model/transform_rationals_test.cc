@@ -89,6 +89,29 @@ TEST(TransformByRationals, IsToWindowOperationByOperation) {
   }
 }
 
+// Places on tiles of UTM size, and beside them, for steps that binary fractions have and have not.
+TEST(TransformByRationals, IsToWindowOfAMap) {
+  const std::vector<double> ends = second::EndsOfTheRange();
+  for (const Precision precision : {Precision::kFloat32, Precision::kFloat64}) {
+    for (const Division division : {Division::kQuotient, Division::kReciprocal}) {
+      for (const double step : {0.1, 0.25, 1.0 / 3, 10.0, 30.0}) {
+        const Transform map{.precision = precision,
+                            .division = division,
+                            .map = MapGrid{872512, 6114970, step, -step}};
+        for (int k = -4; k < 700; k += static_cast<int>(kOneCaseIn)) {
+          const std::vector<double> xs = second::AndNeighbours(872512 + (k + 0.5) * step);
+          const std::vector<double> ys = second::AndNeighbours(6114970 - (k + 0.5) * step);
+          for (std::size_t i = 0; i < xs.size(); ++i)
+            ExpectPlaced({xs[i], ys[ys.size() - 1 - i], 2, 1}, map, 512, 512);
+        }
+        for (std::size_t i = 0; i < ends.size(); ++i)
+          ExpectPlaced({ends[i], ends[ends.size() - 1 - i], 0, -1}, map, 8, 8);
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
 TEST(TransformByRationals, IsToWindowWhereThereIsNoPlace) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> all{0.0, -0.0, 1.0, -1.0, HUGE_VAL, -HUGE_VAL, kNaN};

@@ -79,5 +79,21 @@ TEST(TransformTest, SnappingAProfileWithATransformFollowsIt) {
   EXPECT_EQ(snapped.vertices[0], (Vertex{1, 0, 0, 1}));
 }
 
+TEST(TransformTest, AMapTakesItsCoordinatesAndNoClipSpace) {
+  Profile profile = *PresetProfile("d3d11-canonical");
+  profile.transform =
+      Transform{.precision = Precision::kFloat64, .map = MapGrid{872512, 6114970, 0.25, -0.25}};
+  Scene scene;
+  scene.precision = Precision::kFloat64;
+  scene.vertices = {{872513, 6114968.875, 7, 1}};
+  EXPECT_TRUE(TakesToWindow(profile, scene));
+  EXPECT_EQ(SnapScene(scene, profile).vertices[0], (Vertex{4, 4.5, 7, 1}));
+  scene.clip_space = true;
+  EXPECT_FALSE(TakesToWindow(profile, scene));
+  EXPECT_TRUE(IsHomogeneous(scene, profile));
+  const Vertex there{4, 4.5, 7, 1};
+  EXPECT_EQ(ToWindow(ToClip(there, 3, *profile.transform, 8, 8), *profile.transform, 8, 8), there);
+}
+
 }  // namespace
 }  // namespace rasterproof

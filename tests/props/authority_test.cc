@@ -113,6 +113,29 @@ TEST(Authority, ASpecificationHasTheClausesOfItsBase) {
             Authority::kQuality);
 }
 
+TEST(Authority, ClausesOfOtherSquaresRequireNothing) {
+  const auto ids = [](std::string_view property, std::string_view preset) {
+    return IdsOf(GroundsOf(property, *PresetProfile(preset)));
+  };
+  using Ids = std::vector<std::string>;
+  EXPECT_EQ(ids("SquaresThatMustBeAreCovered", "d3d12-conservative-1"), Ids{"d3d12.must-cover"});
+  EXPECT_EQ(ids("SquaresThatMustBeAreCovered", "d3d12-conservative-2"),
+            (Ids{"d3d12.must-cover", "d3d12.flat-tier-2"}));
+  EXPECT_EQ(ids("SquaresThatMustBeAreCovered", "d3d12-inner"), Ids{"d3d12.inner-omission"});
+  EXPECT_EQ(ids("SquaresOutsideTheMayRegionStayFree", "d3d12-conservative-1"),
+            Ids{"d3d12.may-cover-tier-1"});
+  EXPECT_EQ(ids("SquaresOutsideTheMayRegionStayFree", "d3d12-conservative-3"),
+            Ids{"d3d12.may-cover-tier-2"});
+  EXPECT_EQ(ids("SquaresOutsideTheMayRegionStayFree", "d3d12-inner"), Ids{"d3d12.inner-coverage"});
+  EXPECT_EQ(ids("SquaresOutsideTheMayRegionStayFree", "vulkan-underestimate"),
+            Ids{"vulkan.underestimate"});
+  EXPECT_EQ(ids("SquaresThatMustBeAreCovered", "vulkan-overestimate"), Ids{"vulkan.overestimate"});
+  EXPECT_EQ(ids("SquaresThatMustBeAreCovered", "pdf-fill"),
+            (Ids{"pdf.fill", "pdf.empty-interior"}));
+  EXPECT_EQ(GroundsOf("SquaresThatMustBeAreCovered", *PresetProfile("voxel")).authority,
+            Authority::kStatedModel);
+}
+
 TEST(Authority, QualityFailsOnlyWhereItIsAskedTo) {
   PropertyResult result;
   result.outcome = Outcome::kViolated;

@@ -46,8 +46,8 @@ TEST(Catalog, EveryPropertyIsFoundByItsName) {
 }
 
 TEST(Catalog, EveryPropertySaysWhatItEnforcesAndBelongsToAGroup) {
-  const std::set<std::string_view> groups{"edge",     "incremental", "barycentric",
-                                          "coverage", "wireframe",   "extremes"};
+  const std::set<std::string_view> groups{"edge",   "incremental", "barycentric", "coverage",
+                                          "square", "wireframe",   "extremes"};
   for (const Property& property : Catalog()) {
     EXPECT_TRUE(groups.contains(property.group)) << property.name;
     EXPECT_FALSE(property.clause.empty()) << property.name;
@@ -340,7 +340,7 @@ TEST(Fairness, WeakContractsAreHeldToTheirOwnPropertyOnly) {
     return Judge(property, ExtraCount(), c).outcome;
   };
   for (const Contract contract :
-       {Contract::kClosed, Contract::kConservativeOver, Contract::kConservativeUnder}) {
+       {Contract::kClosed, Contract::kAtLeastModel, Contract::kAtMostModel}) {
     for (const std::string_view property :
          {"CoverageEqualsTheModel", "EmbeddedMeshSamplesAreCoveredOnce",
           "SharedEdgeSamplesAreCoveredOnce", "SignedCoverageEqualsTheWindingNumber",
@@ -349,9 +349,9 @@ TEST(Fairness, WeakContractsAreHeldToTheirOwnPropertyOnly) {
     }
     EXPECT_EQ(judged(contract, "EqualDrawsGiveEqualCounts"), Outcome::kHolds);
   }
-  const std::string_view conservative = "ConservativeCoverageKeepsToItsSide";
-  EXPECT_EQ(judged(Contract::kConservativeOver, conservative), Outcome::kHolds);
-  EXPECT_EQ(judged(Contract::kConservativeUnder, conservative), Outcome::kViolated);
+  const std::string_view conservative = "CoverageKeepsToItsSideOfTheModel";
+  EXPECT_EQ(judged(Contract::kAtLeastModel, conservative), Outcome::kHolds);
+  EXPECT_EQ(judged(Contract::kAtMostModel, conservative), Outcome::kViolated);
   EXPECT_EQ(judged(Contract::kClosed, conservative), Outcome::kNotApplicable);
   EXPECT_EQ(judged(Contract::kSampleExact, conservative), Outcome::kNotApplicable);
   // Both sides of the sheet: a closed surface. The extra count has no counterpart behind.

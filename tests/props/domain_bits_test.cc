@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/square_presets.h"
 #include "props/codec/codec.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
@@ -79,12 +80,22 @@ SubjectInfo InfoWith() {
   return info;
 }
 
-std::uint64_t HashOf(const Domain& domain) {
-  Hash hash;
+std::vector<SubjectInfo> StatingInfos(const Domain& domain) {
+  SubjectInfo squares = RealInfo();
+  squares.profile = *SquarePreset("voxel");
+  if (domain.is_stated(squares.profile)) {
+    SubjectInfo banded = SnappedInfo(8);
+    banded.profile = *SquarePreset("d3d12-conservative-2");
+    return {squares, banded};
+  }
   SubjectInfo free = SnappedInfo(8);
   free.profile.freedom.snap_tolerance = 0.6;
-  const std::vector<SubjectInfo> stating{InfoWith(), free};
-  for (const SubjectInfo& info : domain.is_stated == nullptr ? Infos() : stating) {
+  return {InfoWith(), free};
+}
+
+std::uint64_t HashOf(const Domain& domain) {
+  Hash hash;
+  for (const SubjectInfo& info : domain.is_stated == nullptr ? Infos() : StatingInfos(domain)) {
     if (!Suits(domain, info)) continue;
     for (std::uint64_t i = 0; i < kCases; ++i) {
       hash.Add(DrawCase(info, CaseName{std::string(domain.name), i, kSeed}));
@@ -166,6 +177,9 @@ constexpr auto kGolden = std::to_array<Golden>({
     {53, "target-size-ends", 0x6c2cc600d67e26bf},
     {54, "least-areas", 0xd1209486a3b9d6eb},
     {55, "rows-and-columns", 0xc30d7c15af224857},
+    {56, "square-grid-lines", 0xb56d2a924af36037},
+    {57, "square-crossings", 0x28c4ff9079ed50a5},
+    {58, "square-interiors", 0xe7ac4a70d01393ff},
 });
 
 constexpr std::uint64_t kGoldenExamples = 0x9927c84d9660da5c;

@@ -328,9 +328,17 @@ TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotJudgedWhereTheGridPointsAreFre
   SubjectInfo info = FreeInfo(8, 0.6);
   info.coverage = CoverageKind::kFragments;
   info.fragments.barycentrics_of = BarycentricsOf::kSnapped;
-  Placing subject(info, UpFrom42Of(0x1p-8));
-  EXPECT_EQ(Judged("FragmentBarycentricsSumToOne", subject, FoldedRow()).outcome,
-            Outcome::kNotApplicable);
+  const Freedom by_tolerance = info.profile.freedom;
+  Freedom by_rounding;
+  by_rounding.any_rounding = true;
+  Freedom by_bits;
+  by_bits.least_bits = 4;
+  for (const Freedom& freedom : {by_tolerance, by_rounding, by_bits}) {
+    info.profile.freedom = freedom;
+    Placing subject(info, UpFrom42Of(0x1p-8));
+    EXPECT_EQ(Judged("FragmentBarycentricsSumToOne", subject, FoldedRow()).outcome,
+              Outcome::kNotApplicable);
+  }
 }
 
 TEST(FreeChoices, ClipSpaceAndManyTrianglesAreSearchedJointly) {

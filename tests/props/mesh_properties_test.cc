@@ -334,7 +334,7 @@ TEST(ThinTriangles, AreThoseThatALegalChoiceCanTurn) {
 
 TEST(ContractProperties, AreInTheCatalogue) {
   for (const Contract contract : {Contract::kSampleExact, Contract::kWatertight, Contract::kClosed,
-                                  Contract::kConservativeOver, Contract::kConservativeUnder}) {
+                                  Contract::kAtLeastModel, Contract::kAtMostModel}) {
     EXPECT_FALSE(PropertiesOf(contract).empty());
     for (const std::string_view name : PropertiesOf(contract)) {
       EXPECT_NE(FindProperty(name), nullptr) << name;
@@ -360,8 +360,8 @@ ContractEvidence EvidenceOf(const SubjectInfo& info) {
 
 TEST(ContractEvidence, IsThereForEveryContractInBothSpaces) {
   for (const Contract contract :
-       {Contract::kSampleExact, Contract::kWatertight, Contract::kClosed,
-        Contract::kConservativeOver, Contract::kConservativeUnder, Contract::kNone}) {
+       {Contract::kSampleExact, Contract::kWatertight, Contract::kClosed, Contract::kAtLeastModel,
+        Contract::kAtMostModel, Contract::kNone}) {
     SubjectInfo window = RealInfo();
     window.profile.contract = contract;
     EXPECT_TRUE(EvidenceOf(window).is_exercised) << ContractName(contract);

@@ -1,6 +1,8 @@
 #include "props/run/own_transform.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -44,6 +46,59 @@ TEST(OwnTransform, PropertiesThatMoveVerticesDoNotApply) {
   const auto result =
       Campaign("legal:transform-multiply-add", "IntegerTranslationMovesCoverage", 20);
   EXPECT_NE(result.outcome, Outcome::kViolated) << result.message;
+}
+
+TEST(OwnTransform, OfAMapIsJudgedByItsOperations) {
+  for (const char* const variant : {"quotient", "reciprocal", "quarter"}) {
+    for (const char* const property : {"CoverageEqualsTheModel", "TilesDrawnApartEqualTheWhole"}) {
+      const auto result = Campaign("legal:map-" + std::string(variant), property, 400);
+      EXPECT_EQ(result.outcome, Outcome::kHolds) << variant << ": " << result.message;
+      EXPECT_GT(result.exercised, 0U) << variant;
+    }
+  }
+}
+
+TEST(OwnTransform, TilesOfAMapThatPlaceFromTheirOwnOriginAreFound) {
+  for (const char* const bug : {"origin", "origin-reciprocal", "origin-summed"}) {
+    const auto result =
+        Campaign("mutant:map-tile-" + std::string(bug), "TilesDrawnApartEqualTheWhole", 4000);
+    ASSERT_EQ(result.outcome, Outcome::kViolated) << bug;
+    EXPECT_FALSE(result.counterexample->scene.clip_space);
+  }
+}
+
+TEST(OwnTransform, OtherOperationsOnAMapAreFound) {
+  for (const char* const bug : {"reciprocal", "scaled-first", "in-float32"}) {
+    const auto result = Campaign("mutant:map-" + std::string(bug), "CoverageEqualsTheModel", 4000);
+    EXPECT_EQ(result.outcome, Outcome::kViolated) << bug;
+  }
+}
+
+// Recipes aim at places; behind a map they lie there, or a step of the map's coordinates beside.
+TEST(OwnTransform, CasesOfAMapHaveItsSizeAndLieWhereRecipesAim) {
+  const SubjectInfo info = subjects::MakeMutant("legal:map-quarter")->Info();
+  int exact = 0;
+  int beside = 0;
+  int vertices = 0;
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    PhiloxSource bits(1, index);
+    const Case window = FindDomain("vertices-on-samples")->draw(bits, AsSeenByRecipes(info));
+    const Case map = PutBehindTransform(window, info, bits);
+    const Case seen = SeenCase(map);
+    for (std::size_t k = 0; k < window.scene.vertices.size(); ++k) {
+      const Vertex& aimed = window.scene.vertices[k];
+      const Vertex& v = seen.scene.vertices[k];
+      if (!(std::fabs(aimed.x) < 1024 && std::fabs(aimed.y) < 1024)) continue;
+      ++vertices;
+      EXPECT_NEAR(map.scene.vertices[k].x, 872512, 256);
+      EXPECT_NEAR(map.scene.vertices[k].y, 6114970, 256);
+      const double off = std::max(std::fabs(v.x - aimed.x), std::fabs(v.y - aimed.y));
+      EXPECT_LT(off, 0x1p-27);
+      ++(off == 0 ? exact : beside);
+    }
+  }
+  EXPECT_GT(3 * exact, vertices);
+  EXPECT_GT(5 * beside, vertices);
 }
 
 // What shares a place in the window shares it in clip space, or meshes would come apart.

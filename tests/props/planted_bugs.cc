@@ -110,6 +110,18 @@ void TakeNonFiniteForZero(Vertex& v) {
   v = {finite(v.x), finite(v.y), v.z, std::isfinite(v.w) ? v.w : 1.0};
 }
 
+// Front is back in the right half of the target.
+void TurnTheRightHalf(Subject& sound, const Scene& scene, const DrawOptions& options,
+                      CoverageCounts& counts) {
+  CoverageCounts drawn(counts.width, counts.height, counts.samples);
+  sound.Draw(scene, options, drawn);
+  const auto width = static_cast<std::size_t>(drawn.width * drawn.samples);
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    if (2 * (k % width) >= width) std::swap(drawn.front[k], drawn.back[k]);
+  }
+  counts += drawn;
+}
+
 // A triangle without area covers the pixel of its first vertex.
 void DotDegenerates(Subject& sound, const Scene& scene, const DrawOptions& options,
                     CoverageCounts& counts) {
@@ -240,59 +252,6 @@ std::vector<PlantedBug> IncrementalPlantedBugs() {
   };
 }
 
-std::vector<PlantedBug> BarycentricPlantedBugs() {
-  using Triple = std::array<double, 3>;
-  using Points = std::array<Point2, 3>;
-  const auto barycentrics = [](BarycentricsBug bug) {
-    Bug planted;
-    planted.barycentrics = std::move(bug);
-    return planted;
-  };
-  const auto interpolate = [](InterpolationBug bug) {
-    Bug planted;
-    planted.interpolate = std::move(bug);
-    return planted;
-  };
-  return {
-      {"BarycentricsStayWithinTheirBound", "an approximate reciprocal", "spans-exact",
-       barycentrics([](Triple& l, BarycentricForm, const Points&) { l[0] *= 1 + 0x1p-12; })},
-      {"BarycentricsSumToOne", "one minus one of them", "spans-exact",
-       barycentrics([](Triple& l, BarycentricForm form, const Points&) {
-         if (form == BarycentricForm::kOneMinus) l[2] = 1 - l[0];
-       })},
-      {"BarycentricIsOneAtItsVertexAndZeroOpposite", "a bias", "spans-exact",
-       barycentrics([](Triple& l, BarycentricForm, const Points&) { l[1] += 0x1p-6; })},
-      {"BarycentricSignsAgreeWithTheEdges", "lengths of cross products", "spans-exact",
-       barycentrics([](Triple& l, BarycentricForm, const Points&) {
-         for (double& barycentric : l) barycentric = std::fabs(barycentric);
-       })},
-      {"BarycentricsReproduceThePoint", "barycentrics of the edges, not the vertices",
-       "spans-exact",
-       barycentrics([](Triple& l, BarycentricForm, const Points&) { l = {l[2], l[0], l[1]}; })},
-      {"BarycentricsFollowTheirVertices", "the first vertex weighs more", "spans-exact",
-       barycentrics([](Triple& l, BarycentricForm, const Points&) { l[0] *= 1 + 0x1p-12; })},
-      {"InterpolatedValuesStayInTheHull", "no clamp, a quarter too much", "spans-exact",
-       interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, const auto& v,
-                      Triple z, Point2 p) { return 1.25 * sound.Interpolate(form, v, z, p); })},
-      {"InterpolationStaysWithinItsBound", "half the mantissa", "spans-exact",
-       interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, const auto& v,
-                      Triple z,
-                      Point2 p) { return (1 + 0x1p-12) * sound.Interpolate(form, v, z, p); })},
-      {"DepthByDeltasEqualsDepthByBarycentrics", "the wrong delta", "spans-exact",
-       interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, const auto& v,
-                      Triple z, Point2 p) {
-         if (form == InterpolationForm::kDeltas) z[2] = z[1];
-         return sound.Interpolate(form, v, z, p);
-       })},
-      {"PerspectiveInterpolationStaysWithinItsBound", "no division by w", "spans-exact",
-       interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, const auto& v,
-                      Triple z, Point2 p) {
-         const bool perspective = form == InterpolationForm::kPerspective;
-         return sound.Interpolate(perspective ? InterpolationForm::kBarycentrics : form, v, z, p);
-       })},
-  };
-}
-
 std::vector<PlantedBug> CoveragePlantedBugs() {
   using Corners3 = std::array<Vertex, 3>;
   return {
@@ -344,16 +303,16 @@ std::vector<PlantedBug> CoveragePlantedBugs() {
        "spans-exact",
        {.draw = DrawInclusively,
         .states = [](Profile& profile) { profile.freedom.ties = TieOwnership::kPerEdge; }}},
-      {"ConservativeCoverageKeepsToItsSide",
+      {"CoverageKeepsToItsSideOfTheModel",
        "no top edges, stated over",
        "spans-exact",
        {.draw = DrawBottomRight,
-        .states = [](Profile& profile) { profile.contract = Contract::kConservativeOver; }}},
-      {"ConservativeCoverageKeepsToItsSide",
+        .states = [](Profile& profile) { profile.contract = Contract::kAtLeastModel; }}},
+      {"CoverageKeepsToItsSideOfTheModel",
        "every edge inclusive, stated under",
        "spans-exact",
        {.draw = DrawInclusively,
-        .states = [](Profile& profile) { profile.contract = Contract::kConservativeUnder; }}},
+        .states = [](Profile& profile) { profile.contract = Contract::kAtMostModel; }}},
       {"ClosedMeshCancels",
        "every triangle is front",
        "spans-exact",
@@ -410,6 +369,10 @@ std::vector<PlantedBug> CoveragePlantedBugs() {
        {.draw = Dropping([](std::size_t, const Triangle&, const Corners3& v, const Scene&) {
           return std::ranges::any_of(v, IsBehind);
         })}},
+      {"FacingIsOneAtAllSamples",
+       "the right half sees the other facing",
+       "spans-exact",
+       {.draw = TurnTheRightHalf}},
       {"CullingRemovesOneFacing",
        "front for back",
        "spans-exact",
@@ -424,38 +387,6 @@ std::vector<PlantedBug> CoveragePlantedBugs() {
        {.draw = Dropping([](std::size_t, const Triangle&, const Corners3& v, const Scene&) {
           return std::ranges::any_of(v, [](const Vertex& p) { return p.x < 0; });
         })}},
-  };
-}
-
-std::vector<PlantedBug> WireframePlantedBugs() {
-  using Points = std::array<Point2, 3>;
-  const auto distances = [](DistancesBug bug) {
-    Bug planted;
-    planted.distances = std::move(bug);
-    return planted;
-  };
-  // The height over edge i is the height form's distance at vertex i.
-  const auto swapped_heights = [](const BarycentricEvaluator& sound, WireframeForm, const Points& v,
-                                  Point2 p) {
-    const std::array<double, 3> l = sound.EdgeDistances(WireframeForm::kBarycentric, v, p);
-    std::array<double, 3> distances{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t other = (i + 1) % 3;
-      distances[i] = l[i] * sound.EdgeDistances(WireframeForm::kHeight, v, v[other])[other];
-    }
-    return distances;
-  };
-  return {
-      {"BarycentricDistanceIsTheSmallestCoordinate", "pixels", "spans-exact",
-       distances([](const BarycentricEvaluator& sound, WireframeForm, const Points& v, Point2 p) {
-         return sound.EdgeDistances(WireframeForm::kHeight, v, p);
-       })},
-      {"DerivativeDistanceMeasuresInTheL1Norm", "the L2 norm", "spans-exact",
-       distances([](const BarycentricEvaluator& sound, WireframeForm, const Points& v, Point2 p) {
-         return sound.EdgeDistances(WireframeForm::kHeight, v, p);
-       })},
-      {"HeightDistanceIsTheDistanceInPixels", "heights of other vertices", "spans-exact",
-       distances(swapped_heights)},
   };
 }
 
@@ -490,7 +421,8 @@ std::vector<PlantedBug> PlantedBugs() {
   std::vector<PlantedBug> all;
   for (const std::vector<PlantedBug>& part :
        {EdgePlantedBugs(), IncrementalPlantedBugs(), BarycentricPlantedBugs(),
-        CoveragePlantedBugs(), WireframePlantedBugs(), ExtremePlantedBugs(), OutputPlantedBugs()}) {
+        CoveragePlantedBugs(), WireframePlantedBugs(), ExtremePlantedBugs(), OutputPlantedBugs(),
+        SquarePlantedBugs()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -94,8 +94,15 @@ struct PlantedBug {
   Bug bug;
 };
 
+/// Those of barycentrics, and of distances made from them.
+std::vector<PlantedBug> BarycentricPlantedBugs();
+std::vector<PlantedBug> WireframePlantedBugs();
+
 /// Those of primitive ids, fragments and calls.
 std::vector<PlantedBug> OutputPlantedBugs();
+
+/// Those of pixels as squares.
+std::vector<PlantedBug> SquarePlantedBugs();
 
 /// One for each property at least.
 std::vector<PlantedBug> PlantedBugs();

@@ -30,10 +30,21 @@ void RepeatTheFirst(Subject& sound, const Scene& scene, const DrawOptions& optio
   sound.Draw(drawn, options, counts);
 }
 
+void LoseTheFirstColumn(Subject& sound, const Scene& scene, const DrawOptions& options,
+                        CoverageCounts& counts) {
+  DrawOptions narrow = options;
+  if (narrow.scissor && narrow.scissor->x0 > 0) ++narrow.scissor->x0;
+  sound.Draw(scene, narrow, counts);
+}
+
 }  // namespace
 
 std::vector<PlantedBug> OutputPlantedBugs() {
   return {
+      {"TilesDrawnApartEqualTheWhole",
+       "a tile beside the first loses its first column",
+       "spans-exact",
+       {.draw = LoseTheFirstColumn}},
       {"OneCallDrawsLikeItsTriangles",
        "the second triangle of a mesh is the first once more",
        "spans-exact",

@@ -62,7 +62,7 @@ TEST(WholeCalls, OfASoundSubjectAreEqual) {
           "DuplicatedVerticesKeepCoverage", "ScissorOnlyCutsCoverage", "CullingRemovesOneFacing",
           "IntegerTranslationMovesCoverage", "TileSizeKeepsCoverage", "TargetWidthKeepsCoverage",
           "TargetHeightKeepsCoverage", "DrawStaysInsideItsTarget", "BadTrianglesPoisonNoOthers",
-          "EqualDrawsGiveEqualCounts"}) {
+          "TilesDrawnApartEqualTheWhole", "EqualDrawsGiveEqualCounts"}) {
       const PropertyResult result = RunWith(kind, TakesAll, property, kCases);
       EXPECT_EQ(result.outcome, Outcome::kHolds)
           << property << " of kind " << static_cast<int>(kind) << ": " << result.message;

@@ -89,5 +89,25 @@ TEST(PaintDifferenceTest, TellsMissingUnexpectedAndFacingApart) {
   EXPECT_NE(image.At(3, 0), kVermilion);
 }
 
+TEST(EnlargedTest, CutsThePartOutAndDrawsEdges) {
+  io::Image image(4, 3, {1, 2, 3});
+  image.At(2, 1) = {9, 9, 9};
+  Scene scene;
+  scene.width = 4;
+  scene.height = 3;
+  scene.vertices = {{-9, 1.5, 0, 1}, {9, 1.5, 0, 1}, {0, 90, 0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  io::Image part = Enlarged(image, scene, {1, 1, 3, 2}, 3, YAxis::kDown);
+  EXPECT_EQ(part.width, 6);
+  EXPECT_EQ(part.height, 3);
+  EXPECT_EQ(part.At(2, 2), (Colour{1, 2, 3}));
+  EXPECT_EQ(part.At(3, 0), (Colour{9, 9, 9}));
+  io::Image drawn = Enlarged(image, scene, {0, 0, 4, 3}, 5, YAxis::kDown);
+  EXPECT_EQ(drawn.At(1, 7), kInk);
+  EXPECT_EQ(drawn.At(1, 4), (Colour{1, 2, 3}));
+  scene.vertices[0].y = scene.vertices[1].y = 0.5;
+  EXPECT_EQ(Enlarged(image, scene, {0, 0, 4, 3}, 5, YAxis::kUp).At(1, 12), kInk);
+}
+
 }  // namespace
 }  // namespace rasterproof::report

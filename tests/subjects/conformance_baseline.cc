@@ -11,6 +11,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "exact/coverage.h"
+#include "model/transform.h"
 
 namespace rasterproof {
 namespace {
@@ -38,7 +39,12 @@ void Add(Scene& scene, const Corners3& corners) {
 
 CoverageCounts Drawn(Subject& subject, const Scene& scene) {
   CoverageCounts counts(scene.width, scene.height, subject.Info().profile.pattern.samples());
-  subject.Draw(scene, {}, counts);
+  Scene given = scene;
+  if (const auto& transform = subject.Info().profile.transform; transform && transform->map) {
+    for (Vertex& v : given.vertices) v = ToClip(v, 1, *transform, scene.width, scene.height);
+    given.precision = Precision::kFloat64;
+  }
+  subject.Draw(given, {}, counts);
   return counts;
 }
 
@@ -224,7 +230,9 @@ Baseline PiglitLike(Subject& subject) {
     }
     Scene scene = SceneOf(subject, kSide);
     Add(scene, v);
-    const CoverageCounts expected = exact::Coverage(scene, profile);
+    Profile placed = profile;  // the scene is the window's
+    placed.transform.reset();
+    const CoverageCounts expected = exact::Coverage(scene, scene.clip_space ? profile : placed);
     const CoverageCounts observed = Drawn(subject, scene);
     for (std::size_t i = 0; i < expected.size(); ++i) {
       if ((expected.Count(i) != 0) != (observed.Count(i) != 0)) return Baseline::kFails;

@@ -138,7 +138,9 @@ TEST(ConformanceBaseline, IsCountedOverAllMutants) {
   std::string missed;
   for (const MutantInfo& mutant : Mutants()) {
     const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
-    if (mutant.legal || subject->Info().profile.contract == Contract::kNone) continue;
+    const Contract contract = subject->Info().profile.contract;
+    // They ask about points, and would find fault with what is right of squares.
+    if (mutant.legal || contract == Contract::kNone || contract == Contract::kSquares) continue;
     ++mutants;
     const Baseline cts = CtsLike(*subject);
     const Baseline piglit = PiglitLike(*subjects::MakeMutant(mutant.name));

@@ -90,7 +90,7 @@ class InferTest(TemporaryFolder):
     def test_only_who_promises_samples_breaks_a_promise_by_following_no_model(self):
         subject = ("infer", "--subject", "mutant:ties-by-slope")
         self.assertEqual(run(*subject).returncode, 1)
-        text = '{"name": "c", "subpixel_bits": 8, "contract": "conservative-over"}'
+        text = '{"name": "c", "subpixel_bits": 8, "contract": "at-least-model"}'
         over = self.write(text, "c.json")
         self.assertEqual(run(*subject, "--profile", over).returncode, 4)
 

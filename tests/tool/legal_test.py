@@ -103,7 +103,9 @@ class LegalTest(unittest.TestCase):
     def test_a_subject_draws_what_is_judged(self):
         drawn = run("legal", self.scene, "--subject", "i32-snap4", "--profile", "gl", "--json", "-")
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
-        self.assertEqual(json.loads(drawn.stdout)["verdict"], "legal")
+        told = json.loads(drawn.stdout)
+        self.assertEqual(told["verdict"], "legal")
+        self.assertIn("gl.one-position", [one["statement"] for one in told["assumed"]])
         twice = run("legal", self.scene, "--subject", "textbook", "--profile", "gl")
         self.assertEqual(twice.returncode, 1, twice.stdout + twice.stderr)
 

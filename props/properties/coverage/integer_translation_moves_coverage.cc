@@ -81,7 +81,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-constexpr std::array kRules{kCountsTies};
+constexpr std::array kRules{kCountsTies, kFixesSamplePositions};
 
 // What leaves grid points or owners free may choose others a pixel further: then it is users who
 // want it.

@@ -34,7 +34,7 @@ namespace {
 constexpr std::array kRules{ProfileRule{[](const Profile& p) { return !p.freedom.IsNone(); },
                                         "a grid, grid points or owners left free",
                                         "the profile leaves nothing free: one model is legal"},
-                            kCountsTies, kSaysWhatSinglesCover};
+                            kCountsTies, kSaysWhatSinglesCover, kStatesSamplePositions};
 
 // Of more, what one call shows is judged.
 constexpr std::size_t kMostDrawnAlone = 32;
@@ -190,6 +190,7 @@ constinit const Property kOneLegalModelExplainsTheMesh{
     .tolerance = "the profile's own freedom, jointly for all triangles",
     .domains = kFreeSnaps,
     .gate = {.space = Space::kEither,
+             .contract = ContractNeeded::kWatertight,
              .any_model = true,
              .judges_clipped = true,
              .rules = kRules,

@@ -1,6 +1,5 @@
 // A scissor keeps the counts inside it and leaves none outside.
 #include <array>
-#include <cstddef>
 
 #include "core/coverage.h"
 #include "core/scene.h"
@@ -21,20 +20,6 @@ std::array<PixelRect, 3> Scissors(const Scene& scene) {
           PixelRect{0, h - 1, w, h}};
 }
 
-CoverageCounts Cut(const CoverageCounts& whole, const PixelRect& rect) {
-  CoverageCounts part(whole.width, whole.height, whole.samples);
-  for (int row = rect.y0; row < rect.y1; ++row) {
-    for (int x = rect.x0; x < rect.x1; ++x) {
-      for (int s = 0; s < whole.samples; ++s) {
-        const std::size_t k = whole.Index(x, row, s);
-        part.front[k] = whole.front[k];
-        part.back[k] = whole.back[k];
-      }
-    }
-  }
-  return part;
-}
-
 Asked Ask(const Case& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
   Asked asked;
@@ -44,7 +29,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
     asked.checks.push_back(
         CheckAgainstBase(WholeCallOf(c.scene, c.profile, options),
                          [&c, rect](const CoverageCounts& observed, const CoverageCounts& whole) {
-                           return SameCounts(observed, Cut(whole, rect), DecisionsOf(c),
+                           return SameCounts(observed, CutTo(rect, whole), DecisionsOf(c),
                                              "the scissored part of the whole");
                          }));
   }

@@ -1,7 +1,7 @@
 // Each triangle alone, and the mesh, strays from the canonical model to the contract's side only.
 //
-// Under conservative-over it covers each sample at least as often as the model, under
-// conservative-under at most as often.
+// Under at-least-model it covers each sample at least as often as the model, under
+// at-most-model at most as often.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -17,7 +17,6 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
-#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -26,17 +25,17 @@ namespace {
 
 constexpr std::size_t kMostSingles = 64;
 
-bool IsConservative(const Profile& profile) {
-  return profile.contract == Contract::kConservativeOver ||
-         profile.contract == Contract::kConservativeUnder;
+bool IsASideOfTheModel(const Profile& profile) {
+  return profile.contract == Contract::kAtLeastModel || profile.contract == Contract::kAtMostModel;
 }
 
-constexpr std::array kRules{ProfileRule{IsConservative, "contract conservative over or under",
-                                        "the profile's contract is not conservative", true}};
+constexpr std::array kRules{ProfileRule{IsASideOfTheModel,
+                                        "contract at-least-model or at-most-model",
+                                        "the profile's contract is not a side of the model", true}};
 
 // Which way a subject may stray decides what fails; a facing that strays is not looked at.
 Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed, bool as_shown = false) {
-  const bool over = c.profile.contract == Contract::kConservativeOver;
+  const bool over = c.profile.contract == Contract::kAtLeastModel;
   CoverageCounts expected = exact::Coverage(c.scene, c.profile, WholeTarget(c));
   if (as_shown) expected = AsShown(std::move(expected));
   std::uint64_t exercised = 0;
@@ -46,8 +45,8 @@ Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed, bool as_sh
     if (truth != 0 || seen != 0) ++exercised;
     if (over ? seen >= truth : seen <= truth) continue;
     return Verdict::Violated(exercised,
-                             over ? "conservative over: a covered sample is left out"
-                                  : "conservative under: a sample is covered that is not covered",
+                             over ? "at least the model: a covered sample is left out"
+                                  : "at most the model: a sample is covered that is not covered",
                              WitnessOfCounts(observed, expected, k));
   }
   return Verdict::Held(exercised);
@@ -86,13 +85,12 @@ Asked Ask(const Case& c, const Description& subject) {
 
 }  // namespace
 
-constinit const Property kConservativeCoverageKeepsToItsSide{
-    .name = "ConservativeCoverageKeepsToItsSide",
+constinit const Property kCoverageKeepsToItsSideOfTheModel{
+    .name = "CoverageKeepsToItsSideOfTheModel",
     .group = "coverage",
     .clause =
-        "Conservative coverage strays to one side only: an overestimate leaves no covered "
-        "sample out, an underestimate adds none.",
-    .required_by = kConservativeClauses,
+        "Coverage strays from the model to one side only: at-least-model leaves no covered sample "
+        "out, at-most-model adds none.",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither,

@@ -1,0 +1,20 @@
+// A profile's `coverage`: what it states of pixels as squares.
+#ifndef RASTERPROOF_IO_SQUARE_JSON_H_
+#define RASTERPROOF_IO_SQUARE_JSON_H_
+
+#include <optional>
+#include <string>
+
+#include "core/square_rule.h"
+#include "io/json_document.h"
+
+namespace rasterproof::io {
+
+/// Error:      InputError with place, reason and remedy.
+std::optional<SquareRule> SquareRuleFromJson(const JsonValue& value);
+
+std::string SquareRuleToJson(const SquareRule& rule);
+
+}  // namespace rasterproof::io
+
+#endif  // RASTERPROOF_IO_SQUARE_JSON_H_

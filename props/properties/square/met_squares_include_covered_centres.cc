@@ -1,0 +1,53 @@
+// Where the triangle as given covers the centre of a pixel, a subject that covers every square that
+// a triangle meets covers the pixel. Judged by point samples: no oracle of squares is asked.
+#include <array>
+#include <vector>
+
+#include "exact/square_coverage.h"
+#include "props/judging/squares.h"
+#include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::array kRules{
+    ProfileRule{[](const Profile& p) {
+                  return p.squares && p.squares->must &&
+                         p.squares->must->relation == SquareRelation::kIntersects &&
+                         KeepsCentres(p, *p.squares->must);
+                },
+                "coverage with a must region of squares that are met",
+                "the profile does not say that squares are covered that a triangle meets", true},
+    kDrawsLargeTriangles};
+
+// Triangles that the profile may make flat need not be drawn.
+CoverageCounts CentresOfSolid(const Case& c, const DrawOptions& options) {
+  Case solid = c;
+  std::erase_if(solid.scene.triangles,
+                [&](const Triangle& t) { return exact::MayBeFlat(c.scene, c.profile, t); });
+  return CentresOf(solid, options);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  return CompareEachAndAll(c, subject, MayBe::kMore,
+                           "squares: a pixel whose centre is covered is left out", CentresOfSolid);
+}
+
+}  // namespace
+
+constinit const Property kMetSquaresIncludeCoveredCentres{
+    .name = "MetSquaresIncludeCoveredCentres",
+    .group = "square",
+    .clause =
+        "A square that a triangle meets is covered, so every pixel is whose centre it covers: the "
+        "relation intersects contains point coverage.",
+    .required_by = kSquaresMetClauses,
+    .tolerance = kExact,
+    .domains = kSquareDomains,
+    .gate = SquareGate(kRules),
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

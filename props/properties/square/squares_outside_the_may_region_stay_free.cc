@@ -1,0 +1,40 @@
+// Each triangle alone, and the mesh, covers no square that the profile does not allow it.
+#include <array>
+
+#include "exact/square_coverage.h"
+#include "props/judging/squares.h"
+#include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::array kRules{kMayCoverSquares, kDrawsLargeTriangles};
+
+CoverageCounts MostOf(const Case& c, const DrawOptions& options) {
+  return exact::MayCover(c.scene, c.profile, options);
+}
+
+Asked Ask(const Case& c, const Description& subject) {
+  return CompareEachAndAll(c, subject, MayBe::kLess,
+                           "squares: one that may not be covered is covered", MostOf);
+}
+
+}  // namespace
+
+constinit const Property kSquaresOutsideTheMayRegionStayFree{
+    .name = "SquaresOutsideTheMayRegionStayFree",
+    .group = "square",
+    .clause =
+        "No square outside the profile's may region is covered: \"only if they are within an "
+        "uncertainty region\" (Direct3D conservative rasterization 3.2), \"only generated if the "
+        "pixel area is fully covered\" (Vulkan, underestimation).",
+    .required_by = kSquaresThatMayBeClauses,
+    .tolerance = kExact,
+    .domains = kSquareDomains,
+    .gate = SquareGate(kRules),
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -1,0 +1,150 @@
+// Several samples a pixel: what the legal sets leave open of their places, and what they don't.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/profile.h"
+#include "core/sample_pattern.h"
+#include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/mutant.h"
+
+namespace rasterproof::subjects::mutants {
+namespace {
+
+constexpr std::int64_t kPixel = 256;
+
+FixedStages Of(std::string_view preset) { return StagesOfPreset(preset); }
+
+// Positions that are the same in every pixel, and not stated.
+FixedStages Unstated(SamplePositions positions) {
+  FixedStages stages = Of("gl-4x");
+  stages.profile.name = "gl, 4 samples";
+  stages.profile.sample_positions = positions;
+  stages.profile.translation_invariant = positions == SamplePositions::kFixed;
+  return stages;
+}
+
+GridPoint CornerOf(const Sample& sample) { return {sample.x * kPixel, sample.row * kPixel}; }
+
+// Sample s of the pixel at a place of the standard pattern, whatever the profile's own.
+GridPoint AtStandard(const Sample& sample, std::size_t s) {
+  static const SamplePattern pattern = *StandardPattern(4);
+  const GridPoint corner = CornerOf(sample);
+  return {corner.x + static_cast<std::int64_t>(pattern.locations[s].x * kPixel),
+          corner.y + static_cast<std::int64_t>(pattern.locations[s].y * kPixel)};
+}
+
+GridPoint Mirrored(const Sample& sample) {
+  const GridPoint corner = CornerOf(sample);
+  return {2 * corner.x + kPixel - sample.at.x, sample.at.y};
+}
+
+FixedStages Sampling(FixedStages stages, GridPoint (*sample)(const Sample&)) {
+  stages.sample = sample;
+  return stages;
+}
+
+GridPoint MirroredInOddColumns(const Sample& sample) {
+  return sample.x % 2 == 0 ? sample.at : Mirrored(sample);
+}
+
+GridPoint InTheCorners(const Sample& sample) {
+  const GridPoint corner = CornerOf(sample);
+  constexpr std::array<std::int64_t, 2> kFar{0, kPixel - 1};
+  const auto s = static_cast<std::size_t>(sample.s);
+  return {corner.x + kFar[s % 2], corner.y + kFar[s / 2]};
+}
+
+// Every other triangle is tested a quarter of a pixel beside the sample.
+FixedStages SamplingByTriangle(FixedStages stages) {
+  stages.facing = [](GridTriangle& triangle) {
+    if (triangle.number % 2 == 0) return;
+    for (GridPoint& p : triangle.v) p.x += kPixel / 4;
+  };
+  return stages;
+}
+
+// What the last sample of a pixel counts as front, it shows as back.
+void TurnTheLastSample(CoverageCounts& counts, const CoverageCounts& before) {
+  const auto samples = static_cast<std::size_t>(counts.samples);
+  for (std::size_t k = samples - 1; k < counts.size(); k += samples) {
+    const std::uint32_t front = counts.front[k] - before.front[k];
+    const std::uint32_t back = counts.back[k] - before.back[k];
+    counts.front[k] = before.front[k] + back;
+    counts.back[k] = before.back[k] + front;
+  }
+}
+
+FixedStages TurningTheLastSample(FixedStages stages) {
+  stages.after = TurnTheLastSample;
+  return stages;
+}
+
+// 64 places on multiples of 2^-8.
+FixedStages SixtyFour() {
+  FixedStages stages;
+  stages.profile.name = "64 samples";
+  stages.profile.pattern.locations.clear();
+  for (int k = 0; k < kMaxSamplesPerPixel; ++k)
+    stages.profile.pattern.locations.push_back({k * 4 / 256.0, k * 37 % 256 / 256.0});
+  return stages;
+}
+
+}  // namespace
+
+std::vector<Mutant> SampleMutants() {
+  return {
+      {"samples-one-reused", "the third of four samples lies where the second does", "",
+       Sampling(Of("d3d11-4x"),
+                [](const Sample& at) { return at.s == 2 ? AtStandard(at, 1) : at.at; })},
+      {"samples-centre-for-all", "coverage is decided in the pixel's centre for all four samples",
+       "",
+       Sampling(Of("d3d11-4x"),
+                [](const Sample& at) {
+                  const GridPoint corner = CornerOf(at);
+                  return GridPoint{corner.x + kPixel / 2, corner.y + kPixel / 2};
+                })},
+      {"samples-exchanged-under-vulkan", "the first and the last standard location are exchanged",
+       "",
+       Sampling(
+           Of("vulkan-standard-4x"),
+           [](const Sample& at) {
+             return AtStandard(at, static_cast<std::size_t>(at.s == 0 ? 3 : at.s == 3 ? 0 : at.s));
+           })},
+      {"samples-vary", "stated locations are mirrored in every other column", "",
+       Sampling(Of("d3d11-4x"), MirroredInOddColumns)},
+      {"samples-vary-where-fixed",
+       "locations that are said to be fixed are mirrored in every other column", "",
+       Sampling(Unstated(SamplePositions::kFixed), MirroredInOddColumns)},
+      {"samples-by-triangle", "a sample lies elsewhere for every other triangle", "",
+       SamplingByTriangle(Of("vulkan-4x"))},
+      {"facing-by-sample", "the last of four samples sees the other facing", "",
+       TurningTheLastSample(Of("d3d11-4x"))},
+      {"facing-by-sample-where-open",
+       "the last of four samples, wherever it lies, sees the other "
+       "facing",
+       "", TurningTheLastSample(Of("vulkan-4x"))},
+  };
+}
+
+std::vector<Mutant> SampleVariants() {
+  return {
+      {"samples-standard-8", "eight samples lie as Direct3D says", "", Of("d3d11-8x")},
+      {"samples-standard-16", "16 samples lie as Vulkan's table says", "",
+       Of("vulkan-standard-16x")},
+      {"samples-64", "64 samples lie on multiples of 1/256", "", SixtyFour()},
+      {"samples-mirrored-under-gl", "samples lie elsewhere, in every pixel alike", "OpenGL",
+       Sampling(Unstated(SamplePositions::kFixed), Mirrored)},
+      {"samples-in-corners", "samples lie in the corners of the pixel", "Vulkan",
+       Sampling(Of("vulkan-4x"), InTheCorners)},
+      {"samples-vary-under-gl", "samples lie elsewhere in every other column", "OpenGL",
+       Sampling(Of("gl-4x"), MirroredInOddColumns)},
+      {"samples-centre-under-vulkan", "all four samples lie in one place of their pixel", "Vulkan",
+       Sampling(Of("vulkan-4x"), [](const Sample& at) { return AtStandard(at, 0); })},
+  };
+}
+
+}  // namespace rasterproof::subjects::mutants

@@ -1,0 +1,162 @@
+// Several samples a pixel: what is wrong is found, what is left open is let through, and `infer`
+// sees where samples lie.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/sample_pattern.h"
+#include "exact/primitive_ids.h"
+#include "props/domains/domain.h"
+#include "props/infer/infer.h"
+#include "props/properties/all.h"
+#include "props/run/campaign.h"
+#include "subjects/mutants/mutants.h"
+#include "tests/props/planted_subjects.h"
+#include "tests/share.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kSeed = 5;
+
+Outcome Found(Subject& subject, const Property& property, std::uint64_t cases) {
+  Outcome outcome = Outcome::kNotExercised;
+  for (std::uint64_t k = 0; k < cases && outcome != Outcome::kViolated; ++k) {
+    const Verdict verdict =
+        RunCase(subject, property, DrawCase(subject.Info(), property, kSeed, k));
+    if (verdict.outcome != Outcome::kNotExercised) outcome = verdict.outcome;
+  }
+  return outcome;
+}
+
+Outcome FoundOf(std::string_view mutant, const Property& property) {
+  constexpr std::uint64_t kCases = 200;
+  return Found(*subjects::MakeMutant(mutant), property, kCases);
+}
+
+TEST(Samples, EachMutantIsFoundByTheSentenceThatItBreaks) {
+  for (const auto& [mutant, property] : std::vector<std::pair<std::string_view, const Property*>>{
+           {"mutant:samples-exchanged", &kCoverageEqualsTheModel},
+           {"mutant:samples-one-reused", &kOneLegalModelExplainsTheMesh},
+           {"mutant:samples-centre-for-all", &kOneLegalModelExplainsTheMesh},
+           {"mutant:samples-exchanged-under-vulkan", &kOneLegalModelExplainsTheMesh},
+           {"mutant:samples-vary", &kOneLegalModelExplainsTheMesh},
+           {"mutant:samples-vary-where-fixed", &kIntegerTranslationMovesCoverage},
+           {"mutant:samples-by-triangle", &kSharedEdgeSamplesAreCoveredOnce},
+           {"mutant:facing-by-sample", &kFacingIsOneAtAllSamples},
+           {"mutant:facing-by-sample-where-open", &kFacingIsOneAtAllSamples}}) {
+    EXPECT_EQ(FoundOf(mutant, *property), Outcome::kViolated) << mutant << ", " << property->name;
+  }
+}
+
+// Where positions are open meshes are judged all the same, and singles are not.
+TEST(Samples, WhatIsOpenIsNotJudgedAndMeshesAre) {
+  for (const std::string_view legal :
+       {"legal:samples-mirrored-under-gl", "legal:samples-in-corners",
+        "legal:samples-vary-under-gl", "legal:samples-centre-under-vulkan"}) {
+    EXPECT_EQ(FoundOf(legal, kSharedEdgeSamplesAreCoveredOnce), Outcome::kHolds) << legal;
+    EXPECT_EQ(FoundOf(legal, kEmbeddedMeshSamplesAreCoveredOnce), Outcome::kHolds) << legal;
+    EXPECT_EQ(FoundOf(legal, kFacingIsOneAtAllSamples), Outcome::kHolds) << legal;
+    EXPECT_EQ(FoundOf(legal, kOneLegalModelExplainsTheMesh), Outcome::kNotApplicable) << legal;
+  }
+  EXPECT_EQ(FoundOf("legal:samples-mirrored-under-gl", kIntegerTranslationMovesCoverage),
+            Outcome::kHolds);
+  EXPECT_EQ(FoundOf("legal:samples-vary-under-gl", kIntegerTranslationMovesCoverage),
+            Outcome::kNotApplicable);
+}
+
+// Shows the last triangle on each of four samples, or on the pixel's first one for all.
+class ShowsIds final : public Subject {
+ public:
+  explicit ShowsIds(bool by_pixel) : by_pixel_(by_pixel), info_(testing::RealInfo()) {
+    info_.profile.pattern = *StandardPattern(4);
+    info_.coverage = CoverageKind::kPrimitiveIds;
+    info_.fragments.visible = Visible::kLastDrawn;
+  }
+  const SubjectInfo& OwnInfo() const override { return info_; }
+  Drawing Show(const DrawJob& job) override {
+    const Scene scene = SceneOf(job);
+    Drawing drawing;
+    drawing.counts = CoverageCounts(scene.width, scene.height, job.samples);
+    drawing.primitive_ids =
+        exact::PrimitiveIds(scene, info_.profile, job.options, info_.fragments.visible);
+    std::vector<std::int32_t>& ids = drawing.primitive_ids;
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const std::size_t first = k - k % 4;
+      if (by_pixel_ && ids[k] != kNoPrimitive && ids[first] != kNoPrimitive) ids[k] = ids[first];
+      drawing.counts.front[k] = ids[k] != kNoPrimitive ? 1 : 0;
+    }
+    return drawing;
+  }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    counts += Show({std::make_shared<const Scene>(scene), options, counts.samples}).counts;
+  }
+
+ private:
+  bool by_pixel_;
+  SubjectInfo info_;
+};
+
+TEST(Samples, PrimitiveIdsFollowTheOrderAtEachSample) {
+  ShowsIds sound(false);
+  EXPECT_EQ(Found(sound, kPrimitiveIdFollowsTheStatedOrder, 40), Outcome::kHolds);
+  ShowsIds by_pixel(true);
+  EXPECT_EQ(Found(by_pixel, kPrimitiveIdFollowsTheStatedOrder, 200), Outcome::kViolated);
+}
+
+Inference InferOf(std::string_view name) { return Infer(*subjects::MakeMutant(name)); }
+
+TEST(SamplePlaces, AreThoseOfTheStatedPatternToOneStep) {
+  const Inference found = InferOf("legal:samples-standard-8");
+  ASSERT_TRUE(found.Fits());
+  EXPECT_TRUE(found.Agrees());
+  ASSERT_TRUE(found.sample_places);
+  const SamplePattern pattern = *StandardPattern(8);
+  for (std::size_t s = 0; s < 8; ++s) {
+    const SeenPlace& place = found.sample_places->samples[s];
+    EXPECT_LE(std::abs(place.x - pattern.locations[s].x * kPlaceSteps), 1) << s;
+    EXPECT_LE(std::abs(place.y - pattern.locations[s].y * kPlaceSteps), 1) << s;
+  }
+  EXPECT_FALSE(found.sample_places->varying || found.sample_places->sharing);
+}
+
+TEST(SamplePlaces, ExchangedOnesComeOutExchanged) {
+  const Inference found = InferOf("mutant:samples-exchanged-under-vulkan");
+  ASSERT_TRUE(found.Fits());
+  EXPECT_FALSE(found.Agrees());
+  SamplePattern exchanged = *StandardPattern(4);
+  std::swap(exchanged.locations[0], exchanged.locations[3]);
+  EXPECT_EQ(found.remaining.front().pattern, exchanged);
+}
+
+TEST(SamplePlaces, SharedOnesAreNamed) {
+  const Inference found = InferOf("mutant:samples-one-reused");
+  ASSERT_TRUE(found.sample_places);
+  EXPECT_EQ(found.sample_places->sharing, (std::array<int, 2>{1, 2}));
+  EXPECT_FALSE(found.sample_places->varying);
+}
+
+TEST(SamplePlaces, VaryingOnesAreShownInTwoPixels) {
+  for (const std::string_view name : {"mutant:samples-vary", "legal:samples-vary-under-gl"}) {
+    const Inference found = InferOf(name);
+    EXPECT_FALSE(found.Fits()) << name;
+    ASSERT_TRUE(found.sample_places) << name;
+    ASSERT_TRUE(found.sample_places->varying) << name;
+    const auto& [a, b] = found.sample_places->varying->seen;
+    EXPECT_NE(a.column % 2, b.column % 2) << name;
+    EXPECT_EQ(PlacesText(*found.sample_places).back(),
+              "positions vary: sample 0 lies in pixel (0, 0) at x 12/32 to 13/32, y 4/32 to 5/32, "
+              "in pixel (1, 0) at x 20/32 to 21/32, y 4/32 to 5/32")
+        << name;
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::props

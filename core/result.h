@@ -37,6 +37,8 @@ struct PropertyResult {
   std::uint64_t exercised = 0;        ///< times the property was put to the test
   std::uint64_t cases_refused = 0;    ///< cases that the subject refused
   std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
+  std::string world;                  ///< the small world that it ran over; empty: drawn cases
+  std::uint64_t world_cases = 0;      ///< cases of the world
   double worst_ratio = 0;
   NearEdgeCounts near_edge;
   std::uint64_t seed = 0;
@@ -48,6 +50,17 @@ struct PropertyResult {
   /// Name of the case that failed first, before it was shrunk, "near-edge:17@1"; "" if it has none.
   std::string failing_case;
 };
+
+/// The property, and the world that it ran over: "CoverageEqualsTheModel on triangles-7x7".
+inline std::string NameOf(const PropertyResult& result) {
+  return result.world.empty() ? result.property : result.property + " on " + result.world;
+}
+/// Whether it holds in every case of a world: "exhausted" is the word for it. Nothing was refused,
+/// and no sample left open.
+inline bool IsExhausted(const PropertyResult& result) {
+  return result.outcome == Outcome::kHolds && !result.world.empty() &&
+         result.cases == result.world_cases && result.cases_refused == 0 && result.not_judged == 0;
+}
 
 /// A violation that fails a run.
 inline bool IsFailure(const PropertyResult& result, FailOn fail_on) {

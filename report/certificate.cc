@@ -65,6 +65,7 @@ void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
 void WriteTested(JsonWriter& json, const Certificate& certificate, const PropertyResult& result) {
   json.BeginObject();
   json.Key("property").Text(result.property);
+  if (!result.world.empty()) json.Key("world").Text(result.world);
   json.Key("clause").Text(result.clause);
   json.Key("authority").Text(AuthorityName(result.authority));
   json.Key("required_by").BeginArray();
@@ -110,7 +111,7 @@ void WriteMeasured(JsonWriter& json, const Certificate& certificate, const Scene
 }  // namespace
 
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result) {
-  const auto found = certificate.replay.find(result.property);
+  const auto found = certificate.replay.find(NameOf(result));
   if (found != certificate.replay.end()) return found->second;
   return fmt::format("rasterproof replay {}.json", result.property);
 }
@@ -133,10 +134,11 @@ std::string CertificateToJson(const Certificate& certificate) {
   json.EndObject();
   json.Key("seed").Text(std::to_string(certificate.seed));
   WriteEvidence(json, "proved", certificate.proved);
-  WriteEvidence(json, "exhausted", certificate.exhausted);
+  WriteEvidence(json, "exhausted", Exhausted(certificate));
   json.Key("tested").BeginArray();
   for (const PropertyResult& result : certificate.tested) {
-    if (result.outcome != Outcome::kNotApplicable) WriteTested(json, certificate, result);
+    if (result.outcome == Outcome::kNotApplicable || IsExhausted(result)) continue;
+    WriteTested(json, certificate, result);
   }
   json.EndArray();
   json.Key("measured").BeginArray();

@@ -33,14 +33,13 @@ struct Certificate {
   /// Statements about the subject's arithmetic; `by` names the script by its hash, and where it was
   /// run or that it was not.
   std::vector<Evidence> proved;
-  std::vector<Evidence> exhausted;
   std::vector<PropertyResult> tested;
-  std::vector<SceneResult>
-      measured;  ///< on real scenes, against the subject's own profile and real geometry
+  /// On real scenes, against the subject's own profile and real geometry.
+  std::vector<SceneResult> measured;
   /// Which tier of the oracle decided how often, over all that this certificate rests on.
   std::map<std::string, std::uint64_t> oracle_tiers;
-  /// The command that replays a property's counterexample, by property. Without one the reader is
-  /// told to save the counterexample's case and to replay that file.
+  /// The command that replays a result's counterexample, by NameOf the result. Without one the
+  /// reader is told to save the counterexample's case and to replay that file.
   std::map<std::string, std::string> replay;
   /// Where its files lie, as a path from the report page: one name. Empty: it has none.
   std::string folder;
@@ -75,6 +74,10 @@ std::string OverallVerdict(const Certificate& certificate);
 /// What was not asked of the subject, with the reason, each once: properties and scenes that say so
 /// of themselves.
 std::vector<Evidence> NotApplicable(const Certificate& certificate);
+
+/// What holds in every case of a world: "CoverageEqualsTheModel on triangles-7x7", by "all N of N
+/// cases, M of which put it to the test".
+std::vector<Evidence> Exhausted(const Certificate& certificate);
 
 /// What an outcome does not speak for: cases that the subject refused (unless the result's own
 /// message says it), samples that were not judged. Empty if there are none.

@@ -58,10 +58,12 @@ void Say(pugi::xml_node test, const std::string& text) {
 
 void AppendProperty(pugi::xml_node suite, const Certificate& certificate,
                     const PropertyResult& result, Totals& totals) {
-  pugi::xml_node test = AppendCase(suite, certificate, result.property, result.seconds, totals);
+  pugi::xml_node test = AppendCase(suite, certificate, NameOf(result), result.seconds, totals);
   const std::string said = Said(result);
   switch (result.outcome) {
     case Outcome::kHolds:
+      if (IsExhausted(result))
+        Say(test, fmt::format("exhausted: all {0} of {0} cases", result.cases));
       if (result.cases_refused != 0 || result.not_judged != 0) Say(test, said);
       break;
     case Outcome::kViolated: {

@@ -66,7 +66,7 @@ Overall OverallOf(const Certificate& certificate) {
   for (const PropertyResult& result : certificate.tested) {
     if (result.outcome != Outcome::kInconclusive) continue;
     return {Outcome::kInconclusive,
-            result.property + (result.message.empty() ? "" : ": " + result.message)};
+            NameOf(result) + (result.message.empty() ? "" : ": " + result.message)};
   }
   const std::string why = WhyNotExercised(certificate);
   if (!why.empty()) return {Outcome::kInconclusive, why};
@@ -86,10 +86,21 @@ std::vector<Evidence> NotApplicable(const Certificate& certificate) {
     if (!std::ranges::count(list, property, &Evidence::statement)) list.push_back({property, why});
   };
   for (const PropertyResult& result : certificate.tested) {
-    if (result.outcome == Outcome::kNotApplicable) add(result.property, result.message);
+    if (result.outcome == Outcome::kNotApplicable) add(NameOf(result), result.message);
   }
   for (const SceneResult& result : certificate.measured) {
     if (!result.applicable) add("scene " + result.scene, result.message);
+  }
+  return list;
+}
+
+std::vector<Evidence> Exhausted(const Certificate& certificate) {
+  std::vector<Evidence> list;
+  for (const PropertyResult& result : certificate.tested) {
+    if (!IsExhausted(result)) continue;
+    list.push_back(
+        {NameOf(result), fmt::format("all {} of {} cases, {} of which put it to the test",
+                                     result.cases, result.world_cases, result.cases_exercised)});
   }
   return list;
 }

@@ -19,7 +19,7 @@ std::string Extent(const Page& page) {
   std::set<std::string> scenes;
   std::set<std::string> seeds;
   for (const Certificate& certificate : page.certificates) {
-    for (const PropertyResult& result : certificate.tested) properties.insert(result.property);
+    for (const PropertyResult& result : certificate.tested) properties.insert(NameOf(result));
     for (const SceneResult& result : certificate.measured) scenes.insert(result.scene);
     seeds.insert(std::to_string(certificate.seed));
   }

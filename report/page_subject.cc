@@ -46,7 +46,7 @@ bool Shows(const Picture& picture, const Certificate& certificate, const Propert
 std::string Failure(const Page& page, const Certificate& certificate,
                     const PropertyResult& result) {
   std::string html = fmt::format(
-      "<article>\n<h3 class=\"name\">{}</h3>\n{}{}", Breakable(result.property),
+      "<article>\n<h3 class=\"name\">{}</h3>\n{}{}", Breakable(NameOf(result)),
       Line("why", result.clause + " (" + AuthorityText(result) + ")"), Line("said", Said(result)));
   if (result.verdict && result.verdict->witness) {
     html += Line("why", WitnessText(*result.verdict->witness));
@@ -61,7 +61,7 @@ std::string Failure(const Page& page, const Certificate& certificate,
       page.pictures, [&](const Picture& one) { return Shows(one, certificate, result); });
   if (picture != page.pictures.end()) {
     html += Figure(*picture, "../");
-  } else if (result.counterexample || certificate.replay.contains(result.property)) {
+  } else if (result.counterexample || certificate.replay.contains(NameOf(result))) {
     html += Command(ReplayCommand(certificate, result));
   }
   return html + "</article>\n";
@@ -98,7 +98,7 @@ std::string TestedRow(const Certificate& certificate, const PropertyResult& resu
       "<tr><th scope=\"row\"><span class=\"name\">{}</span></th><td>{}</td>"
       "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
       "<td class=\"number\" title=\"{}\">{}</td><td class=\"remark\">{}{}</td></tr>\n",
-      Breakable(result.property), Chip(certificate, result), Grouped(result.cases),
+      Breakable(NameOf(result)), Chip(certificate, result), Grouped(result.cases),
       Grouped(result.cases_exercised), Grouped(result.exercised), Escaped(result.tolerance), ratio,
       Line("why", result.clause + " (" + AuthorityText(result) + ")"), Line("", Said(result)));
 }
@@ -107,7 +107,7 @@ std::string TestedTable(const Certificate& certificate) {
   std::string rows;
   std::size_t count = 0;
   for (const PropertyResult& result : certificate.tested) {
-    if (result.outcome == Outcome::kNotApplicable) continue;
+    if (result.outcome == Outcome::kNotApplicable || IsExhausted(result)) continue;
     rows += TestedRow(certificate, result);
     ++count;
   }
@@ -214,7 +214,7 @@ std::string Files(const Certificate& certificate) {
 
 std::string EvidenceLists(const Certificate& certificate) {
   return EvidenceList("proved, by script", certificate.proved) +
-         EvidenceList("exhausted", certificate.exhausted) +
+         EvidenceList("exhausted", Exhausted(certificate)) +
          EvidenceList("assumed: readings that no sentence of the specification settles",
                       AssumptionsUnder(certificate.subject.profile)) +
          TierList(certificate) + EvidenceList("not applicable", NotApplicable(certificate));

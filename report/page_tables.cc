@@ -158,8 +158,8 @@ std::string PropertyTable(const std::vector<Certificate>& certificates) {
   std::map<std::string, PropertyRow> rows;
   for (const Certificate& certificate : certificates) {
     for (const PropertyResult& result : certificate.tested) {
-      const auto [row, is_new] = rows.try_emplace(result.property);
-      if (is_new) properties.push_back(result.property);
+      const auto [row, is_new] = rows.try_emplace(NameOf(result));
+      if (is_new) properties.push_back(NameOf(result));
       if (IsLackOfQuality(result, certificate.fail_on)) {
         ++row->second.quality;
         continue;

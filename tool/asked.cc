@@ -19,6 +19,7 @@
 #include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "props/domains/domain.h"
+#include "props/domains/worlds.h"
 #include "props/run/property_domains.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
@@ -229,13 +230,15 @@ const props::Property& RequireProperty(const std::string& name) {
 
 props::CaseName RequireCaseName(const std::string& name) {
   props::CaseName parsed = props::ParseCaseName(name);
-  if (props::FindDomain(parsed.domain) == nullptr) {
+  if (props::FindDomain(parsed.domain) == nullptr && props::FindWorld(parsed.domain) == nullptr) {
     std::vector<std::string> names;
     for (const props::Domain& domain : props::Domains()) names.emplace_back(domain.name);
+    for (const props::World& world : props::Worlds()) names.emplace_back(world.name);
     throw InputError(
         fmt::format("case '{}'", name),
-        fmt::format("there is no domain '{}'{}", parsed.domain, RenamedText(parsed.domain)),
-        Suggestion(parsed.domain, names) + "'rasterproof list domains' names all that there are");
+        fmt::format("there is no domain or world '{}'{}", parsed.domain,
+                    RenamedText(parsed.domain)),
+        Suggestion(parsed.domain, names) + "'rasterproof list domains' and 'list worlds' name all");
   }
   return parsed;
 }

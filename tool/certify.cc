@@ -48,41 +48,46 @@ std::map<std::string, std::string> DescribeEnvironment() {
 
 Certification::Certification(const AskedSubject& subject, const CertifyOptions& options,
                              MeasuredScenes& scenes)
-    : subject_(subject),
-      info_(subject.Make()->Info()),
-      options_(options),
-      scenes_(scenes),
-      parts_(props::Catalog().size() + scenes.size()) {}
+    : subject_(subject), info_(subject.Make()->Info()), options_(options), scenes_(scenes) {
+  for (const props::Property& property : props::Catalog()) tests_.push_back({&property, nullptr});
+  for (const std::string& name : options.worlds) {
+    const props::World* world = props::FindWorld(name);
+    for (const std::string_view property : world->properties) {
+      tests_.push_back({props::FindProperty(property), world});
+    }
+  }
+  parts_.resize(tests_.size() + scenes.size());
+}
 
 bool Certification::TakesLong(std::size_t part) const {
-  return part >= props::Catalog().size() || props::Catalog()[part].takes_long;
+  return part >= tests_.size() || tests_[part].world != nullptr ||
+         tests_[part].property->takes_long;
 }
 
 void Certification::Do(std::size_t part, Subject& subject) {
   Part& mine = parts_[part];
   mine.is_begun = true;
   const exact::TierScope scope;
-  const std::size_t properties = props::Catalog().size();
-  if (part < properties) {
-    TestProperty(subject, props::Catalog()[part], mine.found);
+  if (part < tests_.size()) {
+    RunTest(subject, tests_[part], mine.found);
   } else {
-    MeasureOne(subject, *scenes_[part - properties], mine.found);
+    MeasureOne(subject, *scenes_[part - tests_.size()], mine.found);
   }
   mine.tiers = scope.Counts();
   mine.is_done = true;
 }
 
-void Certification::TestProperty(Subject& subject, const props::Property& property,
-                                 report::Certificate& certificate) {
+void Certification::RunTest(Subject& subject, const Test& test, report::Certificate& certificate) {
   props::CampaignOptions campaign;
   campaign.seed = options_.campaign.seed;
-  campaign.cases = options_.campaign.cases;
+  campaign.world = test.world;
+  campaign.cases = test.world != nullptr ? test.world->cases : options_.campaign.cases;
   campaign.seconds = options_.campaign.seconds;
   campaign.time_limit = TimeLimitOf(subject);
   if (IsOutside(info_.name)) campaign.afresh = [&] { return subject_.Make(); };
   campaign.stop = &Interrupted;
   campaign.pace = &pace_;
-  PropertyResult result = props::RunCampaign(subject, property, campaign);
+  PropertyResult result = props::RunCampaign(subject, *test.property, campaign);
   certificate.interrupted = Interrupted();
   if (!certificate.interrupted || Stands(result)) certificate.tested.push_back(std::move(result));
 }
@@ -106,7 +111,7 @@ report::Certificate Certification::Result() const {
     Add(certificate, part.found);
     tiers += part.tiers;
   };
-  const auto scenes = parts_.begin() + static_cast<std::ptrdiff_t>(props::Catalog().size());
+  const auto scenes = parts_.begin() + static_cast<std::ptrdiff_t>(tests_.size());
   std::for_each(parts_.begin(), scenes, add);
   if (!certificate.interrupted) {
     const props::ContractEvidence evidence = props::EvidenceOfContract(info_, certificate.tested);

@@ -17,6 +17,7 @@
 #include "core/subject_info.h"
 #include "exact/edge.h"
 #include "io/scene_set.h"
+#include "props/domains/worlds.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "report/certificate.h"
@@ -74,10 +75,10 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress);
 /// goes to the certificate too.
 void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate);
 
-/// One subject's certificate, in parts: every property, then every scene.
+/// One subject's certificate, in parts: every property, those of each world, then every scene.
 class Certification {
  public:
-  /// Domain:     subject, options and scenes that outlive this.
+  /// Domain:     subject, options and scenes that outlive this; worlds that there are.
   Certification(const AskedSubject& subject, const CertifyOptions& options, MeasuredScenes& scenes);
 
   std::size_t size() const { return parts_.size(); }
@@ -101,13 +102,19 @@ class Certification {
     bool is_done = false;
   };
 
-  void TestProperty(Subject& subject, const props::Property& property,
-                    report::Certificate& certificate);
+  // A property, and the world whose cases it takes; none: drawn ones.
+  struct Test {
+    const props::Property* property = nullptr;
+    const props::World* world = nullptr;
+  };
+
+  void RunTest(Subject& subject, const Test& test, report::Certificate& certificate);
 
   const AskedSubject& subject_;
   SubjectInfo info_;
   const CertifyOptions& options_;
   MeasuredScenes& scenes_;
+  std::vector<Test> tests_;
   props::Pace pace_;
   std::vector<Part> parts_;
 };

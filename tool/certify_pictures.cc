@@ -109,7 +109,7 @@ std::optional<report::Picture> PictureOfCase(const report::Certificate& certific
       continue;  // a breakdown
     }
     Verdict verdict = *result.verdict;
-    verdict.message = fmt::format("{}: {}: {}", certificate.subject.name, result.property,
+    verdict.message = fmt::format("{}: {}: {}", certificate.subject.name, NameOf(result),
                                   result.verdict->message);
     std::optional<report::Picture> picture =
         Explained(certificate, *result.counterexample, verdict,

@@ -13,6 +13,7 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "props/domains/worlds.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/page.h"
@@ -80,6 +81,11 @@ std::vector<report::Certificate> CertifyAll(const std::vector<AskedSubject>& sub
   return certificates;
 }
 
+// A counterexample's file is named after its property, and after the world if it ran over one.
+std::string FileStemOf(const PropertyResult& result) {
+  return result.world.empty() ? result.property : result.property + "-" + result.world;
+}
+
 // Every subject has a folder, and every counterexample there a case file; the certificate tells
 // where, and how to run it again.
 void NameFiles(const std::string& output, report::Certificate& certificate) {
@@ -88,10 +94,10 @@ void NameFiles(const std::string& output, report::Certificate& certificate) {
   for (const PropertyResult& result : certificate.tested) {
     if (!result.counterexample) continue;
     const std::string path =
-        fmt::format("{}/{}/{}.json", output, certificate.folder, result.property);
+        fmt::format("{}/{}/{}.json", output, certificate.folder, FileStemOf(result));
     std::string command = "rasterproof replay " + ShellWord(path);
     if (IsOutside(subject)) command += " --subject " + ShellWord(subject);  // no file names it
-    certificate.replay[result.property] = command;
+    certificate.replay[NameOf(result)] = command;
   }
 }
 
@@ -102,7 +108,7 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
   io::WriteFile(folder + "/junit.xml", report::JUnitXml(certificate));
   for (const PropertyResult& result : certificate.tested) {
     if (!result.counterexample) continue;
-    io::WriteFile(folder + "/" + result.property + ".json",
+    io::WriteFile(folder + "/" + FileStemOf(result) + ".json",
                   io::CaseToJson({*result.counterexample, result.subject, result.property}));
   }
 }
@@ -163,11 +169,14 @@ std::string Remarks(const report::Certificate& certificate) {
   }
   for (const PropertyResult& result : certificate.tested) {
     if (!IsLackOfQuality(result, certificate.fail_on)) continue;
-    add(result.property + ": " + report::AuthorityText(result) + "; " + report::Said(result));
+    add(NameOf(result) + ": " + report::AuthorityText(result) + "; " + report::Said(result));
   }
   for (const PropertyResult& result : certificate.tested) {
     const bool reserved = result.cases_refused != 0 || result.not_judged != 0;
-    if (reserved) add(result.property + ": " + report::Said(result));
+    if (reserved) add(NameOf(result) + ": " + report::Said(result));
+  }
+  for (const report::Evidence& one : report::Exhausted(certificate)) {
+    add("exhausted: " + one.statement + ": " + one.by);
   }
   for (const report::Evidence& evidence : report::NotApplicable(certificate)) {
     if (evidence.statement.starts_with("scene ")) add(evidence.statement + ": " + evidence.by);
@@ -201,6 +210,19 @@ std::vector<AskedSubject> SubjectsOf(const CertifyOptions& options) {
   return subjects;
 }
 
+// Misspelt names are found before any work.
+void RequireWorlds(const std::vector<std::string>& worlds) {
+  for (auto name = worlds.begin(); name != worlds.end(); ++name) {
+    if (props::FindWorld(*name) == nullptr) {
+      throw InputError("--exhaustive", "there is no world " + report::CleanText(*name),
+                       "'rasterproof list worlds' names all that there are");
+    }
+    if (std::find(worlds.begin(), name, *name) != name) {
+      throw InputError("--exhaustive", "the world " + *name + " is named twice", "name it once");
+    }
+  }
+}
+
 std::string Summary(const std::vector<report::Certificate>& certificates, std::size_t asked,
                     bool survey) {
   std::string text;
@@ -220,6 +242,7 @@ std::string Summary(const std::vector<report::Certificate>& certificates, std::s
 int RunCertify(const CertifyOptions& options) {
   RequireHonestEnvironment();
   const std::vector<AskedSubject> subjects = SubjectsOf(options);
+  RequireWorlds(options.worlds);
   io::MakeFolder(options.output);
   report::Page page;
   std::exception_ptr failure;

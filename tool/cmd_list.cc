@@ -9,6 +9,7 @@
 #include "fmt/ranges.h"
 #include "io/output.h"
 #include "props/domains/domain.h"
+#include "props/domains/worlds.h"
 #include "props/property.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/asked.h"
@@ -52,6 +53,14 @@ std::string ListDomains() {
   for (const props::Domain& domain : props::Domains()) {
     text += fmt::format("  {:<24} {:<10} {}\n", domain.name, domain.near_edge ? "near-edge" : "",
                         domain.summary);
+  }
+  return text;
+}
+
+std::string ListWorlds() {
+  std::string text = "worlds\n";
+  for (const props::World& world : props::Worlds()) {
+    text += fmt::format("  {:<24} {:>11} cases  {}\n", world.name, world.cases, world.summary);
   }
   return text;
 }
@@ -120,6 +129,7 @@ int RunList(const ListOptions& options) {
   if (all || options.what == "subjects") text += ListSubjects();
   if (all || options.what == "properties") text += ListProperties();
   if (all || options.what == "domains") text += ListDomains();
+  if (all || options.what == "worlds") text += ListWorlds();
   if (all || options.what == "profiles") text += ListProfiles();
   if (all || options.what == "mutants") text += ListMutants();
   if (options.what == "clauses") text += options.json ? ClausesToJson() : ListClauses();

@@ -106,7 +106,7 @@ void AddList(CLI::App& app, Run& run) {
   CLI::App* verb = app.add_subcommand("list", "Subjects, properties, domains and profiles");
   verb->add_option("what", options.what, "What; all leaves out the clauses, which are many")
       ->check(CLI::IsMember(
-          {"subjects", "properties", "domains", "profiles", "mutants", "clauses", "all"}))
+          {"subjects", "properties", "domains", "worlds", "profiles", "mutants", "clauses", "all"}))
       ->capture_default_str();
   verb->add_flag("--json", options.json, "Clauses as JSON");
   verb->callback([&run] { run = [] { return RunList(options); }; });
@@ -158,7 +158,10 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
   AddCampaign(verb, options.campaign);
-  AddJobs(verb, options.jobs, "Properties or scenes");
+  verb->add_option("--exhaustive", options.worlds,
+                   "Small world, every case of which is run as well ('list worlds' names them)")
+      ->allow_extra_args(false);
+  AddJobs(verb, options.jobs, "Properties, worlds or scenes");
   AddFailOn(verb, options.fail_on);
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });

@@ -36,7 +36,8 @@ struct CampaignChoice {
 };
 
 struct ListOptions {
-  /// "subjects", "properties", "domains", "profiles", "mutants", "clauses", or "all" but clauses
+  /// "subjects", "properties", "domains", "worlds", "profiles", "mutants", "clauses", or "all" but
+  /// clauses
   std::string what = "all";
   bool json = false;  ///< of clauses
 };
@@ -113,8 +114,9 @@ struct CertifyOptions {
   std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
   std::string output = "out";
   CampaignChoice campaign;
-  std::string command;  ///< the command line, for the record
-  int jobs = 1;         ///< properties or scenes at once
+  std::vector<std::string> worlds;  ///< small worlds, every case of which is run
+  std::string command;              ///< the command line, for the record
+  int jobs = 1;                     ///< properties or scenes at once
   FailOn fail_on = FailOn::kStated;
 };
 int RunCertify(const CertifyOptions& options);

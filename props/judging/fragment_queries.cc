@@ -13,6 +13,7 @@
 #include "exact/edge.h"
 #include "model/snap_scene.h"
 #include "props/judging/gate.h"
+#include "props/judging/precision_units.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 
@@ -48,14 +49,6 @@ constexpr double kDepthErrorMultiplier = 6;
 // and add to it is less than a factor of four.
 constexpr double MostSumOfProducts(Precision precision) {
   return precision == Precision::kFloat32 ? 0x1p126 : 0x1p1022;
-}
-
-double SmallestSubnormal(Precision precision) {
-  return precision == Precision::kFloat32 ? 0x1p-149 : 0x1p-1074;
-}
-
-double UnitRoundoff(Precision precision) {
-  return precision == Precision::kFloat32 ? 0x1p-24 : 0x1p-53;
 }
 
 double SumOfProducts(Point2 a, Point2 b, Point2 p) {

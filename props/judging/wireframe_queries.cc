@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/ulp.h"
 #include "core/verdict.h"
 #include "exact/attributes.h"
 #include "props/judging/exact_comparison.h"
+#include "props/judging/precision_units.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -26,16 +26,6 @@ using exact::Rational;
 // rounding each, u. Squares: 2u + u. Their sum: u more. Root: half of that and u: 3u. Quotient and
 // product: 2u. Second-order terms are below u. 16 u leaves room for forms that add a step or two.
 constexpr double kWireframeErrorMultiplier = 16;
-
-double UnitRoundoff(Precision precision) {
-  return precision == Precision::kFloat32 ? double{rounding_epsilon<float>()}
-                                          : rounding_epsilon<double>();
-}
-
-double LeastSubnormal(Precision precision) {
-  return precision == Precision::kFloat32 ? double{std::numeric_limits<float>::denorm_min()}
-                                          : std::numeric_limits<double>::denorm_min();
-}
 
 // Compares by squares: |observed - sqrt(square)| <= bound.
 bool IsWithin(double observed, const Rational& square, double bound) {
@@ -57,7 +47,8 @@ struct ExpectedDistance {
 double BoundOf(const WireframeScale& exact, double barycentric_bound, double distance,
                Precision precision) {
   return 2 * barycentric_bound * exact.scale +
-         kWireframeErrorMultiplier * UnitRoundoff(precision) * distance + LeastSubnormal(precision);
+         kWireframeErrorMultiplier * UnitRoundoff(precision) * distance +
+         SmallestSubnormal(precision);
 }
 
 Verdict AreAsExpected(const std::vector<ExpectedDistance>& expected, const Answers& answers,

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
+#include "props/domains/worlds.h"
 #include "props/judging/gate.h"
 #include "props/run/budget.h"
 #include "props/run/counterexample.h"
@@ -52,7 +53,7 @@ class Campaign {
         pace_(options.pace != nullptr ? *options.pace : own_pace_),
         is_outside_(subject.SharesCalls()),
         budget_(subject, options),
-        tally_(subject, property, options.seed) {}
+        tally_(subject, property, options.seed, options.world) {}
 
   PropertyResult Run() {
     const auto start = budget_.Now();
@@ -66,7 +67,12 @@ class Campaign {
     if (const auto why = DoesNotApply(property_.gate, AsJudged(DescriptionOf(subject_)))) {
       return tally_.NotApplicable(*why);
     }
-    if (tally_.domains().empty()) return tally_.Concluded();
+    if (options_.world != nullptr) {
+      const std::string why = WhyNotGiven(*options_.world, subject_.Info());
+      if (!why.empty()) return tally_.NotApplicable(why);
+    } else if (tally_.domains().empty()) {
+      return tally_.Concluded();
+    }
     for (std::uint64_t done = 0; done < options_.cases;) {
       const Block block = DrawBlock(done);
       done += block.cases.size();
@@ -86,6 +92,7 @@ class Campaign {
   }
 
   CaseName NameOf(std::uint64_t index) const {
+    if (options_.world != nullptr) return NameOfCase(*options_.world, index);
     return NameOfCase(tally_.domains(), FirstIndex(property_.name), options_.seed, index);
   }
 
@@ -127,7 +134,7 @@ class Campaign {
       // The case does not count: it is the run's time that was up, not the subject's.
       if (trial.met_a_deadline && budget_.IsUp()) return tally_.Concluded();
       const std::uint64_t index = block.indices[first + k];
-      tally_.AddCase(index % tally_.domains().size(), cases[k], trial.verdict);
+      tally_.AddCase(index, cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
       if (trial.verdict.outcome == Outcome::kViolated) {
         return Failed({cases, k, trial});

@@ -13,6 +13,7 @@
 #include "core/result.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
+#include "props/domains/worlds.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -32,6 +33,9 @@ struct CampaignOptions {
   /// Cases in all, spread evenly over the property's domains: NameOfCase says which they are.
   std::uint64_t cases = kDefaultCases;
   std::uint64_t first_case = 0;  ///< for shards and replays
+  /// Takes the cases of this world, in their order, and not those of the property's domains:
+  /// `cases` of them from `first_case` on, no more than there are. The seed plays no part.
+  const World* world = nullptr;
   /// Cases whose draws share calls, where the subject takes that; at least 1. What is found of a
   /// subject whose draws depend on nothing but the scene is the same for every number.
   std::size_t batch = kDefaultBatch;
@@ -65,7 +69,7 @@ struct CampaignOptions {
 ///                steps of an edge in all its cases (four at least): a dead generator is no pass.
 /// kNotApplicable the property does not apply to the subject, as its gate says before any case is
 ///                drawn, or to none of the cases. Domains that the subject can't take are left out
-///                and named in the message.
+///                and named in the message. Also if the subject can't be given the world.
 /// kInconclusive  a case was too slow to judge; the counterexample does not fail again, and then
 ///                the message has both answers; the subject refused more than kMostRefusedShare of
 ///                the cases; or the run was stopped. The message says which, and what was

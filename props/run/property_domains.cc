@@ -25,6 +25,23 @@ const Domain* SuitableDomain(std::string_view name, const SubjectInfo& info) {
   return domain != nullptr && Suits(*domain, info) ? domain : nullptr;
 }
 
+Case DrawWorldCase(const SubjectInfo& info, const World& world, const CaseName& name) {
+  const std::string place = "case '" + ToText(name) + "'";
+  if (name.index >= world.cases || name.seed != 0) {
+    const std::string last = ToText(NameOfCase(world, world.cases - 1));
+    throw InputError(place, "the world " + name.domain + " has no such case",
+                     "its cases are " + ToText(NameOfCase(world, 0)) + " to " + last);
+  }
+  const std::string why = WhyNotGiven(world, info);
+  if (!why.empty()) {
+    throw InputError(place, "subject " + info.name + " can't be given it: " + why,
+                     "choose another subject");
+  }
+  Case c = CaseOfWorld(world, name.index, info);
+  c.origin = ToText(name);
+  return c;
+}
+
 }  // namespace
 
 std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& property) {
@@ -66,6 +83,10 @@ std::uint64_t FirstIndex(std::string_view property) {
   return hash % kWindows * kWindow;
 }
 
+CaseName NameOfCase(const World& world, std::uint64_t index) {
+  return {std::string(world.name), index, 0};
+}
+
 CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t first,
                     std::uint64_t seed, std::uint64_t number) {
   const std::uint64_t round = number / domains.size();
@@ -76,11 +97,12 @@ CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t fir
 }
 
 Case DrawCase(const SubjectInfo& info, const CaseName& name) {
+  if (const World* world = FindWorld(name.domain)) return DrawWorldCase(info, *world, name);
   const std::string text = ToText(name);
   const Domain* domain = FindDomain(name.domain);
   if (domain == nullptr) {
-    throw InputError("case '" + text + "'", "there is no domain " + name.domain,
-                     "'rasterproof list domains' names all that there are");
+    throw InputError("case '" + text + "'", "there is no domain or world " + name.domain,
+                     "'rasterproof list domains' and 'list worlds' name all that there are");
   }
   if (!Suits(*domain, info)) {
     throw InputError("case '" + text + "'",

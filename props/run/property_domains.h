@@ -12,6 +12,7 @@
 #include "props/domains/bit_source.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
+#include "props/domains/worlds.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -38,9 +39,13 @@ std::uint64_t FirstIndex(std::string_view property);
 CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t first,
                     std::uint64_t seed, std::uint64_t number);
 
-/// The case of that name for the subject. Its origin is the name.
+/// The name of a world's case: its seed is 0, for nothing of it is left to chance.
+CaseName NameOfCase(const World& world, std::uint64_t index);
+
+/// The case of that name for the subject, of a domain or of a world. Its origin is the name.
 ///
-/// Error:      InputError if there is no such domain, or the subject takes none of its scenes.
+/// Error:      InputError if there is no such domain or world, the subject takes none of its
+///             scenes, or the world has no case of that number or seed.
 Case DrawCase(const SubjectInfo& info, const CaseName& name);
 
 /// Draws a case of the domain from any bits; its scene bears the domain's name.

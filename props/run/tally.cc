@@ -27,8 +27,10 @@ void AddSentence(std::string& message, const std::string& sentence) {
 
 }  // namespace
 
-Tally::Tally(const Subject& subject, const Property& property, std::uint64_t seed)
-    : domains_(DomainsFor(subject.Info(), property)),
+Tally::Tally(const Subject& subject, const Property& property, std::uint64_t seed,
+             const World* world)
+    : domains_(world == nullptr ? DomainsFor(subject.Info(), property)
+                                : std::vector<const Domain*>{}),
       drawn_(domains_.size()),
       near_edge_(domains_.size()) {
   result_.property = property.name;
@@ -37,18 +39,27 @@ Tally::Tally(const Subject& subject, const Property& property, std::uint64_t see
   TellGrounds(AuthorityOf(property, subject.Info().profile), result_);
   result_.tolerance = property.tolerance;
   result_.seed = seed;
-  left_out_ = LeftOutDomains(subject.Info(), property);
+  if (world == nullptr) {
+    left_out_ = LeftOutDomains(subject.Info(), property);
+  } else {
+    result_.world = world->name;
+    result_.world_cases = world->cases;
+  }
 }
 
-void Tally::AddCase(std::size_t domain, const Case& c, const Verdict& verdict) {
-  ++result_.cases;
-  result_.exercised += verdict.exercised;
-  if (verdict.exercised != 0) ++result_.cases_exercised;
-  result_.worst_ratio = std::max(result_.worst_ratio, verdict.worst_ratio);
+void Tally::CountNearEdgesOf(const Case& c, std::size_t domain) {
   const NearEdgeCounts counts = CountNearEdges(SeenCase(c));
   ++drawn_[domain];
   Add(near_edge_[domain], counts);
   Add(result_.near_edge, counts);
+}
+
+void Tally::AddCase(std::uint64_t number, const Case& c, const Verdict& verdict) {
+  ++result_.cases;
+  result_.exercised += verdict.exercised;
+  if (verdict.exercised != 0) ++result_.cases_exercised;
+  result_.worst_ratio = std::max(result_.worst_ratio, verdict.worst_ratio);
+  if (!domains_.empty()) CountNearEdgesOf(c, number % domains_.size());
   result_.not_judged += verdict.not_judged;
   if (verdict.outcome == Outcome::kRefused) {
     ++result_.cases_refused;

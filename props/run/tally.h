@@ -11,6 +11,7 @@
 #include "core/subject.h"
 #include "core/verdict.h"
 #include "props/domains/domain.h"
+#include "props/domains/worlds.h"
 #include "props/property.h"
 #include "props/run/counterexample.h"
 
@@ -25,15 +26,18 @@ inline constexpr double kMostRefusedShare = 0.5;
 class Tally {
  public:
   /// Starts with the property's words and nothing run. Results name the domains that are left
-  /// out, last.
-  Tally(const Subject& subject, const Property& property, std::uint64_t seed);
+  /// out, last. Of a world no samples near edges are counted: it has them by construction.
+  Tally(const Subject& subject, const Property& property, std::uint64_t seed,
+        const World* world = nullptr);
 
-  /// The domains that cases are drawn from. Empty if the subject takes none of the property's.
+  /// The domains that cases are drawn from. Empty if the subject takes none of the property's, and
+  /// for a world.
   const std::vector<const Domain*>& domains() const { return domains_; }
   std::uint64_t cases() const { return result_.cases; }
 
-  /// Adds one case of domains()[domain].
-  void AddCase(std::size_t domain, const Case& c, const Verdict& verdict);
+  /// Adds case `number` of the run, which is one of domains()[number % domains().size()], or of
+  /// the world.
+  void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict);
 
   /// The result of a run in which nothing was violated. Not a pass if nothing was exercised, if a
   /// near-edge domain gave nothing near an edge, or if the subject refused too much.
@@ -48,6 +52,7 @@ class Tally {
   PropertyResult Failed(Counterexample found, std::string failing_case) const;
 
  private:
+  void CountNearEdgesOf(const Case& c, std::size_t domain);
   std::string SoFar() const;
   std::string DeadDomains() const;
 

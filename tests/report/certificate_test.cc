@@ -50,9 +50,31 @@ TEST(CertificateTest, TheSchemaRefusesWhatItDoesNotDescribe) {
 TEST(CertificateTest, KeepsTheFourWordsApart) {
   const json certificate = Parsed(SampleCertificate());
   EXPECT_EQ(certificate["proved"].size(), 1U);
-  EXPECT_EQ(certificate["exhausted"][0]["by"], "N = 729");
+  ASSERT_EQ(certificate["exhausted"].size(), 1U);
+  EXPECT_EQ(certificate["exhausted"][0]["statement"], "CoverageEqualsTheModel on triangles-3x3");
+  EXPECT_EQ(certificate["exhausted"][0]["by"],
+            "all 1000 of 1000 cases, 998 of which put it to the test");
   EXPECT_EQ(certificate["tested"].size(), 3U);
   EXPECT_EQ(certificate["measured"].size(), 1U);
+}
+
+// One case of the world that was not run, was refused or was left open: the word is "tested".
+TEST(CertificateTest, SaysExhaustedOnlyOfWholeWorlds) {
+  const auto is_exhausted = [](const auto& change) {
+    Certificate sample = SampleCertificate();
+    change(sample.tested.back());
+    const json certificate = Parsed(sample);
+    EXPECT_EQ(certificate["tested"].size() + certificate["exhausted"].size(), 4U);
+    EXPECT_TRUE(SchemaErrors(Schema(), certificate).empty());
+    return !certificate["exhausted"].empty();
+  };
+  EXPECT_TRUE(is_exhausted([](PropertyResult&) {}));
+  EXPECT_FALSE(is_exhausted([](PropertyResult& result) { --result.cases; }));
+  EXPECT_FALSE(is_exhausted([](PropertyResult& result) { result.cases_refused = 1; }));
+  EXPECT_FALSE(is_exhausted([](PropertyResult& result) { result.not_judged = 1; }));
+  EXPECT_FALSE(is_exhausted([](PropertyResult& result) { result.world.clear(); }));
+  EXPECT_FALSE(
+      is_exhausted([](PropertyResult& result) { result.outcome = Outcome::kInconclusive; }));
 }
 
 TEST(CertificateTest, SaysWhatDoesNotApplyOnceAndNeverAmongTheTested) {

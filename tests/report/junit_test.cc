@@ -26,10 +26,17 @@ class JUnitTest : public testing::Test {
 
 TEST_F(JUnitTest, HasATestForEachPropertyAndEachJudgedScene) {
   const pugi::xml_node suite = Suite(SampleCertificate());
-  EXPECT_EQ(suite.attribute("tests").as_int(), 5);
+  EXPECT_EQ(suite.attribute("tests").as_int(), 6);
   EXPECT_EQ(suite.attribute("failures").as_int(), 2);
   EXPECT_EQ(suite.attribute("skipped").as_int(), 2);
   EXPECT_STREQ(suite.attribute("name").value(), "f32-direct");
+}
+
+TEST_F(JUnitTest, WhatIsExhaustedSaysSo) {
+  const pugi::xml_node test =
+      Case(Suite(SampleCertificate()), "CoverageEqualsTheModel on triangles-3x3");
+  ASSERT_TRUE(test);
+  EXPECT_STREQ(test.child_value("system-out"), "exhausted: all 1000 of 1000 cases\n");
 }
 
 TEST_F(JUnitTest, WhatHoldsSaysNothing) {

@@ -23,9 +23,12 @@ struct Outputs {
   bool primitive_ids = true;  ///< Drawing::primitive_ids
   bool barycentrics = true;
   bool depths = true;
+  /// Drawing::centroids, which subjects work out only where they are asked for.
+  bool centroids = false;
 
   friend bool operator==(const Outputs&, const Outputs&) = default;
 };
+/// All that a call shows of its samples.
 inline constexpr Outputs kEverything{};
 inline constexpr Outputs kCoverageAndPrimitiveIds{
     .primitive_ids = true, .barycentrics = false, .depths = false};
@@ -72,6 +75,9 @@ struct Drawing {
   std::vector<std::array<double, 3>> barycentrics;
   /// The visible triangle's z, interpolated; anything where none is visible.
   std::vector<double> depths;
+  /// The visible triangle's barycentric coordinates where attributes asked for at the centroid of
+  /// its fragment in this pixel are evaluated; anything where none is visible.
+  std::vector<std::array<double, 3>> centroids;
 };
 
 /// How one of many calls went.

@@ -32,12 +32,14 @@ Profile Direct3D11() {
   profile.freedom.snap_tolerance = 0.6;
   profile.freedom.transform_error.reset();
   profile.nan_z = NanZ::kNothing;
+  profile.centroid = Centroid::kDirect3D;
   return profile;
 }
 
 // No rounding is named, nor who of two neighbours owns a sample of their common edge; four subpixel
 // bits are the fewest. What is not finite or has no area is not spoken of. Divide and viewport are
-// formulas without an error, here and in the others.
+// formulas without an error, here and in the others. Centroid is in pixel and primitive, in all
+// three.
 Profile Vulkan() {
   Profile profile = CanonicalModel();
   profile.freedom = {.any_rounding = true,
@@ -46,6 +48,7 @@ Profile Vulkan() {
                      .transform_error = std::nullopt};
   profile.nan_vertex = NanVertex::kUnspecified;
   profile.nan_z = NanZ::kUnspecified;
+  profile.centroid = Centroid::kInside;
   profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
   return profile;
 }
@@ -152,6 +155,7 @@ bool SameModel(const Profile& a, const Profile& b) {
   judged_alike.shares_edge_samples = b.shares_edge_samples;
   judged_alike.guard_band = b.guard_band;
   judged_alike.sample_positions = b.sample_positions;
+  judged_alike.centroid = b.centroid;
   return judged_alike == b;
 }
 

@@ -117,6 +117,8 @@ struct Profile {
   /// Whether samples lie where `pattern` says. Where they need not, singles are not judged, while
   /// meshes are: whatever a sample's place, a shared edge gives it to one side.
   SamplePositions sample_positions = SamplePositions::kStated;
+  /// Where attributes are evaluated that are asked for at a fragment's centroid.
+  Centroid centroid = Centroid::kUnstated;
   YAxis y_axis = YAxis::kDown;
   TieRule tie_rule;
   Contract contract = Contract::kSampleExact;

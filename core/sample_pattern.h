@@ -42,6 +42,14 @@ enum class SamplePositions : std::uint8_t {
   kVary     ///< anywhere in the pixel, in another pixel elsewhere
 };
 
+/// What is stated of the point at which attributes of a fragment are evaluated that are asked for
+/// at its centroid. With one sample a pixel it is the pixel's centre, by either rule.
+enum class Centroid : std::uint8_t {
+  kUnstated,
+  kDirect3D,  ///< the centre if every sample is covered, else the covered sample of least index
+  kInside     ///< any point of the closed pixel and the closed triangle
+};
+
 }  // namespace rasterproof
 
 #endif  // RASTERPROOF_CORE_SAMPLE_PATTERN_H_

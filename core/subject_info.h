@@ -36,6 +36,8 @@ struct FragmentInfo {
   double barycentric_error = 0;
   /// Most that a depth is off, absolute, in the unit of z. 0: it says nothing.
   double depth_error = 0;
+  /// Whether it shows barycentrics at centroids too, off by as much as the others.
+  bool shows_centroids = false;
 };
 
 /// What a subject says of the edge values that it shows, in one number each.

@@ -1,31 +1,103 @@
-// What the four fuzz targets share: bytes to a case, the case to a property, a failed property to a
+// What the fuzz targets share: bytes to a case, the case to properties, a failed property to a
 // report and a trap.
+//
+// A target binds its subjects and properties by name once, at its first input; from there on
+// nothing is looked up, and subjects whose bytes mean the same case share the decoding.
 #ifndef RASTERPROOF_FUZZ_FUZZ_TARGET_H_
 #define RASTERPROOF_FUZZ_FUZZ_TARGET_H_
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "core/case.h"
+#include "core/subject.h"
+#include "core/subject_info.h"
+#include "props/property.h"
 
 namespace rasterproof::fuzz {
 
 /// A property that must hold of a subject on every input.
 struct Checked {
-  std::string_view subject;
-  std::string_view property;
+  std::string_view subject;   ///< "f32-direct", "mutant:ties-inclusive", "legal:snap-floor"
+  std::string_view property;  ///< "CoverageEqualsTheModel"
 };
 
-/// Puts every property to the test, each on the case that the bytes stand for with its subject: its
-/// input lattice and profile are part of what they mean.
-///
-/// Domain:     any bytes; the decoder is total.
-/// Error:      a violated property prints the command that makes a case file of the input, and
-/// aborts.
-void PutToTheTest(std::span<const Checked> all, std::span<const std::uint8_t> bytes);
+/// The largest case that a target looks at. A larger one is passed over, and libFuzzer does not
+/// keep its input: small targets first.
+struct Limits {
+  std::int64_t samples = 32 * 32;
+  std::size_t triangles = 16;
 
-/// Prints what failed and aborts, for checks that are not in the catalogue.
-[[noreturn]] void Fail(std::string_view what, std::span<const std::uint8_t> bytes);
+  bool Admit(const Case& c) const;
+};
+
+/// What LLVMFuzzerTestOneInput returns.
+inline constexpr int kLookedAt = 0;
+inline constexpr int kPassedOver = -1;
+
+/// A subject and what is put to it.
+struct BoundSubject {
+  Subject* subject = nullptr;
+  std::vector<const props::Property*> properties;
+};
+
+/// Subjects to which the same bytes mean the same case.
+struct Group {
+  SubjectInfo info;  ///< the first one's: what decodes
+  std::vector<BoundSubject> subjects;
+};
+
+/// Subjects and properties, bound.
+class Bound {
+ public:
+  /// Error:      aborts if there is none of a name.
+  explicit Bound(std::span<const Checked> all, Limits limits = {});
+  /// A subject that is not of this program, under the named properties.
+  Bound(std::unique_ptr<Subject> subject, std::span<const std::string_view> properties,
+        Limits limits = {});
+
+  /// Calls `look` with each group and the case that the bytes mean to it. The case is the one that
+  /// a report shows if `look` fails.
+  ///
+  /// Domain:     any bytes; the decoder is total.
+  /// Returns:    kPassedOver if every case is larger than the limits.
+  int ForEachCase(std::span<const std::uint8_t> bytes,
+                  const std::function<void(const Group&, const Case&)>& look) const;
+  /// Puts every property to the test.
+  ///
+  /// Error:      a violated property prints the case, its vertices in hex and the command that
+  ///             shows it, and aborts.
+  int PutToTheTest(std::span<const std::uint8_t> bytes) const;
+
+ private:
+  void Bind(Subject& subject, const props::Property& property);
+
+  Limits limits_;
+  std::vector<std::unique_ptr<Subject>> subjects_;
+  std::vector<Group> groups_;
+};
+
+/// A built-in subject, a planted bug or a legal variant. Aborts if there is none of that name.
+std::unique_ptr<Subject> SubjectNamed(std::string_view name);
+/// The properties of the contract that the subject states, as far as they apply to it.
+std::vector<std::string_view> ContractPropertiesOf(Subject& subject);
+/// Aborts, and says why, if there is no such property or it does not apply to the subject.
+void RequireApplies(Subject& subject, std::string_view property);
+
+/// Judges the case by the properties of the bound subject. As Bound::PutToTheTest.
+void PutToTheTest(const BoundSubject& bound, const Case& c);
+
+/// Prints what failed, with the case that is being looked at, and aborts.
+[[noreturn]] void Fail(std::string_view what);
+
+/// The case for a reader: its name, its target and its vertices in hex floats.
+std::string TextOf(const Case& c);
 
 }  // namespace rasterproof::fuzz
 

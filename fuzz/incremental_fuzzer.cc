@@ -1,28 +1,9 @@
-// Incremental evaluation: steppings equal direct evaluation where exact, and keep their drift bound
-// elsewhere.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
+// Incremental evaluation: every stepping keeps its drift bound.
+#include "fuzz/target_macro.h"
 
-#include "fuzz/fuzz_target.h"
-
-namespace {
-
-using rasterproof::fuzz::Checked;
-
-constexpr std::array kChecked{
-    Checked{"f32-incremental", "SteppingStaysWithinItsBound"},
-    Checked{"f32-incremental-row", "SteppingStaysWithinItsBound"},
-    Checked{"f32-incremental-compensated", "SteppingStaysWithinItsBound"},
-    Checked{"f64-incremental", "SteppingStaysWithinItsBound"},
-    Checked{"i64-snap8", "SteppingEqualsDirectWhereExact"},
-    Checked{"f32-index-fma", "SteppingStaysWithinItsBound"},
-};
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  rasterproof::fuzz::PutToTheTest(kChecked, std::span(data, size));
-  return 0;
-}
+RASTERPROOF_FUZZ_LOOK(LookAtProperties, Limits{},
+                      {"f32-incremental", "SteppingStaysWithinItsBound"},
+                      {"f32-incremental-row", "SteppingStaysWithinItsBound"},
+                      {"f32-incremental-compensated", "SteppingStaysWithinItsBound"},
+                      {"f32-index-fma", "SteppingStaysWithinItsBound"},
+                      {"f64-incremental", "SteppingStaysWithinItsBound"})

@@ -1,17 +1,31 @@
-// Runs a fuzz target on files and folders of inputs without libFuzzer, so that every compiler
-// replays the corpora.
+// Drives a fuzz target without libFuzzer, so that every compiler replays the corpora:
+//
+//     TARGET [-seconds=N] [-runs=N [-seed=S]] [FILE or FOLDER]...
+//
+// -seconds: the inputs over and over, for that long, to tell how fast the target is. -runs: so many
+// inputs of random bytes as well, the same for the same seed.
 #include <algorithm>
+#include <charconv>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "fuzz/fuzz_target.h"
+#include "props/domains/bit_source.h"
+
+// A target that has options of its own takes them here.
+extern "C" __attribute__((weak)) int LLVMFuzzerInitialize(int* argc, char*** argv);
 
 namespace {
+
+using Input = std::vector<std::uint8_t>;
 
 std::vector<std::filesystem::path> InputsOf(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(path)) return {path};
@@ -21,23 +35,76 @@ std::vector<std::filesystem::path> InputsOf(const std::filesystem::path& path) {
   return files;
 }
 
-}  // namespace
+struct Asked {
+  std::uint64_t seconds = 0;
+  std::uint64_t runs = 0;
+  std::uint64_t seed = 1;
+  std::vector<Input> inputs;
+};
 
-int main(int argc, char** argv) {
-  std::size_t inputs = 0;
+// Whether the word is the option, and a number behind it.
+bool Takes(std::string_view word, std::string_view option, std::uint64_t& value) {
+  if (!word.starts_with(option)) return false;
+  const char* const end = word.data() + word.size();
+  const auto [stopped, error] = std::from_chars(word.data() + option.size(), end, value);
+  if (error != std::errc() || stopped != end) {
+    std::fprintf(stderr, "%s: no number\n", word.data());
+    std::exit(2);
+  }
+  return true;
+}
+
+Asked Parse(int argc, char** argv) {
+  Asked asked;
   for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    if (Takes(word, "-seconds=", asked.seconds) || Takes(word, "-runs=", asked.runs) ||
+        Takes(word, "-seed=", asked.seed)) {
+      continue;
+    }
     for (const std::filesystem::path& path : InputsOf(argv[k])) {
       std::ifstream file(path, std::ios::binary);
       if (!file) {
         std::fprintf(stderr, "%s: cannot be read\n", path.c_str());
-        return 2;
+        std::exit(2);
       }
-      const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-      LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-      ++inputs;
+      asked.inputs.emplace_back(std::istreambuf_iterator<char>(file),
+                                std::istreambuf_iterator<char>());
     }
   }
-  std::printf("%zu inputs replayed\n", inputs);
+  return asked;
+}
+
+void Run(const Input& input) { LLVMFuzzerTestOneInput(input.data(), input.size()); }
+
+void RunRandom(const Asked& asked) {
+  constexpr std::uint64_t kMostBytes = 128;
+  for (std::uint64_t run = 0; run < asked.runs; ++run) {
+    rasterproof::props::PhiloxSource random(asked.seed, run);
+    Input input(1 + random.Bits(32) % kMostBytes);
+    for (std::uint8_t& byte : input) byte = static_cast<std::uint8_t>(random.Bits(8));
+    Run(input);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (LLVMFuzzerInitialize != nullptr) LLVMFuzzerInitialize(&argc, &argv);
+  const Asked asked = Parse(argc, argv);
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  std::size_t runs = 0;
+  double took = 0;
+  do {
+    for (const Input& input : asked.inputs) Run(input);
+    runs += asked.inputs.size();
+    took = std::chrono::duration<double>(Clock::now() - start).count();
+  } while (!asked.inputs.empty() && took < static_cast<double>(asked.seconds));
+  RunRandom(asked);
+  std::printf("%zu inputs replayed\n", asked.inputs.size());
+  if (asked.runs > 0) std::printf("%zu random inputs run\n", static_cast<std::size_t>(asked.runs));
+  if (asked.seconds > 0) std::printf("%zu executions in %.2f s\n", runs, took);
   // A replay of nothing proves nothing.
-  return inputs == 0 ? 4 : 0;
+  return asked.inputs.empty() && asked.runs == 0 ? 4 : 0;
 }

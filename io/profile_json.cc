@@ -33,6 +33,7 @@ constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
                                                                "snap_origin",
                                                                "sample_locations",
                                                                "sample_positions",
+                                                               "centroid",
                                                                "y_axis",
                                                                "tie_rule",
                                                                "coordinate_limit",
@@ -73,6 +74,10 @@ constexpr std::array<std::pair<SamplePositions, std::string_view>, 3> kSamplePos
     {{SamplePositions::kStated, "stated"},
      {SamplePositions::kFixed, "fixed"},
      {SamplePositions::kVary, "vary"}}};
+constexpr std::array<std::pair<Centroid, std::string_view>, 3> kCentroids{
+    {{Centroid::kUnstated, "unstated"},
+     {Centroid::kDirect3D, "direct3d"},
+     {Centroid::kInside, "inside"}}};
 constexpr std::array<std::pair<Contract, std::string_view>, 7> kContracts{
     {{Contract::kSampleExact, "sample-exact"},
      {Contract::kWatertight, "watertight"},
@@ -326,6 +331,10 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
     json += line + "\"sample_positions\": " +
             InQuotes(NameOf(profile.sample_positions, Names<SamplePositions>(kSamplePositions)));
   }
+  if (profile.centroid != Centroid::kUnstated) {
+    json +=
+        line + "\"centroid\": " + InQuotes(NameOf(profile.centroid, Names<Centroid>(kCentroids)));
+  }
   if (profile.translation_invariant) json += line + "\"translation_invariant\": true";
   if (profile.shares_edge_samples) {
     json += line + "\"edge_samples\": " + InQuotes(NameOf(true, Names<bool>(kEdgeSamples)));
@@ -372,6 +381,8 @@ Profile ProfileFromObject(const JsonValue& value) {
   ReadIfThere(value, "sample_positions", profile.sample_positions, [](const JsonValue& v) {
     return FromName(v, Names<SamplePositions>(kSamplePositions));
   });
+  ReadIfThere(value, "centroid", profile.centroid,
+              [](const JsonValue& v) { return FromName(v, Names<Centroid>(kCentroids)); });
   ReadIfThere(value, "translation_invariant", profile.translation_invariant, Boolean);
   ReadIfThere(value, "edge_samples", profile.shares_edge_samples,
               [](const JsonValue& v) { return FromName(v, Names<bool>(kEdgeSamples)); });

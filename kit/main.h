@@ -7,8 +7,9 @@
 //     RASTERPROOF_MAIN(Mine)
 //
 // Instead of Draw, a type may have `Drawing Show(const DrawJob& job)`, which gives primitive ids,
-// barycentrics and depths too; and `std::vector<Drawing> ShowMany(std::span<const DrawJob> jobs)`
-// if it draws several scenes in one call. A `static SubjectInfo Info()` says which.
+// barycentrics and depths too, and centroids where the job wants them; and
+// `std::vector<Drawing> ShowMany(std::span<const DrawJob> jobs)` if it draws several scenes in one
+// call. A `static SubjectInfo Info()` says which.
 //
 // The program that comes of it takes the verbs of rasterproof; Mine is the subject where none is
 // named. It runs in a process of its own: a crash or a hang is a finding.

@@ -50,8 +50,8 @@ enum rasterproof_input {
   RASTERPROOF_FIXED = 2 /* every x and y is a multiple of 2^-fixed_fraction_bits; window space */
 };
 
-/* What the library takes, as bits of rasterproof_plugin.takes. None of them: window-space scenes,
- * drawn whole. */
+/* What the library takes and shows, as bits of rasterproof_plugin.takes. None of them: window-space
+ * scenes, drawn whole. */
 #define RASTERPROOF_TAKES_CLIP_SPACE 1u      /* scenes with w; without this bit w is 1 */
 #define RASTERPROOF_TAKES_NO_WINDOW_SPACE 2u /* nothing but scenes with w */
 #define RASTERPROOF_TAKES_CULLING 4u
@@ -60,6 +60,8 @@ enum rasterproof_input {
 #define RASTERPROOF_TAKES_THREADS 32u
 /* rasterproof_target.wants is read: barycentrics and depths that it does not name are NULL. */
 #define RASTERPROOF_TAKES_WANTS 64u
+/* rasterproof_target.centroids is read, and written where it is not NULL. Of FRAGMENTS. */
+#define RASTERPROOF_SHOWS_CENTROIDS 128u
 
 /* What is looked at of a draw beside its primitive ids, as bits of rasterproof_target.wants. */
 #define RASTERPROOF_WANTS_BARYCENTRICS 1u
@@ -111,6 +113,10 @@ typedef struct rasterproof_target {
   /* RASTERPROOF_WANTS_... Barycentrics and depths that are there and not named need not be written.
    * Primitive ids are always: coverage is read off them. */
   uint32_t wants;
+  /* NULL unless the library shows centroids and they are looked at. Laid out as barycentrics: those
+   * of the visible triangle where attributes asked for at the centroid of its fragment in this
+   * pixel are evaluated. Where `size` ends before it, it is not there. */
+  double* centroids;
 } rasterproof_target;
 
 /* Steps along a row (along_y 0) or a column (1): `steps` steps of `length` pixels, forward (sign

@@ -1,4 +1,4 @@
-// rasterproof replay, explain, shrink and decode: one case, saved or generated.
+// rasterproof replay, explain, shrink, decode and encode: one case, saved or generated.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "exact/coverage.h"
@@ -241,6 +242,25 @@ int RunDecode(const DecodeOptions& options) {
   const Case c = props::DecodeCase(data, subject->Info());
   const std::string text = io::CaseToJson({c, options.subject, options.property});
   WriteOutput(options.output, text);
+  return kExitHolds;
+}
+
+int RunEncode(const EncodeOptions& options) {
+  const LoadedCase loaded = LoadCase(options.choice, "encode");
+  RequireTakes(*loaded.subject, loaded.value.scene, options.choice.path);
+  const SubjectInfo& info = loaded.subject->Info();
+  Case c = loaded.value;
+  // A fuzz input is judged by the subject's profile, and bytes for names would be wasted on it.
+  c.profile = info.profile;
+  c.scene.name.clear();
+  c.origin.clear();
+  const std::vector<std::uint8_t> bytes = props::EncodeCase(c, info);
+  if (!props::SameCase(props::DecodeCase(bytes, info), c)) {
+    throw InputError(options.choice.path, "it has more, or other options, than a fuzz input holds",
+                     "leave out options that the subject does not take, and give at most 65536 "
+                     "vertices and triangles");
+  }
+  WriteOutput(options.output, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   return kExitHolds;
 }
 

@@ -86,6 +86,7 @@ class Asking final : public FarEnd {
       drawing.primitive_ids.assign(drawing.counts.size(), kNoPrimitive);
       drawing.barycentrics.resize(drawing.counts.size());
       drawing.depths.resize(drawing.counts.size());
+      if (jobs[k].wants.centroids) drawing.centroids.resize(drawing.counts.size());
     }
     return outcomes;
   }

@@ -73,12 +73,15 @@ void AddJobs(CLI::App* app, int& jobs, const std::string& what) {
 constexpr std::string_view kCaseHelp = "Drawn case, by its name DOMAIN:INDEX@SEED (near-edge:17@1)";
 
 void AddCase(CLI::App* app, CaseChoice& choice) {
-  app->add_option("case", choice.path, "Case or scene file (- for standard input)");
+  app->add_option("case", choice.path,
+                  "Case or scene file, or what a fuzzer saved (- for standard input)");
   AddSubject(app, choice.subject, "Subject (default: the one the file names)");
   app->add_option("--property", choice.property, "Property (default: the one the file names)");
   app->add_option("--profile", choice.profile,
                   "Judge by this profile (default: the file's, or the subject's own)");
   app->add_option("--case", choice.name, std::string(kCaseHelp));
+  app->add_flag("--fuzz-input", choice.is_fuzz_input,
+                "The file is a fuzz input, though it looks like text");
 }
 
 void AddPipe(CLI::App* app, PipeOptions& options) {
@@ -264,6 +267,15 @@ void AddDecode(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunDecode(options); }; });
 }
 
+void AddEncode(CLI::App& app, Run& run, const std::string& typed) {
+  static EncodeOptions options;
+  options.choice.typed = typed;
+  CLI::App* verb = app.add_subcommand("encode", "A case or scene as a fuzz input for a subject");
+  AddCase(verb, options.choice);
+  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
+  verb->callback([&run] { run = [] { return RunEncode(options); }; });
+}
+
 void AddSelftest(CLI::App& app, Run& run) {
   static SelftestOptions options;
   CLI::App* verb = app.add_subcommand(
@@ -336,6 +348,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddBench(app, run);
   AddShrink(app, run, typed);
   AddDecode(app, run);
+  AddEncode(app, run, typed);
   AddSelftest(app, run);
   AddGen(app, run);
   AddVer(app, run);

@@ -147,6 +147,8 @@ struct CaseChoice {
   std::string profile;  ///< judge by this one; empty: the file's, or the subject's own
   std::string name;     ///< of a drawn case: "near-edge:17@1"
   std::string typed;    ///< the command line as the user gave it, quoted for a shell
+  /// The file is a fuzz input, as a fuzzer saves it, whatever it looks like.
+  bool is_fuzz_input = false;
 };
 
 struct ReplayOptions {
@@ -197,6 +199,12 @@ struct DecodeOptions {
   std::string output = "-";
 };
 int RunDecode(const DecodeOptions& options);
+
+struct EncodeOptions {
+  CaseChoice choice;
+  std::string output = "-";
+};
+int RunEncode(const EncodeOptions& options);
 
 /// What goes through a pipe by hand: gen | PROGRAM | ver.
 struct PipeOptions {

@@ -44,8 +44,11 @@ constexpr Names<bool SubjectInfo::*, 7> kTakes{{{"window", &SubjectInfo::takes_w
                                                 {"threads", &SubjectInfo::takes_threads},
                                                 {"batches", &SubjectInfo::takes_batches}}};
 
-constexpr Names<bool EdgeInfo::*, 2> kShows{
-    {{"edges", &EdgeInfo::shows_values}, {"steps", &EdgeInfo::shows_steps}}};
+using Flag = bool& (*)(SubjectInfo&);
+constexpr Names<Flag, 3> kShows{
+    {{"edges", [](SubjectInfo& info) -> bool& { return info.edges.shows_values; }},
+     {"steps", [](SubjectInfo& info) -> bool& { return info.edges.shows_steps; }},
+     {"centroids", [](SubjectInfo& info) -> bool& { return info.fragments.shows_centroids; }}}};
 
 template <class Table>
 std::string NamesIn(const Table& table) {
@@ -190,7 +193,7 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     info.protocol = ProtocolOf(value, place);
   } else if (key == "shows") {
     std::istringstream words(value);
-    for (std::string word; words >> word;) info.edges.*Chosen(kShows, word, place) = true;
+    for (std::string word; words >> word;) Chosen(kShows, word, place)(info) = true;
   } else if (key == "takes") {
     for (const auto& [name, member] : kTakes) info.*member = false;
     std::istringstream words(value);
@@ -223,6 +226,11 @@ void RequireWhatItShows(const SubjectInfo& info, const std::string& place) {
   if (says_barycentrics && info.coverage != CoverageKind::kFragments) {
     throw InputError(place, "it says something of barycentrics or depths and shows none",
                      "add a line: coverage fragments");
+  }
+  if (properties.shows_centroids &&
+      (info.coverage != CoverageKind::kFragments || info.protocol < 2)) {
+    throw InputError(place, "it shows centroids, and no fragments or by an old protocol",
+                     "add two lines: coverage fragments, and protocol 2");
   }
   if (properties.visible != nothing.visible && !ShowsPrimitiveIds(info)) {
     throw InputError(place, "it says which triangle is visible and does not show it",
@@ -299,6 +307,8 @@ std::string DescriptionText(const SubjectInfo& info, const std::string& profile)
   if (properties.barycentric_error > 0)
     text += fmt::format("barycentric-error {}\n", properties.barycentric_error);
   if (properties.depth_error > 0) text += fmt::format("depth-error {}\n", properties.depth_error);
+  if (properties.shows_centroids)
+    text += fmt::format("shows centroids\nprotocol {}\n", subjects::kProtocol);
   return text;
 }
 

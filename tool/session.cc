@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,6 +21,7 @@
 #include "io/mesh.h"
 #include "io/output.h"
 #include "io/scene_file.h"
+#include "props/codec/codec.h"
 #include "props/domains/case_name.h"
 #include "props/judging/as_shown.h"
 #include "props/run/facings.h"
@@ -154,6 +158,40 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
                    "use a float64 subject (f64-..., spans-exact), or \"precision\": \"float32\"");
 }
 
+namespace {
+
+// Whether a file is none of text: no JSON, then, but bytes that a fuzzer saved.
+bool IsNoText(std::string_view content) {
+  const auto is_control = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < ' ' && c != '\n' && c != '\r' && c != '\t';
+  };
+  const std::size_t first = content.find_first_not_of(" \n\r\t");
+  if (first == std::string_view::npos) return false;
+  return content[first] != '{' && std::ranges::any_of(content, is_control);
+}
+
+// Bytes mean a case only with a subject, whose lattice and profile are part of what they mean.
+LoadedCase LoadFuzzInput(const CaseChoice& choice, std::string_view bytes, std::string_view verb) {
+  CaseChoice stated = choice;
+  const std::vector<std::string> own = OwnNames();
+  if (stated.subject.empty() && !own.empty()) stated.subject = own.front();
+  if (stated.subject.empty()) {
+    throw InputError(choice.path, "a fuzz input means a case only together with a subject",
+                     "give the --subject that it was run on");
+  }
+  LoadedCase loaded;
+  if (!choice.property.empty()) loaded.property = &RequireProperty(choice.property);
+  loaded.subject = MakeSubject(stated.subject, choice.profile);
+  const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  loaded.value = props::DecodeCase(data, loaded.subject->Info());
+  if (loaded.value.origin.empty()) loaded.value.origin = choice.path;
+  loaded.replay = CommandFor(verb, stated);
+  return loaded;
+}
+
+}  // namespace
+
 std::string SubjectOption(const std::string& name) {
   if (name.starts_with(kPluginPrefix)) {
     return "--plugin " + ShellWord(name.substr(kPluginPrefix.size()));
@@ -174,6 +212,7 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   add(" --property", choice.property);
   add(" --profile", choice.profile);
   add(" --case", choice.name);
+  if (choice.is_fuzz_input) command += " --fuzz-input";
   return command;
 }
 
@@ -205,7 +244,10 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   if (choice.path.empty()) {
     throw InputError("case", "no case was given", "give a case file, or --subject and --case NAME");
   }
-  const io::CaseFile file = io::ReadCase(choice.path);
+  const std::string content = io::ReadFile(choice.path);
+  if (choice.is_fuzz_input || IsNoText(content)) return LoadFuzzInput(choice, content, verb);
+  const io::CaseFile file =
+      io::ParseCase(content, choice.path == "-" ? "standard input" : choice.path);
   if (subject.empty() && !file.subject.empty()) {
     RequireOursInFile(file.subject, choice, verb);
     subject = file.subject;

@@ -144,7 +144,8 @@ constexpr auto k11 = std::to_array<Clause>({
      .place = "3.5.5",
      .sentence = "Centroid is the centre if all samples are covered, else the first covered sample "
                  "in the order of indices.",
-     .reading = "Exact: \"Centroid behaves exactly as follows\"."},
+     .reading = "Exact: \"Centroid behaves exactly as follows\".",
+     .keys = "centroid=direct3d"},
     {.id = "d3d11.translation",
      .place = "3.4",
      .force = kSilent,

@@ -184,7 +184,9 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .place = "15.2",
      .force = kAllowed,
      .sentence = "A centroid input is sampled \"within the pixel covered by the primitive\".",
-     .reading = "Any point of pixel and primitive will do."},
+     .reading = "Any point of pixel and primitive will do. With one sample it is the centre, as "
+                "GLSL 4.60 section 4.5 says.",
+     .keys = "centroid=inside"},
     {.id = "gl.repeatability",
      .place = "A.3, rule 1",
      .sentence = "The same command on the same state gives an identical framebuffer each time.",

@@ -170,7 +170,9 @@ constexpr auto kVulkan = std::to_array<Clause>({
      .force = kAllowed,
      .sentence = "A centroid input's position must also \"fall within the bounds of the "
                  "primitive\".",
-     .reading = "Any point of fragment and primitive will do."},
+     .reading = "Any point of fragment and primitive will do. With one sample it is the "
+                "centre, as the section says.",
+     .keys = "centroid=inside"},
     {.id = "vulkan.repeatability",
      .place = "Appendix: Invariance, rule 1",
      .sentence = "The same command on the same state gives an identical framebuffer each time.",

@@ -121,6 +121,15 @@ constexpr auto kWebGpu = std::to_array<Clause>({
                 "locations implementation-defined: the table, which says must, is taken.",
      .keys = "sample_locations",
      .shown_by = "SpecificationPatterns.WebGpuHasOneAndFourSamples"},
+    {.id = "webgpu.centroid",
+     .place = "WGSL, Interpolation",
+     .force = kAllowed,
+     .sentence = "A centroid input is evaluated at a point that \"lies within all the samples "
+                 "covered by the fragment\"; the value is one for all of them.",
+     .reading = "No point lies within several samples: any of pixel and primitive will do, as in "
+                "the APIs beneath. With one sample it is the centre, where that sample lies.",
+     .keys = "centroid=inside",
+     .is_assumed = true},
     {.id = "webgpu.barycentric",
      .place = "23.2.5.3",
      .sentence = "Each in [0, 1], their sum 1, and p the sum of b_i p_i.",

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "props/codec/raw_code.h"
+#include "props/codec/spelled.h"
 #include "props/domains/domain.h"
 #include "props/domains/sketch.h"
 
@@ -16,39 +20,14 @@ namespace rasterproof::props {
 namespace {
 
 constexpr std::uint64_t kFirstRecipeByte = 192;
-constexpr int kMostSide = 32;
-constexpr int kMostTriangles = 8;
-constexpr int kMostVertices = 16;
-// Anchors from here on stand for magnitudes 2^7, 2^8, ... of either sign; the others count half
-// pixels from -4 on and start again past the largest target.
-constexpr std::uint64_t kFirstFarAnchor = 240;
-constexpr std::uint64_t kHalfPixels = 80;
-constexpr double kFirstPixel = -4;
-
-// The second byte of a coordinate: below 128 the half pixel itself, so that a sixteenth of all
-// edges join two of them; then some steps of the lattice beside it; then a subpixel.
-constexpr std::uint64_t kFirstStep = 128;
-constexpr std::uint64_t kFirstSubpixel = 192;
-constexpr std::array<int, 8> kSteps{1, -1, 2, -2, 3, -3, 16, -16};
-
 double Spelled(Sketch& sketch) {
   const std::uint64_t anchor = sketch.bits().Bits(8);
-  const std::uint64_t fine = sketch.bits().Bits(8);
-  const double subpixel =
-      fine < kFirstSubpixel ? 0 : std::ldexp(static_cast<double>(fine - kFirstSubpixel), -6);
-  double x = kFirstPixel + (static_cast<double>(anchor % kHalfPixels) + subpixel) / 2;
-  if (anchor >= kFirstFarAnchor) {
-    const auto far = static_cast<int>(anchor - kFirstFarAnchor);
-    x = std::ldexp(far % 2 == 0 ? 1.0 : -1.0, 7 + far / 2) * (1 + subpixel);
-  }
-  x = sketch.lattice().RoundWithinLimit(x);
-  const bool steps = fine >= kFirstStep && fine < kFirstSubpixel;
-  return steps ? sketch.lattice().Move(x, kSteps[fine & 7]) : x;
+  return SpelledCoordinate(anchor, sketch.bits().Bits(8), sketch.lattice());
 }
 
 // One coordinate of an example: a whole or half pixel, and `step` steps from it.
 void Spell(std::vector<std::uint8_t>& bytes, double x, int step) {
-  const auto place = std::ranges::find(kSteps, step) - kSteps.begin();
+  const auto place = std::ranges::find(kSpelledSteps, step) - kSpelledSteps.begin();
   const auto code =
       static_cast<std::uint8_t>(step == 0 ? 0 : static_cast<std::ptrdiff_t>(kFirstStep) + place);
   bytes.push_back(static_cast<std::uint8_t>(2 * (x - kFirstPixel)));
@@ -83,15 +62,15 @@ CodecExample Example(std::string name, const std::vector<ExampleVertex>& vertice
 }  // namespace
 
 Case LatticeCase(BitSource& bits, const SubjectInfo& info) {
-  const int width = 1 + static_cast<int>(bits.Bits(8) % kMostSide);
-  const int height = 1 + static_cast<int>(bits.Bits(8) % kMostSide);
-  const auto vertices = static_cast<std::int32_t>(3 + bits.Bits(8) % (kMostVertices - 2));
+  const int width = 1 + static_cast<int>(bits.Bits(8) % kMostSpelledSide);
+  const int height = 1 + static_cast<int>(bits.Bits(8) % kMostSpelledSide);
+  const auto vertices = static_cast<std::int32_t>(3 + bits.Bits(8) % (kMostSpelledVertices - 2));
   Sketch sketch(bits, info, width, height);
   for (std::int32_t v = 0; v < vertices; ++v) {
     const double x = Spelled(sketch);
     sketch.Add({x, Spelled(sketch)});
   }
-  const auto triangles = static_cast<std::int32_t>(1 + bits.Bits(8) % kMostTriangles);
+  const auto triangles = static_cast<std::int32_t>(1 + bits.Bits(8) % kMostSpelledTriangles);
   for (std::int32_t t = 0; t < triangles; ++t) {
     // Counted from a strip's own vertices, so that bytes that run out make a strip, not a point.
     const auto index = [&](std::int32_t k) {
@@ -105,6 +84,7 @@ Case LatticeCase(BitSource& bits, const SubjectInfo& info) {
 }
 
 Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info) {
+  if (IsRawCode(bytes)) return RawCase(bytes, info);
   ByteSource source(bytes);
   if (source.Bits(8) < kFirstRecipeByte) return LatticeCase(source, info);
   const Domain* domain = DomainOfNumber(static_cast<std::uint16_t>(source.Bits(8)));
@@ -112,6 +92,24 @@ Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info) {
   Case c = domain->draw(source, info);
   c.scene.name = domain->name;
   return c;
+}
+
+std::vector<std::uint8_t> EncodeCase(const Case& c, const SubjectInfo& info) {
+  std::optional<std::vector<std::uint8_t>> spelled = SpellCase(c, info);
+  if (spelled && SameCase(DecodeCase(*spelled, info), c)) return *std::move(spelled);
+  return RawCodeOf(c);
+}
+
+bool SameCase(const Case& a, const Case& b) {
+  const auto same_bits = [](const Vertex& v, const Vertex& w) {
+    using Bits = std::array<std::uint64_t, 4>;
+    return std::bit_cast<Bits>(v) == std::bit_cast<Bits>(w);
+  };
+  return std::ranges::equal(a.scene.vertices, b.scene.vertices, same_bits) &&
+         a.scene.triangles == b.scene.triangles && a.scene.name == b.scene.name &&
+         a.scene.width == b.scene.width && a.scene.height == b.scene.height &&
+         a.scene.precision == b.scene.precision && a.scene.clip_space == b.scene.clip_space &&
+         a.profile == b.profile && a.options == b.options && a.origin == b.origin;
 }
 
 std::vector<CodecExample> CodecExamples() {

@@ -1,4 +1,5 @@
-// Decodes fuzz bytes: any bytes are a case, and a small change of them is a small change of it.
+// Decodes fuzz bytes: any bytes are a case, and a small change of them is a small change of it. And
+// the way back: bytes for a case.
 #ifndef RASTERPROOF_PROPS_CODEC_CODEC_H_
 #define RASTERPROOF_PROPS_CODEC_CODEC_H_
 
@@ -21,11 +22,24 @@ namespace rasterproof::props {
 /// far magnitude. From 192 on the second byte is the number of a domain, whose recipe the other
 /// bytes feed; where no domain has it, or one that the subject does not take, the bytes behind it
 /// spell the triangles out. So a domain that comes or goes changes nothing but its own bytes.
+/// 255 and then 0, which no domain is: the raw code, the bits of every float (raw_code.h).
 /// Properties: the scene is one that Takes(info, scene) accepts.
 Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info);
 
 /// The spelled-out part of the code, from any source of bits.
 Case LatticeCase(BitSource& bits, const SubjectInfo& info);
+
+/// Returns bytes that stand for the case: those of the spelled-out part where it has them and the
+/// case has neither name nor origin, else the raw code.
+///
+/// Domain:     a case whose scene the subject takes, with options that it takes, judged by
+///             info.profile; no more than 2^18 triangles and as many vertices.
+/// Properties: DecodeCase(EncodeCase(c, info), info) is c, bit by bit.
+std::vector<std::uint8_t> EncodeCase(const Case& c, const SubjectInfo& info);
+
+/// Returns whether two cases are equal; of numbers, whether their bits are: a NaN equals itself,
+/// and -0 is not +0.
+bool SameCase(const Case& a, const Case& b);
 
 /// Seeds for a fuzzer's corpus: a named byte string for each hard place of the code, and one for
 /// each domain.

@@ -13,11 +13,6 @@ namespace {
 constexpr Int128 kMostSteps = Int128{1} << 53;
 constexpr int kMostBits = 72;
 
-Int128 Modulo(Int128 x, Int128 m) {
-  const Int128 r = x % m;
-  return r < 0 ? r + m : r;
-}
-
 Int128 Magnitude(Int128 x) { return x < 0 ? -x : x; }
 
 bool Fits(Int128 x) { return Magnitude(x) < Int128{1} << kMostBits; }

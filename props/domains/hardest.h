@@ -12,6 +12,14 @@ namespace rasterproof::props {
 
 __extension__ using Int128 = __int128;
 
+/// Returns the remainder of x in [0, m).
+///
+/// Domain:     m > 0.
+constexpr Int128 Modulo(Int128 x, Int128 m) {
+  const Int128 r = x % m;
+  return r < 0 ? r + m : r;
+}
+
 /// Returns the least i >= 0 with low <= (a i) mod m <= high, or -1 if there is none below 2^53.
 ///
 /// Domain:     0 <= a < m < 2^72; 0 <= low <= high < m.

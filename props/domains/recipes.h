@@ -57,6 +57,15 @@ Case ClosedFolds(BitSource& bits, const SubjectInfo& info);
 Case NearRepeats(BitSource& bits, const SubjectInfo& info);
 Case SparseIndices(BitSource& bits, const SubjectInfo& info);
 
+// recipes_crowds.cc: what only many triangles show.
+Case LongLists(BitSource& bits, const SubjectInfo& info);
+Case Crowds(BitSource& bits, const SubjectInfo& info);
+
+// recipes_ends.cc
+Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info);
+Case UnderflowingProducts(BitSource& bits, const SubjectInfo& info);
+Case NearRectangles(BitSource& bits, const SubjectInfo& info);
+
 // recipes_profile_keys.cc: what is next to what only some profiles make.
 Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info);
 Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info);
@@ -68,6 +77,7 @@ Case SnapTies(BitSource& bits, const SubjectInfo& info);
 Case Degenerate(BitSource& bits, const SubjectInfo& info);
 Case SignedZeros(BitSource& bits, const SubjectInfo& info);
 Case NonFinite(BitSource& bits, const SubjectInfo& info);
+Case NonFiniteDepths(BitSource& bits, const SubjectInfo& info);
 
 // recipes_meshes.cc
 Case SharedEdge(BitSource& bits, const SubjectInfo& info);
@@ -94,6 +104,8 @@ Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info);
 Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info);
 Case Perspective(BitSource& bits, const SubjectInfo& info);
 Case MixedW(BitSource& bits, const SubjectInfo& info);
+Case OneVertexBehind(BitSource& bits, const SubjectInfo& info);
+Case HardestRays(BitSource& bits, const SubjectInfo& info);
 
 }  // namespace rasterproof::props
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "props/domains/hardest_ray.h"
 #include "props/domains/recipes.h"
 #include "props/domains/sketch.h"
 
@@ -180,6 +181,43 @@ Case MixedW(BitSource& bits, const SubjectInfo& info) {
   return ClipTriangles(bits, info, [](Sketch& sketch) {
     return sketch.bits().Chance(96) ? 1.0 : DrawMixedW(sketch);
   });
+}
+
+Case OneVertexBehind(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  sketch.UseClipSpace();
+  const auto triangles = static_cast<std::int32_t>(bits.Int(1, 2));
+  for (std::int32_t t = 0; t < triangles; ++t) {
+    const std::int64_t behind = bits.Int(0, 2);
+    for (std::int64_t k = 0; k < 3; ++k) {
+      const double w = bits.Chance(128) ? std::ldexp(1.0, static_cast<int>(bits.Int(-3, 3)))
+                                        : std::fabs(sketch.LogUniform(-4, 3));
+      AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(k == behind ? -w : w));
+    }
+    sketch.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case HardestRays(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  sketch.UseClipSpace();
+  const auto add = [&](const Ray& v) {
+    const double scale = std::ldexp(1.0, -static_cast<int>(bits.Int(0, 24)));
+    return sketch.AddRaw({static_cast<double>(v.x) * scale, static_cast<double>(v.y) * scale, 0,
+                          static_cast<double>(v.w) * scale});
+  };
+  const std::int64_t triangles = bits.Int(1, 2);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    const Point2 sample = sketch.Sample();
+    const HardRays rays = DrawHardestRays(bits, sample, sketch.lattice().digits() - 1);
+    const std::int32_t a = add(rays.a);
+    const std::int32_t b = add(rays.b);
+    const double w = std::fabs(sketch.LogUniform(-4, 3));
+    AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(w));
+    sketch.AddTriangle(a, b, b + 1);
+  }
+  return sketch.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

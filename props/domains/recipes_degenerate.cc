@@ -13,6 +13,10 @@
 namespace rasterproof::props {
 namespace {
 
+constexpr std::array<double, 3> kNotNumbers{std::numeric_limits<double>::quiet_NaN(),
+                                            std::numeric_limits<double>::infinity(),
+                                            -std::numeric_limits<double>::infinity()};
+
 double MovedInPrecision(double x, std::int64_t n, Precision precision) {
   if (precision == Precision::kFloat64) return MoveByUlps(x, n);
   return MoveByUlps(static_cast<float>(x), n);
@@ -110,10 +114,24 @@ Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
   return sketch.Done(Finish::kAnyOrder);
 }
 
+Case NonFiniteDepths(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const std::int64_t triangles = bits.Int(1, 4);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    std::array<std::int32_t, 3> index{};
+    const std::int64_t replaced = bits.Int(0, 7);  // a bit for each vertex
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point2 p = sketch.Place();
+      const double z =
+          (replaced >> k & 1) != 0 ? bits.OneOf(std::span<const double>(kNotNumbers)) : 0.5;
+      index[k] = sketch.AddRaw({p.x, p.y, z});
+    }
+    sketch.AddTriangle(index[0], index[1], index[2]);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
 Case NonFinite(BitSource& bits, const SubjectInfo& info) {
-  constexpr std::array<double, 3> kNotNumbers{std::numeric_limits<double>::quiet_NaN(),
-                                              std::numeric_limits<double>::infinity(),
-                                              -std::numeric_limits<double>::infinity()};
   Sketch sketch(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {

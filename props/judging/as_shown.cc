@@ -8,7 +8,8 @@ namespace rasterproof::props {
 
 bool IsJudgedAsShown(CoverageKind coverage, std::size_t triangles, std::uint64_t samples) {
   const bool counts = coverage == CoverageKind::kFacingCounts || coverage == CoverageKind::kCounts;
-  return !counts && triangles > kMostSamplesByTriangle / std::max<std::uint64_t>(samples, 1);
+  return !counts && (triangles > kMostCallsByTriangle ||
+                     triangles > kMostSamplesByTriangle / std::max<std::uint64_t>(samples, 1));
 }
 
 bool IsJudgedAsShown(const SubjectInfo& info, const Scene& scene) {

@@ -19,6 +19,8 @@ namespace rasterproof::props {
 /// as large as the target. So many samples in all take seconds: 1024 x 1024 samples of 256
 /// triangles. The triangles of a scanned model on a full target would take hours.
 inline constexpr std::uint64_t kMostSamplesByTriangle = std::uint64_t{1} << 28;
+/// So many calls take as long as hundreds of other cases, however small the target.
+inline constexpr std::size_t kMostCallsByTriangle = 1024;
 
 /// Whether a draw of so many triangles on so many samples is judged as one call shows it: whether a
 /// sample is covered, not how often, and not by which facing.

@@ -65,12 +65,14 @@ double EdgeTolerance(Point2 a, Point2 b, Point2 p, Precision precision) {
                                kEdgeUnderflows * SmallestSubnormal(precision));
 }
 
-bool Overflows(const BarycentricQuery& q, Precision precision) {
+using Points3 = std::array<Point2, 3>;
+
+bool Overflows(const Points3& v, Point2 p, Precision precision) {
   const double most = MostSumOfProducts(precision);
   for (int i = 0; i < 3; ++i) {
-    if (!(SumOfProducts(EdgeStart(q.v, i), EdgeEnd(q.v, i), q.place.at) < most)) return true;
+    if (!(SumOfProducts(EdgeStart(v, i), EdgeEnd(v, i), p) < most)) return true;
   }
-  return !(SumOfProducts(q.v[0], q.v[1], q.v[2]) < most);
+  return !(SumOfProducts(v[0], v[1], v[2]) < most);
 }
 
 // Depths that no two vertices of a triangle are likely to share; exact in every format.
@@ -101,25 +103,65 @@ struct EdgeErrors {
   double area_tolerance = 0;          // of the area, computed by itself or as the sum of the E_i
 };
 
-EdgeErrors EdgeErrorsAt(const BarycentricQuery& q, Precision precision) {
+EdgeErrors EdgeErrorsAt(const Points3& v, Point2 p, Precision precision) {
   EdgeErrors errors;
   double sum = 0;
   double sum_tolerance = 0;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Point2 a = EdgeStart(q.v, i);
-    const Point2 b = EdgeEnd(q.v, i);
-    errors.tolerance[k] = EdgeTolerance(a, b, q.place.at, precision);
-    errors.value[k] = std::fabs(EdgeValue(a, b, q.place.at)) + errors.tolerance[k];
+    const Point2 a = EdgeStart(v, i);
+    const Point2 b = EdgeEnd(v, i);
+    errors.tolerance[k] = EdgeTolerance(a, b, p, precision);
+    errors.value[k] = std::fabs(EdgeValue(a, b, p)) + errors.tolerance[k];
     sum += errors.value[k] + errors.tolerance[k];
     sum_tolerance += errors.tolerance[k];
   }
-  const double alone = EdgeTolerance(q.v[0], q.v[1], q.v[2], precision);
+  const double alone = EdgeTolerance(v[0], v[1], v[2], precision);
   sum_tolerance += kAreaSumErrorMultiplier * UnitRoundoff(precision) * sum;
   errors.area_tolerance = std::max(alone, sum_tolerance);
   // Once for what the subject divides by, once for the value that is worked out here.
-  errors.area = std::fabs(EdgeValue(q.v[0], q.v[1], q.v[2])) - errors.area_tolerance - alone;
+  errors.area = std::fabs(EdgeValue(v[0], v[1], v[2])) - errors.area_tolerance - alone;
   return errors;
+}
+
+// The worst of both, part by part.
+EdgeErrors Worst(const EdgeErrors& a, const EdgeErrors& b) {
+  EdgeErrors worst;
+  for (std::size_t i = 0; i < 3; ++i) {
+    worst.value[i] = std::max(a.value[i], b.value[i]);
+    worst.tolerance[i] = std::max(a.tolerance[i], b.tolerance[i]);
+  }
+  worst.area = std::min(a.area, b.area);
+  worst.area_tolerance = std::max(a.area_tolerance, b.area_tolerance);
+  return worst;
+}
+
+constexpr std::array<double, 3> kNothingIsStated{kNothing, kNothing, kNothing};
+
+// They grow with each value and tolerance, and as the area gets less.
+std::array<double, 3> TolerancesOf(const EdgeErrors& errors, Precision precision) {
+  const double u = UnitRoundoff(precision);
+  if (!(errors.area > errors.area_tolerance)) return kNothingIsStated;
+  std::array<double, 3> barycentric{};  // |l_i|, at most
+  std::array<double, 3> quotient{};     // tolerance of E_i over the area
+  for (std::size_t i = 0; i < 3; ++i) {
+    barycentric[i] = errors.value[i] / errors.area;
+    quotient[i] =
+        kSecondOrderFactor *
+            ((errors.tolerance[i] + barycentric[i] * errors.area_tolerance) / errors.area +
+             u * barycentric[i]) +
+        SmallestSubnormal(precision);
+  }
+  std::array<double, 3> tolerances = quotient;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    // (1 - l_j) - l_k, in either order: a difference of at most 1 + |l|, and the last rounding.
+    const double rounded = u * (1 + std::max(barycentric[j], barycentric[k]) + barycentric[i]);
+    tolerances[i] =
+        std::max(quotient[i], kSecondOrderFactor * (quotient[j] + quotient[k] + rounded));
+  }
+  return tolerances;
 }
 
 // What the drawing shows at its k-th sample. Nothing if the visible triangle has no area.
@@ -166,30 +208,22 @@ std::vector<Fragment> SomeFragments(const Drawing& drawing, const Scene& owners,
 std::array<double, 3> BarycentricTolerances(const SubjectInfo& info, const BarycentricQuery& q) {
   const double stated = info.fragments.barycentric_error;
   if (stated > 0) return {stated, stated, stated};
-  if (Overflows(q, info.input)) return {kNothing, kNothing, kNothing};
-  const double u = UnitRoundoff(info.input);
-  const EdgeErrors errors = EdgeErrorsAt(q, info.input);
-  if (!(errors.area > errors.area_tolerance)) return {kNothing, kNothing, kNothing};
-  std::array<double, 3> barycentric{};  // |l_i|, at most
-  std::array<double, 3> quotient{};     // tolerance of E_i over the area
-  for (std::size_t i = 0; i < 3; ++i) {
-    barycentric[i] = errors.value[i] / errors.area;
-    quotient[i] =
-        kSecondOrderFactor *
-            ((errors.tolerance[i] + barycentric[i] * errors.area_tolerance) / errors.area +
-             u * barycentric[i]) +
-        SmallestSubnormal(info.input);
+  if (Overflows(q.v, q.place.at, info.input)) return kNothingIsStated;
+  return TolerancesOf(EdgeErrorsAt(q.v, q.place.at, info.input), info.input);
+}
+
+std::array<double, 3> BarycentricTolerancesInPixel(const SubjectInfo& info, const Points3& v,
+                                                   Point2 corner) {
+  const double stated = info.fragments.barycentric_error;
+  if (stated > 0) return {stated, stated, stated};
+  std::optional<EdgeErrors> errors;
+  for (const Point2 step : {Point2{0, 0}, Point2{1, 0}, Point2{0, 1}, Point2{1, 1}}) {
+    const Point2 p{corner.x + step.x, corner.y + step.y};
+    if (Overflows(v, p, info.input)) return kNothingIsStated;
+    const EdgeErrors at_corner = EdgeErrorsAt(v, p, info.input);
+    errors = errors ? Worst(*errors, at_corner) : at_corner;
   }
-  std::array<double, 3> tolerances = quotient;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    // (1 - l_j) - l_k, in either order: a difference of at most 1 + |l|, and the last rounding.
-    const double rounded = u * (1 + std::max(barycentric[j], barycentric[k]) + barycentric[i]);
-    tolerances[i] =
-        std::max(quotient[i], kSecondOrderFactor * (quotient[j] + quotient[k] + rounded));
-  }
-  return tolerances;
+  return TolerancesOf(*errors, info.input);
 }
 
 Asked AskFragments(const Case& c, const Description& subject,

@@ -46,6 +46,14 @@ Asked AskFragments(const Case& c, const Description& subject,
 /// vanish.
 std::array<double, 3> BarycentricTolerances(const SubjectInfo& info, const BarycentricQuery& q);
 
+/// The same for any point of the pixel whose corner of least x and y is `corner`: S_i, |E_i| and d
+/// are convex in p, so that each is greatest at one of the pixel's corners; the bound grows with
+/// each.
+///
+/// Domain:     an area that is not zero.
+std::array<double, 3> BarycentricTolerancesInPixel(const SubjectInfo& info,
+                                                   const std::array<Point2, 3>& v, Point2 corner);
+
 /// A violation at a fragment.
 Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
                           const std::string& property, const std::string& observed,

@@ -291,6 +291,18 @@ void OpenTriangles::ForgetTurned() {
   std::erase_if(open_, [](const Open& open) { return !open.is_dropped; });
 }
 
+std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const Case& c, const Triangle& t) {
+  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  const Reach reach = ReachOf(c, profile);
+  auto placed = PlacedCorners(Corners(c.scene, t), false, profile, reach);
+  if (placed->is_clipped) return std::nullopt;
+  for (auto& [low, high] : placed->places) {
+    low = {low.x - reach.beside, low.y - reach.beside};
+    high = {high.x + reach.beside, high.y + reach.beside};
+  }
+  return placed->places;
+}
+
 bool TellsFacings(const Description& subject) {
   return subject.info.coverage == CoverageKind::kFacingCounts;
 }

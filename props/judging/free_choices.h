@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/case.h"
@@ -58,6 +59,14 @@ class OpenTriangles {
   double most_moved_ = 0;
   std::vector<Open> open_;
 };
+
+/// Where legal models put the corners of a triangle, each; whole pixels included by which a
+/// watertight subject's grid may lie beside.
+///
+/// Returns:    nothing if some legal model puts one outside the guard-band rectangle, and may move
+///             its edges.
+/// Domain:     a window-space case; finite corners.
+std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const Case& c, const Triangle& t);
 
 /// Returns whether the facing of a triangle that the subject draws is what it says itself, and not
 /// worked out from the canonical model.

@@ -49,6 +49,12 @@ Wanted WantedBy(Shows shows) {
     case Shows::kFragments:
       return {[](const D& d) { return d.info.coverage == CoverageKind::kFragments; },
               "the subject shows no fragments", "the subject shows fragments"};
+    case Shows::kCentroids:
+      return {[](const D& d) {
+                return d.info.coverage == CoverageKind::kFragments &&
+                       d.info.fragments.shows_centroids;
+              },
+              "the subject shows no centroids", "the subject shows barycentrics at centroids"};
     case Shows::kPrimitiveIds:
       return {[](const D& d) { return ShowsPrimitiveIds(d.info); },
               "the subject does not show primitive ids", "the subject shows primitive ids"};
@@ -133,7 +139,8 @@ std::optional<std::string> ProfileDoesNotState(const Gate& gate, const SubjectIn
   for (const ProfileRule& rule : gate.rules) {
     if (!rule.holds(profile)) return std::string(rule.why_not);
   }
-  if (gate.shows == Shows::kFragments && LeavesBarycentricsOpen(info, profile)) {
+  const bool is_of_fragments = gate.shows == Shows::kFragments || gate.shows == Shows::kCentroids;
+  if (is_of_fragments && LeavesBarycentricsOpen(info, profile)) {
     return "the profile leaves the grid points free that the barycentrics belong to";
   }
   return ContractDoesNotState(profile, gate);

@@ -34,6 +34,7 @@ enum class Shows : std::uint8_t {
   kSteps,
   kBarycentrics,
   kFragments,  ///< of vertices that are given, or that the profile places
+  kCentroids,  ///< of such fragments
   kPrimitiveIds,
   kTiles,
   kThreads,

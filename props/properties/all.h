@@ -69,6 +69,7 @@ extern const Property kFragmentBarycentricsSumToOne;
 extern const Property kFragmentBarycentricsStayWithinTheirError;
 extern const Property kFragmentDepthStaysInTheHull;
 extern const Property kFragmentDepthFollowsItsBarycentrics;
+extern const Property kCentroidsLieWhereStated;
 extern const Property kOneCallDrawsLikeItsTriangles;
 extern const Property kOpenTiesAreCoveredOnce;
 extern const Property kPrimitiveIdFollowsTheStatedOrder;
@@ -138,6 +139,7 @@ inline constexpr const Property* kAllProperties[] = {
     &kFragmentBarycentricsStayWithinTheirError,
     &kFragmentDepthStaysInTheHull,
     &kFragmentDepthFollowsItsBarycentrics,
+    &kCentroidsLieWhereStated,
     &kOneCallDrawsLikeItsTriangles,
     &kPrimitiveIdFollowsTheStatedOrder,
     &kBatchDrawsLikeSingleCalls,

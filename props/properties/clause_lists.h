@@ -38,6 +38,8 @@ inline constexpr auto kOrderClauses =
     std::to_array<std::string_view>({"gl.command-order", "vulkan.rasterization-order"});
 inline constexpr auto kFacingClauses = std::to_array<std::string_view>(
     {"gl.facing", "vulkan.facing", "d3d11.cull-after-snap", "webgpu.facing"});
+inline constexpr auto kCentroidClauses = std::to_array<std::string_view>(
+    {"gl.centroid", "vulkan.centroid", "d3d11.centroid", "webgpu.centroid"});
 // Pixels as squares: what is met must be covered, what is held may be.
 inline constexpr auto kSquaresMetClauses =
     std::to_array<std::string_view>({"gl.nv-conservative", "vulkan.overestimate",

@@ -48,6 +48,11 @@ inline constexpr auto kBarycentrics = std::to_array<std::string_view>(
      "near-edge", "caps", "needles", "offset-cancellation", "mixed-magnitude", "vertex-orders",
      "grids"});
 
+// The same, and fragments of few samples.
+inline constexpr auto kCentroids =
+    Both(kBarycentrics,
+         std::to_array<std::string_view>({"sub-pixel-triangles", "rows-and-columns", "fans"}));
+
 // Everything in window space that a single draw can get wrong.
 inline constexpr auto kCoverage = std::to_array<std::string_view>({"near-edge",
                                                                    "edges-through-samples",
@@ -82,11 +87,12 @@ inline constexpr auto kCoverage = std::to_array<std::string_view>({"near-edge",
 
 // The same, what only the model can tell, and enough samples to find what goes wrong once in a
 // million.
-inline constexpr auto kModelCoverage =
-    Both(kCoverage,
-         std::to_array<std::string_view>(
-             {"deciding-snap-ties", "full-coverage", "wrapped-coordinates", "primitive-extent-ends",
-              "target-size-ends", "guard-band-ends", "near-repeats", "sparse-indices"}));
+inline constexpr auto kModelCoverage = Both(
+    kCoverage, std::to_array<std::string_view>(
+                   {"deciding-snap-ties", "full-coverage", "wrapped-coordinates",
+                    "primitive-extent-ends", "target-size-ends", "guard-band-ends", "near-repeats",
+                    "sparse-indices", "many-triangles", "crowds", "accumulator-ends",
+                    "underflowing-products", "near-rectangles", "non-finite-depths"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -95,20 +101,39 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
      "perspective", "mixed-w"});
 
 // Planar subdivisions.
-inline constexpr auto kMeshes =
-    std::to_array<std::string_view>({"shared-edge", "fans", "strips", "grids", "triangulations",
-                                     "subdivisions", "covering-fans", "guard-band-ends", "folds"});
+inline constexpr auto kMeshes = std::to_array<std::string_view>(
+    {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans",
+     "guard-band-ends", "folds", "near-rectangles"});
 
-// The same, and meshes in clip space.
+// Calls of several triangles, and of many kinds of them.
+inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"crowds"}));
+
+// The same as meshes, and meshes in clip space.
 inline constexpr auto kMeshesAnySpace =
     Both(kMeshes, std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye"}));
 
 // Planar or not, open or closed, conforming or not.
-inline constexpr auto kAnyMesh = std::to_array<std::string_view>(
-    {"shared-edge", "fans", "grids", "triangulations", "subdivisions", "t-junctions", "closed-mesh",
-     "strips", "vertex-orders", "degenerate", "near-edge", "covering-fans", "wrapped-coordinates",
-     "guard-band-ends", "near-repeats", "sparse-indices", "perspective-meshes", "meshes-around-eye",
-     "closed-around-eye"});
+inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
+                                                                  "fans",
+                                                                  "grids",
+                                                                  "triangulations",
+                                                                  "subdivisions",
+                                                                  "t-junctions",
+                                                                  "closed-mesh",
+                                                                  "strips",
+                                                                  "vertex-orders",
+                                                                  "degenerate",
+                                                                  "near-edge",
+                                                                  "covering-fans",
+                                                                  "wrapped-coordinates",
+                                                                  "guard-band-ends",
+                                                                  "near-repeats",
+                                                                  "sparse-indices",
+                                                                  "perspective-meshes",
+                                                                  "meshes-around-eye",
+                                                                  "closed-around-eye",
+                                                                  "many-triangles",
+                                                                  "crowds"});
 
 // Closed surfaces.
 inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh", "closed-folds"});
@@ -119,9 +144,9 @@ inline constexpr auto kClosedClip =
 
 // Clip space, and window-space places lifted to it for a subject that takes nothing else.
 inline constexpr auto kClipSpace = std::to_array<std::string_view>(
-    {"perspective", "mixed-w", "closed-around-eye", "near-edge", "edges-through-samples",
-     "hardest-vertex", "vertices-on-samples", "axis-aligned", "needles", "grids",
-     "mixed-magnitude"});
+    {"perspective", "mixed-w", "one-vertex-behind", "hardest-rays", "closed-around-eye",
+     "near-edge", "edges-through-samples", "hardest-vertex", "vertices-on-samples", "axis-aligned",
+     "needles", "grids", "mixed-magnitude"});
 
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(

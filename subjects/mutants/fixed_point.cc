@@ -244,9 +244,12 @@ void FixedPoint::DrawTriangle(const GridTriangle& triangle, Target& target) cons
   const PixelRect box = Box(triangle, target);
   const int side = target.options.tile > 0 ? target.options.tile : stages_.tile;
   const int workers = std::max(1, target.options.threads);
+  // A scissor may lie anywhere.
+  const std::int64_t height = std::int64_t{box.y1} - box.y0;
   for (int worker = 0; worker < workers; ++worker) {
-    int begin = box.y0 + (box.y1 - box.y0) * worker / workers;
-    int end = box.y0 + (box.y1 - box.y0) * (worker + 1) / workers;
+    const auto row = [&](int share) { return static_cast<int>(box.y0 + height * share / workers); };
+    int begin = row(worker);
+    int end = row(worker + 1);
     if (stages_.share) stages_.share(begin, end, worker, workers);
     // Tiles lie on a grid of the target; a box's and a share's ends cut them.
     for (int y = begin / side * side; y < end; y += side) {

@@ -144,9 +144,9 @@ std::vector<Mutant> OtherBases() {
 
 std::vector<Mutant> LegalVariants() {
   std::vector<Mutant> table = TieRules();
-  for (const auto more :
-       {Snaps, Samples, Freedoms, OtherBases, TransformVariants, MapVariants, ScanlineVariants,
-        SquareVariants, ContractVariants, FreeVariants, SetVariants, SampleVariants}) {
+  for (const auto more : {Snaps, Samples, Freedoms, OtherBases, TransformVariants, MapVariants,
+                          ScanlineVariants, SquareVariants, ContractVariants, FreeVariants,
+                          SetVariants, SampleVariants, CentroidVariants}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;

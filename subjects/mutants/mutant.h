@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/profile.h"
+#include "subjects/mutants/centroids.h"
 #include "subjects/mutants/clip_space.h"
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/free_choice.h"
@@ -24,7 +25,7 @@ struct Mutant {
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
   std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
-               FreeStages, SquareStages>
+               FreeStages, SquareStages, CentroidStages>
       stages;
 };
 
@@ -41,6 +42,7 @@ std::vector<Mutant> SetUpMutants();       // overflow, guard band
 std::vector<Mutant> TraversalMutants();   // box, tiles, stepping
 std::vector<Mutant> TargetMutants();      // scissor, culling, target size, threads
 std::vector<Mutant> SceneMutants();       // state, degenerate and non-finite input, lost triangles
+std::vector<Mutant> CrowdMutants();       // many triangles, pairs, ends of numbers
 std::vector<Mutant> RealMutants();        // exact geometry, clip space
 std::vector<Mutant> TransformMutants();   // clip space to window
 std::vector<Mutant> MapMutants();         // a map to window, tiles
@@ -51,6 +53,7 @@ std::vector<Mutant> SquareMutants();      // whole pixels
 std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
 std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
 std::vector<Mutant> SampleMutants();      // several samples a pixel
+std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
 /// Written after the generators and the properties were frozen.
 std::vector<Mutant> LateMutants();
 
@@ -63,6 +66,7 @@ std::vector<Mutant> SquareVariants();
 std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
 std::vector<Mutant> SetVariants();       // of the legal sets of APIs
 std::vector<Mutant> SampleVariants();    // several samples a pixel
+std::vector<Mutant> CentroidVariants();  // those that show centroids
 std::vector<Mutant> ContractVariants();  // those of profiles with the rarer keys
 
 }  // namespace rasterproof::subjects::mutants

@@ -30,10 +30,10 @@ std::vector<Row> MakeRows() {
   for (const auto table :
        {mutants::TieRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
         mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
-        mutants::RealMutants, mutants::TransformMutants, mutants::ScanlineMutants,
-        mutants::MapMutants, mutants::ShownValueMutants, mutants::ContractMutants,
-        mutants::FreeMutants, mutants::SquareMutants, mutants::SetMutants,
-        mutants::SampleMutants}) {
+        mutants::CrowdMutants, mutants::RealMutants, mutants::TransformMutants,
+        mutants::ScanlineMutants, mutants::MapMutants, mutants::ShownValueMutants,
+        mutants::ContractMutants, mutants::FreeMutants, mutants::SquareMutants, mutants::SetMutants,
+        mutants::SampleMutants, mutants::CentroidMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);
@@ -71,6 +71,9 @@ struct Maker {
   }
   std::unique_ptr<Subject> operator()(const mutants::SquareStages& stages) const {
     return mutants::MakeSquares(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::CentroidStages& stages) const {
+    return mutants::MakeCentroids(info.name, info.change, stages);
   }
 };
 

@@ -57,7 +57,7 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   info.takes_batches = plugin.draw_many != nullptr;
   info.fragments = {static_cast<Visible>(plugin.visible),
                     static_cast<BarycentricsOf>(plugin.barycentrics_of), plugin.barycentric_error,
-                    plugin.depth_error};
+                    plugin.depth_error, Has(plugin, RASTERPROOF_SHOWS_CENTROIDS)};
   const auto property = [](double error) {
     return error < 0 ? std::nullopt : std::optional(error);
   };
@@ -119,15 +119,14 @@ class PluginScene {
 // is not wanted if it can do without.
 class PluginTarget {
  public:
-  PluginTarget(const DrawJob& job, CoverageKind kind, bool needs_all)
+  PluginTarget(const DrawJob& job, const SubjectInfo& info, bool needs_all)
       : rows_(static_cast<std::size_t>(job.scene->height)) {
     RequireTargetSize("plugin", job.scene->width, job.scene->height, job.samples);
     drawing_.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
+    const CoverageKind kind = info.coverage;
     const std::size_t columns = drawing_.counts.size() / rows_;
-    const bool primitive_ids =
-        kind == CoverageKind::kPrimitiveIds || kind == CoverageKind::kFragments;
     const GuardedCounts& shape =
-        primitive_ids
+        ShowsPrimitiveIds(info)
             ? primitive_ids_.emplace(columns, rows_, 1, static_cast<std::uint32_t>(kNoPrimitive))
             : front_.emplace(columns, rows_);
     if (kind == CoverageKind::kFacingCounts) back_.emplace(columns, rows_);
@@ -137,6 +136,9 @@ class PluginTarget {
     }
     if (fragments && (needs_all || job.wants.depths)) {
       depths_.emplace(columns, rows_, kWordsOfADouble);
+    }
+    if (info.fragments.shows_centroids && job.wants.centroids) {
+      centroids_.emplace(columns, rows_, 3 * kWordsOfADouble);
     }
     wants_ = job.wants;
     view_ = {.size = sizeof(rasterproof_target),
@@ -148,7 +150,8 @@ class PluginTarget {
              .barycentrics = DataOf<double>(barycentrics_),
              .depths = DataOf<double>(depths_),
              .wants = (job.wants.barycentrics ? RASTERPROOF_WANTS_BARYCENTRICS : 0U) |
-                      (job.wants.depths ? RASTERPROOF_WANTS_DEPTHS : 0U)};
+                      (job.wants.depths ? RASTERPROOF_WANTS_DEPTHS : 0U),
+             .centroids = DataOf<double>(centroids_)};
   }
   const rasterproof_target& view() const { return view_; }
 
@@ -156,7 +159,8 @@ class PluginTarget {
   ///
   /// Error:      SubjectFault if anything was written outside the target.
   Drawing Drawn() {
-    for (const auto* part : {&front_, &back_, &primitive_ids_, &barycentrics_, &depths_}) {
+    for (const auto* part :
+         {&front_, &back_, &primitive_ids_, &barycentrics_, &depths_, &centroids_}) {
       const std::string damage = *part ? (*part)->Damage() : "";
       if (!damage.empty()) throw SubjectFault("it wrote outside its target: " + damage);
     }
@@ -166,6 +170,7 @@ class PluginTarget {
     if (wants_.barycentrics)
       CopyRows(barycentrics_, rows_, drawing_.counts.size(), drawing_.barycentrics);
     if (wants_.depths) CopyRows(depths_, rows_, drawing_.counts.size(), drawing_.depths);
+    CopyRows(centroids_, rows_, drawing_.counts.size(), drawing_.centroids);
     for (std::size_t k = 0; k < drawing_.primitive_ids.size(); ++k) {
       drawing_.counts.front[k] = drawing_.primitive_ids[k] == kNoPrimitive ? 0 : 1;
     }
@@ -198,6 +203,7 @@ class PluginTarget {
   Part primitive_ids_;
   Part barycentrics_;
   Part depths_;
+  Part centroids_;
   rasterproof_target view_{};
 };
 
@@ -285,7 +291,7 @@ class PluginSubject final : public Subject {
                        "give it multiples of its step within its range");
     }
     const PluginScene given(job, VerticesOf(job));
-    PluginTarget target(job, info_.coverage, needs_all_);
+    PluginTarget target(job, info_, needs_all_);
     const std::int32_t refused =
         InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
     Drawing drawing = target.Drawn();
@@ -311,7 +317,7 @@ class PluginSubject final : public Subject {
     std::vector<const rasterproof_target*> target_views;
     for (const DrawJob& job : jobs) {
       scene_views.push_back(&given.emplace_back(job, VerticesOf(job)).view());
-      target_views.push_back(&targets.emplace_back(job, info_.coverage, needs_all_).view());
+      target_views.push_back(&targets.emplace_back(job, info_, needs_all_).view());
     }
     const std::int32_t refused = InLibrary([&] {
       return plugin_.draw_many(state_, scene_views.data(), target_views.data(), jobs.size());
@@ -399,6 +405,9 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
   require_known("coverage", described.coverage, RASTERPROOF_FRAGMENTS);
   require_known("visible", described.visible, RASTERPROOF_FIRST_DRAWN);
   require_known("barycentrics_of", described.barycentrics_of, RASTERPROOF_OF_SNAPPED);
+  require((described.takes & RASTERPROOF_SHOWS_CENTROIDS) == 0 ||
+              described.coverage == RASTERPROOF_FRAGMENTS,
+          "it shows centroids and no fragments", "set coverage to RASTERPROOF_FRAGMENTS");
   const auto require_error = [&](const char* what, double error) {
     require(std::isfinite(error) && error >= 0,
             std::string("its ") + what + " is " + std::to_string(error),

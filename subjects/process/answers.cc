@@ -13,14 +13,18 @@ namespace {
 // Of the lines of a right answer: room for blanks and for programs that pad.
 constexpr std::size_t kRoomOfANumber = 64;
 constexpr std::size_t kMostOfAHead = std::size_t{1} << 16;  // a reason may be a long text
-constexpr std::size_t kNumbersOfAFragment = 5;              // primitive id, barycentrics, depth
+constexpr std::size_t kNumbersOfAFragment = 8;  // primitive id, barycentrics, depth, centroid
 constexpr std::size_t kMostQuoted = 60;
 
 constexpr std::size_t MostOfARow(std::size_t numbers) { return (numbers + 1) * kRoomOfANumber; }
 
+bool IsOfFragments(Outputs answered) {
+  return answered.barycentrics || answered.depths || answered.centroids;
+}
+
 std::string_view AnswerWord(Outputs answered) {
   if (!answered.primitive_ids) return "counts";
-  return answered.barycentrics || answered.depths ? "fragments" : "primitive-ids";
+  return IsOfFragments(answered) ? "fragments" : "primitive-ids";
 }
 
 // What follows `WORD ID` on the line if it begins so.
@@ -101,6 +105,12 @@ void RequirePrimitiveId(std::int32_t id, std::size_t triangles) {
                      " triangles");
 }
 
+std::array<double, 3> NextBarycentrics(RowReader& row, std::size_t column, std::size_t columns) {
+  std::array<double, 3> barycentrics{};
+  for (double& barycentric : barycentrics) barycentric = row.Next<double>(column, columns);
+  return barycentrics;
+}
+
 // `answered` is what the answer holds, `wants` what of it is kept.
 void ReadPrimitiveIds(Drawing& drawing, std::size_t triangles, Outputs answered, Outputs wants,
                       const NextLine& next_line) {
@@ -108,6 +118,7 @@ void ReadPrimitiveIds(Drawing& drawing, std::size_t triangles, Outputs answered,
   drawing.primitive_ids.resize(size);
   if (answered.barycentrics && wants.barycentrics) drawing.barycentrics.resize(size);
   if (answered.depths && wants.depths) drawing.depths.resize(size);
+  if (answered.centroids) drawing.centroids.resize(size);
   const auto read = [&](RowReader& row, std::size_t index, std::size_t column,
                         std::size_t columns) {
     const auto id = row.Next<std::int32_t>(column, columns);
@@ -116,17 +127,16 @@ void ReadPrimitiveIds(Drawing& drawing, std::size_t triangles, Outputs answered,
     if (id == kNoPrimitive) return;
     drawing.counts.front[index] = 1;
     if (answered.barycentrics) {
-      std::array<double, 3> barycentrics{};
-      for (double& barycentric : barycentrics) barycentric = row.Next<double>(column, columns);
+      const std::array<double, 3> barycentrics = NextBarycentrics(row, column, columns);
       if (!drawing.barycentrics.empty()) drawing.barycentrics[index] = barycentrics;
     }
     if (answered.depths) {
       const auto depth = row.Next<double>(column, columns);
       if (!drawing.depths.empty()) drawing.depths[index] = depth;
     }
+    if (answered.centroids) drawing.centroids[index] = NextBarycentrics(row, column, columns);
   };
-  const bool is_fragment = answered.barycentrics || answered.depths;
-  ReadRows(drawing.counts, is_fragment ? kNumbersOfAFragment : 1, next_line, read);
+  ReadRows(drawing.counts, IsOfFragments(answered) ? kNumbersOfAFragment : 1, next_line, read);
 }
 
 // HEIGHT rows; add(index) writes one sample.
@@ -142,31 +152,41 @@ void AddRows(TextWriter& text, const CoverageCounts& shape, const Add& add) {
   }
 }
 
+void AddBarycentrics(TextWriter& text, const std::array<double, 3>& barycentrics) {
+  for (const double barycentric : barycentrics) {
+    text.Add(' ');
+    text.AddNumber(barycentric);
+  }
+}
+
 void AddPrimitiveIds(TextWriter& text, const Drawing& drawing, Outputs answered) {
   AddRows(text, drawing.counts, [&](std::size_t k) {
     text.AddNumber(drawing.primitive_ids[k]);
     if (drawing.primitive_ids[k] == kNoPrimitive) return;
-    if (answered.barycentrics) {
-      for (const double barycentric : drawing.barycentrics[k]) {
-        text.Add(' ');
-        text.AddNumber(barycentric);
-      }
-    }
+    if (answered.barycentrics) AddBarycentrics(text, drawing.barycentrics[k]);
     if (answered.depths) {
       text.Add(' ');
       text.AddNumber(drawing.depths[k]);
     }
+    if (answered.centroids) AddBarycentrics(text, drawing.centroids[k]);
   });
 }
 
 }  // namespace
+
+Outputs Requested(Outputs wants, const SubjectInfo& info) {
+  if (info.protocol < 2) return kEverything;
+  wants.centroids = wants.centroids && info.fragments.shows_centroids;
+  return wants;
+}
 
 Outputs Answered(CoverageKind kind, Outputs wants) {
   const bool shows_fragments = kind == CoverageKind::kFragments;
   const bool shows_primitive_ids = kind == CoverageKind::kPrimitiveIds || shows_fragments;
   return {.primitive_ids = shows_primitive_ids && wants != kCoverageAlone,
           .barycentrics = shows_fragments && wants.barycentrics,
-          .depths = shows_fragments && wants.depths};
+          .depths = shows_fragments && wants.depths,
+          .centroids = shows_fragments && wants.centroids};
 }
 
 std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind, Outputs wants) {
@@ -190,7 +210,7 @@ std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind ki
 
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const NextLine& next_line) {
-  const Outputs answered = Answered(info.coverage, info.protocol >= 2 ? job.wants : kEverything);
+  const Outputs answered = Answered(info.coverage, Requested(job.wants, info));
   RequireHead(next_line(kMostOfAHead), AnswerWord(answered), id, info.name);
   Drawing drawing;
   drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);

@@ -20,7 +20,9 @@
 //     wants=...  not all that the program shows. coverage: the answer is `counts ID`, 1 where
 //                anything won the sample. primitive-ids: it is `primitive-ids ID`.
 //                primitive-ids,barycentrics or primitive-ids,depths: it is `fragments ID`, and
-//                behind each index come W0 W1 W2 alone, or DEPTH alone.
+//                behind each index come W0 W1 W2 alone, or DEPTH alone. centroids among them, of a
+//                program that shows them: C0 C1 C2, the barycentrics at the fragment's centroid,
+//                come last. No request without that word asks for them.
 // The first request of a call has vertices of its own. What a program says in version 1 is the same
 // in version 2.
 //
@@ -83,6 +85,8 @@ std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
 std::string BatchText(std::size_t n);
 std::string RequestsText(std::span<const EdgeRequest> requests);
 
+/// What a subject that speaks its version is asked for of these outputs.
+Outputs Requested(Outputs wants, const SubjectInfo& info);
 /// What the answer to a job that wants these outputs holds beside coverage: of what the subject
 /// shows. Ids come with barycentrics and depths, whose they are.
 Outputs Answered(CoverageKind kind, Outputs wants);

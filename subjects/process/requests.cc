@@ -29,12 +29,15 @@ bool HaveTheSameVertices(const Scene& a, const Scene& b) {
 }
 
 // What a job wants of what the subject shows, as the line says it; nothing if it wants it all.
-std::string_view WantsText(Outputs wants, CoverageKind kind) {
+std::string WantsText(Outputs wants, CoverageKind kind) {
   const Outputs answered = Answered(kind, wants);
   if (answered == Answered(kind, kEverything)) return "";
   if (!answered.primitive_ids) return " wants=coverage";
-  if (answered.barycentrics) return " wants=primitive-ids,barycentrics";
-  return answered.depths ? " wants=primitive-ids,depths" : " wants=primitive-ids";
+  std::string text = " wants=primitive-ids";
+  if (answered.barycentrics) text += ",barycentrics";
+  if (answered.depths) text += ",depths";
+  if (answered.centroids) text += ",centroids";
+  return text;
 }
 
 void AddOptions(TextWriter& text, const DrawOptions& options, const SubjectInfo& info) {
@@ -89,7 +92,7 @@ void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const Su
   text.Add(' ');
   text.AddNumber(job.Triangles().size());
   AddOptions(text, job.options, info);
-  if (info.protocol >= 2) text.Add(WantsText(job.wants, info.coverage));
+  if (info.protocol >= 2) text.Add(WantsText(Requested(job.wants, info), info.coverage));
   text.Add('\n');
   if (!has_same_vertices) {
     for (const Vertex& v : scene.vertices) AddLine(text, std::array{v.x, v.y, v.z, v.w});
@@ -151,12 +154,14 @@ Outputs ParseWants(std::string_view text, const std::string& where) {
   if (text == "coverage") return wants;
   while (!text.empty()) {
     const std::string_view name = text.substr(0, text.find(','));
-    if (name != "primitive-ids" && name != "barycentrics" && name != "depths") {
-      Malformed(where, "wants=coverage, or any of primitive-ids,barycentrics,depths");
+    if (name != "primitive-ids" && name != "barycentrics" && name != "depths" &&
+        name != "centroids") {
+      Malformed(where, "wants=coverage, or any of primitive-ids,barycentrics,depths,centroids");
     }
     wants.primitive_ids = true;
     wants.barycentrics = wants.barycentrics || name == "barycentrics";
     wants.depths = wants.depths || name == "depths";
+    wants.centroids = wants.centroids || name == "centroids";
     text.remove_prefix(std::min(name.size() + 1, text.size()));
   }
   return wants;

@@ -37,7 +37,8 @@ void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind)
                     counts.back.size() == target.size() &&
                     (!answered.primitive_ids || drawing.primitive_ids.size() == target.size()) &&
                     (!answered.barycentrics || drawing.barycentrics.size() == target.size()) &&
-                    (!answered.depths || drawing.depths.size() == target.size());
+                    (!answered.depths || drawing.depths.size() == target.size()) &&
+                    (!answered.centroids || drawing.centroids.size() == target.size());
   if (!fits) throw SubjectFault("its drawing has not the shape of the target, or lacks a part");
 }
 

@@ -83,8 +83,8 @@ void Add(const SquareRule& rule, Digest& digest) {
 }
 
 void Add(const Profile& profile, Digest& digest) {
-  const auto& [name, specification, snap, crossing, lattice, sample_positions, y_axis, tie_rule,
-               contract, freedom, transform, coordinate_limit, degenerate_triangles,
+  const auto& [name, specification, snap, crossing, lattice, sample_positions, centroid, y_axis,
+               tie_rule, contract, freedom, transform, coordinate_limit, degenerate_triangles,
                infinite_vertex, nan_vertex, nan_z, translation_invariant, edge_samples, targets,
                fixed, max_primitive_extent, guard_band, squares] = profile;
   static_cast<void>(name);
@@ -110,6 +110,7 @@ void Add(const Profile& profile, Digest& digest) {
   AddIfAny(guard_band, digest);
   digest.Integer(static_cast<int>(sample_positions));
   AddIfAny(squares, digest);
+  if (centroid != Centroid::kUnstated) digest.Integer(static_cast<int>(centroid));
 }
 
 void AddTarget(const Scene& scene, Digest& digest) {

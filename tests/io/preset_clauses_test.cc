@@ -97,7 +97,7 @@ TEST(PresetClauses, WhatPresetsLeaveOutIsCitedToo) {
       {"contract", "subpixel_bits", "snap_rule", "snap_tolerance", "rounding", "tie_rule",
        "tie_ownership", "sample_locations", "y_axis", "coordinate_limit", "degenerate_triangles",
        "infinite_vertex", "nan_vertex", "nan_z", "guard_band", "transform_error",
-       "translation_invariant"});
+       "translation_invariant", "centroid"});
   for (const char* api : {"gl", "vulkan", "d3d11", "webgpu"}) {
     for (const std::string_view key : kKeys) {
       EXPECT_TRUE(IsCited(*FindSpecification(api), std::string(key), "", /*is_model=*/true))

@@ -68,6 +68,29 @@ TEST(ProfileJson, PresetsOfSeveralSamplesLeavePositionsOpenWhereTheApiDoes) {
     EXPECT_FALSE(PresetProfile(name)) << name;
 }
 
+TEST(ProfileJson, PresetsOfSetsStateCentroidsAsTheirApisDo) {
+  for (const std::string_view samples : {"", "-2x", "-4x", "-8x", "-16x"}) {
+    const auto stated = [&](std::string api) {
+      const Profile preset = *PresetProfile(api + std::string(samples));
+      ExpectReadsBack(preset);
+      return preset.centroid;
+    };
+    EXPECT_EQ(stated("d3d11"), Centroid::kDirect3D);
+    for (const char* const api : {"vulkan", "gl", "webgpu"})
+      EXPECT_EQ(stated(api), Centroid::kInside) << api;
+    EXPECT_EQ(stated("gl-canonical"), Centroid::kUnstated);
+  }
+  EXPECT_EQ(PresetProfile("vulkan-standard-4x")->centroid, Centroid::kInside);
+  Profile profile;
+  profile.name = "mine";
+  for (const Centroid centroid : {Centroid::kDirect3D, Centroid::kInside}) {
+    profile.centroid = centroid;
+    ExpectReadsBack(profile);
+  }
+  EXPECT_EQ(ParseProfile(R"({"name": "p", "centroid": "unstated"})", "p.json").centroid,
+            Centroid::kUnstated);
+}
+
 TEST(ProfileJson, CrossingAndTransformReadBack) {
   Profile profile;
   profile.name = "scanline";
@@ -273,6 +296,7 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("sample_locations": [["8/8", 0]])", "is not a sample location"},
            Bad{R"("sample_locations": [["1/0", 0]])", "sample_locations[0][0]"},
            Bad{R"("sample_positions": "random")", "sample_positions: \"random\" is unknown"},
+           Bad{R"("centroid": "centre")", "centroid: \"centre\" is unknown; known here are"},
            Bad{R"("scanline_rounding": {"bits": 17})", "scanline_rounding.bits"},
            Bad{R"("transform": {"map": [0, 0, 1, 0]})",
                "transform.map: has a step of zero; write dx and dy in the map's units, dy < 0 for "

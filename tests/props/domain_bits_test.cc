@@ -180,9 +180,17 @@ constexpr auto kGolden = std::to_array<Golden>({
     {56, "square-grid-lines", 0xb56d2a924af36037},
     {57, "square-crossings", 0x28c4ff9079ed50a5},
     {58, "square-interiors", 0xe7ac4a70d01393ff},
+    {59, "many-triangles", 0x9feb28654f82ff68},
+    {60, "crowds", 0x593877c183869e9},
+    {61, "accumulator-ends", 0xee77b2363a7f18b8},
+    {62, "underflowing-products", 0xe1fe6215c87eb040},
+    {63, "near-rectangles", 0x8bca6fc67aad1354},
+    {64, "non-finite-depths", 0xea505ce0d86ea282},
+    {65, "one-vertex-behind", 0xdd2aa0a9c694445e},
+    {66, "hardest-rays", 0xf016da7c25b1ac56},
 });
 
-constexpr std::uint64_t kGoldenExamples = 0x9927c84d9660da5c;
+constexpr std::uint64_t kGoldenExamples = 0x10ce052df9b25bfb;
 
 std::string LineOf(const Domain& domain, std::uint64_t hash) {
   std::ostringstream line;

@@ -38,7 +38,8 @@ struct Bug {
   BarycentricsBug barycentrics = {};
   InterpolationBug interpolate = {};
   DistancesBug distances = {};
-  /// Set: the subject shows fragments, the last ones drawn, with exact barycentrics.
+  /// Set: the subject shows fragments, the last ones drawn, with exact barycentrics; the centroid
+  /// of one sample is its pixel's centre.
   ShowBug show = {};
   /// Set: the subject takes batches.
   BatchBug batch = {};

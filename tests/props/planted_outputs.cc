@@ -73,6 +73,17 @@ std::vector<PlantedBug> OutputPlantedBugs() {
            std::ranges::rotate(barycentrics, barycentrics.begin() + 1);
          }
        })},
+      {"CentroidsLieWhereStated",
+       "the centroid is a 16th of the triangle off",
+       "spans-exact",
+       {.show =
+            [](Drawing& drawing, const DrawJob&) {
+              for (std::array<double, 3>& barycentrics : drawing.centroids) {
+                barycentrics[0] += 0.0625;
+                barycentrics[1] -= 0.0625;
+              }
+            },
+        .states = [](Profile& profile) { profile.centroid = Centroid::kInside; }}},
       {"FragmentDepthStaysInTheHull", "depths are counted from 1", "spans-exact",
        Showing([](Drawing& drawing, const DrawJob&) {
          for (double& depth : drawing.depths) depth += 1;

@@ -37,6 +37,7 @@ Drawing SoundFragments(Subject& sound, const DrawJob& job) {
       }
     }
   }
+  if (job.wants.centroids && job.samples == 1) drawing.centroids = drawing.barycentrics;
   return drawing;
 }
 
@@ -47,6 +48,7 @@ PlantedSubject::PlantedSubject(std::unique_ptr<Subject> sound, Bug bug)
   info_.name += " with a planted bug";
   info_.takes_threads = bug_.states_threads;
   if (bug_.show) info_.coverage = CoverageKind::kFragments;
+  info_.fragments.shows_centroids = bug_.show && info_.profile.pattern.samples() == 1;
   info_.takes_batches = static_cast<bool>(bug_.batch);
   if (bug_.states) bug_.states(info_.profile);
 }

@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "exact/coverage.h"
 #include "props/domains/case_name.h"
+#include "props/domains/domain.h"
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"
 #include "tests/props/planted_subjects.h"
@@ -48,6 +49,7 @@ std::string ContentOf(const Case& c) {
 TEST(Worlds, AreOrderedByTheirCasesAndNameProperties) {
   for (const World& world : Worlds()) {
     EXPECT_EQ(FindWorld(world.name), &world);
+    EXPECT_EQ(FindDomain(world.name), nullptr);  // a case's name says which it is
     EXPECT_FALSE(world.properties.empty());
     for (const std::string_view name : world.properties) EXPECT_NE(FindProperty(name), nullptr);
   }

@@ -65,6 +65,23 @@ TEST(Plugin, IsAskedForWhatIsWantedIfItSaysThatItReadsIt) {
   }
 }
 
+TEST(Plugin, IsAskedForCentroidsIfItShowsThemAndTheyAreWanted) {
+  Outputs wants = kCoverageAndPrimitiveIds;
+  wants.centroids = true;
+  const LoadedPlugin shows = LoadPlugin(TEST_PLUGINS "/shown_CENTROIDS.so");
+  EXPECT_TRUE(shows.subject->Info().fragments.shows_centroids);
+  const Drawing drawing = shows.subject->Show(SecondOfTwo(wants));
+  ASSERT_EQ(drawing.centroids.size(), 16U);
+  EXPECT_EQ(drawing.centroids, shows.subject->Show(SecondOfTwo(kEverything)).barycentrics);
+  EXPECT_TRUE(drawing.barycentrics.empty() && drawing.depths.empty());
+  EXPECT_TRUE(shows.subject->Show(SecondOfTwo(kEverything)).centroids.empty());
+  // One of a header that had none is never asked.
+  const LoadedPlugin older = LoadPlugin(TEST_PLUGINS "/shown_FRAGMENTS.so");
+  EXPECT_FALSE(older.subject->Info().fragments.shows_centroids);
+  EXPECT_TRUE(older.subject->Show(SecondOfTwo(wants)).centroids.empty());
+  EXPECT_THROW(LoadPlugin(TEST_PLUGINS "/shown_CENTROIDS_OF_COUNTS.so"), InputError);
+}
+
 TEST(Plugin, DrawsPartsOfASharedSceneLikeScenesOfTheirOwn) {
   const LoadedPlugin loaded = LoadPlugin(TEST_PLUGINS "/shown_COUNTS.so");
   const DrawJob part = SecondOfTwo(kEverything);

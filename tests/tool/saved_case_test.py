@@ -57,6 +57,58 @@ class TemporaryFolder(unittest.TestCase):
                                             "subject": subject, **more}))  # fmt: skip
 
 
+class FuzzInputs(TemporaryFolder):
+    """A case as bytes for a fuzzer, and what a fuzzer saved as a case."""
+
+    def encoded(self, source, *arguments):
+        target = self.path("input")
+        result = run("encode", source, *arguments, "-o", target)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return target
+
+    def scene(self, path):
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)["scene"]
+
+    def test_an_encoded_scene_decodes_to_its_own_bits(self):
+        for name, subject in (("ties", "f32-direct"), ("subnormal", "spans-exact")):
+            source = os.path.join(SOURCES, "scenes", f"{name}.json")
+            bytes_of_it = self.encoded(source, "--subject", subject)
+            back = self.path("back.json")
+            run("decode", bytes_of_it, "--subject", subject, "-o", back)
+            scene = self.write("scene.json", json.dumps(self.scene(back)))
+            self.assertEqual(run("coverage", scene, "--subject", "exact").stdout,
+                             run("coverage", source, "--subject", "exact").stdout)  # fmt: skip
+            again = self.path("again")
+            run("encode", back, "--subject", subject, "-o", again)
+            with open(bytes_of_it, "rb") as one, open(again, "rb") as other:
+                self.assertEqual(one.read(), other.read())
+
+    def test_a_saved_input_is_replayed_as_it_is(self):
+        ties = os.path.join(SOURCES, "scenes", "ties.json")
+        saved = self.encoded(ties, "--subject", "textbook")
+        asked = ("--subject", "textbook", "--property", "SharedEdgeSamplesAreCoveredOnce")
+        result = run("replay", saved, *asked)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        typed = type_in_bash(printed_command(result.stdout.decode(), "replay"))
+        self.assertEqual(typed.stdout, result.stdout)
+        self.assertEqual(run("replay", saved, "--subject", "spans-exact").returncode, 0)
+
+    def test_bytes_mean_nothing_without_a_subject(self):
+        saved = self.path("crash")
+        with open(saved, "wb") as file:
+            file.write(bytes([0, 11, 11, 0]))
+        result = run("replay", saved)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(b"--subject", result.stderr)
+
+    def test_text_is_a_fuzz_input_where_that_is_said(self):
+        saved = self.write("crash", "AAAAAAAAAAAA")
+        self.assertEqual(run("replay", saved, "--subject", "f32-direct").returncode, 2)
+        result = run("replay", saved, "--subject", "spans-exact", "--fuzz-input")
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+
 class WhatAFileMayBring(TemporaryFolder):
     def outside(self):
         """A subject of each kind that sings when it is run or loaded, and its option."""

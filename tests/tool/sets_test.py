@@ -18,6 +18,7 @@ MODEL = "CoverageEqualsTheModel"
 JOINT = "OneLegalModelExplainsTheMesh"
 MOVED = "IntegerTranslationMovesCoverage"
 NONE = "NonFiniteTrianglesCoverNothing"
+CENTROID = "CentroidsLieWhereStated"
 MUST = "SquaresThatMustBeAreCovered"
 MAY = "SquaresOutsideTheMayRegionStayFree"
 # As d3d11-canonical, and infinities must cover nothing.
@@ -66,6 +67,11 @@ FORBIDDEN = {
     "samples-in-corners": ("vulkan-standard-4x", JOINT, 60),
     "samples-vary-under-gl": ("d3d11-4x", JOINT, 60),
     "samples-centre-under-vulkan": ("vulkan-standard-4x", JOINT, 60),
+    "vulkan-centroid-nearest": ("d3d11-4x", CENTROID, 60),
+    "vulkan-centroid-corner": ("d3d11-8x", CENTROID, 60),
+    "gl-centroid-first-covered": ("d3d11-4x", CENTROID, 60),
+    "gl-centroid-mean": ("d3d11-8x", CENTROID, 60),
+    "webgpu-centroid-middle": ("d3d11-4x", CENTROID, 60),
     "squares-voxel": ("pdf-fill", MAY, 100),
     "squares-voxel-mask": ("pdf-fill", MAY, 100),
     "squares-pdf-inside": ("gdal-all-touched", MAY, 100),

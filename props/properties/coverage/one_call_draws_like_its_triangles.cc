@@ -113,7 +113,7 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
         "others, is what calls with each alone add up to.",
     .required_by = kIndependentClauses,
     .tolerance = kExact,
-    .domains = kMeshes,
+    .domains = kCalls,
     .takes_long = true,
     .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},
     .ask = Ask,

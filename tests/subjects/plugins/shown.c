@@ -25,6 +25,12 @@ static const int kFirstWins = 1;
 static const int kFirstWins = 0;
 #endif
 
+#if defined(SHOWS_CENTROIDS)
+#define CENTROIDS RASTERPROOF_SHOWS_CENTROIDS
+#else
+#define CENTROIDS 0
+#endif
+
 typedef struct triangle {
   int64_t v[3][2];
   double z[3];
@@ -53,6 +59,23 @@ static int covers(const triangle* t, int64_t x, int64_t y, int64_t e[3]) {
   return inside;
 }
 
+/* Of the one sample of a pixel it is the centre. */
+static void show_centroid(const double w[3], const rasterproof_target* target, size_t at) {
+#if defined(SHOWS_CENTROIDS)
+  if (target->centroids == NULL) return;
+  double* const centroid = target->centroids + 3 * at;
+  memcpy(centroid, w, 3 * sizeof(double));
+#if defined(BUG_CENTROID)
+  centroid[0] += 0x1p-20;
+  centroid[1] -= 0x1p-20;
+#endif
+#else
+  (void)w;
+  (void)target;
+  (void)at;
+#endif
+}
+
 static void show_fragment(const triangle* t, const int64_t e[3], const rasterproof_target* target,
                           size_t at) {
   const double area = (double)edge(t->v[0], t->v[1], t->v[2][0], t->v[2][1]);
@@ -78,6 +101,7 @@ static void show_fragment(const triangle* t, const int64_t e[3], const rasterpro
   if ((wants & RASTERPROOF_WANTS_BARYCENTRICS) != 0)
     memcpy(target->barycentrics + 3 * at, w, sizeof w);
   if ((wants & RASTERPROOF_WANTS_DEPTHS) != 0) target->depths[at] = depth;
+  show_centroid(w, target, at);
 }
 
 static void show(const triangle* t, int32_t index, const int64_t e[3],
@@ -253,13 +277,20 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
       .size = sizeof(rasterproof_plugin),
 #endif
       .name = "shown",
+#if defined(SHOWS_CENTROIDS)
+      .profile =
+          "{\"name\": \"shown\", \"subpixel_bits\": 8, \"coordinate_limit\": 32768, "
+          "\"infinite_vertex\": \"unspecified\", \"centroid\": \"inside\"}",
+#else
       .profile = "gl-canonical",
+#endif
       .input = RASTERPROOF_FLOAT32,
       .coverage = KIND,
 #if defined(NEEDS_ALL)
       .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING,
 #else
-      .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING | RASTERPROOF_TAKES_WANTS,
+      .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING | RASTERPROOF_TAKES_WANTS |
+               CENTROIDS,
 #endif
       .draw = DRAW,
 #if defined(NO_BATCHES)

@@ -1,0 +1,42 @@
+// The spelled-out part of the fuzz code: what its bytes stand for, and the bytes for a case.
+#ifndef RASTERPROOF_PROPS_CODEC_SPELLED_H_
+#define RASTERPROOF_PROPS_CODEC_SPELLED_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/input_lattice.h"
+
+namespace rasterproof::props {
+
+inline constexpr int kMostSpelledSide = 32;
+inline constexpr int kMostSpelledTriangles = 8;
+inline constexpr int kMostSpelledVertices = 16;
+
+// The first byte of a coordinate is its anchor. From kFirstFarAnchor on it stands for magnitudes
+// 2^7, 2^8, ... of either sign; the others count half pixels from kFirstPixel on and start again
+// past the largest target.
+inline constexpr std::uint64_t kFirstFarAnchor = 240;
+inline constexpr std::uint64_t kHalfPixels = 80;
+inline constexpr double kFirstPixel = -4;
+
+// The second byte of a coordinate: below 128 the half pixel itself, so that a sixteenth of all
+// edges join two of them; then some steps of the lattice beside it; then a subpixel.
+inline constexpr std::uint64_t kFirstStep = 128;
+inline constexpr std::uint64_t kFirstSubpixel = 192;
+inline constexpr std::array<int, 8> kSpelledSteps{1, -1, 2, -2, 3, -3, 16, -16};
+
+/// The coordinate that two bytes stand for.
+double SpelledCoordinate(std::uint64_t anchor, std::uint64_t fine, const InputLattice& lattice);
+
+/// Bytes that LatticeCase, behind a first byte of 0, makes the case of; nothing where a part of it
+/// is none that they can spell. What they make may differ in what no byte says: the caller looks.
+std::optional<std::vector<std::uint8_t>> SpellCase(const Case& c, const SubjectInfo& info);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CODEC_SPELLED_H_

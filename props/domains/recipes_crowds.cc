@@ -1,0 +1,157 @@
+// What only many triangles show: numbers that are cut to a few bits, and work that is shared out to
+// the lanes of a vector.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "props/domains/lines.h"
+#include "props/domains/recipes.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr int kSide = 16;  // of the target: plain rasterizers look at all of it for each triangle
+constexpr int kCells = kSide * kSide / 2;
+
+// Bits that a number may be cut to; the long ones are drawn rarely, for they take long.
+int DrawCutBits(BitSource& bits) {
+  const std::int64_t kind = bits.Int(0, 63);
+  if (kind == 63) return 16;
+  if (kind >= 61) return static_cast<int>(bits.Int(13, 15));
+  return static_cast<int>(kind >= 48 ? bits.Int(11, 12) : bits.Int(8, 10));
+}
+
+// Triangles that cover the sample of one pixel each: of the target's left half, or its right one.
+class Cells {
+ public:
+  Cells(Sketch& sketch, bool owns_vertices, int padding)
+      : sketch_(sketch), owns_vertices_(owns_vertices), padding_(padding) {}
+
+  void Add(bool on_the_right, std::int64_t number) {
+    const std::int64_t cell = number % kCells + (on_the_right ? kCells : 0);
+    std::int32_t first = 0;
+    if (owns_vertices_ || first_of_[static_cast<std::size_t>(cell)] < 0) {
+      // Down each column, so that halves of the target are halves of the cells.
+      const std::int64_t column = cell / kSide;
+      const auto x = static_cast<double>(column);
+      const auto y = static_cast<double>(cell % kSide);
+      first = sketch_.Add({x, y});
+      sketch_.Add({x, y + 1.5});
+      sketch_.Add({x + 1.5, y});
+      for (int k = 0; k < padding_; ++k) sketch_.Add({0, 0});
+      first_of_[static_cast<std::size_t>(cell)] = first;
+    } else {
+      first = first_of_[static_cast<std::size_t>(cell)];
+    }
+    sketch_.AddTriangle(first, first + 1, first + 2);
+  }
+
+ private:
+  Sketch& sketch_;
+  bool owns_vertices_;
+  int padding_;
+  std::vector<std::int32_t> first_of_ = std::vector<std::int32_t>(std::size_t{2} * kCells, -1);
+};
+
+// One after the other; or from two places in turn whose vertices' numbers are a power of two apart,
+// as a cache meets them that keeps too few bits of a number.
+void AddInTurn(Sketch& sketch, std::int64_t apart) {
+  constexpr int kPadding = 1;  // four numbers a triangle
+  Cells cells(sketch, true, kPadding);
+  for (std::int64_t t = 0; t < apart; ++t) cells.Add(false, t);
+  for (std::int64_t t = 0; t < apart; ++t) cells.Add(true, t);
+}
+
+void Interleave(std::vector<Triangle>& triangles) {
+  std::vector<Triangle> mixed;
+  const std::size_t half = triangles.size() / 2;
+  for (std::size_t t = 0; t < half; ++t) {
+    mixed.push_back(triangles[t]);
+    mixed.push_back(triangles[half + t]);
+  }
+  triangles = mixed;
+}
+
+// Three corners of one kind or another: drawn, on samples, near an edge, outside, flat.
+std::array<Point2, 3> DrawCorners(Sketch& sketch) {
+  BitSource& bits = sketch.bits();
+  switch (bits.Int(0, 7)) {
+    case 0: {
+      const Point2 a = sketch.Sample();
+      const Point2 b = sketch.Sample();
+      return {a, b, sketch.Sample()};
+    }
+    case 1:
+    case 2: {
+      const Segment edge = SegmentThrough(sketch, sketch.Sample());
+      return {edge.a, edge.b, sketch.Place()};
+    }
+    case 3: {
+      const Segment edge = SegmentThrough(sketch, sketch.Sample());
+      const Point2 a = Nudged(sketch, edge.a, 1);
+      return {a, edge.b, sketch.Place()};
+    }
+    case 4: {  // outside the target
+      const auto away = static_cast<double>(sketch.width() + bits.Int(2, 64));
+      const Point2 a = sketch.Place();
+      const Point2 b = sketch.Place();
+      return {Point2{a.x + away, a.y}, Point2{b.x + away, b.y}, Point2{a.x + away, b.y + 3}};
+    }
+    case 5: {  // flat
+      const Point2 a = sketch.Sample();
+      const Point2 b = sketch.Sample();
+      return {a, b, bits.Chance(128) ? a : b};
+    }
+    case 6: {  // along a row and a column of samples
+      const Point2 a = sketch.Sample();
+      const Point2 b = sketch.Sample();
+      return {a, Point2{b.x, a.y}, Point2{a.x, b.y}};
+    }
+    default: {
+      const Point2 a = sketch.Place();
+      const Point2 b = sketch.Place();
+      return {a, b, sketch.Place()};
+    }
+  }
+}
+
+}  // namespace
+
+Case LongLists(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info, kSide, kSide);
+  const int cut = DrawCutBits(bits);
+  const std::int64_t many = std::int64_t{1} << cut;
+  const std::int64_t more = bits.Int(1, kCells);
+  const std::int64_t kind = bits.Int(0, 3);
+  Case c;
+  if (kind == 0 && cut <= 12) {
+    AddInTurn(sketch, many);
+    c = sketch.Done(Finish::kAsIs);
+    Interleave(c.scene.triangles);
+    return c;
+  }
+  // Those from a power of two on are on the right, and nothing else is: numbers of triangles, or of
+  // vertices.
+  const bool is_of_vertices = kind == 1;
+  Cells cells(sketch, is_of_vertices || bits.Chance(64), 0);
+  const std::int64_t on_the_left = is_of_vertices ? many / 3 + 1 : many;
+  for (std::int64_t t = 0; t < on_the_left; ++t) cells.Add(false, t);
+  for (std::int64_t t = 0; t < more; ++t) cells.Add(true, t);
+  return sketch.Done(Finish::kAsIs);
+}
+
+Case Crowds(BitSource& bits, const SubjectInfo& info) {
+  // One less, as many as and one more than lanes.
+  constexpr std::array<int, 17> kCounts{3,  4,  5,  6,  7,  8,  9,  12, 15,
+                                        16, 17, 18, 24, 31, 32, 33, 40};
+  Sketch sketch(bits, info);
+  const int count = bits.OneOf(std::span<const int>(kCounts));
+  for (int t = 0; t < count; ++t) sketch.AddTriangle(DrawCorners(sketch));
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+}  // namespace rasterproof::props

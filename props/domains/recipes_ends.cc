@@ -1,0 +1,151 @@
+// Ends of numbers: sums that just fit an accumulator or just do not, products that underflow, and
+// pairs of triangles that a short test takes for a rectangle.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "props/domains/lines.h"
+#include "props/domains/recipes.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+// Bits of accumulators, without and with a sign, and of floats' mantissas.
+constexpr std::array<int, 8> kAccumulators{15, 16, 23, 24, 31, 31, 32, 32};
+
+// The unit of fixed point: the profile's subpixel; else a pixel, a half or 1/256 of one.
+double DrawUnit(Sketch& sketch) {
+  const Snap& snap = sketch.profile().snap;
+  if (!snap.IsNone() && sketch.bits().Chance(192)) return std::ldexp(1.0, -snap.bits);
+  constexpr std::array<int, 4> kBits{0, 0, 1, 8};
+  return std::ldexp(1.0, -sketch.bits().OneOf(std::span<const int>(kBits)));
+}
+
+// The smallest subnormal of the scene's numbers.
+double Subnormal(const Sketch& sketch) {
+  return sketch.lattice().precision() == Precision::kFloat32
+             ? double{std::numeric_limits<float>::denorm_min()}
+             : std::numeric_limits<double>::denorm_min();
+}
+
+Point2 Plus(Point2 p, Point2 d) { return {p.x + d.x, p.y + d.y}; }
+Point2 Minus(Point2 p, Point2 q) { return {p.x - q.x, p.y - q.y}; }
+Point2 Times(double k, Point2 d) { return {k * d.x, k * d.y}; }
+Point2 Turned(Point2 d) { return {-d.y, d.x}; }
+
+// From a corner to the two beside it: of a rectangle upright or not, or of a parallelogram.
+struct Sides {
+  Point2 first;
+  Point2 second;
+};
+
+Sides DrawSides(Sketch& sketch, double scale) {
+  BitSource& bits = sketch.bits();
+  const auto part = [&](int least) {
+    return scale * static_cast<double>(bits.Int(least, 24)) / 2 * sketch.Sign();
+  };
+  const double along = part(1);
+  if (bits.Chance(96)) {
+    const double across = part(1);
+    return {{along, 0}, {0, across}};
+  }
+  const Point2 first{along, part(0)};
+  if (bits.Chance(128)) return {first, Turned(first)};
+  return {first, {part(0), part(1)}};
+}
+
+}  // namespace
+
+Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const std::int64_t triangles = bits.Int(1, 2);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    const double unit = DrawUnit(sketch);
+    const double end = std::ldexp(1.0, bits.OneOf(std::span<const int>(kAccumulators)));
+    // A product m n next to the end: m and n no farther apart than a factor of 16, in units.
+    const double m = std::floor(std::sqrt(end) * std::fabs(sketch.LogUniform(-2, 1)));
+    const double n = std::floor(end / m) + static_cast<double>(bits.Int(-1, 1));
+    const auto little = [&] { return unit * static_cast<double>(bits.Int(-2, 2)); };
+    const double right = sketch.Sign() * m * unit;
+    const double down = sketch.Sign() * n * unit;
+    // The sample is beside the corner at the right angle, or beside the far end of one side.
+    const Point2 s = sketch.Sample();
+    const Point2 a{s.x + little(), s.y - (bits.Chance(128) ? down : 0) + little()};
+    const Point2 b{a.x + right, a.y + little()};
+    const Point2 c{a.x + little(), a.y + down};
+    sketch.AddTriangle({a, b, c});
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case UnderflowingProducts(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const double least = Subnormal(sketch);
+  const std::int64_t triangles = bits.Int(1, 3);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    // An edge from the origin through a sample, and a third corner so near to the origin that it is
+    // told from it by products that underflow alone.
+    const Point2 s = sketch.Sample();
+    const auto times = static_cast<double>(bits.Int(1, 5));
+    const double size = std::ldexp(least, bits.Chance(128) ? 0 : static_cast<int>(bits.Int(1, 60)));
+    const auto few = [&] { return size * static_cast<double>(bits.Int(-9, 9)); };
+    const std::int32_t a = bits.Chance(192) ? sketch.AddRaw({0, 0}) : sketch.AddRaw({few(), few()});
+    const std::int32_t b = sketch.AddRaw({times * s.x, times * s.y});
+    const double x = few();
+    sketch.AddTriangle(a, b, sketch.AddRaw({x, few()}));
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const std::int64_t pairs = bits.Int(1, 2);
+  for (std::int64_t k = 0; k < pairs; ++k) {
+    // A few pixels, or less than one.
+    const double scale = bits.Chance(96) ? std::ldexp(1.0, -static_cast<int>(bits.Int(3, 6))) : 1;
+    const Sides sides = DrawSides(sketch, scale);
+    const Point2 s = sketch.Sample();
+    // The sample is a corner, the middle of the diagonal, or beside them.
+    const Point2 middle = Times(0.5, Plus(sides.first, sides.second));
+    const Point2 from = bits.Chance(128) ? middle : Point2{};
+    const Point2 a = Minus(Nudged(sketch, s, 1), from);
+    Point2 b = Plus(a, sides.first);
+    Point2 c = Plus(b, sides.second);
+    Point2 d = Plus(a, sides.second);
+    switch (bits.Int(0, 3)) {
+      case 0:  // a rectangle or a parallelogram
+        break;
+      case 1: {  // a kite on a level diagonal, or on an upright one
+        const double wide = std::fabs(sides.first.x);
+        const double high = std::fabs(sides.first.y) + std::fabs(sides.second.y);
+        const double more = wide + std::fabs(sides.second.x);
+        const bool is_upright = bits.Chance(128);
+        const auto place = [&](double x, double y) {
+          return Plus(a, is_upright ? Point2{y, x} : Point2{x, y});
+        };
+        b = place(wide, high);
+        c = place(more, 0);
+        d = place(wide, -high);
+        break;
+      }
+      case 2:  // a corner a step off
+        d = Nudged(sketch, d, 1);
+        break;
+      default:  // a trapezium, or a dart: the right angle at b alone
+        d = Plus(d, Times(static_cast<double>(bits.Int(-3, 3)) / 4, sides.first));
+    }
+    const std::int32_t ia = sketch.Add(a);
+    const std::int32_t ib = sketch.Add(b);
+    const std::int32_t ic = sketch.Add(c);
+    const std::int32_t id = sketch.Add(d);
+    sketch.AddTriangle(ia, ib, ic);
+    sketch.AddTriangle(ia, ic, id);
+  }
+  return sketch.Done(Finish::kAnyOrder);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,68 @@
+// The fragments whose centroids are judged, and where each may lie.
+#ifndef RASTERPROOF_PROPS_JUDGING_CENTROID_QUERIES_H_
+#define RASTERPROOF_PROPS_JUDGING_CENTROID_QUERIES_H_
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "core/verdict.h"
+#include "core/vertex.h"
+#include "exact/half_planes.h"
+#include "props/judging/barycentric_queries.h"
+#include "props/judging/exact_comparison.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+
+/// Where a profile lets a fragment's centroid lie.
+struct CentroidRegion {
+  /// The one point; nothing: any of the rectangle that the primitive has.
+  std::optional<Point2> at;
+  Point2 low;
+  Point2 high;
+  /// Hull of the places that legal models give the triangle's corners.
+  std::shared_ptr<const std::vector<exact::HalfPlane>> primitive;
+  std::string words;  ///< "the pixel's centre"
+};
+
+/// What a subject shows at a fragment's centroid.
+struct CentroidFragment {
+  /// The vertices that the barycentrics belong to, and a covered sample that shows them.
+  BarycentricQuery query;
+  CentroidRegion region;
+  std::array<double, 3> barycentrics{};
+  /// NaN where nothing is stated. See BarycentricTolerances() and BarycentricTolerancesInPixel().
+  std::array<double, 3> tolerances{};
+};
+
+/// The point that the profile states for the pixel of column x and row `row` of which these samples
+/// are covered: the centre of one with one sample or, by Direct3D's rule, with all of them; by that
+/// rule the covered sample of least index else. Nothing where the rule leaves a region.
+///
+/// Domain:     a profile that states centroids; some sample is covered.
+std::optional<Point2> StatedCentroid(const Case& c, int x, int row,
+                                     const std::vector<bool>& covered);
+
+/// Whether some point of the region has barycentrics that are as far from the shown ones as the
+/// tolerances let them be, decided exactly; at a stated point, how far they are of it.
+///
+/// Domain:     tolerances that are stated. Barycentrics that are not finite are nowhere.
+Distance DistanceFromRegion(const CentroidFragment& fragment);
+
+/// Whether any point is legal: not so of a fragment that the triangle does not reach in any legal
+/// model. That it is covered at all is then for other properties to tell.
+bool HasAPoint(const CentroidRegion& region);
+
+/// Asks for the centroids of a few triangles, each drawn alone so that what it covers is seen, and
+/// judges some of their fragments, those that are covered in part first.
+Asked AskCentroids(const Case& c, const Description& subject,
+                   Verdict (*judge)(const std::vector<CentroidFragment>&));
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_CENTROID_QUERIES_H_

@@ -1,0 +1,173 @@
+#include "subjects/mutants/centroids.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/drawing.h"
+#include "core/scene.h"
+#include "subjects/mutants/fixed_point.h"
+#include "subjects/mutants/placing.h"
+
+namespace rasterproof::subjects::mutants {
+namespace {
+
+using Barycentric3 = std::array<double, 3>;
+
+double EdgeOf(Point2 a, Point2 b, Point2 p) {
+  return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
+}
+
+Barycentric3 BarycentricsAt(const std::array<Point2, 3>& v, Point2 p) {
+  const double area = EdgeOf(v[0], v[1], v[2]);
+  return {EdgeOf(v[1], v[2], p) / area, EdgeOf(v[2], v[0], p) / area, EdgeOf(v[0], v[1], p) / area};
+}
+
+class Centroids final : public Subject {
+ public:
+  Centroids(const std::string& name, const std::string& summary, CentroidStages stages)
+      : stages_(std::move(stages)),
+        base_(MakeFixedPoint(name, summary, stages_.base)),
+        info_(base_->Info()) {
+    info_.coverage = CoverageKind::kFragments;
+    info_.takes_threads = false;
+    info_.takes_culling = false;
+    info_.fragments.barycentrics_of = stages_.barycentrics_of;
+    info_.fragments.shows_centroids = true;
+    if (!stages_.centroid) stages_.centroid = CentroidOfDirect3D;
+  }
+
+  const SubjectInfo& OwnInfo() const override { return info_; }
+
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    counts += Show({scene, options, counts.samples}).counts;
+  }
+
+  Drawing Show(const DrawJob& job) override {
+    const Scene scene = SceneOf(job);
+    Drawing drawing;
+    drawing.counts = CoverageCounts(scene.width, scene.height, job.samples);
+    const std::size_t size = drawing.counts.size();
+    drawing.primitive_ids.assign(size, kNoPrimitive);
+    drawing.barycentrics.resize(size);
+    drawing.depths.resize(size);
+    if (job.wants.centroids) drawing.centroids.resize(size);
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+      CoverageCounts alone(scene.width, scene.height, job.samples);
+      Scene one = scene;
+      one.triangles = {scene.triangles[t]};
+      base_->Draw(one, job.options, alone);
+      ShowTriangle(scene, t, alone, drawing);
+    }
+    return drawing;
+  }
+
+ private:
+  std::array<Point2, 3> PlacedCorners(const std::array<Vertex, 3>& corners) const {
+    std::array<Point2, 3> v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Snap& snap = stages_.base.profile.snap;
+      v[k] = {SnapToGrid(corners[k].x, snap), SnapToGrid(corners[k].y, snap)};
+    }
+    return v;
+  }
+
+  CentroidQuestion QuestionAt(const std::array<Point2, 3>& v, int x, int row,
+                              const CoverageCounts& alone) const {
+    const bool up = stages_.base.profile.y_axis == YAxis::kUp;
+    CentroidQuestion q{
+        .v = v,
+        .low = {static_cast<double>(x), static_cast<double>(up ? alone.height - 1 - row : row)},
+        .samples = {},
+        .covered = {},
+        .x = x};
+    for (int s = 0; s < alone.samples; ++s) {
+      const Point2 location = stages_.base.profile.pattern.locations[static_cast<std::size_t>(s)];
+      q.samples.push_back({q.low.x + location.x, q.low.y + location.y});
+      q.covered.push_back(alone.Count(alone.Index(x, row, s)) != 0);
+    }
+    return q;
+  }
+
+  void ShowTriangle(const Scene& scene, std::size_t t, const CoverageCounts& alone,
+                    Drawing& drawing) const {
+    const std::array<Vertex, 3> corners = Corners(scene, scene.triangles[t]);
+    const std::array<Point2, 3> placed = PlacedCorners(corners);
+    std::array<Point2, 3> owners = placed;
+    for (std::size_t k = 0; k < 3 && stages_.barycentrics_of == BarycentricsOf::kGiven; ++k) {
+      owners[k] = WindowPoint(corners[k]);
+    }
+    for (int row = 0; row < alone.height; ++row) {
+      for (int x = 0; x < alone.width; ++x) {
+        const CentroidQuestion q = QuestionAt(placed, x, row, alone);
+        if (std::ranges::find(q.covered, true) == q.covered.end()) continue;
+        const Barycentric3 centroid = drawing.centroids.empty()
+                                          ? Barycentric3{}
+                                          : BarycentricsAt(owners, stages_.centroid(q));
+        for (int s = 0; s < alone.samples; ++s) {
+          if (!q.covered[static_cast<std::size_t>(s)]) continue;
+          const std::size_t k = alone.Index(x, row, s);
+          if (!drawing.centroids.empty()) drawing.centroids[k] = centroid;
+          Win(corners, owners, t, k, q.samples[static_cast<std::size_t>(s)], drawing);
+        }
+      }
+    }
+  }
+
+  static void Win(const std::array<Vertex, 3>& corners, const std::array<Point2, 3>& owners,
+                  std::size_t t, std::size_t k, Point2 at, Drawing& drawing) {
+    const Barycentric3 l = BarycentricsAt(owners, at);
+    drawing.counts.front[k] = 1;
+    drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
+    drawing.barycentrics[k] = l;
+    drawing.depths[k] = l[0] * corners[0].z + l[1] * corners[1].z + l[2] * corners[2].z;
+  }
+
+  CentroidStages stages_;
+  std::unique_ptr<Subject> base_;
+  SubjectInfo info_;
+};
+
+}  // namespace
+
+bool CentroidQuestion::IsWhole() const {
+  return std::ranges::find(covered, false) == covered.end();
+}
+
+Point2 CentroidOfDirect3D(const CentroidQuestion& q) {
+  if (q.IsWhole()) return q.Centre();
+  return q
+      .samples[static_cast<std::size_t>(std::ranges::find(q.covered, true) - q.covered.begin())];
+}
+
+std::vector<Point2> CommonPolygon(const CentroidQuestion& q) {
+  const Point2 high{q.low.x + 1, q.low.y + 1};
+  std::vector<Point2> polygon{q.low, {high.x, q.low.y}, high, {q.low.x, high.y}};
+  const double facing = EdgeOf(q.v[0], q.v[1], q.v[2]) < 0 ? -1 : 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<Point2> rest;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Point2 a = polygon[k];
+      const Point2 b = polygon[(k + 1) % polygon.size()];
+      const double at_a = facing * EdgeOf(q.v[i], q.v[(i + 1) % 3], a);
+      const double at_b = facing * EdgeOf(q.v[i], q.v[(i + 1) % 3], b);
+      if (at_a >= 0) rest.push_back(a);
+      if ((at_a < 0) == (at_b < 0)) continue;
+      const double part = at_a / (at_a - at_b);
+      rest.push_back({a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)});
+    }
+    polygon = std::move(rest);
+  }
+  return polygon;
+}
+
+std::unique_ptr<Subject> MakeCentroids(const std::string& name, const std::string& summary,
+                                       CentroidStages stages) {
+  return std::make_unique<Centroids>(name, summary, std::move(stages));
+}
+
+}  // namespace rasterproof::subjects::mutants

@@ -1,0 +1,198 @@
+// Bugs that few triangles do not show: numbers cut to some bits, lanes of a vector, pairs taken for
+// what they are not; and those at the ends of what a number holds.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/scene.h"
+#include "core/vertex.h"
+#include "subjects/mutants/mutant.h"
+
+namespace rasterproof::subjects::mutants {
+namespace {
+
+constexpr std::size_t kLanes = 8;
+
+// A triangle's vertices are known by scene and number before they are changed: what both stages of
+// a mutant share.
+struct Known {
+  const Scene* scene = nullptr;
+  std::size_t number = 0;
+};
+
+template <class Change>
+FixedStages Changing(const Change& change) {
+  const auto known = std::make_shared<Known>();
+  return {.drops =
+              [known](const Scene& scene, std::size_t number) {
+                *known = {&scene, number};
+                return false;
+              },
+          .vertices = [known, change](
+                          std::array<Vertex, 3>& v) { change(*known->scene, known->number, v); }};
+}
+
+bool IsInAFullVector(const Scene& scene, std::size_t number) {
+  return number / kLanes * kLanes + kLanes <= scene.triangles.size();
+}
+
+std::array<Vertex, 3> TriangleOf(const Scene& scene, std::size_t number) {
+  return Corners(scene, scene.triangles[number]);
+}
+
+double TwiceAreaOf(const std::array<Vertex, 3>& v) {
+  return std::fabs((v[2].x - v[0].x) * (v[1].y - v[0].y) - (v[2].y - v[0].y) * (v[1].x - v[0].x));
+}
+
+// Whether the triangle and the one before go together as (a, b, c) and (a, c, d).
+bool IsSecondOfAPair(const Scene& scene, std::size_t number) {
+  if (number == 0) return false;
+  const Triangle& first = scene.triangles[number - 1];
+  const Triangle& second = scene.triangles[number];
+  return first[0] == second[0] && first[2] == second[1];
+}
+
+// Whether the corner b of the triangle is a right angle.
+bool IsRightAtB(const std::array<Vertex, 3>& v) {
+  return (v[0].x - v[1].x) * (v[2].x - v[1].x) + (v[0].y - v[1].y) * (v[2].y - v[1].y) == 0;
+}
+
+std::vector<Mutant> Cuts() {
+  return {
+      {"cut-triangle-numbers-12", "numbers of triangles are cut to 12 bits", "",
+       Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
+         v = TriangleOf(scene, number & 0xfff);
+       })},
+      {"cut-vertex-numbers-12", "numbers of vertices are cut to 12 bits", "",
+       Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
+         for (std::size_t k = 0; k < 3; ++k) {
+           const auto index = static_cast<std::size_t>(scene.triangles[number][k]);
+           v[k] = scene.vertices[index & 0xfff];
+         }
+       })},
+      {"cut-triangle-numbers-16", "numbers of triangles are cut to 16 bits", "",
+       Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
+         v = TriangleOf(scene, number & 0xffff);
+       })},
+      {"cut-cache-tag", "a vertex is taken from the cache where its number agrees in 10 bits", "",
+       Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
+         if (number == 0) return;
+         for (std::size_t k = 0; k < 3; ++k) {
+           const std::int32_t last = scene.triangles[number - 1][k];
+           const bool agrees = ((last ^ scene.triangles[number][k]) & 0x3ff) == 0;
+           if (agrees) v[k] = scene.vertices[static_cast<std::size_t>(last)];
+         }
+       })},
+      {"lanes-full", "in full vectors of eight triangles the last one's ties are left out", "",
+       [] {
+         const auto known = std::make_shared<Known>();
+         return FixedStages{.drops =
+                                [known](const Scene& scene, std::size_t number) {
+                                  *known = {&scene, number};
+                                  return false;
+                                },
+                            .edges =
+                                [known](GridTriangle& t) {
+                                  const bool is_last = t.number % kLanes == kLanes - 1;
+                                  if (!is_last || !IsInAFullVector(*known->scene, t.number)) return;
+                                  for (GridEdge& e : t.edges) e.owns = false;
+                                }};
+       }()},
+      {"lanes-partial", "what is left of eight triangles is drawn up to a flat one", "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         if (IsInAFullVector(scene, number)) return false;
+                         for (std::size_t t = number / kLanes * kLanes; t < number; ++t) {
+                           if (TwiceAreaOf(TriangleOf(scene, t)) == 0) return true;
+                         }
+                         return false;
+                       }}},
+  };
+}
+
+std::vector<Mutant> Pairs() {
+  return {
+      {"pair-by-one-angle", "two triangles with one right angle are drawn as a rectangle", "",
+       Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
+         if (!IsSecondOfAPair(scene, number)) return;
+         const std::array<Vertex, 3> first = TriangleOf(scene, number - 1);
+         if (!IsRightAtB(first)) return;
+         v[2].x = first[0].x + first[2].x - first[1].x;
+         v[2].y = first[0].y + first[2].y - first[1].y;
+       })},
+      {"pair-by-equal-sides", "a kite on a level diagonal is drawn as its box", "",
+       Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
+         if (!IsSecondOfAPair(scene, number)) return;
+         const std::array<Vertex, 3> first = TriangleOf(scene, number - 1);
+         const bool is_kite = first[0].y == first[2].y && first[1].x == v[2].x &&
+                              first[1].y + v[2].y == 2 * first[0].y;
+         if (is_kite) v[2].x = first[0].x + first[2].x - first[1].x;
+       })},
+      {"pair-small", "two triangles on an edge whose box is under a pixel are not drawn", "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         const auto is_small = [&](std::size_t t) {
+                           const std::array<Vertex, 3> v = TriangleOf(scene, t);
+                           const auto [x0, x1] = std::minmax({v[0].x, v[1].x, v[2].x});
+                           const auto [y0, y1] = std::minmax({v[0].y, v[1].y, v[2].y});
+                           return x1 - x0 < 1 && y1 - y0 < 1;
+                         };
+                         return IsSecondOfAPair(scene, number) && is_small(number - 1) &&
+                                is_small(number);
+                       }}},
+  };
+}
+
+std::vector<Mutant> Ends() {
+  return {
+      {"overflow-area-multiple", "an area that is a multiple of 2^31 is taken for none", "",
+       FixedStages{.area =
+                       [](const std::array<GridPoint, 3>& v) {
+                         const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
+                         return area % (std::int64_t{1} << 31) == 0 ? 0 : area;
+                       }}},
+      {"overflow-saturates-24", "an edge value of 2^24 to 2^24 + 2^13 counts as none", "",
+       FixedStages{.value =
+                       [](const GridEdge& e, const Sample& at) {
+                         const std::int64_t value = e.At(at.at);
+                         const std::int64_t beyond = value - (std::int64_t{1} << 24);
+                         return beyond >= 0 && beyond < 8192 ? -1 : value;
+                       }}},
+      {"depth-not-finite",
+       "a triangle with a z that is not finite is dropped, though z plays no part", "",
+       FixedStages{.drops =
+                       [](const Scene& scene, std::size_t number) {
+                         return std::ranges::any_of(TriangleOf(scene, number), [](const Vertex& p) {
+                           return !std::isfinite(p.z);
+                         });
+                       }}},
+      {"clip-one-behind", "one vertex behind the eye is projected like the others", "",
+       ClipStages{.becomes =
+                      [](const ClipTriangle& v) {
+                        ClipTriangle projected = v;
+                        const auto is_behind = [](const Vertex& p) { return p.w < 0; };
+                        if (std::ranges::count_if(v, is_behind) == 1) {
+                          for (Vertex& p : projected) {
+                            if (is_behind(p)) p = {-p.x, -p.y, -p.z, -p.w};
+                          }
+                        }
+                        return std::vector<ClipTriangle>{projected};
+                      }}},
+  };
+}
+
+}  // namespace
+
+std::vector<Mutant> CrowdMutants() {
+  std::vector<Mutant> table = Cuts();
+  for (Mutant& planted : Pairs()) table.push_back(std::move(planted));
+  for (Mutant& planted : Ends()) table.push_back(std::move(planted));
+  return table;
+}
+
+}  // namespace rasterproof::subjects::mutants

@@ -1,0 +1,95 @@
+#include "fuzz/fuzz_target.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/case.h"
+#include "fuzz/screens.h"
+#include "props/codec/codec.h"
+#include "props/domains/bit_source.h"
+
+namespace rasterproof::fuzz {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes ExampleNamed(std::string_view name) {
+  for (const props::CodecExample& example : props::CodecExamples()) {
+    if (example.name == name) return example.bytes;
+  }
+  return {};
+}
+
+Bytes RandomBytes(std::uint64_t index) {
+  props::PhiloxSource random(1, index);
+  Bytes bytes(80);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.Bits(8));
+  return bytes;
+}
+
+template <std::size_t n>
+Bound BoundTo(const std::array<Checked, n>& checked) {
+  return Bound(checked, Limits{});
+}
+
+TEST(BoundDeathTest, AViolationShowsTheCaseInHexAndTheCommand) {
+  const Bound bound = BoundTo(std::array{Checked{"textbook", "SharedEdgeSamplesAreCoveredOnce"}});
+  const Bytes bytes = ExampleNamed("quad-through-centres");
+  EXPECT_DEATH(bound.PutToTheTest(bytes), "replay INPUT --subject textbook --property Shared");
+  EXPECT_DEATH(bound.PutToTheTest(bytes), "12x12 float32 window space\n  0x1p-1 0x1p-1");
+}
+
+TEST(BoundDeathTest, ANameThatThereIsNoneOfIsSaid) {
+  EXPECT_DEATH(BoundTo(std::array{Checked{"textbok", "CoverageEqualsTheModel"}}), "textbok");
+  EXPECT_DEATH(BoundTo(std::array{Checked{"textbook", "CoverageEqualsAModel"}}), "CoverageEqualsA");
+}
+
+TEST(Bound, PassesOverWhatIsLargerThanItsLimits) {
+  const std::array checked{Checked{"f32-direct", "DrawStaysInsideItsTarget"}};
+  const Bytes bytes = ExampleNamed("fan-on-a-centre");  // 12 x 12, four triangles
+  EXPECT_EQ(Bound(checked, Limits{144, 4}).PutToTheTest(bytes), kLookedAt);
+  EXPECT_EQ(Bound(checked, Limits{143, 4}).PutToTheTest(bytes), kPassedOver);
+  EXPECT_EQ(Bound(checked, Limits{144, 3}).PutToTheTest(bytes), kPassedOver);
+}
+
+TEST(Bound, DecodesOnceForSubjectsOfOneLattice) {
+  const auto groups_of = [](const Bound& bound) {
+    int groups = 0;
+    bound.ForEachCase(RandomBytes(0), [&](const Group&, const Case&) { ++groups; });
+    return groups;
+  };
+  constexpr std::string_view kBound = "EdgeErrorStaysWithinItsBound";
+  EXPECT_EQ(
+      groups_of(BoundTo(std::array{Checked{"f32-direct", kBound}, Checked{"f32-kahan", kBound}})),
+      1);
+  EXPECT_EQ(
+      groups_of(BoundTo(std::array{Checked{"f32-direct", kBound}, Checked{"i64-snap8", kBound}})),
+      2);
+}
+
+// Runs random inputs until the screen aborts.
+void LookForAFault(int (*screen)(const Bound&, std::span<const std::uint8_t>), const Checked& row) {
+  const Bound bound = BoundTo(std::array{row});
+  for (std::uint64_t k = 0; k < 3000; ++k) screen(bound, RandomBytes(k));
+}
+
+TEST(ScreensDeathTest, FindWhatIsPlanted) {
+  const std::string_view signs = "EdgeSignIsRightOutsideItsBand";
+  EXPECT_DEATH(LookForAFault(ScreenEdgeSigns, {"mutant:edge-absolute", signs}),
+               "is violated by mutant:edge-absolute");
+  EXPECT_DEATH(LookForAFault(ScreenCoverage, {"mutant:ties-inclusive", "CoverageEqualsTheModel"}),
+               "is violated by mutant:ties-inclusive");
+  EXPECT_DEATH(LookForAFault(ScreenWinding,
+                             {"mutant:ties-inclusive", "SignedCoverageEqualsTheWindingNumber"}),
+               "is violated by mutant:ties-inclusive");
+}
+
+}  // namespace
+}  // namespace rasterproof::fuzz

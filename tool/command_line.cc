@@ -242,6 +242,24 @@ void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
       [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
 }
 
+void AddClimb(CLI::App& app, Run& run) {
+  static ClimbOptions options;
+  CLI::App* verb =
+      app.add_subcommand("climb", "The case of the largest error over its bound, by a search");
+  AddSubject(verb, options.subject);
+  verb->add_option("--property", options.property, "Property with a bound")->capture_default_str();
+  verb->add_option_function<std::string>(
+          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
+          "Seed of the search, or 'random'")
+      ->default_str("1");
+  verb->add_option("--evaluations", options.evaluations, "Cases judged in all")
+      ->check(Positive())
+      ->capture_default_str();
+  verb->add_option("-o,--output", options.output, "Case file (- for standard output)");
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunClimb(options); }); }; });
+}
+
 void AddBench(CLI::App& app, Run& run) {
   static BenchOptions options;
   CLI::App* verb = app.add_subcommand("bench", "Error against run time, as ratios within one run");
@@ -347,6 +365,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddSceneVerbs(app, run);
   AddBench(app, run);
   AddShrink(app, run, typed);
+  AddClimb(app, run);
   AddDecode(app, run);
   AddEncode(app, run, typed);
   AddSelftest(app, run);

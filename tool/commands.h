@@ -166,6 +166,16 @@ struct ExplainOptions {
 };
 int RunExplain(const ExplainOptions& options);
 
+/// A search for the largest error over its bound.
+struct ClimbOptions {
+  std::string subject = "f32-direct";
+  std::string property = "EdgeErrorStaysWithinItsBound";
+  std::uint64_t seed = 1;
+  std::uint64_t evaluations = 20'000;
+  std::string output;  ///< file; empty: none
+};
+int RunClimb(const ClimbOptions& options);
+
 struct ShrinkOptions {
   CaseChoice choice;
   std::string output = "-";

@@ -67,9 +67,13 @@ Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info) {
     const double unit = DrawUnit(sketch);
     const double end = std::ldexp(1.0, bits.OneOf(std::span<const int>(kAccumulators)));
     // A product m n next to the end: m and n no farther apart than a factor of 16, in units.
-    const double m = std::floor(std::sqrt(end) * std::fabs(sketch.LogUniform(-2, 1)));
-    const double n = std::floor(end / m) + static_cast<double>(bits.Int(-1, 1));
-    const auto little = [&] { return unit * static_cast<double>(bits.Int(-2, 2)); };
+    // Or the end itself, or a multiple of it.
+    const bool is_exact = bits.Chance(64);
+    const double about = std::floor(std::sqrt(end) * std::fabs(sketch.LogUniform(-2, 1)));
+    const double m = is_exact ? std::ldexp(1.0, std::ilogb(about)) : about;
+    const double n = is_exact ? end / m * static_cast<double>(bits.Int(1, 2))
+                              : std::floor(end / m) + static_cast<double>(bits.Int(-1, 1));
+    const auto little = [&] { return is_exact ? 0 : unit * static_cast<double>(bits.Int(-2, 2)); };
     const double right = sketch.Sign() * m * unit;
     const double down = sketch.Sign() * n * unit;
     // The sample is beside the corner at the right angle, or beside the far end of one side.
@@ -111,7 +115,7 @@ Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
     const Point2 s = sketch.Sample();
     // The sample is a corner, the middle of the diagonal, or beside them.
     const Point2 middle = Times(0.5, Plus(sides.first, sides.second));
-    const Point2 from = bits.Chance(128) ? middle : Point2{};
+    const Point2 from = scale < 1 || bits.Chance(128) ? middle : Point2{};
     const Point2 a = Minus(Nudged(sketch, s, 1), from);
     Point2 b = Plus(a, sides.first);
     Point2 c = Plus(b, sides.second);
@@ -145,7 +149,8 @@ Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
     sketch.AddTriangle(ia, ib, ic);
     sketch.AddTriangle(ia, ic, id);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  // One behind the other, as a test for rectangles meets them.
+  return sketch.Done(bits.Chance(192) ? Finish::kAsIs : Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

@@ -16,6 +16,7 @@ namespace {
 // What a transform rounds otherwise by an ulp shows where the snap has a tie, and hardly elsewhere.
 constexpr std::string_view kTies = "deciding-snap-ties";
 constexpr std::size_t kTiesOfTransforms = 8;
+constexpr std::size_t kTiesInARound = 2;
 // What a legal choice turns is most of what freedom can go wrong by.
 constexpr std::string_view kFolds = "folds";
 constexpr std::size_t kFoldsInARound = 8;
@@ -51,6 +52,7 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
     if (domain == nullptr) continue;
     const bool shows_roundings = OwnsTransform(info) && name == kTies;
     const std::size_t times = shows_roundings  ? kTiesOfTransforms
+                              : name == kTies  ? kTiesInARound
                               : name == kFolds ? kFoldsInARound
                                                : 1;
     domains.insert(domains.end(), times, domain);

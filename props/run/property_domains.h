@@ -19,7 +19,7 @@ namespace rasterproof::props {
 
 /// The domains of the property whose scenes the subject takes, in the property's order; one that
 /// is to be drawn more often than others stands there as often: folds eight times for every
-/// subject, deciding-snap-ties eight times for one that owns its transform.
+/// subject, deciding-snap-ties twice, eight times for one that owns its transform.
 std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& property);
 
 /// Names the domains that DomainsFor leaves out, and why; empty if it leaves none out.

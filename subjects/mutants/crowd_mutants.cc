@@ -75,10 +75,6 @@ std::vector<Mutant> Cuts() {
            v[k] = scene.vertices[index & 0xfff];
          }
        })},
-      {"cut-triangle-numbers-16", "numbers of triangles are cut to 16 bits", "",
-       Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
-         v = TriangleOf(scene, number & 0xffff);
-       })},
       {"cut-cache-tag", "a vertex is taken from the cache where its number agrees in 10 bits", "",
        Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
          if (number == 0) return;

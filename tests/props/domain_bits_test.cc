@@ -188,9 +188,11 @@ constexpr auto kGolden = std::to_array<Golden>({
     {64, "non-finite-depths", 0xea505ce0d86ea282},
     {65, "one-vertex-behind", 0xdd2aa0a9c694445e},
     {66, "hardest-rays", 0xf016da7c25b1ac56},
+    {67, "accumulator-ends", 0xd5730c5f4c9f0cae},
+    {68, "near-rectangles", 0xa2a6e262bc44f529},
 });
 
-constexpr std::uint64_t kGoldenExamples = 0x10ce052df9b25bfb;
+constexpr std::uint64_t kGoldenExamples = 0x727b44293a92a15b;
 
 std::string LineOf(const Domain& domain, std::uint64_t hash) {
   std::ostringstream line;

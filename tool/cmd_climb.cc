@@ -1,0 +1,56 @@
+// rasterproof climb: the case in which a result is as wrong as a search can make it.
+#include <string>
+
+#include "core/error.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/output.h"
+#include "props/climb/climb.h"
+#include "report/text.h"
+#include "tool/commands.h"
+#include "tool/exit_status.h"
+#include "tool/failure.h"
+#include "tool/interrupt.h"
+#include "tool/progress.h"
+#include "tool/session.h"
+
+namespace rasterproof::tool {
+
+int RunClimb(const ClimbOptions& options) {
+  RequireHonestEnvironment();
+  const auto subject = MakeSubject(options.subject);
+  const props::Property& property = RequireProperty(options.property);
+  props::Climbed found;
+  {
+    Progress progress;
+    progress.Stage("climb", options.evaluations);
+    found = props::ClimbRatio(*subject, property,
+                              {.seed = options.seed,
+                               .evaluations = options.evaluations,
+                               .progress = [&](std::uint64_t done) { progress.Done(done); },
+                               .stop = Interrupted});
+  }
+  if (!found.best) {
+    io::WriteStandardOutput(report::CleanText(
+        fmt::format("{} of {}: no case had an error to compare with a bound, of {} evaluated\n",
+                    property.name, options.subject, found.evaluations)));
+    return kExitInconclusive;
+  }
+  if (!options.output.empty()) {
+    WriteOutput(options.output,
+                io::CaseToJson({*found.best, options.subject, std::string(property.name)}));
+  }
+  const bool is_violated = found.verdict.outcome == Outcome::kViolated;
+  if (options.output == "-") return is_violated ? kExitViolated : kExitHolds;
+  const std::string result =
+      is_violated ? "violated: " + found.verdict.message
+                  : fmt::format("largest error / bound {:.6g} ({:.6g} of drawn cases)",
+                                found.verdict.worst_ratio, found.drawn_ratio);
+  io::WriteStandardOutput(
+      report::CleanText(fmt::format("{} of {}: {}, after {} evaluations of seed {}\nfrom {}\n{}\n",
+                                    property.name, options.subject, result, found.evaluations,
+                                    options.seed, found.best->origin, SceneLine(*found.best))));
+  return is_violated ? kExitViolated : kExitHolds;
+}
+
+}  // namespace rasterproof::tool

@@ -13,7 +13,7 @@ namespace rasterproof {
 /// The unit roundoff u = 2^-p of T: half the distance from 1 to its upper neighbour.
 template <class T>
 constexpr T rounding_epsilon() {
-  return std::numeric_limits<T>::epsilon() / 2;
+  return static_cast<T>(std::numeric_limits<T>::epsilon() / 2);
 }
 
 /// An unsigned integer as wide as T.

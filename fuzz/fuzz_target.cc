@@ -9,6 +9,7 @@
 
 #include "core/verdict.h"
 #include "exact/edge.h"
+#include "fuzz/guidance.h"
 #include "props/codec/codec.h"
 #include "props/judging/gate.h"
 #include "props/judging/witness.h"
@@ -21,14 +22,18 @@
 namespace rasterproof::fuzz {
 namespace {
 
-// Says at the program's end how many signs the oracle decided on its fast path: what a target's
-// speed is measured by, beside its executions.
-class SignsDecided {
+// Says at the program's end how many signs the oracle decided on its fast path, what a target's
+// speed is measured by beside its executions; and how wrong anything was.
+class Closing {
  public:
-  SignsDecided() = default;
-  SignsDecided(const SignsDecided&) = delete;
-  SignsDecided& operator=(const SignsDecided&) = delete;
-  ~SignsDecided() {
+  Closing() = default;
+  Closing(const Closing&) = delete;
+  Closing& operator=(const Closing&) = delete;
+  ~Closing() {
+    for (std::size_t slot = 0; slot < kGuidedSlots; ++slot) {
+      const double ratio = LargestErrorOverBound(slot);
+      if (ratio > 0) std::fprintf(stderr, "check %zu: largest error / bound %.4f\n", slot, ratio);
+    }
     const exact::TierCounts counts = scope_.Counts();
     const std::uint64_t signs = counts.filter + counts.stable + counts.exact + counts.symbolic;
     std::fprintf(stderr, "%s exact signs\n", std::to_string(signs).c_str());
@@ -37,7 +42,7 @@ class SignsDecided {
  private:
   exact::TierScope scope_;
 };
-const SignsDecided signs_decided;
+const Closing closing;
 
 // What Fail shows. One thread runs one case at a time.
 const Case* shown_case = nullptr;
@@ -96,9 +101,10 @@ void Bound::Bind(Subject& subject, const props::Property& property) {
   if (group == groups_.end()) group = groups_.insert(groups_.end(), {subject.Info(), {}});
   auto bound = std::ranges::find(group->subjects, &subject, &BoundSubject::subject);
   if (bound == group->subjects.end()) {
-    bound = group->subjects.insert(group->subjects.end(), {&subject, {}});
+    bound = group->subjects.insert(group->subjects.end(), {&subject, {}, slots_});
   }
   bound->properties.push_back(&property);
+  ++slots_;
 }
 
 int Bound::ForEachCase(std::span<const std::uint8_t> bytes,
@@ -143,8 +149,10 @@ void RequireApplies(Subject& subject, std::string_view property) {
 }
 
 void PutToTheTest(const BoundSubject& bound, const Case& c) {
+  std::size_t slot = bound.slot;
   for (const props::Property* const property : bound.properties) {
     const props::Trial trial = props::TryCase(*bound.subject, *property, c);
+    NoteErrorOverBound(slot++, trial.verdict.worst_ratio);
     if (trial.verdict.outcome != Outcome::kViolated) continue;
     const std::string name(property->name);
     const std::string& subject = bound.subject->Info().name;

@@ -45,6 +45,7 @@ inline constexpr int kPassedOver = -1;
 struct BoundSubject {
   Subject* subject = nullptr;
   std::vector<const props::Property*> properties;
+  std::size_t slot = 0;  ///< of its first property; the others follow (fuzz/guidance.h)
 };
 
 /// Subjects to which the same bytes mean the same case.
@@ -81,6 +82,7 @@ class Bound {
   Limits limits_;
   std::vector<std::unique_ptr<Subject>> subjects_;
   std::vector<Group> groups_;
+  std::size_t slots_ = 0;
 };
 
 /// A built-in subject, a planted bug or a legal variant. Aborts if there is none of that name.
@@ -90,7 +92,8 @@ std::vector<std::string_view> ContractPropertiesOf(Subject& subject);
 /// Aborts, and says why, if there is no such property or it does not apply to the subject.
 void RequireApplies(Subject& subject, std::string_view property);
 
-/// Judges the case by the properties of the bound subject. As Bound::PutToTheTest.
+/// Judges the case by the properties of the bound subject. As Bound::PutToTheTest. How far each
+/// error went is noted for libFuzzer.
 void PutToTheTest(const BoundSubject& bound, const Case& c);
 
 /// Prints what failed, with the case that is being looked at, and aborts.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "exact/winding.h"
+#include "fuzz/guidance.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/gate.h"
 #include "props/judging/places.h"
@@ -74,14 +76,25 @@ void LookAtSign(const BoundSubject& bound, double value, int sign, Point2 a, Poi
        props::HexText(value) + ", the sign of E is " + std::to_string(sign));
 }
 
+// Of the products of E at the first of the samples: they are near each other.
+double SizeOfProducts(Point2 a, Point2 b, const NearSamples& near) {
+  if (near.count == 0) return 0;
+  const Point2 p = near.at[0];
+  return std::fabs((p.x - a.x) * (b.y - a.y)) + std::fabs((p.y - a.y) * (b.x - a.x));
+}
+
 void LookAtEdge(const Group& group, Point2 a, Point2 b, const NearSamples& near) {
   std::array<int, NearSamples::kMost> signs{};
   for (std::size_t k = 0; k < near.count; ++k) signs[k] = exact::EdgeSign(a, b, near.at[k]);
   for (const BoundSubject& bound : group.subjects) {
     const EdgeEvaluator& edges = *bound.subject->Edges();
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < near.count; ++k) {
-      LookAtSign(bound, edges.Value(a, b, near.at[k]), signs[k], a, b, near.at[k]);
+      const double value = edges.Value(a, b, near.at[k]);
+      LookAtSign(bound, value, signs[k], a, b, near.at[k]);
+      if (value != 0) least = std::min(least, std::fabs(value));
     }
+    NoteNearZero(bound.slot, least, SizeOfProducts(a, b, near));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/barycentric_forms.h"
 #include "reference/bounds.h"
 #include "reference/edge_forms.h"
 #include "reference/running_error.h"
@@ -78,14 +79,12 @@ std::array<N, 3> BarycentricsIn(BarycentricForm form, const Triangle2& v, Point2
   const std::array<N, 3> e = OppositeEdges<N>(v, p);
   const N area = Area<N>(v);
   switch (form) {
-    case BarycentricForm::kSum: {
-      const N sum = (e[0] + e[1]) + e[2];
-      return {e[0] / sum, e[1] / sum, e[2] / sum};
-    }
+    case BarycentricForm::kSum:
+      return OverTheirSum(e);
     case BarycentricForm::kOneMinus: {
       const N l0 = e[0] / area;
       const N l1 = e[1] / area;
-      return {l0, l1, (NumberOf<N>::Exact(1) - l0) - l1};
+      return {l0, l1, LastOfOne(NumberOf<N>::Exact(1), l0, l1)};
     }
     case BarycentricForm::kUnsignedArea:
       return {Abs(e[0]) / Abs(area), Abs(e[1]) / Abs(area), Abs(e[2]) / Abs(area)};

@@ -3,6 +3,8 @@
 // A form is built once per edge and holds what does not depend on p. `reversed` negates the edge
 // without swapping its ends: rounding to nearest is symmetric, so every form gives exactly the
 // negative of its unreversed value, which is what canonical edges rest on.
+//
+// fma is called by its bare name: a number type other than float and double brings its own.
 #ifndef RASTERPROOF_REFERENCE_EDGE_FORMS_H_
 #define RASTERPROOF_REFERENCE_EDGE_FORMS_H_
 
@@ -80,7 +82,10 @@ template <class T>
 class DirectFmaForm : public FloatForm<T> {
  public:
   using FloatForm<T>::FloatForm;
-  T At(T x, T y) const { return std::fma(-(y - this->y_), this->dx_, (x - this->x_) * this->dy_); }
+  T At(T x, T y) const {
+    using std::fma;
+    return fma(-(y - this->y_), this->dx_, (x - this->x_) * this->dy_);
+  }
 };
 
 /// Kahan's difference of products: its sign is right wherever the four differences are exact.
@@ -91,9 +96,10 @@ class KahanForm : public FloatForm<T> {
  public:
   using FloatForm<T>::FloatForm;
   T At(T x, T y) const {
+    using std::fma;
     const T product = (y - this->y_) * this->dx_;
-    const T product_error = std::fma(-(y - this->y_), this->dx_, product);
-    return std::fma(x - this->x_, this->dy_, -product) + product_error;
+    const T product_error = fma(-(y - this->y_), this->dx_, product);
+    return fma(x - this->x_, this->dy_, -product) + product_error;
   }
 };
 
@@ -119,9 +125,17 @@ template <class T>
 class AffineFmaForm : public AffineForm<T> {
  public:
   using Point = typename FloatForm<T>::Point;
-  AffineFmaForm(Point a, Point b, bool reversed)
-      : AffineForm<T>(a, b, reversed, std::fma(b.x, a.y, -(a.x * b.y))) {}
-  T At(T x, T y) const { return std::fma(this->dy_, x, std::fma(-this->dx_, y, this->c_)); }
+  AffineFmaForm(Point a, Point b, bool reversed) : AffineForm<T>(a, b, reversed, Constant(a, b)) {}
+  T At(T x, T y) const {
+    using std::fma;
+    return fma(this->dy_, x, fma(-this->dx_, y, this->c_));
+  }
+
+ private:
+  static T Constant(Point a, Point b) {
+    using std::fma;
+    return fma(b.x, a.y, -(a.x * b.y));
+  }
 };
 
 }  // namespace rasterproof::reference

@@ -4,11 +4,15 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <filesystem>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/clauses/clauses.h"
 #include "core/error.h"
@@ -243,6 +247,30 @@ props::CaseName RequireCaseName(const std::string& name) {
   return parsed;
 }
 
+namespace {
+
+// The case files of the folder, in the order of their names. None if there is no folder yet.
+std::multimap<std::string, GivenCase> SavedIn(const std::string& folder) {
+  std::multimap<std::string, GivenCase> saved;
+  if (folder.empty() || !std::filesystem::is_directory(folder)) return saved;
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") paths.push_back(entry.path().string());
+  }
+  std::ranges::sort(paths);
+  for (const std::string& path : paths) {
+    const io::CaseFile file = io::ReadCase(path);
+    if (file.property.empty()) {
+      throw InputError(path, "the file in the folder of saved failures names no property",
+                       "move it out of the folder, or give it as a --scene");
+    }
+    saved.emplace(file.property, GivenCase{path, file.value, {}});
+  }
+  return saved;
+}
+
+}  // namespace
+
 CheckAsked ResolveCheck(const CheckOptions& options) {
   CheckAsked asked;
   asked.is_whole_catalogue = options.properties.empty();
@@ -265,6 +293,7 @@ CheckAsked ResolveCheck(const CheckOptions& options) {
   for (const std::string& name : options.subjects) {
     asked.subjects.push_back(ResolveSubject(name, options.profile, options.device));
   }
+  if (asked.cases.empty()) asked.saved = SavedIn(options.save);
   return asked;
 }
 

@@ -3,6 +3,7 @@
 #ifndef RASTERPROOF_TOOL_ASKED_H_
 #define RASTERPROOF_TOOL_ASKED_H_
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,6 +81,8 @@ struct CheckAsked {
   std::vector<const props::Property*> properties;
   bool is_whole_catalogue = false;
   std::vector<GivenCase> cases;  ///< none: generated ones
+  /// Failures that were saved, by the property that each is about: asked before generated cases.
+  std::multimap<std::string, GivenCase> saved;
 };
 
 /// Error:      InputError with the place and the remedy, for the first thing that is not there.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -142,10 +143,14 @@ std::string ResultLine(const PropertyResult& result, FailOn fail_on) {
   return line + "; " + report::AuthorityText(result) + "\n";
 }
 
+// Leaves what was saved before: once mended, it is what is asked first.
 void SaveCounterexample(const std::string& folder, const PropertyResult& result) {
   io::MakeFolder(folder);
-  io::WriteFile(fmt::format("{}/{}-{}.json", folder, FileNameOf(result.subject), result.property),
-                io::CaseToJson({*result.counterexample, result.subject, result.property}));
+  const std::string stem =
+      fmt::format("{}/{}-{}", folder, FileNameOf(result.subject), result.property);
+  std::string path = stem + ".json";
+  for (int n = 2; std::filesystem::exists(path); ++n) path = fmt::format("{}-{}.json", stem, n);
+  io::WriteFile(path, io::CaseToJson({*result.counterexample, result.subject, result.property}));
 }
 
 // What came of one property, and what is printed of it. Nothing of one that was not begun.
@@ -259,26 +264,6 @@ struct Told {
   Tally tally;
 };
 
-void CheckGenerated(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,
-                    const CheckOptions& options, Progress& progress, Told& told) {
-  props::Pace pace;
-  std::exception_ptr error;
-  const std::vector<Share> shares = ShareOut(
-      crew, asked.properties,
-      [&](std::size_t worker, const props::Property& property, Share& share) {
-        Subject& own = crew.Of(worker);
-        share.result = Campaign(own, subject, property, options, progress, worker, pace);
-        TellOf(own, options, share);
-      },
-      error);
-  std::vector<PropertyResult> results;
-  told.text += TextOf(shares, subject.name(), "", results, told.tally);
-  if (error) std::rethrow_exception(error);
-  if (asked.is_whole_catalogue && !Interrupted()) {
-    told.text += ContractText(crew.Of(0).Info(), results, told.tally);
-  }
-}
-
 // One property on one given case.
 void AskOfGiven(Subject& subject, const props::Property& property, const GivenCase& given,
                 const Case& c, const CheckOptions& options, Share& share) {
@@ -305,6 +290,42 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
   choice.profile = options.profile;
   share.text += FailureText(subject, result.property, c, verdict, CommandFor("replay", choice),
                             /*colour=*/false);
+}
+
+// The first of the saved failures of the property that the subject still shows.
+bool FailsAsSaved(Subject& subject, const props::Property& property, const CheckAsked& asked,
+                  const CheckOptions& options, Share& share) {
+  const auto [first, last] = asked.saved.equal_range(std::string(property.name));
+  for (auto saved = first; saved != last; ++saved) {
+    Case c = saved->second.value;
+    c.profile = subject.Info().profile;
+    if (!Takes(subject.Info(), c.scene)) continue;
+    AskOfGiven(subject, property, saved->second, c, options, share);
+    if (share.result->outcome == Outcome::kViolated) return true;
+  }
+  share = {};
+  return false;
+}
+
+void CheckGenerated(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,
+                    const CheckOptions& options, Progress& progress, Told& told) {
+  props::Pace pace;
+  std::exception_ptr error;
+  const std::vector<Share> shares = ShareOut(
+      crew, asked.properties,
+      [&](std::size_t worker, const props::Property& property, Share& share) {
+        Subject& own = crew.Of(worker);
+        if (FailsAsSaved(own, property, asked, options, share)) return;
+        share.result = Campaign(own, subject, property, options, progress, worker, pace);
+        TellOf(own, options, share);
+      },
+      error);
+  std::vector<PropertyResult> results;
+  told.text += TextOf(shares, subject.name(), "", results, told.tally);
+  if (error) std::rethrow_exception(error);
+  if (asked.is_whole_catalogue && !Interrupted()) {
+    told.text += ContractText(crew.Of(0).Info(), results, told.tally);
+  }
 }
 
 void CheckGiven(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,

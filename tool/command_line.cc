@@ -135,7 +135,8 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->add_flag("--device", options.device,
                  "Put the subject's numbers into the legal set that --profile names: its subpixel "
                  "bits, sample locations, coordinate limit and guard band");
-  verb->add_option("--save", options.save, "Folder for shrunken counterexamples");
+  verb->add_option("--save", options.save,
+                   "Folder for shrunken counterexamples; those that it holds are asked first");
   AddCampaign(verb, options.campaign);
   AddJobs(verb, options.jobs, "Properties");
   AddFailOn(verb, options.fail_on);

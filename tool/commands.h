@@ -102,7 +102,7 @@ struct CheckOptions {
   bool device = false;              ///< with the numbers of its device in it
   CampaignChoice campaign;
   std::size_t batch = 32;  ///< cases whose draws share calls
-  std::string save;        ///< folder for counterexamples
+  std::string save;        ///< folder for counterexamples; those there are asked first
   int jobs = 1;            ///< properties at once
   FailOn fail_on = FailOn::kStated;
 };

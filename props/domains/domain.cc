@@ -293,7 +293,7 @@ constexpr std::array kDomains{
            .is_stated = StatesSquares,
            .draw = SquareInteriors},
     Domain{
-        .number = 59,
+        .number = 69,
         .name = "many-triangles",
         .summary = "2^8 to 2^16 triangles or vertices and more, those beyond alone on their side",
         .draw = LongLists},

@@ -1,6 +1,7 @@
 #include "props/domains/input_lattice.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -83,10 +84,17 @@ double InputLattice::RoundWithinLimit(double x) const {
 }
 
 double InputLattice::Step(double x) const {
-  const double magnitude = std::fabs(x);
+  // By the bits, for it is called for each sample near an edge. An exponent of 0 is that of 0 and
+  // of subnormals, whose step is the least.
+  constexpr int kMantissaBits = 52;
+  constexpr int kBias = 1023;
+  const auto exponent =
+      static_cast<int>(std::bit_cast<std::uint64_t>(std::fabs(x)) >> kMantissaBits);
   const int least = precision_ == Precision::kFloat32 ? -149 : -1074;
-  const int ulp = magnitude == 0 ? least : std::max(least, std::ilogb(magnitude) - (digits() - 1));
-  return std::ldexp(1.0, grid_.IsNone() ? ulp : std::max(ulp, -grid_.bits));
+  const int ulp = exponent == 0 ? least : std::max(least, exponent - kBias - (digits() - 1));
+  const int step = grid_.IsNone() ? ulp : std::max(ulp, -grid_.bits);
+  if (step <= -kBias) return std::ldexp(1.0, step);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(step + kBias) << kMantissaBits);
 }
 
 double InputLattice::Move(double x, std::int64_t n) const {

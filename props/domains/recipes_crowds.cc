@@ -14,7 +14,7 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr int kSide = 16;  // of the target: plain rasterizers look at all of it for each triangle
+constexpr int kSide = 8;  // of the target: plain rasterizers look at all of it for each triangle
 constexpr int kCells = kSide * kSide / 2;
 
 // Bits that a number may be cut to; the long ones are drawn rarely, for they take long.

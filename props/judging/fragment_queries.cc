@@ -75,8 +75,22 @@ bool Overflows(const Points3& v, Point2 p, Precision precision) {
   return !(SumOfProducts(v[0], v[1], v[2]) < most);
 }
 
-// Depths that no two vertices of a triangle are likely to share; exact in every format.
-double DepthOf(std::size_t vertex) { return 0.125 * static_cast<double>(1 + 3 * vertex % 8); }
+// Depths that no two vertices of a triangle are likely to share; exact in every format. Far apart,
+// or nearly flat in one of three degrees: what is walked or kept coarsely loses small differences.
+class Depths {
+ public:
+  explicit Depths(const Scene& scene) : bits_(kBits[static_cast<std::size_t>(scene.width) % 4]) {}
+
+  double Of(std::size_t vertex) const {
+    const auto place = static_cast<double>(1 + 3 * vertex % 8);
+    return (bits_ == kBits[0] ? 0 : 0.5) + std::ldexp(place, -bits_);
+  }
+
+ private:
+  static constexpr std::array kBits{3, 7, 11, 15};
+
+  int bits_;
+};
 
 double DepthTolerance(const SubjectInfo& info, const Fragment& f) {
   if (info.fragments.depth_error > 0) return info.fragments.depth_error;
@@ -229,7 +243,8 @@ std::array<double, 3> BarycentricTolerancesInPixel(const SubjectInfo& info, cons
 Asked AskFragments(const Case& c, const Description& subject,
                    Verdict (*judge)(const std::vector<Fragment>&)) {
   Scene scene = c.scene;
-  for (std::size_t k = 0; k < scene.vertices.size(); ++k) scene.vertices[k].z = DepthOf(k);
+  const Depths depths(scene);
+  for (std::size_t k = 0; k < scene.vertices.size(); ++k) scene.vertices[k].z = depths.Of(k);
   const bool snapped = subject.info.fragments.barycentrics_of == BarycentricsOf::kSnapped;
   Scene owners = snapped ? SnapScene(scene, c.profile) : scene;
   Questions questions;

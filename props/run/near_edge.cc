@@ -104,11 +104,12 @@ class Counter {
     };
     const int first = std::max(0, clamped(std::ceil(std::min(from, to) - offset)));
     const int last = std::min(lines - 1, clamped(std::floor(std::max(from, to) - offset)));
-    for (int line = first; line <= last; ++line) CountLine(edge, s, steep, line);
+    const long double slope = steep ? dx / dy : dy / dx;
+    for (int line = first; line <= last; ++line) CountLine(edge, slope, s, steep, line);
   }
 
   // The two samples of one row or column between which the edge passes.
-  void CountLine(const ProjectedEdge& edge, int s, bool steep, int line) {
+  void CountLine(const ProjectedEdge& edge, long double slope, int s, bool steep, int line) {
     const Point2 location = profile_.pattern.locations[static_cast<std::size_t>(s)];
     const long double along = line + (steep ? location.y : location.x);
     const long double offset = steep ? location.x : location.y;
@@ -116,7 +117,7 @@ class Counter {
     const LongPoint b = steep ? edge.b : LongPoint{edge.b.y, edge.b.x};
     // From the nearer end: four roundings of the way across from there, and the two ends' own.
     const LongPoint& near = std::fabs(along - a.y) <= std::fabs(along - b.y) ? a : b;
-    const long double across = (along - near.y) * ((b.x - a.x) / (b.y - a.y));
+    const long double across = (along - near.y) * slope;
     const long double at = near.x + across;
     const long double error = 4 * kUnit * (std::fabs(across) + std::fabs(a.x) + std::fabs(b.x));
     const int places = steep ? case_.scene.width : case_.scene.height;

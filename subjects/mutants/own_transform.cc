@@ -116,7 +116,9 @@ class OwnTransform final : public Subject {
   }
 
   void Win(const Scene& window, std::size_t t, std::size_t k, Drawing& drawing) const {
-    const std::array<Vertex, 3> v = Corners(window, window.triangles[t]);
+    std::array<Vertex, 3> v = Corners(window, window.triangles[t]);
+    const auto [least, greatest] = std::minmax({v[0].z, v[1].z, v[2].z});
+    if (greatest - least < stages_.flat_depths) v[1].z = v[2].z = v[0].z;
     std::array<Point2, 3> at{};
     for (std::size_t i = 0; i < 3; ++i) {
       at[i] = {SnapToGrid(v[i].x, info_.profile.snap), SnapToGrid(v[i].y, info_.profile.snap)};

@@ -22,6 +22,8 @@ struct TransformStages {
   bool shows_fragments = false;
   /// What the interpolated depths are off.
   double depth_error = 0;
+  /// Depths that differ by less are taken for one.
+  double flat_depths = 0;
   /// Of a map: it draws what a scissor leaves as a target of its own, whose first pixel is the
   /// tile's; where a vertex lies on it. In place of `to_window`.
   std::function<Point2(const Vertex& vertex, const PixelRect& tile)> to_tile = {};

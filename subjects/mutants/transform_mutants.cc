@@ -64,6 +64,12 @@ TransformStages ShownAsFragments(double depth_error) {
   return {kQuotients, Quotients, true, depth_error};
 }
 
+TransformStages WithFlatDepths(double difference) {
+  TransformStages stages = ShownAsFragments(0);
+  stages.flat_depths = difference;
+  return stages;
+}
+
 constexpr Transform kMultiplyAdd{.viewport = ViewportForm::kMultiplyAdd, .flips_y = true};
 
 }  // namespace
@@ -109,6 +115,8 @@ std::vector<Mutant> TransformMutants() {
        TransformStages{Transform{.viewport = ViewportForm::kMultiplyAdd}, InDouble}},
       {"transform-depth-off", "depths are off by a quarter more than is said of them", "",
        ShownAsFragments(1.25 * kDepthError)},
+      {"transform-flat-depths", "depths that differ by less than 2^-10 are taken for one", "",
+       WithFlatDepths(0x1p-10)},
   };
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "fuzz/guidance.h"
 #include "fuzz/screens.h"
 #include "props/codec/codec.h"
 #include "props/domains/bit_source.h"
@@ -49,6 +50,17 @@ TEST(BoundDeathTest, AViolationShowsTheCaseInHexAndTheCommand) {
 TEST(BoundDeathTest, ANameThatThereIsNoneOfIsSaid) {
   EXPECT_DEATH(BoundTo(std::array{Checked{"textbok", "CoverageEqualsTheModel"}}), "textbok");
   EXPECT_DEATH(BoundTo(std::array{Checked{"textbook", "CoverageEqualsAModel"}}), "CoverageEqualsA");
+}
+
+TEST(Bound, NotesHowWrongEachSubjectIsUnderEachProperty) {
+  const Bound bound = BoundTo(std::array{Checked{"f32-direct", "EdgeErrorStaysWithinItsBound"},
+                                         Checked{"f32-direct", "ReversedEdgeChangesSign"},
+                                         Checked{"f32-kahan", "EdgeErrorStaysWithinItsBound"}});
+  for (std::uint64_t k = 0; k < 50; ++k) bound.PutToTheTest(RandomBytes(k));
+  EXPECT_GT(LargestErrorOverBound(0), 0.05);
+  EXPECT_EQ(LargestErrorOverBound(1), 0);
+  EXPECT_GT(LargestErrorOverBound(2), 0.05);
+  EXPECT_NE(LargestErrorOverBound(0), LargestErrorOverBound(2));
 }
 
 TEST(Bound, PassesOverWhatIsLargerThanItsLimits) {

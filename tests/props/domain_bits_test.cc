@@ -190,9 +190,10 @@ constexpr auto kGolden = std::to_array<Golden>({
     {66, "hardest-rays", 0xf016da7c25b1ac56},
     {67, "accumulator-ends", 0xd5730c5f4c9f0cae},
     {68, "near-rectangles", 0xa2a6e262bc44f529},
+    {69, "many-triangles", 0x6bebb1b4cd9b1361},
 });
 
-constexpr std::uint64_t kGoldenExamples = 0x727b44293a92a15b;
+constexpr std::uint64_t kGoldenExamples = 0x7c7435cfc1ec8497;
 
 std::string LineOf(const Domain& domain, std::uint64_t hash) {
   std::ostringstream line;

@@ -196,7 +196,7 @@ TEST(Batches, AddNothingToACallThatAPropertyPutsTogether) {
   KeepScenes(outside, "BatchDrawsLikeSingleCalls");
   EXPECT_EQ(outside.called.scenes.size(), 64U);
   for (const std::vector<Scene>& scenes : outside.called.scenes) {
-    EXPECT_LE(scenes.size(), 10U);
+    EXPECT_LE(scenes.size(), 12U);
     ASSERT_GT(scenes.size(), 4U);
     EXPECT_TRUE(scenes.front() == scenes.back()) << "the case comes first and last";
   }

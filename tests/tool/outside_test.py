@@ -261,7 +261,7 @@ class Outputs(unittest.TestCase):
             ("BATCH_LAST", "BatchDrawsLikeSingleCalls"),
             ("BATCH_LEAK", "BatchDrawsLikeSingleCalls"),
             ("BATCH_INDICES", "BatchDrawsLikeSingleCalls"),
-            ("BATCH_VERTICES", "BatchDrawsLikeSingleCalls"),
+            *((f"BATCH_{what}", "BatchDrawsLikeSingleCalls") for what in ("VERTICES", "OPTIONS")),
         ):
             with self.subTest(name=name):
                 self.assertIn("violated", self.check(name, [found_by], status=1))

@@ -23,6 +23,11 @@ def run(*arguments, program=PROGRAM, data=None, **environment):
                           timeout=300, check=False, env={**os.environ, **environment})  # fmt: skip
 
 
+def content(path):
+    with open(os.path.join(SOURCES, path)) as file:
+        return file.read()
+
+
 def type_in_bash(line):
     """Runs a printed command as a reader would: typed into a shell."""
     line = f"rasterproof() {{ {shlex.quote(PROGRAM)} \"$@\"; }}\n{line}"
@@ -251,6 +256,53 @@ class Explain(TemporaryFolder):
         path = self.case("spans-exact", property="SharedEdgeSamplesAreCoveredOnce")
         self.assertEqual(run("replay", path).returncode, 4)
         self.assertEqual(run("explain", path).returncode, 4)
+
+
+class SavedFailuresComeFirst(TemporaryFolder):
+    FEW = ("--property", MODEL, "--cases", "1")
+
+    def setUp(self):
+        super().setUp()
+        self.saved = os.path.join(self.folder, "saved")
+        found = self.check("mutant:cracks-far-off", "--property", MODEL, "--cases", "2000")
+        self.assertEqual(found.returncode, 1, found.stdout)
+        (self.name,) = os.listdir(self.saved)
+
+    def check(self, subject, *arguments):
+        return run("check", "--subject", subject, "--save", self.saved, *arguments)
+
+    def test_what_was_saved_is_asked_before_any_case_is_drawn(self):
+        alone = run("check", "--subject", "mutant:cracks-far-off", *self.FEW)
+        self.assertEqual(alone.returncode, 0, "the case drawn first does not show the bug")
+        again = self.check("mutant:cracks-far-off", *self.FEW)
+        self.assertEqual(again.returncode, 1, again.stdout)
+        self.assertIn(self.name, again.stdout.decode())
+        self.assertIn("1 cases\n", again.stdout.decode())
+        self.assertEqual(os.listdir(self.saved), [self.name], "it is there already")
+
+    def test_what_was_mended_goes_on_to_drawn_cases(self):
+        held = self.check("spans-exact", "--property", MODEL, "--cases", "64")
+        self.assertEqual(held.returncode, 0, held.stdout)
+        self.assertIn("64 cases", held.stdout.decode())
+
+    def test_another_failure_leaves_the_one_that_was_saved(self):
+        path = os.path.join(self.saved, self.name)
+        other = os.path.join(self.saved, f"mutant+ties-inclusive-{MODEL}.json")
+        os.rename(path, other)  # ties are right there
+        before = content(other)
+        found = self.check("mutant:ties-inclusive", "--property", MODEL)
+        self.assertEqual(found.returncode, 1, found.stdout)
+        self.assertEqual(len(os.listdir(self.saved)), 2)
+        self.assertEqual(content(other), before)
+
+    def test_a_file_that_is_no_saved_failure_is_refused(self):
+        for text, why in (("{", "bad.json"), (content("scenes/ties.json"), "no property")):
+            with open(os.path.join(self.saved, "bad.json"), "w") as file:
+                file.write(text)
+            refused = self.check("f64-direct", *self.FEW)
+            self.assertEqual(refused.returncode, 2, refused.stdout)
+            self.assertIn(why, refused.stderr.decode())
+            self.assertEqual(refused.stdout, b"")
 
 
 if __name__ == "__main__":

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "core/coverage.h"
+#include "core/draw_options.h"
 #include "core/drawing.h"
 #include "core/scene.h"
+#include "core/subject_info.h"
 #include "core/target_size.h"
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
@@ -22,10 +24,26 @@ namespace {
 
 constexpr std::size_t kSingles = 5;
 
+// The case drawn otherwise, as far as the subject can be told to.
+std::vector<DrawQuestion> WithOtherOptions(const Case& c, const SubjectInfo& info) {
+  std::vector<DrawQuestion> draws;
+  if (info.takes_culling) {
+    DrawOptions culls = c.options;
+    culls.cull = c.options.cull == Cull::kNone ? Cull::kBack : Cull::kNone;
+    draws.push_back(WholeCallOf(c.scene, c.profile, culls));
+  }
+  if (info.takes_scissor) {
+    DrawOptions cuts = c.options;
+    cuts.scissor = PixelRect{0, 0, (c.scene.width + 1) / 2, (c.scene.height + 1) / 2};
+    draws.push_back(WholeCallOf(c.scene, c.profile, cuts));
+  }
+  return draws;
+}
+
 // The case, the same indices into other vertices, the same vertices with other indices, some of its
-// triangles alone, the case on a larger target, and the case again: scenes that give away what is
-// left of one in the next.
-std::vector<DrawQuestion> DrawsOf(const Case& c) {
+// triangles alone, the case with other options and on a larger target, and the case again: scenes
+// that give away what is left of one in the next.
+std::vector<DrawQuestion> DrawsOf(const Case& c, const SubjectInfo& info) {
   const DrawQuestion draw = WholeCallOf(c.scene, c.profile, c.options);
   std::vector<DrawQuestion> draws{draw, draw, draw};
   Scene reversed = c.scene;
@@ -38,6 +56,7 @@ std::vector<DrawQuestion> DrawsOf(const Case& c) {
     draws.push_back(draw);
     draws.back().job.triangles = {c.scene.triangles[t]};
   }
+  for (DrawQuestion& other : WithOtherOptions(c, info)) draws.push_back(std::move(other));
   if (IsTargetSize(c.scene.width + 1, c.scene.height + 1, c.profile.pattern.samples())) {
     Scene larger = c.scene;
     ++larger.width;
@@ -82,8 +101,8 @@ Check InItsOwnCall(const Case& c, DrawQuestion draw, std::size_t k, std::size_t 
   return check;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
-  const std::vector<DrawQuestion> draws = DrawsOf(c);
+Asked Ask(const Case& c, const Description& subject) {
+  const std::vector<DrawQuestion> draws = DrawsOf(c, subject.info);
   Asked asked;
   asked.checks.push_back(InOneCall(c, draws));
   for (std::size_t k = 0; k < draws.size(); ++k) {

@@ -243,6 +243,13 @@ static int32_t draw_many(void* state, const rasterproof_scene* const* scenes,
       if (draw(state, &stale, targets[k]) != 0) return 1;
       continue;
     }
+#elif defined(BUG_BATCH_OPTIONS)
+    if (k > 0 && scenes[k]->width == scenes[0]->width && scenes[k]->height == scenes[0]->height) {
+      rasterproof_scene stale = *scenes[k];
+      stale.cull = scenes[0]->cull;
+      if (draw(state, &stale, targets[k]) != 0) return 1;
+      continue;
+    }
 #elif defined(BUG_BATCH_CRASH)
     if (scenes[k]->triangle_count == 3) abort();
 #elif defined(BUG_BATCH_CRASH_TOGETHER)

@@ -4,23 +4,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <ctime>
 #include <list>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/thread_seconds.h"
 #include "exact/coverage.h"
 #include "props/run/facings.h"
 
 namespace rasterproof::bench {
 namespace {
-
-double ThreadSeconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // Pixels of the triangles' bounding boxes inside the target: what a box-scanning method visits.
 std::uint64_t BoxPixels(const Scene& scene) {

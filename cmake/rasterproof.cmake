@@ -12,11 +12,13 @@ endif()
 
 # Third parties. Which folder may use which is in scripts/check_layers.
 find_package(Threads REQUIRED)
-find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(PNG REQUIRED)
-find_package(assimp REQUIRED)
-find_package(pugixml REQUIRED)
+if(NOT RASTERPROOF_FUZZING_ENGINE)
+  find_package(fmt REQUIRED)
+  find_package(nlohmann_json REQUIRED)
+  find_package(PNG REQUIRED)
+  find_package(assimp REQUIRED)
+  find_package(pugixml REQUIRED)
+endif()
 if(RASTERPROOF_TESTS)
   find_package(GTest REQUIRED)
 endif()
@@ -28,7 +30,10 @@ set(CMAKE_C_FLAGS_RELEASE "-O2 -DNDEBUG")
 # time.
 add_library(rasterproof_flags INTERFACE)
 target_compile_options(rasterproof_flags INTERFACE
-  -Wall -Wextra -Wconversion -Werror -ffp-contract=off
+  -Wall -Wextra -Wconversion -ffp-contract=off
+  # The compiler of an engine of others may be any.
+  $<$<BOOL:${RASTERPROOF_FUZZING_ENGINE}>:-Wno-error -Wno-unused-command-line-argument>
+  $<$<NOT:$<BOOL:${RASTERPROOF_FUZZING_ENGINE}>>:-Werror>
   # g++ 12 at -O2: two neighbouring doubles rounded to float and widened again, vectorised as a
   # pair, lose the rounding. Found by exact/environment.cc, which refuses a build without this.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
@@ -47,11 +52,20 @@ endif()
 # returned are the tests' to watch (preset asan-ubsan).
 if(RASTERPROOF_FUZZ)
   target_compile_options(rasterproof_flags INTERFACE
-    -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
-    -fsanitize-address-use-after-return=never)
+    -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp)
+  if(RASTERPROOF_SANITIZE)
+    target_compile_options(rasterproof_flags INTERFACE -fsanitize-address-use-after-return=never)
+  endif()
+endif()
+if(RASTERPROOF_FUZZ OR RASTERPROOF_FUZZING_ENGINE)
   set(unseen -fno-sanitize-coverage=inline-8bit-counters,pc-table,indirect-calls,stack-depth)
 else()
   set(unseen)
+endif()
+if(RASTERPROOF_FUZZING_ENGINE)
+  target_compile_options(rasterproof_flags INTERFACE -fno-sanitize-coverage=trace-cmp)
+  # Boost before 1.81 asks for std::unary_function, which libc++ no longer has.
+  target_compile_definitions(rasterproof_flags INTERFACE BOOST_NO_CXX98_FUNCTION_BASE)
 endif()
 
 # Reading headers is more than half of what a file costs. RASTERPROOF_LUMPS compiles the files of a

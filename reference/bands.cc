@@ -15,6 +15,25 @@ int ThreadsFor(const DrawOptions& options, int tile_rows) {
   return std::clamp(wanted, 1, std::min(tile_rows, kMaxThreads));
 }
 
+// Waits for its threads, as std::jthread does, which libc++ has from version 20 on.
+class Others {
+ public:
+  Others() = default;
+  Others(const Others&) = delete;
+  Others& operator=(const Others&) = delete;
+  ~Others() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  template <class Work>
+  void Begin(const Work& work) {
+    threads_.emplace_back(work);
+  }
+
+ private:
+  std::vector<std::thread> threads_;
+};
+
 }  // namespace
 
 void ForEachBand(const PixelRect& area, const DrawOptions& options,
@@ -29,8 +48,8 @@ void ForEachBand(const PixelRect& area, const DrawOptions& options,
     const auto start = [&](int k) { return (first_tile + tile_rows * k / threads) * height; };
     return Intersection(area, {area.x0, start(n), area.x1, start(n + 1)});
   };
-  std::vector<std::jthread> others;
-  for (int n = 1; n < threads; ++n) others.emplace_back([&, n] { draw(band(n)); });
+  Others others;
+  for (int n = 1; n < threads; ++n) others.Begin([&, n] { draw(band(n)); });
   draw(band(0));
 }
 

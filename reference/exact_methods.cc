@@ -7,6 +7,7 @@
 #include "reference/filtered_form.h"
 #include "reference/method_rows.h"
 #include "reference/spans.h"
+#include "reference/whole_scene.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -21,13 +22,28 @@ Method ExactMethod(std::string_view name, std::string_view summary, decltype(Sta
   return method;
 }
 
+// What float32 holds goes to the exact kernel: the same crossings, many edges at a time.
+bool DrawWhole(const Scene& scene, const RasterOptions& options, CoverageCounts& counts) {
+  if (!KernelsPay(scene) || !KernelsTake(scene)) return false;
+  DrawByKernel(kernels::KernelMethod::kExact, scene, options, counts);
+  return true;
+}
+
+Method SpansMethod() {
+  Method method =
+      ExactMethod("spans-exact",
+                  "the crossing of each edge and row, guessed and corrected exactly: float32 by "
+                  "vectors, the rest in double",
+                  &FillSpans);
+  method.whole = &DrawWhole;
+  return method;
+}
+
 }  // namespace
 
 std::vector<Method> ExactMethods() {
   return {
-      ExactMethod("spans-exact",
-                  "the crossing of each edge and row, guessed in double and corrected exactly",
-                  &FillSpans),
+      SpansMethod(),
       ExactMethod("filtered-exact",
                   "a filter in double at every sample, exact arithmetic where it can't tell",
                   &FillByWalk<FreshWalk<FilteredForm>>),

@@ -8,8 +8,10 @@
 #include <span>
 #include <string_view>
 
+#include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/evaluators.h"
+#include "core/scene.h"
 #include "core/subject_info.h"
 #include "core/vertex.h"
 
@@ -55,6 +57,9 @@ struct Method {
   SubjectInfo info;
   bool can_be_canonical = false;
   Stages stages;
+  /// Draws a whole scene at once, with the same counts as the stages, and returns true; or returns
+  /// false, and the stages draw it. nullptr: they always do.
+  bool (*whole)(const Scene& scene, const RasterOptions& options, CoverageCounts& counts) = nullptr;
   const EdgeEvaluator* edges = nullptr;
   /// The same with canonical edges; nullptr unless can_be_canonical.
   const EdgeEvaluator* canonical_edges = nullptr;

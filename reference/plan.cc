@@ -20,11 +20,10 @@
 #include "reference/plan_kernel.h"
 #include "reference/plan_scene.h"
 #include "reference/rasterize.h"
+#include "reference/whole_scene.h"
 
 namespace rasterproof::reference {
 namespace {
-
-using DrawFunction = void (*)(const Scene&, const Profile&, const DrawOptions&, CoverageCounts&);
 
 /// Every combination of stages of one arithmetic; bit 0 snap, 1 clip, 2 cull, 3 tie rule.
 constexpr std::size_t kStageSets = 16;
@@ -36,11 +35,11 @@ constexpr std::size_t SetOf(const PlanStages& stages) {
          (stages.ties ? 8U : 0U);
 }
 template <class T, std::size_t... kSets>
-constexpr std::array<DrawFunction, kStageSets> KernelsOf(std::index_sequence<kSets...>) {
+constexpr std::array<PlanDraw, kStageSets> KernelsOf(std::index_sequence<kSets...>) {
   return {&DrawPlanned<T, StagesOf(kSets)>...};
 }
 template <class T>
-constexpr std::array<DrawFunction, kStageSets> kKernels =
+constexpr std::array<PlanDraw, kStageSets> kKernels =
     KernelsOf<T>(std::make_index_sequence<kStageSets>{});
 
 /// One arithmetic and the scenes it is exact for, in units u = 2^-lattice of the scene.
@@ -55,7 +54,7 @@ struct Rung {
   double limit;  ///< largest integer whose predecessors are all representable
   std::string_view limit_text;
   int finest_lattice;
-  const std::array<DrawFunction, kStageSets>* kernels;
+  const std::array<PlanDraw, kStageSets>* kernels;
 };
 constexpr std::array<Rung, 4> kRungs{{
     {"float32 direct", 0x1p24, "2^24", 74, &kKernels<float>},
@@ -83,6 +82,11 @@ bool IsExactFor(const Rung& rung, const SceneExtent& extent) {
   const InUnits units(extent);
   return extent.lattice <= rung.finest_lattice && units.largest <= rung.limit &&
          units.side <= rung.limit && units.area <= rung.limit;
+}
+
+std::string VectorsText(const Scene& scene) {
+  return "coordinates are float32, and " + std::to_string(scene.triangles.size()) +
+         " triangles are enough for vectors: exact at any extent";
 }
 
 std::string ExtentText(const SceneExtent& extent) {
@@ -160,6 +164,21 @@ Plan PlanClipSpace(const Scene& scene, const Profile& profile, const DrawOptions
   return plan;
 }
 
+/// What a plan of some rung leaves out, kept one by one.
+void AddStageVariants(Plan& plan, const Profile& profile, const PlanStages& stages,
+                      const std::array<PlanDraw, kStageSets>& kernels) {
+  const auto add = [&](std::string_view stage, bool PlanStages::* member) {
+    if (stages.*member) return;
+    PlanStages with = stages;
+    with.*member = true;
+    plan.variants.push_back({std::string(stage), kernels[SetOf(with)]});
+  };
+  if (!profile.snap.IsNone()) add("snap", &PlanStages::snap);
+  add("clip", &PlanStages::clip);
+  add("cull", &PlanStages::cull);
+  add("tie rule", &PlanStages::ties);
+}
+
 PlanReason SnapReason(const Profile& profile, const SceneExtent& extent, bool kept) {
   if (profile.snap.IsNone()) return {"snap", "left out", "the profile has no subpixel grid"};
   const std::string grid = "the profile's 2^-" + std::to_string(profile.snap.bits) + " grid";
@@ -190,7 +209,11 @@ Plan PlanWindowSpace(const Scene& scene, const Profile& profile, const DrawOptio
       kRungs, [&](const Rung& candidate) { return IsExactFor(candidate, extent); });
   PlanStages stages;
   stages.snap = !profile.snap.IsNone() && !extent.on_grid;
-  const bool planned = rung != kRungs.end();
+  // Vectors beat the rungs where there is enough to draw, and are exact whatever the extent.
+  const bool spans = SpansServe(profile);
+  const bool vectors =
+      spans && KernelsPay(scene) && KernelsTake(stages.snap ? SnapScene(scene, profile) : scene);
+  const bool planned = !vectors && rung != kRungs.end();
   // The kernels of the table clip and break ties in every case.
   stages.clip = !planned || options.threads != 1 || !extent.inside_area;
   stages.cull = options.cull != Cull::kNone;
@@ -200,16 +223,22 @@ Plan PlanWindowSpace(const Scene& scene, const Profile& profile, const DrawOptio
   if (planned) {
     plan.arithmetic = rung->name;
     plan.draw = (*rung->kernels)[SetOf(stages)];
+    AddStageVariants(plan, profile, stages, *rung->kernels);
     plan.reasons.push_back({"edge arithmetic", plan.arithmetic,
                             ExtentText(extent) + ": all <= " + std::string(rung->limit_text)});
   } else {
-    const bool spans = SpansServe(profile);
     plan.arithmetic = spans ? "spans-exact" : "wide exact";
     plan.draw = stages.snap ? (spans ? DrawBySpans<true> : DrawWide<true>)
                             : (spans ? DrawBySpans<false> : DrawWide<false>);
     plan.reasons.push_back({"edge arithmetic", plan.arithmetic,
-                            ExtentText(extent) + ": beyond int64 (2^63) and float64 (2^53)"});
+                            vectors
+                                ? VectorsText(scene)
+                                : ExtentText(extent) + ": beyond int64 (2^63) and float64 (2^53)"});
+    if (!stages.snap && !profile.snap.IsNone()) {
+      plan.variants.push_back({"snap", spans ? DrawBySpans<true> : DrawWide<true>});
+    }
   }
+  plan.variants.push_back({"everything", profile.snap.IsNone() ? DrawWide<false> : DrawWide<true>});
   plan.reasons.push_back(SnapReason(profile, extent, stages.snap));
   plan.reasons.push_back(ClipReason(stages.clip, extent, options));
   plan.reasons.push_back({"cull", stages.cull ? "kept" : "left out",

@@ -21,11 +21,23 @@ struct PlanReason {
   std::string why;     ///< "box side * 2^s = 2048 <= 4096 (docs/mathematics.md, exactness table)"
 };
 
+/// Draws a scene under the profile that it was planned for.
+using PlanDraw = void (*)(const Scene&, const Profile&, const DrawOptions&, CoverageCounts&);
+
+/// The planned kernel with something kept that the plan leaves out: the same counts, for measuring
+/// what leaving it out saves.
+struct PlanVariant {
+  std::string kept;  ///< a stage of the reasons, or "everything": exact for any finite double
+  PlanDraw draw;
+};
+
 struct Plan {
   std::string arithmetic;  ///< name of the kernel that runs
   std::vector<PlanReason> reasons;
   /// Draws the scene by the planned kernel. Bit-identical to the full exact pipeline.
-  void (*draw)(const Scene&, const Profile&, const DrawOptions&, CoverageCounts&) = nullptr;
+  PlanDraw draw = nullptr;
+  /// Each stage that is left out and could be kept, by itself; "everything" last.
+  std::vector<PlanVariant> variants;
 };
 
 /// The cheapest kernel that is proved exact for the scene under the profile's canonical model.

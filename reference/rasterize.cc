@@ -25,6 +25,7 @@ void Rasterize(const Scene& scene, const Method& method, const RasterOptions& op
                CoverageCounts& counts) {
   RequireTakes(scene, method);
   RequireShape(scene, counts);
+  if (method.whole != nullptr && method.whole(scene, options, counts)) return;
   const Stages& stage = method.stages;
   const PixelRect target = TargetOf(scene);
   // Threads draw bands of rows; no two share a row, so their order can't be seen.

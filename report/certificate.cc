@@ -82,7 +82,6 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
   json.Key("not_judged").Integer(result.not_judged);
   json.Key("worst_ratio").Exact(result.worst_ratio);
   WriteNearEdge(json, result.near_edge);
-  json.Key("seconds").Rounded(result.seconds);
   if (result.counterexample) WriteCounterexample(json, certificate, result);
   json.EndObject();
 }
@@ -103,7 +102,6 @@ void WriteMeasured(JsonWriter& json, const Certificate& certificate, const Scene
     json.Key("wrong").Integer(result.difference.wrong);
     json.Key("missing").Integer(result.difference.missing);
     json.Key("unexpected").Integer(result.difference.unexpected);
-    json.Key("seconds").Rounded(result.seconds);
   }
   json.EndObject();
 }
@@ -119,7 +117,7 @@ std::string ReplayCommand(const Certificate& certificate, const PropertyResult& 
 std::string CertificateToJson(const Certificate& certificate) {
   JsonWriter json;
   json.BeginObject();
-  json.Key("rasterproof_certificate").Integer(2);
+  json.Key("rasterproof_certificate").Integer(3);
   json.Key("tool_version").Text(certificate.tool_version);
   json.Key("command").Text(certificate.command);
   const Overall overall = OverallOf(certificate);
@@ -148,6 +146,33 @@ std::string CertificateToJson(const Certificate& certificate) {
   for (const auto& [tier, count] : certificate.oracle_tiers) json.Key(tier).Integer(count);
   json.EndObject();
   WriteEvidence(json, "not_applicable", NotApplicable(certificate));
+  json.EndObject();
+  return json.Finish();
+}
+
+std::string TimesToJson(const Certificate& certificate) {
+  JsonWriter json;
+  json.BeginObject();
+  json.Key("rasterproof_certificate_times").Integer(1);
+  json.Key("tested").BeginArray();
+  for (const PropertyResult& result : certificate.tested) {
+    if (result.outcome == Outcome::kNotApplicable) continue;
+    json.BeginObject();
+    json.Key("property").Text(NameOf(result));
+    json.Key("seconds").Rounded(result.seconds);
+    json.EndObject();
+  }
+  json.EndArray();
+  json.Key("measured").BeginArray();
+  for (const SceneResult& result : certificate.measured) {
+    if (!result.applicable) continue;
+    json.BeginObject();
+    json.Key("scene").Text(result.scene);
+    json.Key("profile").Text(result.profile);
+    json.Key("seconds").Rounded(result.seconds);
+    json.EndObject();
+  }
+  json.EndArray();
   json.EndObject();
   return json.Finish();
 }

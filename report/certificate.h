@@ -36,7 +36,8 @@ struct Certificate {
   std::vector<PropertyResult> tested;
   /// On real scenes, against the subject's own profile and real geometry.
   std::vector<SceneResult> measured;
-  /// Which tier of the oracle decided how often, over all that this certificate rests on.
+  /// Which tier of the oracle decided how often, over scenes and all properties but those whose run
+  /// ended with a case.
   std::map<std::string, std::uint64_t> oracle_tiers;
   /// The command that replays a result's counterexample, by NameOf the result. Without one the
   /// reader is told to save the counterexample's case and to replay that file.
@@ -89,8 +90,12 @@ std::string Said(const PropertyResult& result);
 /// The command that replays the counterexample of a result.
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result);
 
-/// JSON as docs/certificate.schema.json describes; counterexamples inline as case files.
+/// JSON as docs/certificate.schema.json describes; counterexamples inline as case files. No times:
+/// a campaign bounded by cases gives the same bytes however long it took.
 std::string CertificateToJson(const Certificate& certificate);
+
+/// The seconds that each property and each scene took, as JSON; of a campaign in parts their sum.
+std::string TimesToJson(const Certificate& certificate);
 
 /// JUnit XML: one test case per property and per scene against the subject's own profile; what is
 /// neither good nor bad is skipped, with the reason. If the certificate is inconclusive that is an

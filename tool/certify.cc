@@ -3,21 +3,34 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "core/error.h"
 #include "core/result.h"
 #include "exact/edge.h"
 #include "exact/environment.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/output.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/campaign_part.h"
 #include "props/run/contract_evidence.h"
+#include "subjects/process/process.h"
 #include "tool/asked.h"
+#include "tool/description.h"
 #include "tool/evidence.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
+#include "tool/part_file.h"
 #include "tool/session.h"
+#include "tool/shard.h"
+#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -35,6 +48,27 @@ void Add(report::Certificate& whole, const report::Certificate& part) {
   whole.replay.insert(part.replay.begin(), part.replay.end());
 }
 
+// Limits that are not the usual ones.
+std::string LimitOptions() {
+  const subjects::ProcessLimits& limits = OutsideLimits();
+  const subjects::ProcessLimits usual;
+  std::string text;
+  if (limits.seconds != usual.seconds) text += fmt::format(" --time-limit {}", limits.seconds);
+  if (limits.bytes != usual.bytes) {
+    text += fmt::format(" --memory-limit {}", static_cast<double>(limits.bytes) / 0x1p30);
+  }
+  return text;
+}
+
+// FNV-1a: whether two files differ, not who made them.
+std::string HashText(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char byte : bytes) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
 std::map<std::string, std::string> DescribeEnvironment() {
   const exact::Environment environment = exact::InspectEnvironment();
   return {{"compiler", environment.compiler},
@@ -44,18 +78,49 @@ std::map<std::string, std::string> DescribeEnvironment() {
           {"contraction", environment.contraction_off ? "off" : "on"}};
 }
 
+// The command that gives the same certificate in one go. What changes nothing is left out.
+std::string CommandOf(const CertifyOptions& options) {
+  std::string command = "rasterproof certify";
+  if (options.all) command += " --all";
+  bool is_outside = false;
+  for (const std::string& subject : options.subjects) {
+    if (!options.all) command += " " + SubjectOption(subject);
+    is_outside = is_outside || IsOutside(subject);
+  }
+  command += fmt::format(" --seed {} --cases {}", options.campaign.seed, options.campaign.cases);
+  if (options.campaign.seconds > 0) {
+    command += fmt::format(" --seconds {}", options.campaign.seconds);
+  }
+  if (is_outside) command += LimitOptions();
+  for (const std::string& world : options.worlds) command += " --exhaustive " + ShellWord(world);
+  if (!options.scene_set.empty()) command += " --scenes " + ShellWord(options.scene_set);
+  if (options.fail_on == FailOn::kQuality) command += " --fail-on quality";
+  return command + " --out " + ShellWord(options.output);
+}
+
+// Every property, then those of each world.
+std::vector<Test> TestsOf(const std::vector<std::string>& worlds) {
+  std::vector<Test> tests;
+  for (const props::Property& property : props::Catalog()) tests.push_back({&property, nullptr});
+  for (const std::string& name : worlds) {
+    const props::World* world = props::FindWorld(name);
+    for (const std::string_view property : world->properties) {
+      tests.push_back({props::FindProperty(property), world});
+    }
+  }
+  return tests;
+}
+
 }  // namespace
 
 Certification::Certification(const AskedSubject& subject, const CertifyOptions& options,
-                             MeasuredScenes& scenes)
-    : subject_(subject), info_(subject.Make()->Info()), options_(options), scenes_(scenes) {
-  for (const props::Property& property : props::Catalog()) tests_.push_back({&property, nullptr});
-  for (const std::string& name : options.worlds) {
-    const props::World* world = props::FindWorld(name);
-    for (const std::string_view property : world->properties) {
-      tests_.push_back({props::FindProperty(property), world});
-    }
-  }
+                             MeasuredScenes& scenes, const Source& source)
+    : subject_(subject),
+      info_(subject.Make()->Info()),
+      options_(options),
+      scenes_(scenes),
+      source_(source),
+      tests_(TestsOf(options.worlds)) {
   parts_.resize(tests_.size() + scenes.size());
 }
 
@@ -69,27 +134,52 @@ void Certification::Do(std::size_t part, Subject& subject) {
   mine.is_begun = true;
   const exact::TierScope scope;
   if (part < tests_.size()) {
-    RunTest(subject, tests_[part], mine.found);
+    DoTest(subject, part, mine);
   } else {
     MeasureOne(subject, *scenes_[part - tests_.size()], mine.found);
+    mine.tiers = scope.Counts();
   }
-  mine.tiers = scope.Counts();
   mine.is_done = true;
 }
 
-void Certification::RunTest(Subject& subject, const Test& test, report::Certificate& certificate) {
+props::CampaignPart Certification::RunTest(Subject& subject, const Test& test) {
+  const std::uint64_t total = test.world != nullptr ? test.world->cases : options_.campaign.cases;
+  CaseRange cases{0, total};
+  if (source_.range) cases = *source_.range;
+  if (source_.shard) cases = CasesOf(*source_.shard, total);
   props::CampaignOptions campaign;
   campaign.seed = options_.campaign.seed;
   campaign.world = test.world;
-  campaign.cases = test.world != nullptr ? test.world->cases : options_.campaign.cases;
+  campaign.first_case = cases.first;
+  campaign.cases = cases.end - cases.first;
   campaign.seconds = options_.campaign.seconds;
   campaign.time_limit = TimeLimitOf(subject);
   if (IsOutside(info_.name)) campaign.afresh = [&] { return subject_.Make(); };
   campaign.stop = &Interrupted;
   campaign.pace = &pace_;
-  PropertyResult result = props::RunCampaign(subject, *test.property, campaign);
-  certificate.interrupted = Interrupted();
-  if (!certificate.interrupted || Stands(result)) certificate.tested.push_back(std::move(result));
+  return props::RunPart(subject, *test.property, campaign);
+}
+
+// An interrupted run, and one that ended with a case, decided what no certificate rests on: how
+// often depends on which cases shared calls with that one.
+void Certification::DoTest(Subject& subject, std::size_t k, Part& mine) {
+  const Test& test = tests_[k];
+  std::vector<props::CampaignPart> runs;
+  if (source_.parts.empty()) {
+    const exact::TierScope scope;
+    mine.run = RunTest(subject, test);
+    mine.tiers = scope.Counts();
+    runs.push_back(mine.run);
+  }
+  for (const SubjectPart& part : source_.parts) {
+    runs.push_back(part.tests[k].run);
+    mine.tiers += part.tests[k].tiers;
+  }
+  if (std::ranges::any_of(runs, &props::EndsTheCampaign)) mine.tiers = {};
+  PropertyResult result =
+      props::ResultOf(subject, *test.property, options_.campaign.seed, test.world, runs);
+  mine.found.interrupted = Interrupted();
+  if (!mine.found.interrupted || Stands(result)) mine.found.tested.push_back(std::move(result));
 }
 
 bool Certification::IsBegun() const { return std::ranges::any_of(parts_, &Part::is_begun); }
@@ -100,7 +190,7 @@ report::Certificate Certification::Result() const {
   report::Certificate certificate;
   certificate.tool_version = RASTERPROOF_VERSION;
   certificate.subject = info_;
-  certificate.command = options_.command;
+  certificate.command = CommandOf(options_);
   certificate.environment = DescribeEnvironment();
   certificate.seed = options_.campaign.seed;
   certificate.fail_on = options_.fail_on;
@@ -123,6 +213,44 @@ report::Certificate Certification::Result() const {
                               {"exact", tiers.exact},
                               {"symbolic", tiers.symbolic}};
   return certificate;
+}
+
+SubjectPart Certification::ToPart() const {
+  SubjectPart part = DescribePart(info_, options_.worlds);
+  part.seed = options_.campaign.seed;
+  part.shard = source_.shard;
+  if (source_.range) {
+    part.range = *source_.range;
+  } else {
+    part.cases = options_.campaign.cases;
+    part.range = CasesOf(source_.shard.value_or(Shard{}), *part.cases);
+  }
+  for (std::size_t k = 0; k < tests_.size(); ++k) {
+    part.tests[k].run = parts_[k].run;
+    part.tests[k].tiers = parts_[k].tiers;
+  }
+  return part;
+}
+
+SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>& worlds) {
+  SubjectPart part;
+  part.tool_version = RASTERPROOF_VERSION;
+  part.environment = DescribeEnvironment();
+  part.subject = info.name;
+  part.stated = DescriptionText(info, io::ProfileToJson(info.profile));
+  if (info.name.starts_with(kPluginPrefix)) {
+    const std::string path = info.name.substr(kPluginPrefix.size());
+    part.stated += "library " + HashText(io::ReadFile(path)) + "\n";
+  }
+  if (IsOutside(info.name)) part.options = LimitOptions();
+  for (const std::string& world : worlds) part.options += " --exhaustive " + ShellWord(world);
+  part.worlds = worlds;
+  for (const Test& test : TestsOf(worlds)) {
+    TestPart& told = part.tests.emplace_back();
+    told.property = test.property->name;
+    if (test.world != nullptr) told.world = test.world->name;
+  }
+  return part;
 }
 
 }  // namespace rasterproof::tool

@@ -7,6 +7,8 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,11 +22,14 @@
 #include "props/domains/worlds.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/campaign_part.h"
 #include "report/certificate.h"
 #include "report/page.h"
 #include "tool/asked.h"
 #include "tool/commands.h"
+#include "tool/part_file.h"
 #include "tool/progress.h"
+#include "tool/shard.h"
 
 namespace rasterproof::tool {
 
@@ -75,11 +80,29 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress);
 /// goes to the certificate too.
 void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate);
 
+/// Where results of properties come from: every case is run, or those of a shard or a range, or
+/// parts that were run elsewhere are put together.
+struct Source {
+  std::optional<Shard> shard;
+  std::optional<CaseRange> range;
+  std::span<const SubjectPart> parts;
+
+  bool IsAPart() const { return shard || range; }
+};
+
+/// A property, and the world whose cases it takes; none: drawn ones.
+struct Test {
+  const props::Property* property = nullptr;
+  const props::World* world = nullptr;
+};
+
 /// One subject's certificate, in parts: every property, those of each world, then every scene.
 class Certification {
  public:
-  /// Domain:     subject, options and scenes that outlive this; worlds that there are.
-  Certification(const AskedSubject& subject, const CertifyOptions& options, MeasuredScenes& scenes);
+  /// Domain:     subject, options, scenes and source that outlive this; worlds that there are;
+  ///             parts of these properties and worlds.
+  Certification(const AskedSubject& subject, const CertifyOptions& options, MeasuredScenes& scenes,
+                const Source& source);
 
   std::size_t size() const { return parts_.size(); }
   bool TakesLong(std::size_t part) const;
@@ -93,31 +116,42 @@ class Certification {
   ///
   /// Domain:     nobody works on it.
   report::Certificate Result() const;
+  /// What came of the source's cases.
+  ///
+  /// Domain:     every part is done.
+  SubjectPart ToPart() const;
 
  private:
   struct Part {
     report::Certificate found;  ///< only what this part found
+    props::CampaignPart run;    ///< of a property whose cases were run here
     exact::TierCounts tiers;
     bool is_begun = false;
     bool is_done = false;
   };
 
-  // A property, and the world whose cases it takes; none: drawn ones.
-  struct Test {
-    const props::Property* property = nullptr;
-    const props::World* world = nullptr;
-  };
-
-  void RunTest(Subject& subject, const Test& test, report::Certificate& certificate);
+  props::CampaignPart RunTest(Subject& subject, const Test& test);
+  void DoTest(Subject& subject, std::size_t test, Part& mine);
 
   const AskedSubject& subject_;
   SubjectInfo info_;
   const CertifyOptions& options_;
   MeasuredScenes& scenes_;
+  const Source& source_;
   std::vector<Test> tests_;
   props::Pace pace_;
   std::vector<Part> parts_;
 };
+
+/// What this program and the options say of every part of a campaign on the subject: all but cases
+/// and results; of tests only which they are. Of a library also which bytes it is.
+SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>& worlds);
+
+/// Certificates, files and page of the subjects, as `certify` leaves them: what is run, or what the
+/// source's parts have.
+///
+/// Returns:    the exit status.
+int Certify(const CertifyOptions& options, const Source& source);
 
 /// Why the counts of the scene's samples are not stated by the profile; empty if they are.
 std::string WhyNotStated(const Scene& scene, const Profile& profile);

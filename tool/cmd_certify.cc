@@ -8,12 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "core/authority.h"
 #include "core/error.h"
 #include "core/subject_info.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "props/domains/worlds.h"
+#include "props/run/campaign_part.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/page.h"
@@ -26,8 +28,10 @@
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
+#include "tool/part_file.h"
 #include "tool/progress.h"
 #include "tool/session.h"
+#include "tool/shard.h"
 #include "tool/shell.h"
 #include "tool/workers.h"
 
@@ -40,28 +44,23 @@ struct Task {
   std::size_t part;
 };
 
-// Certifies the subjects, in parts that the workers share; the order of the result is that of the
-// subjects. Those that an interrupt kept from being begun are left out; so is the one that met
-// `failure`, and those behind it.
-std::vector<report::Certificate> CertifyAll(const std::vector<AskedSubject>& subjects,
-                                            const CertifyOptions& options, MeasuredScenes& scenes,
-                                            Progress& progress, std::exception_ptr& failure) {
-  std::deque<Certification> all;
+// Does the parts of all certifications, shared among the workers. What it throws goes to `failure`.
+void DoAll(const std::vector<AskedSubject>& subjects, std::deque<Certification>& all, int jobs,
+           Progress& progress, std::exception_ptr& failure) {
   std::vector<Task> tasks;
   std::vector<std::size_t> order;
-  for (std::size_t s = 0; s < subjects.size(); ++s) {
-    const Certification& one = all.emplace_back(subjects[s], options, scenes);
-    const auto takes_long = [&](std::size_t part) { return one.TakesLong(part); };
-    for (const std::size_t part : OrderOfWork(options.jobs, one.size(), takes_long)) {
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const auto takes_long = [&](std::size_t part) { return all[s].TakesLong(part); };
+    for (const std::size_t part : OrderOfWork(jobs, all[s].size(), takes_long)) {
       order.push_back(tasks.size() + part);
     }
-    for (std::size_t part = 0; part < one.size(); ++part) tasks.push_back({s, part});
+    for (std::size_t part = 0; part < all[s].size(); ++part) tasks.push_back({s, part});
   }
-  Crew crew(options.jobs, [&](std::size_t s) { return subjects[s].Make(); });
+  Crew crew(jobs, [&](std::size_t s) { return subjects[s].Make(); });
   std::atomic<std::size_t> done = 0;
   progress.Stage("certifying: properties and scenes", tasks.size());
   try {
-    ShareWork(options.jobs, order, [&](std::size_t worker, std::size_t k) {
+    ShareWork(jobs, order, [&](std::size_t worker, std::size_t k) {
       const auto [subject, part] = tasks[k];
       try {
         if (!Interrupted()) all[subject].Do(part, crew.Of(worker, subject));
@@ -73,6 +72,17 @@ std::vector<report::Certificate> CertifyAll(const std::vector<AskedSubject>& sub
   } catch (...) {  // thrown again once what is known is written
     failure = std::current_exception();
   }
+}
+
+// Certifies the subjects; the order of the result is theirs. Those that an interrupt kept from
+// being begun are left out; so is the one that met `failure`, and those behind it.
+std::vector<report::Certificate> CertifyAll(const std::vector<AskedSubject>& subjects,
+                                            const CertifyOptions& options, const Source& source,
+                                            MeasuredScenes& scenes, Progress& progress,
+                                            std::exception_ptr& failure) {
+  std::deque<Certification> all;
+  for (const AskedSubject& subject : subjects) all.emplace_back(subject, options, scenes, source);
+  DoAll(subjects, all, options.jobs, progress, failure);
   std::vector<report::Certificate> certificates;
   for (const Certification& one : all) {
     if (failure && !one.IsDone()) break;
@@ -105,6 +115,7 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
   const std::string folder = output + "/" + certificate.folder;
   io::MakeFolder(folder);
   io::WriteFile(folder + "/certificate.json", report::CertificateToJson(certificate));
+  io::WriteFile(folder + "/certificate-times.json", report::TimesToJson(certificate));
   io::WriteFile(folder + "/junit.xml", report::JUnitXml(certificate));
   for (const PropertyResult& result : certificate.tested) {
     if (!result.counterexample) continue;
@@ -237,12 +248,79 @@ std::string Summary(const std::vector<report::Certificate>& certificates, std::s
   return text;
 }
 
+// "part-2-of-5.json", "part-200-to-400.json"
+std::string PartName(const SubjectPart& part) {
+  if (part.shard) return fmt::format("part-{}-of-{}.json", part.shard->number, part.shard->count);
+  return fmt::format("part-{}-to-{}.json", part.range.first, part.range.end);
+}
+
+std::string WritePart(const std::string& output, const SubjectPart& part) {
+  const std::string folder = output + "/" + FileNameOf(part.subject);
+  io::MakeFolder(folder);
+  const std::string path = folder + "/" + PartName(part);
+  io::WriteFile(path, PartToJson(part));
+  const auto ended = std::ranges::count_if(part.tests, [](const TestPart& test) {
+    return test.run.end == props::End::kFailed || test.run.end == props::End::kInconclusive;
+  });
+  return report::CleanText(fmt::format(
+             "{}: cases {}..{} of each property, {} of {} ended early: {}", part.subject,
+             part.range.first, part.range.end, ended, part.tests.size(), path)) +
+         "\n";
+}
+
+// Whatever the cases show, the status says whether the parts were written: the verdict is merge's.
+int RunParts(const CertifyOptions& options, const Source& source) {
+  const std::vector<AskedSubject> subjects = SubjectsOf(options);
+  MeasuredScenes none;
+  std::deque<Certification> all;
+  for (const AskedSubject& subject : subjects) all.emplace_back(subject, options, none, source);
+  std::exception_ptr failure;
+  {
+    Progress progress;
+    DoAll(subjects, all, options.jobs, progress, failure);
+  }
+  if (failure) std::rethrow_exception(failure);
+  if (Interrupted()) {
+    io::WriteStandardOutput("interrupted: no part is written; run it again\n");
+    return kExitInconclusive;
+  }
+  std::string text;
+  for (const Certification& one : all) text += WritePart(options.output, one.ToPart());
+  io::WriteStandardOutput(text);
+  return kExitHolds;
+}
+
+void RequireForAPart(const CertifyOptions& options) {
+  const std::string place = options.range ? "--cases A..B" : "--shard";
+  const auto refuse = [&](const std::string& option, const std::string& remedy) {
+    throw InputError(place, "a part of a campaign takes no " + option, remedy);
+  };
+  if (options.campaign.seconds > 0) refuse("--seconds", "say how many cases, not how long");
+  if (!options.scene_set.empty()) refuse("--scenes", "give it to merge, which measures the scenes");
+  if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to merge");
+  if (options.range && !options.shard.empty()) {
+    refuse("--shard beside it", "give --cases N with --shard, or --cases A..B alone");
+  }
+  if (options.range && !options.worlds.empty()) {
+    refuse("--exhaustive", "cut the campaign with --shard, which cuts worlds too");
+  }
+}
+
 }  // namespace
 
 int RunCertify(const CertifyOptions& options) {
   RequireHonestEnvironment();
-  const std::vector<AskedSubject> subjects = SubjectsOf(options);
   RequireWorlds(options.worlds);
+  Source source;
+  source.range = options.range;
+  if (!options.shard.empty()) source.shard = ParseShard(options.shard, EnvironmentVariables());
+  if (!source.IsAPart()) return Certify(options, source);
+  RequireForAPart(options);
+  return RunParts(options, source);
+}
+
+int Certify(const CertifyOptions& options, const Source& source) {
+  const std::vector<AskedSubject> subjects = SubjectsOf(options);
   io::MakeFolder(options.output);
   report::Page page;
   std::exception_ptr failure;
@@ -251,7 +329,7 @@ int RunCertify(const CertifyOptions& options) {
     MeasuredScenes scenes = LoadSceneSet(options.scene_set, progress);
     page.title = "rasterproof " RASTERPROOF_VERSION;
     page.is_survey = options.all;
-    page.certificates = CertifyAll(subjects, options, scenes, progress, failure);
+    page.certificates = CertifyAll(subjects, options, source, scenes, progress, failure);
     // What is known is written before anything else can go wrong.
     for (report::Certificate& certificate : page.certificates) {
       NameFiles(options.output, certificate);

@@ -1,7 +1,10 @@
 // rasterproof plan: what a scene needs, and what can be left out.
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
+#include "bench/thread_seconds.h"
 #include "core/coverage.h"
 #include "core/error.h"
 #include "exact/coverage.h"
@@ -14,6 +17,72 @@
 #include "tool/session.h"
 
 namespace rasterproof::tool {
+namespace {
+
+constexpr int kRepetitions = 15;
+
+struct Timed {
+  std::string name;
+  reference::PlanDraw draw;
+  std::vector<double> nanoseconds;  // of one draw
+
+  double Median() const {
+    std::vector<double> sorted = nanoseconds;
+    std::ranges::sort(sorted);
+    return sorted[sorted.size() / 2];
+  }
+};
+
+// Draws until two milliseconds of this thread's time have gone by; the time of one draw.
+double TimeOne(const reference::PlanDraw draw, const Scene& scene, const Profile& profile,
+               CoverageCounts& counts) {
+  constexpr double kEnough = 2e-3;
+  const double begun = bench::ThreadSeconds();
+  double spent = 0;
+  int draws = 0;
+  for (; spent < kEnough; ++draws) {
+    draw(scene, profile, {}, counts);
+    spent = bench::ThreadSeconds() - begun;
+  }
+  return spent / draws * 1e9;
+}
+
+// What each variant of the plan costs: interleaved, medians; the counts of each must be the plan's.
+std::string Measured(const reference::Plan& plan, const Scene& scene, const Profile& profile,
+                     int& status) {
+  const int samples = profile.pattern.samples();
+  std::vector<Timed> rows{{"planned", plan.draw, {}}};
+  for (const reference::PlanVariant& variant : plan.variants) {
+    rows.push_back({variant.kept + " kept", variant.draw, {}});
+  }
+  CoverageCounts planned(scene.width, scene.height, samples);
+  plan.draw(scene, profile, {}, planned);
+  std::string text;
+  for (Timed& row : rows) {
+    CoverageCounts counts(scene.width, scene.height, samples);
+    row.draw(scene, profile, {}, counts);
+    if (counts == planned) continue;
+    text += fmt::format("with {} other samples are covered: the plan is wrong\n", row.name);
+    status = kExitViolated;
+  }
+  CoverageCounts sink(scene.width, scene.height, samples);
+  for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+    for (Timed& row : rows) {
+      row.nanoseconds.push_back(TimeOne(row.draw, scene, profile, sink));
+    }
+  }
+  const double least = rows.front().Median();
+  const auto triangles = static_cast<double>(std::max<std::size_t>(1, scene.triangles.size()));
+  text += fmt::format("measured    medians of {}, one thread; every variant covers the same\n",
+                      kRepetitions);
+  for (const Timed& row : rows) {
+    text += fmt::format("  {:<28} {:>10.1f} ns per triangle {:>8.2f}\n", row.name,
+                        row.Median() / triangles, row.Median() / least);
+  }
+  return text;
+}
+
+}  // namespace
 
 int RunPlan(const PlanOptions& options) {
   RequireHonestEnvironment();
@@ -42,6 +111,7 @@ int RunPlan(const PlanOptions& options) {
                         difference.samples);
     if (difference.wrong != 0) status = kExitViolated;
   }
+  if (options.measure) text += Measured(plan, scene, profile, status);
   io::WriteStandardOutput(text);
   return status;
 }

@@ -22,6 +22,7 @@
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
+#include "tool/shard.h"
 #include "tool/shell.h"
 #include "tool/typed_number.h"
 #include "tool/verb_options.h"
@@ -42,17 +43,25 @@ void AddSubjects(CLI::App* app, std::vector<std::string>& subjects) {
   });
 }
 
-void AddCampaign(CLI::App* app, CampaignChoice& campaign, const std::string& of = "property") {
+void AddSeed(CLI::App* app, CampaignChoice& campaign) {
   app->add_option_function<std::string>(
          "--seed", [&](const std::string& text) { campaign.seed = ParseSeed(text); },
          "Seed of the generators, or 'random' (the one taken is printed)")
       ->default_str("1");
-  app->add_option("--cases", campaign.cases, "Cases a " + of)
-      ->check(Positive())
-      ->capture_default_str();
+}
+
+void AddSeconds(CLI::App* app, CampaignChoice& campaign, const std::string& of) {
   app->add_option("--seconds", campaign.seconds, "Most seconds a " + of + " (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+}
+
+void AddCampaign(CLI::App* app, CampaignChoice& campaign, const std::string& of = "property") {
+  AddSeed(app, campaign);
+  app->add_option("--cases", campaign.cases, "Cases a " + of)
+      ->check(Positive())
+      ->capture_default_str();
+  AddSeconds(app, campaign, of);
 }
 
 void AddCount(CLI::App* app, const std::string& option, const std::string& help, int most,
@@ -148,11 +157,10 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
       [&run] { run = [] { return UntilInterrupted([] { return RunCheck(options); }); }; });
 }
 
-void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::string& own) {
+void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   static CertifyOptions options;
   options.subjects = {own};
   options.campaign.cases = 100;
-  options.command = command;
   CLI::App* verb = app.add_subcommand("certify", "Certificate, JUnit file and report page");
   AddSubjects(verb, options.subjects);
   verb->add_flag(
@@ -161,7 +169,15 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
-  AddCampaign(verb, options.campaign);
+  AddSeed(verb, options.campaign);
+  verb->add_option_function<std::string>(
+          "--cases", [](const std::string& text) { ParseCases(text, options); },
+          "Cases a property; A..B: those alone, A to B - 1, as a part for merge")
+      ->default_str("100");
+  AddSeconds(verb, options.campaign, "property");
+  verb->add_option("--shard", options.shard,
+                   "This shard alone, as a part for merge: I/N, or auto: as the variables of "
+                   "GoogleTest, a Slurm array or Open MPI say");
   verb->add_option("--exhaustive", options.worlds,
                    "Small world, every case of which is run as well ('list worlds' names them)")
       ->allow_extra_args(false);
@@ -169,6 +185,22 @@ void AddCertify(CLI::App& app, Run& run, const std::string& command, const std::
   AddFailOn(verb, options.fail_on);
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });
+}
+
+void AddMerge(CLI::App& app, Run& run) {
+  static MergeOptions options;
+  CLI::App* verb =
+      app.add_subcommand("merge", "The certificate of a campaign that was run in parts");
+  verb->add_option("parts", options.parts, "Files that certify --shard or --cases A..B wrote")
+      ->required();
+  AddSubject(verb, options.subject, "Subject (default: the one the parts name)");
+  verb->add_option("--scenes", options.scene_set, "Scene set to measure")
+      ->default_str("scenes/certify.json beside the command");
+  verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
+  AddJobs(verb, options.jobs, "Scenes");
+  AddFailOn(verb, options.fail_on);
+  verb->callback(
+      [&run] { run = [] { return UntilInterrupted([] { return RunMerge(options); }); }; });
 }
 
 void AddInfer(CLI::App& app, Run& run, const std::string& own) {
@@ -273,7 +305,21 @@ void AddBench(CLI::App& app, Run& run) {
       "Seed of the scenes");
   verb->add_option("--json", options.json, "Result as JSON");
   verb->add_option("--plot", options.plot, "Vega-Lite specification of the plot");
-  verb->callback([&run] { run = [] { return RunBench(options); }; });
+  CLI::Option* kernels = verb->add_flag("--kernels", options.kernels,
+                                        "Time the fast kernels instead: nanoseconds a triangle");
+  const auto add = [&](const std::string& name, std::vector<std::string>& to,
+                       const std::string& help) {
+    verb->add_option(name, to, help)->needs(kernels);
+  };
+  add("--scene", options.scenes, "Scene by name, scene file or mesh (default: all by name)");
+  add("--target", options.targets, "scalar, sse4, avx2, avx512 (default: the best one here)");
+  add("--sink", options.sinks, "count8, facing, mask, id, depth (default: all)");
+  add("--method", options.methods, "Kernel (default: all)");
+  verb->add_option("--width", options.width, "Of the target")->check(Positive())->needs(kernels);
+  verb->add_option("--height", options.height, "Of the target")->check(Positive())->needs(kernels);
+  verb->callback([&run] {
+    run = [] { return options.kernels ? RunBenchKernels(options) : RunBench(options); };
+  });
 }
 
 void AddDecode(CLI::App& app, Run& run) {
@@ -361,7 +407,8 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddReplay(app, run, typed);
   AddInfer(app, run, own);
   AddSurvey(app, run, own);
-  AddCertify(app, run, typed, own);
+  AddCertify(app, run, own);
+  AddMerge(app, run);
   AddList(app, run);
   AddSceneVerbs(app, run);
   AddBench(app, run);

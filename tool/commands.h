@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -108,18 +109,39 @@ struct CheckOptions {
 };
 int RunCheck(const CheckOptions& options);
 
+/// Cases `first` to `end` - 1 of a campaign.
+struct CaseRange {
+  std::uint64_t first = 0;
+  std::uint64_t end = 0;
+
+  friend bool operator==(const CaseRange&, const CaseRange&) = default;
+};
+
 struct CertifyOptions {
   std::vector<std::string> subjects;
   bool all = false;
   std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
   std::string output = "out";
   CampaignChoice campaign;
+  /// Only these cases, as a part. `campaign.cases` plays no role.
+  std::optional<CaseRange> range;
+  std::string shard;                ///< only this shard, as a part: "2/5" or "auto"; empty: all
   std::vector<std::string> worlds;  ///< small worlds, every case of which is run
-  std::string command;              ///< the command line, for the record
   int jobs = 1;                     ///< properties or scenes at once
   FailOn fail_on = FailOn::kStated;
 };
 int RunCertify(const CertifyOptions& options);
+
+/// Parts of one subject's campaign, put together.
+struct MergeOptions {
+  std::vector<std::string> parts;  ///< files
+  std::string subject;             ///< empty: the one that the parts name
+  std::string scene_set;
+  std::string output = "out";
+  int jobs = 1;  ///< scenes at once
+  FailOn fail_on = FailOn::kStated;
+};
+int RunMerge(const MergeOptions& options);
 
 struct InferOptions {
   std::string subject = "spans-exact";
@@ -190,6 +212,7 @@ struct PlanOptions {
   bool depth = false;
   bool wireframe = false;
   bool verify = false;
+  bool measure = false;
 };
 int RunPlan(const PlanOptions& options);
 
@@ -199,8 +222,17 @@ struct BenchOptions {
   std::string plot;  ///< Vega-Lite specification
   int repetitions = 7;
   std::uint64_t seed = 1;
+  bool kernels = false;
+  // With --kernels only. Empty: all; of the targets the best.
+  std::vector<std::string> scenes;  ///< names or files
+  std::vector<std::string> targets;
+  std::vector<std::string> sinks;
+  std::vector<std::string> methods;
+  int width = 1920;
+  int height = 1080;
 };
 int RunBench(const BenchOptions& options);
+int RunBenchKernels(const BenchOptions& options);
 
 struct DecodeOptions {
   std::string input;

@@ -134,10 +134,12 @@ void AddPlan(CLI::App& app, Run& run) {
       app.add_subcommand("plan", "The cheapest exact arithmetic for a scene, and what is left out");
   AddScene(verb, options.scene);
   verb->add_option("--profile", options.profile, "Preset or profile file")->capture_default_str();
-  verb->add_flag("--barycentrics", options.barycentrics, "Barycentric barycentrics are needed");
+  verb->add_flag("--barycentrics", options.barycentrics, "Barycentrics are needed");
   verb->add_flag("--depth", options.depth, "Depth is needed");
   verb->add_flag("--wireframe", options.wireframe, "Edge distances are needed");
   verb->add_flag("--verify", options.verify, "Draw by the plan and compare with the oracle");
+  verb->add_flag("--measure", options.measure,
+                 "Time what each left-out stage saves on this scene, and the whole pipeline");
   verb->callback([&run] { run = [] { return RunPlan(options); }; });
 }
 

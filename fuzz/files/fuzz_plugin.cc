@@ -4,7 +4,9 @@
 //     fuzz_plugin --subject NAME ...
 //
 // --subject: one of this program's own, a planted bug among them. Without --property: the
-// properties of the contract that the subject states.
+// properties of the contract that the subject states. --profile: what a
+// plugin is judged by, not by what it states. --raw: the bytes are the bits of the coordinates of
+// one or two triangles (fuzz::FloatsOf); to see what the code is worth.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -30,11 +32,14 @@ using rasterproof::SubjectInfo;
 using rasterproof::fuzz::Bound;
 
 std::optional<Bound> bound;
+std::optional<SubjectInfo> raw;
 
 struct Asked {
   std::string plugin;
+  std::string profile;
   std::string subject;
   std::vector<std::string> properties;
+  bool raw = false;
 };
 
 [[noreturn]] void Refuse(const std::string& why) {
@@ -54,10 +59,14 @@ Asked TakeOptions(int* argc, char*** argv) {
     };
     if (word == "--plugin") {
       asked.plugin = value();
+    } else if (word == "--profile") {
+      asked.profile = value();
     } else if (word == "--subject") {
       asked.subject = value();
     } else if (word == "--property") {
       asked.properties.push_back(value());
+    } else if (word == "--raw") {
+      asked.raw = true;
     } else {
       (*argv)[kept++] = (*argv)[k];
     }
@@ -73,7 +82,8 @@ std::unique_ptr<rasterproof::Subject> Loaded(const Asked& asked) {
   if (!asked.subject.empty()) return rasterproof::fuzz::SubjectNamed(asked.subject);
   auto [subject, profile] = rasterproof::subjects::LoadPlugin(asked.plugin);
   SubjectInfo judged_as = subject->Info();
-  judged_as.profile = rasterproof::io::ParseProfile(profile, asked.plugin);
+  judged_as.profile = asked.profile.empty() ? rasterproof::io::ParseProfile(profile, asked.plugin)
+                                            : rasterproof::io::ReadProfile(asked.profile);
   subject->JudgeAs(judged_as);
   return std::move(subject);
 }
@@ -84,6 +94,7 @@ void Bind(const Asked& asked) {
   if (names.empty()) names = rasterproof::fuzz::ContractPropertiesOf(*subject);
   if (names.empty()) Refuse("the subject states no contract; name a --property");
   for (const std::string_view name : names) rasterproof::fuzz::RequireApplies(*subject, name);
+  if (asked.raw) raw = subject->Info();
   bound.emplace(std::move(subject), names);
 }
 
@@ -99,5 +110,6 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return bound->PutToTheTest(std::span(data, size));
+  const std::span bytes(data, size);
+  return bound->PutToTheTest(raw ? rasterproof::fuzz::FloatsOf(bytes, *raw) : bytes);
 }

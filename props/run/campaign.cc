@@ -15,6 +15,7 @@
 #include "props/domains/worlds.h"
 #include "props/judging/gate.h"
 #include "props/run/budget.h"
+#include "props/run/campaign_part.h"
 #include "props/run/counterexample.h"
 #include "props/run/judged_case.h"
 #include "props/run/look_ahead.h"
@@ -55,35 +56,43 @@ class Campaign {
         budget_(subject, options),
         tally_(subject, property, options.seed, options.world) {}
 
-  PropertyResult Run() {
+  CampaignPart Run() {
     const auto start = budget_.Now();
-    PropertyResult result = RunBlocks();
-    result.seconds = budget_.Since(start);
-    return result;
+    CampaignPart part = RunBlocks();
+    part.sums = tally_.sums();
+    part.seconds = budget_.Since(start);
+    return part;
   }
 
  private:
-  PropertyResult RunBlocks() {
+  static CampaignPart Ended(End end, std::string why = {}) {
+    CampaignPart part;
+    part.end = end;
+    part.why = std::move(why);
+    return part;
+  }
+
+  CampaignPart RunBlocks() {
     if (const auto why = DoesNotApply(property_.gate, AsJudged(DescriptionOf(subject_)))) {
-      return tally_.NotApplicable(*why);
+      return Ended(End::kNotApplicable, *why);
     }
     if (options_.world != nullptr) {
       const std::string why = WhyNotGiven(*options_.world, subject_.Info());
-      if (!why.empty()) return tally_.NotApplicable(why);
+      if (!why.empty()) return Ended(End::kNotApplicable, why);
     } else if (tally_.domains().empty()) {
-      return tally_.Concluded();
+      return Ended(End::kAllRun);
     }
     for (std::uint64_t done = 0; done < options_.cases;) {
       const Block block = DrawBlock(done);
       done += block.cases.size();
       const std::size_t together = GoOneByOne() ? 1 : block.cases.size();
       for (std::size_t first = 0; first < block.cases.size(); first += together) {
-        if (budget_.IsStopped()) return tally_.Interrupted();
-        if (budget_.IsUp()) return tally_.Concluded();
+        if (budget_.IsStopped()) return Ended(End::kInterrupted);
+        if (budget_.IsUp()) return Ended(End::kTimeUp);
         if (auto end = RunTogether(block, first, together)) return *std::move(end);
       }
     }
-    return tally_.Concluded();
+    return Ended(End::kAllRun);
   }
 
   // A slow subject may be stopped behind any case, a small one first.
@@ -117,9 +126,9 @@ class Campaign {
     return block;
   }
 
-  // The result of the run if it ends with these cases.
-  std::optional<PropertyResult> RunTogether(const Block& block, std::size_t first,
-                                            std::size_t count) {
+  // How the run ends if it does with these cases.
+  std::optional<CampaignPart> RunTogether(const Block& block, std::size_t first,
+                                          std::size_t count) {
     const std::span<const Case> cases(block.cases.data() + first, count);
     const auto began = budget_.Now();
     if (pace_.hangs && options_.time_limit > 0) budget_.GiveSubject(options_.time_limit);
@@ -130,9 +139,9 @@ class Campaign {
       const Trial& trial = trials[k];
       const bool no_answer = trial.verdict.outcome == Outcome::kInconclusive;
       // What breaks down as the run is stopped may have been stopped with it.
-      if ((no_answer || trial.broke_down) && budget_.IsStopped()) return tally_.Interrupted();
+      if ((no_answer || trial.broke_down) && budget_.IsStopped()) return Ended(End::kInterrupted);
       // The case does not count: it is the run's time that was up, not the subject's.
-      if (trial.met_a_deadline && budget_.IsUp()) return tally_.Concluded();
+      if (trial.met_a_deadline && budget_.IsUp()) return Ended(End::kTimeUp);
       const std::uint64_t index = block.indices[first + k];
       tally_.AddCase(index, cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
@@ -143,7 +152,7 @@ class Campaign {
         options_.progress(tally_.cases());
       }
     }
-    if (trials.size() < cases.size()) return tally_.Interrupted();
+    if (trials.size() < cases.size()) return Ended(End::kInterrupted);
     return std::nullopt;
   }
 
@@ -152,19 +161,21 @@ class Campaign {
     return TryTogether(subject_, property_, cases, options_.stop);
   }
 
-  PropertyResult TooSlow(const Case& c, const Verdict& verdict) {
+  CampaignPart TooSlow(const Case& c, const Verdict& verdict) {
     if (is_outside_) pace_.is_slow = true;
     const std::string why =
         pace_.hangs ? "no answer within one time limit, which is all that a case gets since "
                       "another property saw the subject hang"
                     : verdict.message;
-    return tally_.Inconclusive(c.origin + ": " + why);
+    return Ended(End::kInconclusive, c.origin + ": " + why);
   }
 
-  PropertyResult Failed(const Failure& failure) {
+  CampaignPart Failed(const Failure& failure) {
     if (failure.trial.hung) pace_.hangs = true;
-    return tally_.Failed(Investigate(subject_, property_, failure, options_, budget_),
-                         failure.company[failure.at].origin);
+    CampaignPart part = Ended(End::kFailed);
+    part.found = Investigate(subject_, property_, failure, options_, budget_);
+    part.failing_case = failure.company[failure.at].origin;
+    return part;
   }
 
   Subject& subject_;
@@ -195,6 +206,11 @@ Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
 
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options) {
+  const CampaignPart part = RunPart(subject, property, options);
+  return ResultOf(subject, property, options.seed, options.world, {&part, 1});
+}
+
+CampaignPart RunPart(Subject& subject, const Property& property, const CampaignOptions& options) {
   return Campaign(subject, property, options).Run();
 }
 

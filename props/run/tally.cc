@@ -27,65 +27,94 @@ void AddSentence(std::string& message, const std::string& sentence) {
 
 }  // namespace
 
+void Add(Sums& sums, const Sums& behind) {
+  sums.cases += behind.cases;
+  sums.cases_exercised += behind.cases_exercised;
+  sums.exercised += behind.exercised;
+  sums.cases_refused += behind.cases_refused;
+  sums.not_judged += behind.not_judged;
+  sums.worst_ratio = std::max(sums.worst_ratio, behind.worst_ratio);
+  sums.drawn.resize(std::max(sums.drawn.size(), behind.drawn.size()));
+  sums.near_edge.resize(sums.drawn.size());
+  for (std::size_t d = 0; d < behind.drawn.size(); ++d) {
+    sums.drawn[d] += behind.drawn[d];
+    Add(sums.near_edge[d], behind.near_edge[d]);
+  }
+  sums.not_applicable += behind.not_applicable;
+  if (sums.why_not.empty()) sums.why_not = behind.why_not;
+  if (sums.refused_within_limits == 0) sums.why_refused = behind.why_refused;
+  sums.refused_within_limits += behind.refused_within_limits;
+}
+
 Tally::Tally(const Subject& subject, const Property& property, std::uint64_t seed,
              const World* world)
     : domains_(world == nullptr ? DomainsFor(subject.Info(), property)
-                                : std::vector<const Domain*>{}),
-      drawn_(domains_.size()),
-      near_edge_(domains_.size()) {
-  result_.property = property.name;
-  result_.subject = subject.Info().name;
-  result_.clause = property.clause;
-  TellGrounds(AuthorityOf(property, subject.Info().profile), result_);
-  result_.tolerance = property.tolerance;
-  result_.seed = seed;
+                                : std::vector<const Domain*>{}) {
+  sums_.drawn.resize(domains_.size());
+  sums_.near_edge.resize(domains_.size());
+  words_.property = property.name;
+  words_.subject = subject.Info().name;
+  words_.clause = property.clause;
+  TellGrounds(AuthorityOf(property, subject.Info().profile), words_);
+  words_.tolerance = property.tolerance;
+  words_.seed = seed;
   if (world == nullptr) {
     left_out_ = LeftOutDomains(subject.Info(), property);
   } else {
-    result_.world = world->name;
-    result_.world_cases = world->cases;
+    words_.world = world->name;
+    words_.world_cases = world->cases;
   }
 }
 
 void Tally::CountNearEdgesOf(const Case& c, std::size_t domain) {
-  const NearEdgeCounts counts = CountNearEdges(SeenCase(c));
-  ++drawn_[domain];
-  Add(near_edge_[domain], counts);
-  Add(result_.near_edge, counts);
+  ++sums_.drawn[domain];
+  Add(sums_.near_edge[domain], CountNearEdges(SeenCase(c)));
 }
 
 void Tally::AddCase(std::uint64_t number, const Case& c, const Verdict& verdict) {
-  ++result_.cases;
-  result_.exercised += verdict.exercised;
-  if (verdict.exercised != 0) ++result_.cases_exercised;
-  result_.worst_ratio = std::max(result_.worst_ratio, verdict.worst_ratio);
+  ++sums_.cases;
+  sums_.exercised += verdict.exercised;
+  if (verdict.exercised != 0) ++sums_.cases_exercised;
+  sums_.worst_ratio = std::max(sums_.worst_ratio, verdict.worst_ratio);
   if (!domains_.empty()) CountNearEdgesOf(c, number % domains_.size());
-  result_.not_judged += verdict.not_judged;
+  sums_.not_judged += verdict.not_judged;
   if (verdict.outcome == Outcome::kRefused) {
-    ++result_.cases_refused;
-    if (WithinLimits(c.scene, c.profile) && refused_within_limits_++ == 0) {
-      why_refused_ = verdict.message;
+    ++sums_.cases_refused;
+    if (WithinLimits(c.scene, c.profile) && sums_.refused_within_limits++ == 0) {
+      sums_.why_refused = verdict.message;
     }
   }
   if (verdict.outcome != Outcome::kNotApplicable) return;
-  ++not_applicable_;
-  if (why_not_.empty()) why_not_ = verdict.message;
+  ++sums_.not_applicable;
+  if (sums_.why_not.empty()) sums_.why_not = verdict.message;
+}
+
+PropertyResult Tally::Counted() const {
+  PropertyResult result = words_;
+  result.cases = sums_.cases;
+  result.cases_exercised = sums_.cases_exercised;
+  result.exercised = sums_.exercised;
+  result.cases_refused = sums_.cases_refused;
+  result.not_judged = sums_.not_judged;
+  result.worst_ratio = sums_.worst_ratio;
+  for (const NearEdgeCounts& counts : sums_.near_edge) Add(result.near_edge, counts);
+  return result;
 }
 
 PropertyResult Tally::Concluded() const {
-  PropertyResult result = result_;
-  if (not_applicable_ == result.cases && (result.cases != 0 || domains_.empty())) {
+  PropertyResult result = Counted();
+  if (sums_.not_applicable == result.cases && (result.cases != 0 || domains_.empty())) {
     result.outcome = Outcome::kNotApplicable;
-    result.message = why_not_;
+    result.message = sums_.why_not;
     AddSentence(result.message, left_out_);
     return result;
   }
-  const auto refused = static_cast<double>(refused_within_limits_);
-  const auto asked = static_cast<double>(refused_within_limits_ + result.cases_exercised);
+  const auto refused = static_cast<double>(sums_.refused_within_limits);
+  const auto asked = static_cast<double>(sums_.refused_within_limits + result.cases_exercised);
   if (refused > kMostRefusedShare * asked) {
     result.outcome = Outcome::kInconclusive;
     AddSentence(result.message, "the subject refuses too much: " + SoFar() +
-                                    "; the first refusal: " + why_refused_);
+                                    "; the first refusal: " + sums_.why_refused);
     AddSentence(result.message, left_out_);
     return result;
   }
@@ -102,14 +131,14 @@ PropertyResult Tally::Concluded() const {
 }
 
 PropertyResult Tally::NotApplicable(const std::string& why) const {
-  PropertyResult result = result_;
+  PropertyResult result = Counted();
   result.outcome = Outcome::kNotApplicable;
   result.message = why;
   return result;
 }
 
 PropertyResult Tally::Inconclusive(const std::string& why) const {
-  PropertyResult result = result_;
+  PropertyResult result = Counted();
   result.outcome = Outcome::kInconclusive;
   AddSentence(result.message, why);
   AddSentence(result.message, "nothing violated so far, " + SoFar());
@@ -120,7 +149,7 @@ PropertyResult Tally::Inconclusive(const std::string& why) const {
 PropertyResult Tally::Interrupted() const { return Inconclusive("interrupted"); }
 
 PropertyResult Tally::Failed(Counterexample found, std::string failing_case) const {
-  PropertyResult result = result_;
+  PropertyResult result = Counted();
   result.outcome = found.outcome;
   result.failing_case = std::move(failing_case);
   result.counterexample = std::move(found.value);
@@ -132,17 +161,17 @@ PropertyResult Tally::Failed(Counterexample found, std::string failing_case) con
 
 // "exercised in 2 of 120 cases, 118 refused"
 std::string Tally::SoFar() const {
-  std::string text = "exercised in " + std::to_string(result_.cases_exercised) + " of " +
-                     std::to_string(result_.cases) + " cases";
-  if (result_.cases_refused != 0) text += ", " + std::to_string(result_.cases_refused) + " refused";
+  std::string text = "exercised in " + std::to_string(sums_.cases_exercised) + " of " +
+                     std::to_string(sums_.cases) + " cases";
+  if (sums_.cases_refused != 0) text += ", " + std::to_string(sums_.cases_refused) + " refused";
   return text;
 }
 
 std::string Tally::DeadDomains() const {
   std::string dead;
   for (std::size_t d = 0; d < domains_.size(); ++d) {
-    const NearEdgeCounts& counts = near_edge_[d];
-    if (!domains_[d]->near_edge || drawn_[d] < kFewestCasesToJudge) continue;
+    const NearEdgeCounts& counts = sums_.near_edge[d];
+    if (!domains_[d]->near_edge || sums_.drawn[d] < kFewestCasesToJudge) continue;
     if (counts.on_edge + counts.within_256 != 0) continue;
     dead += dead.empty() ? "no sample on or near an edge in near-edge domain " : ", ";
     dead += domains_[d]->name;

@@ -22,6 +22,28 @@ namespace rasterproof::props {
 /// states a limit may refuse what lies beyond it.
 inline constexpr double kMostRefusedShare = 0.5;
 
+/// What cases add up to. Of two runs of cases that follow each other, Add gives what one run over
+/// all of them would have.
+struct Sums {
+  std::uint64_t cases = 0;
+  std::uint64_t cases_exercised = 0;
+  std::uint64_t exercised = 0;
+  std::uint64_t cases_refused = 0;
+  std::uint64_t not_judged = 0;
+  double worst_ratio = 0;
+  std::vector<std::uint64_t> drawn;       ///< cases of each domain; none of a world
+  std::vector<NearEdgeCounts> near_edge;  ///< of each domain
+  std::uint64_t not_applicable = 0;       ///< cases that the property did not apply to
+  std::string why_not;                    ///< the first reason
+  std::uint64_t refused_within_limits = 0;
+  std::string why_refused;  ///< the first of those refusals
+};
+
+/// Adds the sums of the cases behind.
+///
+/// Domain:     sums over the same domains, or none at all.
+void Add(Sums& sums, const Sums& behind);
+
 /// Counts cases, how often they put the property to the test, and how near to edges they came.
 class Tally {
  public:
@@ -33,11 +55,15 @@ class Tally {
   /// The domains that cases are drawn from. Empty if the subject takes none of the property's, and
   /// for a world.
   const std::vector<const Domain*>& domains() const { return domains_; }
-  std::uint64_t cases() const { return result_.cases; }
+  std::uint64_t cases() const { return sums_.cases; }
+  const Sums& sums() const { return sums_; }
 
   /// Adds case `number` of the run, which is one of domains()[number % domains().size()], or of
   /// the world.
   void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict);
+
+  /// Adds what cases behind those that were added come to.
+  void AddSums(const Sums& behind) { Add(sums_, behind); }
 
   /// The result of a run in which nothing was violated. Not a pass if nothing was exercised, if a
   /// near-edge domain gave nothing near an edge, or if the subject refused too much.
@@ -56,15 +82,12 @@ class Tally {
   std::string SoFar() const;
   std::string DeadDomains() const;
 
-  PropertyResult result_;
+  PropertyResult Counted() const;
+
+  PropertyResult words_;  ///< what is known before any case
   std::string left_out_;  ///< names the domains that are not drawn
   std::vector<const Domain*> domains_;
-  std::vector<std::uint64_t> drawn_;
-  std::vector<NearEdgeCounts> near_edge_;
-  std::uint64_t not_applicable_ = 0;
-  std::string why_not_;
-  std::uint64_t refused_within_limits_ = 0;
-  std::string why_refused_;
+  Sums sums_;
 };
 
 }  // namespace rasterproof::props

@@ -9,6 +9,7 @@
 #include "reference/barycentrics.h"
 #include "reference/proved.h"
 #include "reference/rasterize.h"
+#include "subjects/builtin/kernel_subjects.h"
 
 namespace rasterproof::subjects {
 namespace {
@@ -73,12 +74,13 @@ std::vector<std::string> BuiltinNames() {
     names.emplace_back(method.name);
     if (method.can_be_canonical) names.push_back(names.back() + std::string(kCanonicalSuffix));
   }
+  for (std::string& name : KernelSubjectNames()) names.push_back(std::move(name));
   return names;
 }
 
 std::unique_ptr<Subject> MakeBuiltin(std::string_view name) {
   const NamedMethod found = Find(name);
-  if (found.method == nullptr) return nullptr;
+  if (found.method == nullptr) return MakeKernelSubject(name);
   return std::make_unique<BuiltinSubject>(*found.method, found.canonical);
 }
 

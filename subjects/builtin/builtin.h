@@ -1,4 +1,4 @@
-// The reference's methods as subjects.
+// The reference's rasterizers as subjects.
 #ifndef RASTERPROOF_SUBJECTS_BUILTIN_BUILTIN_H_
 #define RASTERPROOF_SUBJECTS_BUILTIN_BUILTIN_H_
 
@@ -11,7 +11,8 @@
 
 namespace rasterproof::subjects {
 
-/// Names of every built-in subject: each method, and "METHOD:canonical" where the method can be.
+/// Names of every built-in subject: each method, "METHOD:canonical" where the method can be, the
+/// fast kernels and the plan.
 std::vector<std::string> BuiltinNames();
 
 /// Returns the subject of that name, or nullptr.

@@ -134,6 +134,18 @@ DrawOptions RandomOptions(RandomValues& random) {
   return options;
 }
 
+// Whatever is kept that the plan leaves out, the counts are the same.
+void ExpectVariantsAlike(const Plan& plan, const Scene& scene, const Profile& profile,
+                         const DrawOptions& options) {
+  ASSERT_FALSE(plan.variants.empty());
+  const CoverageCounts planned = DrawPlan(plan, scene, profile, options);
+  for (const PlanVariant& variant : plan.variants) {
+    CoverageCounts counts(scene.width, scene.height, profile.pattern.samples());
+    variant.draw(scene, profile, options, counts);
+    EXPECT_EQ(counts, planned) << variant.kept;
+  }
+}
+
 TEST(PlanTest, DrawsWhatTheOracleSaysOnEveryLattice) {
   RandomValues random(31);
   std::map<std::string, int> arithmetic;
@@ -151,6 +163,7 @@ TEST(PlanTest, DrawsWhatTheOracleSaysOnEveryLattice) {
     const Plan plan = MakePlan(scene, profile, options, kCoverageOnly);
     ASSERT_EQ(DrawPlan(plan, scene, profile, options), exact::Coverage(scene, profile, options))
         << "case " << n << ", " << plan.arithmetic;
+    if (n % 4 == 1) ExpectVariantsAlike(plan, scene, profile, options);
     ++arithmetic[plan.arithmetic];
     for (const PlanReason& reason : plan.reasons) {
       EXPECT_FALSE(reason.why.empty());
@@ -164,6 +177,33 @@ TEST(PlanTest, DrawsWhatTheOracleSaysOnEveryLattice) {
   for (const char* stage :
        {"snap", "clip", "cull", "tie rule", "barycentrics", "depth", "wireframe"}) {
     EXPECT_GE(left_out[stage], Cases(48)) << stage;
+  }
+}
+
+TEST(PlanTest, TakesVectorsWhereThereIsEnoughToDraw) {
+  RandomValues random(37);
+  for (int n = 0; n < Cases(120); ++n) {
+    Scene scene = WindowScene(20, 17, {}, {});
+    for (std::int32_t i = 0; i < 3 * (n % 3 == 0 ? 63 : 64); i += 3) {
+      for (int k = 0; k < 3; ++k) {
+        const bool any = random.Integer(0, 30) == 0;
+        const float x = any ? random.AnyFinite<float>() : random.LogUniform<float>(-20, 8);
+        const float y = any ? random.AnyFinite<float>() : random.LogUniform<float>(-20, 8);
+        scene.vertices.push_back({.x = x, .y = y});
+      }
+      scene.triangles.push_back({i, i + 1, i + 2});
+    }
+    if (n % 10 == 9) scene.vertices[7].x = std::nextafter(scene.vertices[7].x, 1e9);  // no float32
+    Profile profile;
+    if (n % 2 == 1) profile.snap = {8, SnapRule::kNearestEven};
+    const DrawOptions options = RandomOptions(random);
+    const Plan plan = MakePlan(scene, profile, options, kCoverageOnly);
+    ASSERT_EQ(DrawPlan(plan, scene, profile, options), exact::Coverage(scene, profile, options))
+        << "case " << n << ", " << plan.arithmetic;
+    ExpectVariantsAlike(plan, scene, profile, options);
+    const std::string& why = Reason(plan, "edge arithmetic").why;
+    const bool vectors = why.find("enough for vectors") != std::string::npos;
+    EXPECT_EQ(vectors, n % 3 != 0 && (n % 10 != 9 || n % 2 == 1)) << n << ": " << why;
   }
 }
 

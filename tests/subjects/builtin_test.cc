@@ -1,4 +1,4 @@
-// The built-in subjects: one per method, and one per method with canonical edges.
+// The built-in subjects: one per method, one per method with canonical edges, kernels, the plan.
 #include "subjects/builtin/builtin.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +45,11 @@ TEST(BuiltinTest, EveryMethodIsASubjectAndTheCanonicalOnesTwice) {
         << name;
     expected += method.can_be_canonical ? 2 : 1;
   }
+  for (const char* const name : {"kernel-incremental", "kernel-tiles", "kernel-fixed-tiles",
+                                 "kernel-scanline", "kernel-exact-unsafe", "planned"}) {
+    EXPECT_EQ(std::ranges::count(names, name), 1) << name;
+    ++expected;
+  }
   EXPECT_EQ(names.size(), expected);
   for (const std::string& name : names) {
     const std::unique_ptr<Subject> subject = MakeBuiltin(name);
@@ -61,10 +66,12 @@ TEST(BuiltinTest, NamesThatAreNoSubjectGiveNone) {
 }
 
 TEST(BuiltinTest, OnlySoundMethodsStateToBeExact) {
-  for (const char* const name : {"spans-exact", "filtered-exact", "i64-snap8", "i32-snap4"}) {
+  for (const char* const name : {"spans-exact", "filtered-exact", "i64-snap8", "i32-snap4",
+                                 "planned", "kernel-fixed-tiles"}) {
     EXPECT_TRUE(MakeBuiltin(name)->Info().states_exact) << name;
   }
-  for (const char* const name : {"textbook", "f32-direct", "f32-direct:canonical", "f64-kahan"}) {
+  for (const char* const name : {"textbook", "f32-direct", "f32-direct:canonical", "f64-kahan",
+                                 "kernel-scanline", "kernel-exact-unsafe"}) {
     EXPECT_FALSE(MakeBuiltin(name)->Info().states_exact) << name;
   }
 }

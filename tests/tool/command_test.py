@@ -434,6 +434,11 @@ class VerdictTest(TemporaryFolder):
         for name in ("ties", "slivers", "mixed_magnitude", "clip_behind"):
             result = run("plan", os.path.join(SOURCES, "scenes", name + ".json"), "--verify")
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        result = run("plan", os.path.join(SOURCES, "scenes", "ties.json"), "--measure")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        rows = result.stdout.decode().split("measured")[1].splitlines()[1:]
+        self.assertRegex(rows[0], r"^  planned +[0-9.]+ ns per triangle +1\.00$")
+        self.assertRegex(rows[-1], r"^  everything kept +[0-9.]+ ns per triangle +[0-9.]+$")
 
 
 if __name__ == "__main__":

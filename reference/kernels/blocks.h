@@ -1,0 +1,178 @@
+// Setting up kBlock triangles at a time: corners, box, facing, plane.
+#ifndef RASTERPROOF_REFERENCE_KERNELS_BLOCKS_H_
+#define RASTERPROOF_REFERENCE_KERNELS_BLOCKS_H_
+
+#include <cstddef>
+#include <cstdint>
+
+#include "reference/kernels/kernel_table.h"
+#include "reference/kernels/vectors.h"
+
+namespace rasterproof::reference::kernels::HWY_NAMESPACE {
+
+/// z = (zc + zy * y) + zx * x at the pixel centre (x, y), each operation rounded to float32.
+struct Plane {
+  float zc, zx, zy;
+};
+
+/// Pixels [x0, x1) x [y0, y1) of the target.
+struct Box {
+  int x0, x1, y0, y1;
+};
+
+/// What every method needs of a block of triangles; bit i and index i are triangle i.
+struct alignas(64) Block {
+  std::int32_t x0[kBlock], x1[kBlock], y0[kBlock], y1[kBlock];
+  float zc[kBlock], zx[kBlock], zy[kBlock];
+  std::uint32_t drawn;
+  std::uint32_t front;
+  std::uint32_t small;  ///< those drawn whose box is at most 8x8
+  int width;            ///< largest of those
+  int height;
+
+  Box BoxOf(int i) const { return {x0[i], x1[i], y0[i], y1[i]}; }
+  Plane PlaneOf(int i) const { return {zc[i], zx[i], zy[i]}; }
+  bool IsFront(int i) const { return ((front >> i) & 1) != 0; }
+  bool IsSmall(int i) const { return ((small >> i) & 1) != 0; }
+};
+
+/// Corners of consecutive triangles, one a lane.
+template <class V>
+struct Corners {
+  V x[3], y[3], z[3];
+};
+
+/// The corners of the triangles whose indices begin at `indices`.
+///
+/// Copied one by one and then loaded: gathering the same takes up to twice as long, since it keeps
+/// fewer cache misses under way.
+template <bool kWithZ, class D>
+HWY_INLINE Corners<hn::Vec<D>> LoadCorners(D d, const float* vertices,
+                                           const std::uint32_t* indices) {
+  constexpr int kN = kLanesOf<D>;
+  alignas(64) float xy[3][2 * kN];
+  alignas(64) float z[3][kN];
+  for (int i = 0; i < kN; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const float* vertex = vertices + std::size_t{3} * indices[3 * i + k];
+      __builtin_memcpy(&xy[k][2 * i], vertex, 2 * sizeof(float));
+      if constexpr (kWithZ) z[k][i] = vertex[2];
+    }
+  }
+  Corners<hn::Vec<D>> corners;
+  for (int k = 0; k < 3; ++k) {
+    hn::LoadInterleaved2(d, xy[k], corners.x[k], corners.y[k]);
+    if constexpr (kWithZ) corners.z[k] = hn::Load(d, z[k]);
+  }
+  return corners;
+}
+
+template <class V>
+HWY_INLINE V Min3(const V (&v)[3]) {
+  return hn::Min(hn::Min(v[0], v[1]), v[2]);
+}
+template <class V>
+HWY_INLINE V Max3(const V (&v)[3]) {
+  return hn::Max(hn::Max(v[0], v[1]), v[2]);
+}
+
+/// The first pixel of [0, size] whose centre is at or beyond v.
+///
+/// Domain:     any v; NaN may give any pixel.
+template <class D>
+HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> FirstCentreFrom(D d, hn::Vec<D> v, int size) {
+  const auto limit = hn::Set(d, static_cast<float>(size));
+  const auto from = hn::Ceil(hn::Sub(v, hn::Set(d, 0.5F)));
+  return hn::ConvertTo(hn::Rebind<std::int32_t, D>(), hn::Min(hn::Max(from, hn::Zero(d)), limit));
+}
+
+/// The first pixel of [0, size] whose centre is beyond v.
+template <class D>
+HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> FirstCentreBeyond(D d, hn::Vec<D> v, int size) {
+  const auto limit = hn::Set(d, static_cast<float>(size));
+  const auto beyond = hn::Add(hn::Floor(hn::Sub(v, hn::Set(d, 0.5F))), hn::Set(d, 1.0F));
+  return hn::ConvertTo(hn::Rebind<std::int32_t, D>(), hn::Min(hn::Max(beyond, hn::Zero(d)), limit));
+}
+
+/// The triangles of one group of lanes whose box is not empty.
+template <class DI_>
+HWY_INLINE std::uint32_t StoreBox(DI_ di, hn::Vec<DI_> x0, hn::Vec<DI_> x1, hn::Vec<DI_> y0,
+                                  hn::Vec<DI_> y1, int at, Block& block) {
+  hn::Store(x0, di, block.x0 + at);
+  hn::Store(x1, di, block.x1 + at);
+  hn::Store(y0, di, block.y0 + at);
+  hn::Store(y1, di, block.y1 + at);
+  return static_cast<std::uint32_t>(MaskBits(di, hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1))));
+}
+
+/// The planes of one group of lanes, from corners in any order.
+template <class D>
+HWY_INLINE void StorePlanes(D d, const Corners<hn::Vec<D>>& c, int at, Block& block) {
+  using V = hn::Vec<D>;
+  const V ux = hn::Sub(c.x[1], c.x[0]);
+  const V uy = hn::Sub(c.y[1], c.y[0]);
+  const V uz = hn::Sub(c.z[1], c.z[0]);
+  const V vx = hn::Sub(c.x[2], c.x[0]);
+  const V vy = hn::Sub(c.y[2], c.y[0]);
+  const V vz = hn::Sub(c.z[2], c.z[0]);
+  const V det = hn::Sub(hn::Mul(ux, vy), hn::Mul(vx, uy));
+  const V zx = hn::Div(hn::Sub(hn::Mul(uz, vy), hn::Mul(vz, uy)), det);
+  const V zy = hn::Div(hn::Sub(hn::Mul(vz, ux), hn::Mul(uz, vx)), det);
+  hn::Store(zx, d, block.zx + at);
+  hn::Store(zy, d, block.zy + at);
+  hn::Store(hn::Sub(hn::Sub(c.z[0], hn::Mul(zx, c.x[0])), hn::Mul(zy, c.y[0])), d, block.zc + at);
+}
+
+/// Fills in which of the triangles drawn are small.
+HWY_INLINE void FindSmall(Block& block) {
+  const DI di;
+  auto width = hn::Zero(di);
+  auto height = hn::Zero(di);
+  std::uint32_t small = 0;
+  for (int at = 0; at < kBlock; at += kLanes) {
+    const auto w = hn::Sub(hn::Load(di, block.x1 + at), hn::Load(di, block.x0 + at));
+    const auto h = hn::Sub(hn::Load(di, block.y1 + at), hn::Load(di, block.y0 + at));
+    const auto drawn = MaskOf(di, block.drawn >> at);
+    const auto is_small = hn::And(drawn, hn::Lt(hn::Max(w, h), hn::Set(di, 9)));
+    small |= static_cast<std::uint32_t>(MaskBits(di, is_small)) << at;
+    width = hn::Max(width, hn::IfThenElseZero(is_small, w));
+    height = hn::Max(height, hn::IfThenElseZero(is_small, h));
+  }
+  block.small = small;
+  block.width = hn::GetLane(hn::MaxOfLanes(di, width));
+  block.height = hn::GetLane(hn::MaxOfLanes(di, height));
+}
+
+/// The pixels of a small triangle's box, as bits of an 8x8 mask at its corner.
+HWY_INLINE std::uint64_t SmallBoxMask(const Block& block, int i) {
+  const auto columns = (std::uint64_t{1} << (block.x1[i] - block.x0[i])) - 1;
+  return columns * 0x0101010101010101U &
+         (~std::uint64_t{0} >> (64 - 8 * (block.y1[i] - block.y0[i])));
+}
+
+/// Calls set_up(indices), which fills the block, and draw(i, triangle) for each one drawn, in
+/// order. set_up may read the indices of kBlock triangles; those beyond the last have no area.
+template <class SetUp, class DrawTriangle>
+HWY_INLINE void ForEachTriangle(const KernelView& view, Block& block, const SetUp& set_up,
+                                const DrawTriangle& draw) {
+  std::uint32_t last[3 * kBlock] = {};
+  for (std::size_t first = 0; first < view.triangles; first += kBlock) {
+    const std::uint32_t* indices = view.indices + 3 * first;
+    if (view.triangles - first < kBlock) {
+      const std::size_t left = 3 * (view.triangles - first);
+      for (std::size_t k = 0; k < left; ++k) last[k] = indices[k];
+      indices = last;
+    }
+    block.drawn = 0;
+    block.front = 0;
+    set_up(indices);
+    for (std::uint32_t drawn = block.drawn; drawn != 0; drawn &= drawn - 1) {
+      const int i = CountTrailingZeros(drawn);
+      draw(i, static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i));
+    }
+  }
+}
+
+}  // namespace rasterproof::reference::kernels::HWY_NAMESPACE
+
+#endif  // RASTERPROOF_REFERENCE_KERNELS_BLOCKS_H_

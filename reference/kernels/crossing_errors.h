@@ -1,0 +1,32 @@
+// How far a guess of the exact kernel (exact_crossings.h) may be from the crossing that it guesses.
+#ifndef RASTERPROOF_REFERENCE_KERNELS_CROSSING_ERRORS_H_
+#define RASTERPROOF_REFERENCE_KERNELS_CROSSING_ERRORS_H_
+
+namespace rasterproof::reference::kernels {
+
+// A guess is X + (y - a.y) ((c.x - a.x) / (c.y - a.y)), X = a.x + 1/2 + error: three differences,
+// the quotient and the product round once each (the product not at all where it is fused), on at
+// most |c.x - a.x| <= 2M, M = max |x| over the edge's ends; then X and the sum, of at most M + 1.
+// Together less than 14 u (M + 1): proofs/kernel_crossing.g in float32, proofs/row_crossing.g in
+// double. Every quotient that a row asks for is finite: a row between two floats keeps them apart.
+// Rounded down the guess is the crossing unless its fraction is below twice the error, for then a
+// centre may lie on either side.
+
+/// In double, where every |x| <= kGuessDomain: 14 2^-53 (2^26 + 1) < 2^-23.
+/// Measured:   largest error / bound 0.068, as below.
+inline constexpr double kCrossingError = 0x1p-22;
+inline constexpr float kGuessDomain = 0x1p26F;
+
+/// In float32, of a small triangle: M = 9, 14 2^-24 (9 + 1) < 2^-16.8. Relative to its first pixel,
+/// from which every difference is exact.
+/// Measured:   largest error / bound 0.114, as below.
+inline constexpr float kSmallCrossingError = 0x1p-16F;
+
+/// The same of a near one: M = kNearSide + 1, 14 2^-24 (65 + 1) < 2^-14.1.
+/// Measured:   largest error / bound 0.165: ExactKernel.GuessesStayWithinTheirErrors, 2026-11-23.
+inline constexpr int kNearSide = 64;
+inline constexpr float kNearCrossingError = 0x1p-14F;
+
+}  // namespace rasterproof::reference::kernels
+
+#endif  // RASTERPROOF_REFERENCE_KERNELS_CROSSING_ERRORS_H_

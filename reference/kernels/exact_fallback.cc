@@ -1,0 +1,17 @@
+// What the exact kernel seldom needs, compiled for any machine.
+#include "core/vertex.h"
+#include "reference/exact_sign.h"
+#include "reference/kernels/kernel_table.h"
+#include "reference/spans.h"
+
+namespace rasterproof::reference::kernels {
+
+bool IsCentreAtOrRight(const ExactEdge& edge, double x, double y) {
+  return EdgeSign({edge.ax, edge.ay}, {edge.cx, edge.cy}, {x, y}) >= 0;
+}
+
+int ExactCrossing(const ExactEdge& edge, int row, int width) {
+  return RowCrossing({edge.ax, edge.ay}, {edge.cx, edge.cy}).At(row, 0, width);
+}
+
+}  // namespace rasterproof::reference::kernels

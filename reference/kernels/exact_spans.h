@@ -1,0 +1,96 @@
+// kExact: one decision per edge and row, none per pixel; exact for every finite float32.
+#ifndef RASTERPROOF_REFERENCE_KERNELS_EXACT_SPANS_H_
+#define RASTERPROOF_REFERENCE_KERNELS_EXACT_SPANS_H_
+
+#include <cstddef>
+#include <cstdint>
+
+#include "reference/kernels/blocks.h"
+#include "reference/kernels/exact_block.h"
+#include "reference/kernels/exact_crossings.h"
+#include "reference/kernels/exact_rows.h"
+#include "reference/kernels/exact_small.h"
+#include "reference/kernels/kernel_table.h"
+#include "reference/kernels/vectors.h"
+
+namespace rasterproof::reference::kernels::HWY_NAMESPACE {
+
+/// A triangle beyond kGuessDomain, row by row.
+template <class Sink>
+HWY_NOINLINE void DrawFar(const KernelView& view, const ExactBlock& block, int i,
+                          std::uint32_t triangle, Sink& sink) {
+  bool has_begun = false;
+  for (int row = block.y0[i]; row < block.y1[i]; ++row) {
+    const bool is_upper = row + 0.5 < double{block.y[1][i]};
+    const int by_long = ExactCrossing(block.EdgeOf(kLongEdge, i), row, view.width);
+    const int by_short =
+        ExactCrossing(block.EdgeOf(is_upper ? kUpperEdge : kLowerEdge, i), row, view.width);
+    view.tiers[2] += 2;
+    if (by_long == by_short) continue;
+    if (!has_begun) {
+      const bool odd = ((block.odd >> i) & 1) != 0;
+      sink.Begin(triangle, IsFrontBy(by_long < by_short, odd), block.PlaneOf(i));
+      has_begun = true;
+    }
+    sink.Span(row, Least(by_long, by_short), Greatest(by_long, by_short));
+  }
+}
+
+template <bool kExact, class Sink>
+HWY_INLINE void DrawSpans(const KernelView& view) {
+  Sink sink(view);
+  ExactBlock block;
+  bool has_ties = false;
+  ForEachTriangle(
+      view, block,
+      [&](const std::uint32_t* indices) {
+        SetUpExact<Sink::kNeedsPlane>(view, indices, block);
+        block.long_is_left = 0;
+        for (int at = 0; at < kBlock; at += kLanes) {
+          const std::uint64_t lanes = (std::uint64_t{1} << kLanes) - 1;
+          if (((block.small >> at) & lanes) == 0) continue;
+          constexpr bool kFacing = Sink::kNeedsFacing;
+          // Where there was a tie, there will be one: then rows are decided at once.
+          if (!has_ties) {
+            const std::uint32_t before = block.long_is_left;
+            has_ties = FindExactMasks<kExact, false, kFacing>(view, block, at);
+            if (!has_ties) continue;
+            block.long_is_left = before;
+          }
+          has_ties = FindExactMasks<kExact, kExact, kFacing>(view, block, at);
+        }
+        if ((block.drawn & ~block.near) != 0) SetUpSlopes(block);
+      },
+      [&](int i, std::uint32_t triangle) {
+        if (block.IsSmall(i)) {
+          const std::uint64_t bits = block.masks[i];
+          if (bits == 0) return;
+          const bool is_left = ((block.long_is_left >> i) & 1) != 0;
+          sink.Begin(triangle, IsFrontBy(is_left, ((block.odd >> i) & 1) != 0), block.PlaneOf(i));
+          sink.Mask8x8(block.x0[i], block.y0[i], bits);
+        } else if (((block.near >> i) & 1) != 0) {
+          DrawNearRows<kExact>(view, block, i, triangle, sink);
+        } else if (HWY_UNLIKELY(((block.far >> i) & 1) != 0)) {
+          DrawFar(view, block, i, triangle, sink);
+        } else {
+          if (((block.inside >> i) & 1) != 0) {
+            DrawExactRows<kExact, true>(view, block, i, triangle, sink);
+          } else {
+            DrawExactRows<kExact, false>(view, block, i, triangle, sink);
+          }
+        }
+      });
+}
+
+template <class Sink>
+void DrawExact(const KernelView& view) {
+  DrawSpans<true, Sink>(view);
+}
+template <class Sink>
+void DrawExactUnsafe(const KernelView& view) {
+  DrawSpans<false, Sink>(view);
+}
+
+}  // namespace rasterproof::reference::kernels::HWY_NAMESPACE
+
+#endif  // RASTERPROOF_REFERENCE_KERNELS_EXACT_SPANS_H_

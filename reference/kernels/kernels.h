@@ -1,0 +1,40 @@
+// The table of one target.
+#ifndef RASTERPROOF_REFERENCE_KERNELS_KERNELS_H_
+#define RASTERPROOF_REFERENCE_KERNELS_KERNELS_H_
+
+#include "reference/kernels/exact_spans.h"
+#include "reference/kernels/fill.h"
+#include "reference/kernels/fixed_tiles.h"
+#include "reference/kernels/float_tiles.h"
+#include "reference/kernels/incremental.h"
+#include "reference/kernels/kernel_table.h"
+#include "reference/kernels/mask_rows.h"
+#include "reference/kernels/scanline.h"
+#include "reference/kernels/sinks.h"
+#include "reference/kernels/vectors.h"
+
+namespace rasterproof::reference::kernels::HWY_NAMESPACE {
+
+// A template of functions is no template argument: a row for each method, by its name.
+// NOLINTBEGIN(bugprone-macro-parentheses): of a template's name there are none.
+#define RASTERPROOF_KERNEL_ROW(Draw)                                                          \
+  {&Draw<PixelSink<Count8>>, &Draw<PixelSink<Facing>>, &Draw<MaskSink>, &Draw<PixelSink<Id>>, \
+   &Draw<PixelSink<Depth>>}
+// NOLINTEND(bugprone-macro-parentheses)
+
+constexpr KernelTable kKernels = {
+    {
+        RASTERPROOF_KERNEL_ROW(DrawIncremental),
+        RASTERPROOF_KERNEL_ROW(DrawFloatTiles),
+        RASTERPROOF_KERNEL_ROW(DrawScanline),
+        RASTERPROOF_KERNEL_ROW(DrawFixedTiles),
+        {nullptr, nullptr, &DrawMaskRows, nullptr, nullptr},
+        RASTERPROOF_KERNEL_ROW(DrawExact),
+        RASTERPROOF_KERNEL_ROW(DrawExactUnsafe),
+    },
+    {&FillCount8, &FillFacing, &FillMask, &FillId, &FillDepth},
+};
+
+}  // namespace rasterproof::reference::kernels::HWY_NAMESPACE
+
+#endif  // RASTERPROOF_REFERENCE_KERNELS_KERNELS_H_

@@ -1,0 +1,10 @@
+// The kernels compiled for Target::kAvx2: flags in reference/CMakeLists.txt.
+#include "reference/kernels/kernel_table.h"
+#include "reference/kernels/kernels.h"
+#include "reference/kernels/vectors.h"
+
+namespace rasterproof::reference::kernels {
+
+const KernelTable kAvx2Kernels = HWY_NAMESPACE::kKernels;
+
+}  // namespace rasterproof::reference::kernels

@@ -1,0 +1,66 @@
+#include "reference/whole_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/vertex.h"
+#include "reference/box.h"
+
+namespace rasterproof::reference {
+namespace {
+
+bool IsFloat32(double x) { return std::isnan(x) || static_cast<float>(x) == x; }
+
+void AddPlane(const std::uint32_t* plane, std::ptrdiff_t pitch, const PixelRect& area, int width,
+              std::uint32_t* counts) {
+  for (int y = area.y0; y < area.y1; ++y) {
+    const std::uint32_t* const from = plane + y * pitch;
+    std::uint32_t* const to = counts + static_cast<std::ptrdiff_t>(y) * width;
+    for (int x = area.x0; x < area.x1; ++x) to[x] += from[x];
+  }
+}
+
+}  // namespace
+
+bool KernelsTake(const Scene& scene) {
+  return !scene.clip_space && std::ranges::all_of(scene.vertices, [](const Vertex& v) {
+    return IsFloat32(v.x) && IsFloat32(v.y);
+  });
+}
+
+bool KernelsPay(const Scene& scene) {
+  constexpr std::size_t kFewest = 64;
+  constexpr std::size_t kPixelsATriangle = 256;
+  const auto pixels =
+      static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height);
+  return scene.triangles.size() >= std::max(kFewest, pixels / kPixelsATriangle);
+}
+
+void DrawByKernel(kernels::KernelMethod method, const Scene& scene, const DrawOptions& options,
+                  CoverageCounts& counts) {
+  std::vector<kernels::KernelVertex> vertices;
+  vertices.reserve(scene.vertices.size());
+  for (const Vertex& v : scene.vertices) {
+    vertices.push_back({static_cast<float>(v.x), static_cast<float>(v.y), 0});
+  }
+  std::vector<std::uint32_t> indices;
+  indices.reserve(3 * scene.triangles.size());
+  for (const Triangle& t : scene.triangles) {
+    for (const std::int32_t index : t) indices.push_back(static_cast<std::uint32_t>(index));
+  }
+  kernels::Surface surface(kernels::Sink::kFacing, scene.width, scene.height);
+  kernels::Draw(method, kernels::SupportedTargets().back(),
+                {vertices, indices, scene.width, scene.height}, surface);
+  const PixelRect area = DrawArea(scene, options);
+  const auto add = [&](int plane, std::vector<std::uint32_t>& to) {
+    AddPlane(reinterpret_cast<const std::uint32_t*>(surface.plane(plane)), surface.pitch(), area,
+             counts.width, to.data());
+  };
+  if (options.cull != Cull::kFront) add(0, counts.front);
+  if (options.cull != Cull::kBack) add(1, counts.back);
+}
+
+}  // namespace rasterproof::reference

@@ -1,0 +1,29 @@
+// Whole scenes drawn at once by the vectorised kernels, for those who count samples.
+#ifndef RASTERPROOF_REFERENCE_WHOLE_SCENE_H_
+#define RASTERPROOF_REFERENCE_WHOLE_SCENE_H_
+
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/scene.h"
+#include "reference/kernels/kernel.h"
+
+namespace rasterproof::reference {
+
+/// Returns whether the kernels take the scene: window space, and no coordinate that float32 rounds.
+bool KernelsTake(const Scene& scene);
+
+/// Returns whether a kernel is worth the surface of its own that it draws on: some dozens of
+/// triangles, and not many pixels for each. See it by `rasterproof plan --measure`.
+bool KernelsPay(const Scene& scene);
+
+/// Adds the scene's coverage by a kernel to `counts`, by the machine's widest vectors: the counts
+/// are those of every target. Triangles with a NaN or an infinity cover nothing.
+///
+/// Domain:     KernelsTake(scene); Draws(method, kFacing); counts of the scene's size, one sample a
+///             pixel.
+void DrawByKernel(kernels::KernelMethod method, const Scene& scene, const DrawOptions& options,
+                  CoverageCounts& counts);
+
+}  // namespace rasterproof::reference
+
+#endif  // RASTERPROOF_REFERENCE_WHOLE_SCENE_H_

@@ -1,0 +1,215 @@
+// rasterproof merge: the certificate of a campaign that was run in parts.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/subject_info.h"
+#include "fmt/format.h"
+#include "props/domains/worlds.h"
+#include "report/text.h"
+#include "tool/asked.h"
+#include "tool/certify.h"
+#include "tool/commands.h"
+#include "tool/outside.h"
+#include "tool/part_file.h"
+#include "tool/session.h"
+#include "tool/shard.h"
+#include "tool/shell.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using Parts = std::vector<SubjectPart>;
+
+std::string RangeText(const CaseRange& range) {
+  return fmt::format("{}..{}", range.first, range.end);
+}
+
+// What all parts must agree on.
+struct Agreement {
+  std::string what;
+  std::function<std::string(const SubjectPart&)> of;
+};
+
+std::string EnvironmentText(const SubjectPart& part) {
+  std::string text;
+  for (const auto& [name, value] : part.environment) text += fmt::format("{} {}; ", name, value);
+  return text;
+}
+
+std::string CutText(const SubjectPart& part) {
+  return part.shard ? fmt::format("into {} shards", part.shard->count) : "by --cases A..B";
+}
+
+std::vector<Agreement> Agreements() {
+  return {{"version", [](const SubjectPart& part) { return part.tool_version; }},
+          {"build", EnvironmentText},
+          {"subject", [](const SubjectPart& part) { return part.subject; }},
+          {"profile or description of the subject",
+           [](const SubjectPart& part) { return part.stated; }},
+          {"seed", [](const SubjectPart& part) { return std::to_string(part.seed); }},
+          {"options", [](const SubjectPart& part) { return part.options; }},
+          {"cut", CutText},
+          {"number of cases", [](const SubjectPart& part) {
+             return part.cases ? std::to_string(*part.cases) : std::string("unknown");
+           }}};
+}
+
+// In short: a description takes many lines.
+std::string Shown(const std::string& text) {
+  constexpr std::size_t kMost = 60;
+  const bool is_long = text.size() > kMost || text.find('\n') != std::string::npos;
+  return is_long ? "" : " (" + (text.empty() ? "none" : report::CleanText(text)) + ")";
+}
+
+void RequireAgreement(const Parts& parts) {
+  for (const Agreement& agreement : Agreements()) {
+    const std::string first = agreement.of(parts.front());
+    for (const SubjectPart& part : parts) {
+      const std::string other = agreement.of(part);
+      if (other == first) continue;
+      throw InputError(part.file,
+                       fmt::format("its {}{} is not that of {}{}", agreement.what, Shown(other),
+                                   parts.front().file, Shown(first)),
+                       "merge parts of one campaign, or run this part again as the others");
+    }
+  }
+}
+
+// In the order of their cases. Empty shards come before the one that begins where they do.
+void SortByCases(Parts& parts) {
+  std::ranges::sort(parts, {}, [](const SubjectPart& part) {
+    return part.shard ? part.shard->number : part.range.first;
+  });
+}
+
+void RequireShards(const Parts& parts) {
+  const std::uint64_t count = parts.front().shard->count;
+  std::uint64_t next = 1;
+  const SubjectPart* last = nullptr;
+  const auto refuse_hole = [&](std::uint64_t number) {
+    throw InputError(
+        last == nullptr ? parts.front().file : last->file,
+        fmt::format("shard {} of {} is in none of the files", number, count),
+        fmt::format("run it (--shard {}) and give its file too", ShardText({number, count})));
+  };
+  for (const SubjectPart& part : parts) {
+    if (last != nullptr && last->shard == part.shard) {
+      throw InputError(part.file,
+                       fmt::format("shard {} is in {} too", ShardText(*part.shard), last->file),
+                       "give one of them");
+    }
+    if (part.shard->number != next) refuse_hole(next);
+    if (part.range != CasesOf(*part.shard, part.cases.value_or(0))) {
+      throw InputError(part.file, "its cases are not those of its shard", "run it again");
+    }
+    last = &part;
+    ++next;
+  }
+  if (next <= count) refuse_hole(next);
+}
+
+void RequireRanges(const Parts& parts) {
+  std::uint64_t next = 0;
+  const SubjectPart* last = nullptr;
+  for (const SubjectPart& part : parts) {
+    if (part.range.first < next) {
+      throw InputError(part.file,
+                       fmt::format("its cases {} overlap those of {} ({})", RangeText(part.range),
+                                   last->file, RangeText(last->range)),
+                       "give one of them, or run one that ends where the other begins");
+    }
+    if (part.range.first > next) {
+      const std::string hole = RangeText({next, part.range.first});
+      throw InputError(part.file,
+                       fmt::format("the cases {} before it are in none of the files", hole),
+                       fmt::format("run them (--cases {}) and give their file too", hole));
+    }
+    next = part.range.end;
+    last = &part;
+  }
+}
+
+Parts ReadAll(const std::vector<std::string>& files) {
+  Parts parts;
+  for (const std::string& file : files) parts.push_back(ReadPart(file));
+  RequireAgreement(parts);
+  SortByCases(parts);
+  if (parts.front().shard) {
+    RequireShards(parts);
+  } else {
+    RequireRanges(parts);
+  }
+  return parts;
+}
+
+std::string SubjectOf(const MergeOptions& options, const SubjectPart& part) {
+  if (options.subject.empty() && NamesWhatToRun(part.subject)) {
+    throw InputError(part.file,
+                     "it names a subject outside this program, and no file decides what is run",
+                     "if you trust it, name it yourself: " + SubjectOption(part.subject));
+  }
+  if (options.subject.empty() || options.subject == part.subject) return part.subject;
+  throw InputError(part.file, "it is about the subject " + report::CleanText(part.subject),
+                   "merge it with " + SubjectOption(part.subject));
+}
+
+void RequireKnownWorlds(const SubjectPart& part) {
+  for (const std::string& world : part.worlds) {
+    if (props::FindWorld(world) != nullptr) continue;
+    throw InputError(part.file, "there is no world " + report::CleanText(world),
+                     "run all parts and merge by one build of rasterproof");
+  }
+}
+
+// The subject that draws the scenes is the one that drew the cases, by this very program.
+void RequireSame(const SubjectPart& part, const SubjectPart& mine) {
+  const auto require = [&](bool is_same, const std::string& what, const std::string& remedy) {
+    if (!is_same) throw InputError(part.file, what, remedy);
+  };
+  require(part.tool_version == mine.tool_version && part.environment == mine.environment,
+          fmt::format("another build of rasterproof wrote it (version {})",
+                      report::CleanText(part.tool_version)),
+          "run all parts and merge by one build");
+  require(part.stated == mine.stated, "the subject stated something else then, or is another build",
+          "run the parts again, or merge with the subject that they were run on");
+  require(part.options == mine.options,
+          "it was run with other options:" + report::CleanText(part.options),
+          "merge with the same --time-limit and --memory-limit");
+  const auto is_same = [](const TestPart& one, const TestPart& other) {
+    return one.property == other.property && one.world == other.world;
+  };
+  require(std::ranges::equal(part.tests, mine.tests, is_same),
+          "its properties are not those that this program has",
+          "run all parts and merge by one build of rasterproof");
+}
+
+}  // namespace
+
+int RunMerge(const MergeOptions& options) {
+  RequireHonestEnvironment();
+  const Parts parts = ReadAll(options.parts);
+  const SubjectPart& first = parts.front();
+  CertifyOptions whole;
+  whole.subjects = {SubjectOf(options, first)};
+  RequireKnownWorlds(first);
+  const SubjectInfo info = ResolveSubject(whole.subjects.front()).Make()->Info();
+  const SubjectPart mine = DescribePart(info, first.worlds);
+  for (const SubjectPart& part : parts) RequireSame(part, mine);
+  whole.scene_set = options.scene_set;
+  whole.output = options.output;
+  whole.campaign.seed = first.seed;
+  whole.campaign.cases = parts.back().range.end;
+  whole.worlds = first.worlds;
+  whole.jobs = options.jobs;
+  whole.fail_on = options.fail_on;
+  Source source;
+  source.parts = parts;
+  return Certify(whole, source);
+}
+
+}  // namespace rasterproof::tool

@@ -1,0 +1,308 @@
+#include "tool/part_file.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "core/result.h"
+#include "core/scene.h"
+#include "core/verdict.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/json_document.h"
+#include "io/number_text.h"
+#include "io/output.h"
+#include "report/json_writer.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using io::JsonValue;
+using report::JsonWriter;
+
+constexpr int kPartVersion = 1;
+
+constexpr std::array<std::pair<props::End, std::string_view>, 4> kEnds{
+    {{props::End::kAllRun, "all run"},
+     {props::End::kNotApplicable, "not applicable"},
+     {props::End::kFailed, "failed"},
+     {props::End::kInconclusive, "inconclusive"}}};
+constexpr std::array<Outcome, 3> kFoundOutcomes{Outcome::kViolated, Outcome::kInconclusive,
+                                                Outcome::kHolds};
+
+// The numbers of both directions, in one order.
+template <class Counts, class Visit>
+void VisitSums(Counts& sums, const Visit& visit) {
+  visit("cases", sums.cases);
+  visit("cases_exercised", sums.cases_exercised);
+  visit("exercised", sums.exercised);
+  visit("cases_refused", sums.cases_refused);
+  visit("not_judged", sums.not_judged);
+  visit("not_applicable", sums.not_applicable);
+  visit("refused_within_limits", sums.refused_within_limits);
+}
+
+template <class Counts, class Visit>
+void VisitNearEdge(Counts& counts, const Visit& visit) {
+  visit("samples", counts.samples);
+  visit("on_edge", counts.on_edge);
+  visit("within_1", counts.within_1);
+  visit("within_16", counts.within_16);
+  visit("within_256", counts.within_256);
+}
+
+template <class Counts, class Visit>
+void VisitTiers(Counts& tiers, const Visit& visit) {
+  visit("filter", tiers.filter);
+  visit("stable", tiers.stable);
+  visit("exact", tiers.exact);
+  visit("symbolic", tiers.symbolic);
+}
+
+template <class Counts, class Visit>
+void VisitWitness(Counts& witness, const Visit& visit) {
+  visit("triangle", witness.triangle);
+  visit("edge", witness.edge);
+  visit("x", witness.x);
+  visit("y", witness.y);
+  visit("sample", witness.sample);
+}
+
+// Writing.
+
+auto IntegersTo(JsonWriter& json) {
+  return [&json](std::string_view key, auto value) { json.Key(key).Integer(value); };
+}
+
+void WriteSums(JsonWriter& json, const props::Sums& sums) {
+  VisitSums(sums, IntegersTo(json));
+  json.Key("worst_ratio").Exact(sums.worst_ratio);
+  json.Key("why_not").Text(sums.why_not);
+  json.Key("why_refused").Text(sums.why_refused);
+  json.Key("domains").BeginArray();
+  for (std::size_t d = 0; d < sums.drawn.size(); ++d) {
+    json.BeginObject();
+    json.Key("drawn").Integer(sums.drawn[d]);
+    VisitNearEdge(sums.near_edge[d], IntegersTo(json));
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+void WriteFound(JsonWriter& json, const TestPart& test) {
+  const props::Counterexample& found = *test.run.found;
+  json.Key("found").BeginObject();
+  json.Key("as_case").Text(test.run.failing_case);
+  json.Key("outcome").Text(OutcomeName(found.outcome));
+  json.Key("message").Text(found.message);
+  json.Key("case").Text(io::CaseToJson({found.value, "", test.property}));
+  json.Key("said_outcome").Text(OutcomeName(found.verdict.outcome));
+  json.Key("said").Text(found.verdict.message);
+  if (found.verdict.witness) {
+    json.Key("witness").BeginObject();
+    VisitWitness(*found.verdict.witness, IntegersTo(json));
+    json.Key("observed").Text(found.verdict.witness->observed);
+    json.Key("expected").Text(found.verdict.witness->expected);
+    json.EndObject();
+  }
+  json.EndObject();
+}
+
+void WriteTest(JsonWriter& json, const TestPart& test) {
+  json.BeginObject();
+  json.Key("property").Text(test.property);
+  json.Key("world").Text(test.world);
+  for (const auto& [end, name] : kEnds) {
+    if (end == test.run.end) json.Key("end").Text(name);
+  }
+  json.Key("why").Text(test.run.why);
+  json.Key("seconds").Exact(test.run.seconds);
+  WriteSums(json, test.run.sums);
+  json.Key("oracle_tiers").BeginObject();
+  VisitTiers(test.tiers, IntegersTo(json));
+  json.EndObject();
+  if (test.run.found) WriteFound(json, test);
+  json.EndObject();
+}
+
+// Reading.
+
+std::string TextOf(const JsonValue& value) { return std::string(value.RequireString()); }
+
+template <class T>
+T IntegerOf(const JsonValue& value) {
+  using Limits = std::numeric_limits<T>;
+  constexpr std::int64_t kMost = sizeof(T) == 8 ? std::numeric_limits<std::int64_t>::max()
+                                                : static_cast<std::int64_t>(Limits::max());
+  constexpr std::int64_t kLeast = static_cast<std::int64_t>(Limits::min());
+  return static_cast<T>(value.RequireInteger(kLeast, kMost));
+}
+
+double ExactOf(const JsonValue& value) {
+  const io::NumberFromText number = io::ExactNumber(value.RequireString(), Precision::kFloat64);
+  if (!number.fault.empty()) {
+    throw value.Error(std::string(number.fault), std::string(number.remedy));
+  }
+  return number.value;
+}
+
+auto IntegersFrom(const JsonValue& object) {
+  return [&object](std::string_view key, auto& value) {
+    value = IntegerOf<std::remove_reference_t<decltype(value)>>(object.Get(key));
+  };
+}
+
+props::Sums SumsOf(const JsonValue& object) {
+  props::Sums sums;
+  VisitSums(sums, IntegersFrom(object));
+  sums.worst_ratio = ExactOf(object.Get("worst_ratio"));
+  sums.why_not = TextOf(object.Get("why_not"));
+  sums.why_refused = TextOf(object.Get("why_refused"));
+  for (const JsonValue domain : object.Get("domains").RequireArray()) {
+    sums.drawn.push_back(IntegerOf<std::uint64_t>(domain.Get("drawn")));
+    VisitNearEdge(sums.near_edge.emplace_back(), IntegersFrom(domain));
+  }
+  return sums;
+}
+
+Outcome OutcomeOf(const JsonValue& value) {
+  for (const Outcome outcome : kFoundOutcomes) {
+    if (OutcomeName(outcome) == value.RequireString()) return outcome;
+  }
+  throw value.Error("is no outcome of a part", "write the part again");
+}
+
+props::Counterexample FoundOf(const JsonValue& object) {
+  props::Counterexample found;
+  found.outcome = OutcomeOf(object.Get("outcome"));
+  found.message = TextOf(object.Get("message"));
+  const JsonValue file = object.Get("case");
+  found.value = io::ParseCase(file.RequireString(), file.Place()).value;
+  found.verdict.outcome = OutcomeOf(object.Get("said_outcome"));
+  found.verdict.message = TextOf(object.Get("said"));
+  if (const std::optional<JsonValue> there = object.Find("witness")) {
+    Witness& witness = found.verdict.witness.emplace();
+    VisitWitness(witness, IntegersFrom(*there));
+    witness.observed = TextOf(there->Get("observed"));
+    witness.expected = TextOf(there->Get("expected"));
+  }
+  return found;
+}
+
+props::End EndOf(const JsonValue& value) {
+  for (const auto& [end, name] : kEnds) {
+    if (name == value.RequireString()) return end;
+  }
+  throw value.Error("is no end of a part", "write the part again");
+}
+
+TestPart TestOf(const JsonValue& object) {
+  TestPart test;
+  test.property = TextOf(object.Get("property"));
+  test.world = TextOf(object.Get("world"));
+  test.run.end = EndOf(object.Get("end"));
+  test.run.why = TextOf(object.Get("why"));
+  test.run.seconds = ExactOf(object.Get("seconds"));
+  test.run.sums = SumsOf(object);
+  VisitTiers(test.tiers, IntegersFrom(object.Get("oracle_tiers")));
+  if (test.run.end != props::End::kFailed) return test;
+  const JsonValue found = object.Get("found");
+  test.run.failing_case = TextOf(found.Get("as_case"));
+  test.run.found = FoundOf(found);
+  return test;
+}
+
+void RequirePart(const JsonValue& root) {
+  const std::optional<JsonValue> version =
+      root.kind() == io::JsonKind::kObject ? root.Find("rasterproof_part") : std::nullopt;
+  if (!version) {
+    throw root.Error("is no part of a campaign",
+                     "give files that 'rasterproof certify --shard I/N' wrote");
+  }
+  if (version->text() == std::to_string(kPartVersion)) return;
+  throw version->Error("version " + std::string(version->text()) + " is unknown",
+                       "run the part again with this program");
+}
+
+std::uint64_t SeedOf(const JsonValue& value) {
+  const std::string text = TextOf(value);
+  std::uint64_t seed = 0;
+  for (const char c : text) {
+    if (c < '0' || c > '9') throw value.Error("is no seed", "write the part again");
+    seed = seed * 10 + static_cast<std::uint64_t>(c - '0');
+  }
+  return seed;
+}
+
+}  // namespace
+
+std::string PartToJson(const SubjectPart& part) {
+  JsonWriter json;
+  json.BeginObject();
+  json.Key("rasterproof_part").Integer(kPartVersion);
+  json.Key("tool_version").Text(part.tool_version);
+  json.Key("environment").BeginArray();
+  for (const auto& [name, value] : part.environment) json.Text(name).Text(value);
+  json.EndArray();
+  json.Key("subject").Text(part.subject);
+  json.Key("stated").Text(part.stated);
+  json.Key("options").Text(part.options);
+  json.Key("worlds").BeginArray();
+  for (const std::string& world : part.worlds) json.Text(world);
+  json.EndArray();
+  json.Key("seed").Text(std::to_string(part.seed));
+  json.Key("first").Integer(part.range.first);
+  json.Key("end").Integer(part.range.end);
+  if (part.shard) {
+    json.Key("shard").Integer(part.shard->number);
+    json.Key("shards").Integer(part.shard->count);
+  }
+  if (part.cases) json.Key("cases").Integer(*part.cases);
+  json.Key("tests").BeginArray();
+  for (const TestPart& test : part.tests) WriteTest(json, test);
+  json.EndArray();
+  json.EndObject();
+  return json.Finish();
+}
+
+SubjectPart ReadPart(const std::string& path) {
+  const io::JsonDocument document(io::ReadFile(path), path);
+  const JsonValue root = document.root();
+  RequirePart(root);
+  SubjectPart part;
+  part.file = path;
+  part.tool_version = TextOf(root.Get("tool_version"));
+  std::optional<std::string> name;
+  for (const JsonValue word : root.Get("environment").RequireArray()) {
+    if (name) {
+      part.environment[*std::exchange(name, std::nullopt)] = TextOf(word);
+    } else {
+      name = TextOf(word);
+    }
+  }
+  part.subject = TextOf(root.Get("subject"));
+  part.stated = TextOf(root.Get("stated"));
+  part.options = TextOf(root.Get("options"));
+  for (const JsonValue world : root.Get("worlds").RequireArray()) {
+    part.worlds.push_back(TextOf(world));
+  }
+  part.seed = SeedOf(root.Get("seed"));
+  part.range = {IntegerOf<std::uint64_t>(root.Get("first")),
+                IntegerOf<std::uint64_t>(root.Get("end"))};
+  if (root.Find("shard")) {
+    part.shard = Shard{IntegerOf<std::uint64_t>(root.Get("shard")),
+                       IntegerOf<std::uint64_t>(root.Get("shards"))};
+  }
+  if (const std::optional<JsonValue> cases = root.Find("cases")) {
+    part.cases = IntegerOf<std::uint64_t>(*cases);
+  }
+  for (const JsonValue test : root.Get("tests").RequireArray()) part.tests.push_back(TestOf(test));
+  return part;
+}
+
+}  // namespace rasterproof::tool

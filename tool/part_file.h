@@ -1,0 +1,49 @@
+// Part of a subject's campaign as a file: what `certify --shard` writes and `merge` reads.
+#ifndef RASTERPROOF_TOOL_PART_FILE_H_
+#define RASTERPROOF_TOOL_PART_FILE_H_
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/edge.h"
+#include "props/run/campaign_part.h"
+#include "tool/commands.h"
+#include "tool/shard.h"
+
+namespace rasterproof::tool {
+
+/// What came of one property's cases.
+struct TestPart {
+  std::string property;
+  std::string world;  ///< empty: drawn cases
+  props::CampaignPart run;
+  exact::TierCounts tiers;
+};
+
+struct SubjectPart {
+  std::string file;  ///< where it was read
+  std::string tool_version;
+  std::map<std::string, std::string> environment;
+  std::string subject;
+  std::string stated;   ///< what the subject says of itself: JSON
+  std::string options;  ///< the options that all parts share, as typed; worlds among them
+  std::vector<std::string> worlds;
+  std::uint64_t seed = 0;
+  CaseRange range;                     ///< of drawn cases
+  std::optional<Shard> shard;          ///< nothing: --cases A..B
+  std::optional<std::uint64_t> cases;  ///< of the campaign, where that is known: with a shard
+  std::vector<TestPart> tests;
+};
+
+/// Reads back what PartToJson wrote. Of a counterexample all but `compared` is kept.
+std::string PartToJson(const SubjectPart& part);
+
+/// Error:      InputError if it can't be read, or is no part.
+SubjectPart ReadPart(const std::string& path);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_PART_FILE_H_

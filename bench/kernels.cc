@@ -50,13 +50,27 @@ Scene LastIsNearest(const Scene& scene) {
   return flat;
 }
 
+// Not by the kernel that is measured.
+const reference::Method& ByRows() {
+  static const reference::Method method = [] {
+    reference::Method rows = *reference::FindMethod("spans-exact");
+    rows.whole = nullptr;
+    return rows;
+  }();
+  return method;
+}
+
+std::uint64_t Apart(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : b - a; }
+
 // The exact answers for one scene: counts, and the last triangle of each pixel when asked for.
 class ExactSurface {
  public:
   explicit ExactSurface(const KernelInput& input)
       : scene_(SceneFrom(input)), counts_(input.width, input.height) {
-    reference::Rasterize(scene_, Method(), {}, counts_);
+    reference::Rasterize(scene_, ByRows(), {}, counts_);
   }
+
+  const Scene& scene() const { return scene_; }
 
   std::uint64_t Covered() const {
     std::uint64_t covered = 0;
@@ -64,9 +78,23 @@ class ExactSurface {
     return covered;
   }
 
+  std::uint64_t Wrong(const CoverageCounts& drawn, CoverageKind kind) const {
+    std::uint64_t wrong = 0;
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+      if (kind == CoverageKind::kFacingCounts) {
+        wrong += Apart(drawn.front[i], counts_.front[i]) + Apart(drawn.back[i], counts_.back[i]);
+      } else if (kind == CoverageKind::kCounts) {
+        wrong += Apart(drawn.front[i], counts_.Count(i));
+      } else {
+        wrong += (drawn.front[i] > 0) != (counts_.Count(i) > 0) ? 1 : 0;
+      }
+    }
+    return wrong;
+  }
+
   std::uint64_t Wrong(const kernels::Surface& surface) {
     if (surface.sink() == kernels::Sink::kId && last_.empty()) {
-      last_ = reference::RasterizeFragments(LastIsNearest(scene_), Method(), {}, {}).triangle;
+      last_ = reference::RasterizeFragments(LastIsNearest(scene_), ByRows(), {}, {}).triangle;
     }
     std::uint64_t wrong = 0;
     for (int y = 0; y < surface.height(); ++y) {
@@ -78,19 +106,16 @@ class ExactSurface {
   }
 
  private:
-  static const reference::Method& Method() { return *reference::FindMethod("spans-exact"); }
-
   std::uint64_t WrongAt(kernels::Sink sink, std::size_t index, std::uint64_t found) const {
-    const auto differ = [](std::uint64_t a, std::uint64_t b) { return a > b ? a - b : b - a; };
     const std::uint64_t count = counts_.Count(index);
     switch (sink) {
       case kernels::Sink::kCount8:
-        return differ(found, std::min<std::uint64_t>(count, 255));
+        return Apart(found, std::min<std::uint64_t>(count, 255));
       case kernels::Sink::kFacing:
-        return differ(found & 0xffffffff, counts_.front[index]) +
-               differ(found >> 32, counts_.back[index]);
+        return Apart(found & 0xffffffff, counts_.front[index]) +
+               Apart(found >> 32, counts_.back[index]);
       case kernels::Sink::kMask:
-        return differ(found, count > 0 ? 1 : 0);
+        return Apart(found, count > 0 ? 1 : 0);
       case kernels::Sink::kId:
         return static_cast<std::uint32_t>(last_[index]) != found ? 1 : 0;
       case kernels::Sink::kDepth: {
@@ -125,7 +150,44 @@ std::vector<Measured> AllOf(const KernelBenchOptions& options, kernels::Sink sin
   return all;
 }
 
+double SecondsOf(const Rival& rival, const Scene& scene, CoverageCounts& counts) {
+  counts = CoverageCounts(scene.width, scene.height);
+  const double start = ThreadSeconds();
+  rival.draw(scene, counts);
+  return ThreadSeconds() - start;
+}
+
+KernelBenchRow BenchRival(const Rival& rival, const ExactSurface& exact, int repetitions) {
+  Scene empty = exact.scene();
+  empty.triangles.clear();
+  CoverageCounts counts;
+  std::vector<double> seconds;
+  std::vector<double> empty_seconds;
+  std::uint64_t wrong = 0;
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    empty_seconds.push_back(SecondsOf(rival, empty, counts));
+    seconds.push_back(SecondsOf(rival, exact.scene(), counts));
+    if (repetition == 0) wrong = exact.Wrong(counts, rival.coverage);
+  }
+  const double without = TimesOf(std::move(empty_seconds)).least;
+  for (double& second : seconds) second = std::max(0.0, second - without);
+  return {.scene = exact.scene().name,
+          .sink = std::string(NameOf(kernels::Sink::kFacing)),
+          .method = rival.name,
+          .target = "-",
+          .times = TimesOf(std::move(seconds)),
+          .wrong = wrong};
+}
+
 }  // namespace
+
+Rival RowsRival() {
+  return {.name = "rows",
+          .coverage = CoverageKind::kFacingCounts,
+          .draw = [](const Scene& scene, CoverageCounts& counts) {
+            reference::Rasterize(scene, ByRows(), {}, counts);
+          }};
+}
 
 void BenchKernelScene(const KernelInput& input, const KernelBenchOptions& options,
                       KernelBenchResult& result) {
@@ -154,6 +216,12 @@ void BenchKernelScene(const KernelInput& input, const KernelBenchOptions& option
                              .target = std::string(NameOf(measured.target)),
                              .times = TimesOf(std::move(measured.seconds)),
                              .wrong = *wrong[static_cast<std::size_t>(measured.method)]});
+    }
+    if (sink != kernels::Sink::kFacing) continue;
+    for (const Rival& rival : options.rivals) {
+      if (options.progress) options.progress(input.name + " " + rival.name);
+      result.rows.push_back(BenchRival(rival, exact, options.repetitions));
+      result.rows.back().scene = input.name;
     }
   }
 }

@@ -12,7 +12,7 @@ endif()
 
 # Third parties. Which folder may use which is in scripts/check_layers.
 find_package(Threads REQUIRED)
-if(NOT RASTERPROOF_FUZZING_ENGINE)
+if(NOT RASTERPROOF_FUZZING_ENGINE AND NOT RASTERPROOF_LIBRARY_ONLY)
   find_package(fmt REQUIRED)
   find_package(nlohmann_json REQUIRED)
   find_package(PNG REQUIRED)
@@ -157,4 +157,16 @@ function(rasterproof_test name)
   if(name MATCHES "^(catalog|fragment_tolerance|mutants|joint_legality|reference|infer)_test$")
     set_tests_properties(${name} PROPERTIES COST 50)
   endif()
+endfunction()
+
+# rasterproof_package(TARGET ...) makes this build tree a package of these targets:
+# find_package(rasterproof) finds it by rasterproof_DIR.
+function(rasterproof_package)
+  export(TARGETS ${ARGN}
+    NAMESPACE rasterproof:: FILE ${CMAKE_BINARY_DIR}/rasterproof-targets.cmake)
+  file(WRITE ${CMAKE_BINARY_DIR}/rasterproof-config.cmake
+    "include(CMakeFindDependencyMacro)
+find_dependency(Threads)
+include(\${CMAKE_CURRENT_LIST_DIR}/rasterproof-targets.cmake)
+")
 endfunction()

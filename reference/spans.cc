@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 
+#include "core/vertex.h"
 #include "reference/box.h"
+#include "reference/exact_sign.h"
 #include "reference/machine.h"
+#include "reference/method.h"
+#include "reference/row_crossing.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -31,29 +34,6 @@ std::pair<int, int> RowsBetween(double from, double to, const PixelRect& clip) {
 }
 
 }  // namespace
-
-RowCrossing::RowCrossing(Point2 upper, Point2 lower) : upper_(upper), lower_(lower) {
-  const double dy = lower.y - upper.y;
-  slope_ = (lower.x - upper.x) / dy;
-  guess_is_proved_ = std::fabs(upper.x) <= kGuessDomain && std::fabs(lower.x) <= kGuessDomain &&
-                     std::isfinite(dy) && std::isfinite(slope_);
-}
-
-int RowCrossing::SearchCrossing(int j, int low, int high) const {
-  while (low < high) {
-    const int middle = low + (high - low) / 2;
-    if (IsAtOrRightOf(middle, j)) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
-  return low;
-}
-
-int RowCrossing::ResolveAt(int j, int column) const {
-  return IsAtOrRightOf(column, j) ? column : column + 1;
-}
 
 int ExactFacing(const Corners3& v, const RasterOptions& /*options*/) {
   return EdgeSign(WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2]));

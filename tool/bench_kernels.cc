@@ -2,19 +2,28 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bench/kernel_scenes.h"
 #include "bench/kernels.h"
 #include "core/error.h"
 #include "core/kernel_bench_result.h"
+#include "core/profile.h"
 #include "core/scene.h"
+#include "core/subject.h"
+#include "core/subject_info.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
 #include "io/output.h"
+#include "model/target_model.h"
 #include "reference/kernels/kernel.h"
 #include "report/kernel_bench.h"
+#include "subjects/plugin/plugin.h"
 #include "tool/commands.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -32,11 +41,15 @@ std::vector<T> Chosen(const std::string& option, const std::vector<std::string>&
                       std::span<const T> all) {
   std::vector<T> chosen;
   std::string known;
-  for (const T& one : all) known += (known.empty() ? "" : ", ") + std::string(NameOf(one));
+  for (const T& one : all) {
+    known += known.empty() ? "" : ", ";
+    known += NameOf(one);
+  }
   for (const std::string& name : names) {
     const auto found = std::ranges::find(all, name, [](const T& one) { return NameOf(one); });
     if (found == all.end()) {
-      throw InputError(option + " " + name, "there is no such one here", "choose of " + known);
+      throw InputError(fmt::format("{} {}", option, name), "there is no such one here",
+                       "choose of " + known);
     }
     chosen.push_back(*found);
   }
@@ -70,6 +83,26 @@ bench::KernelInput InputOf(const std::string& name, const BenchOptions& options)
   return FromFile(name == "bunny" ? std::string(kBunny) : name, options);
 }
 
+// A plugin in this process: what it does wrong it does to this program.
+bench::Rival RivalOf(const std::string& file, const BenchOptions& options) {
+  subjects::LoadedPlugin loaded = subjects::LoadPlugin(file);
+  std::shared_ptr<Subject> subject = std::move(loaded.subject);
+  const Profile profile =
+      ForTarget(io::ParseProfile(loaded.profile, file), options.width, options.height);
+  if (profile.pattern.samples() != 1) {
+    throw InputError("--plugin " + file, "it has several samples a pixel",
+                     "time one that samples pixel centres");
+  }
+  SubjectInfo info = subject->OwnInfo();
+  info.profile = profile;
+  subject->JudgeAs(info);
+  return {.name = std::filesystem::path(file).stem().string(),
+          .coverage = info.coverage,
+          .draw = [subject](const Scene& scene, CoverageCounts& counts) {
+            subject->Draw(scene, {}, counts);
+          }};
+}
+
 std::vector<std::string> SceneNames(const BenchOptions& options) {
   if (!options.scenes.empty()) return options.scenes;
   std::vector<std::string> names;
@@ -93,6 +126,10 @@ int RunBenchKernels(const BenchOptions& options) {
   bench_options.methods = Chosen("--method", options.methods,
                                  std::span<const kernels::KernelMethod>(kernels::kKernelMethods));
   bench_options.repetitions = options.repetitions;
+  if (options.methods.empty()) bench_options.rivals.push_back(bench::RowsRival());
+  for (const std::string& file : options.plugins) {
+    bench_options.rivals.push_back(RivalOf(file, options));
+  }
   KernelBenchResult result;
   result.width = options.width;
   result.height = options.height;

@@ -312,9 +312,10 @@ void AddBench(CLI::App& app, Run& run) {
     verb->add_option(name, to, help)->needs(kernels);
   };
   add("--scene", options.scenes, "Scene by name, scene file or mesh (default: all by name)");
-  add("--target", options.targets, "scalar, sse4, avx2, avx512 (default: the best one here)");
+  add("--target", options.targets, "scalar, sse4, avx2, avx512, neon (default: the best one here)");
   add("--sink", options.sinks, "count8, facing, mask, id, depth (default: all)");
   add("--method", options.methods, "Kernel (default: all)");
+  add("--plugin", options.plugins, "Library that is timed beside them, in this process");
   verb->add_option("--width", options.width, "Of the target")->check(Positive())->needs(kernels);
   verb->add_option("--height", options.height, "Of the target")->check(Positive())->needs(kernels);
   verb->callback([&run] {

@@ -228,6 +228,7 @@ struct BenchOptions {
   std::vector<std::string> targets;
   std::vector<std::string> sinks;
   std::vector<std::string> methods;
+  std::vector<std::string> plugins;  ///< timed beside the kernels, in this process
   int width = 1920;
   int height = 1080;
 };

@@ -76,7 +76,8 @@ HWY_INLINE hn::Mask<DF> AreInside(const KernelView& view, const Corners<VF>& c, 
                                   VF most_x) {
   const DF d;
   const VF zero = hn::Zero(d);
-  const auto starts = hn::And(hn::Ge(least_x, zero), hn::Ge(c.y[0], zero));
+  const VF top = hn::Set(d, static_cast<float>(view.first_row));
+  const auto starts = hn::And(hn::Ge(least_x, zero), hn::Ge(c.y[0], top));
   const auto ends = hn::And(hn::Le(most_x, hn::Set(d, static_cast<float>(view.width))),
                             hn::Le(c.y[2], hn::Set(d, static_cast<float>(view.height))));
   return hn::And(starts, ends);
@@ -113,6 +114,7 @@ HWY_INLINE void SetUpExact(const KernelView& view, const std::uint32_t* indices,
   block.far = 0;
   block.width = 8;
   VI rows = hn::Zero(di);
+  const VI first_row = hn::Set(di, view.first_row);
   for (int at = 0; at < kBlock; at += kLanes) {
     Corners<VF> c = LoadCorners<kWithZ>(d, view.vertices, indices + 3 * at);
     if constexpr (kWithZ) StorePlanes(d, c, at, block);
@@ -122,7 +124,7 @@ HWY_INLINE void SetUpExact(const KernelView& view, const std::uint32_t* indices,
     const VF most_x = Max3(c.x);
     const VI x0 = FirstCentreFrom(d, least_x, view.width);
     const VI x1 = FirstCentreFrom(d, most_x, view.width);
-    const VI y0 = FirstCentreFrom(d, c.y[0], view.height);
+    const VI y0 = hn::Max(first_row, FirstCentreFrom(d, c.y[0], view.height));
     const VI y1 = FirstCentreFrom(d, c.y[2], view.height);
     const std::uint32_t boxed = StoreBox(di, x0, x1, y0, y1, at, block);
     for (int k = 0; k < 3; ++k) {

@@ -4,7 +4,7 @@
 // The crossing of an edge (a, c), a.y < c.y, with the row at height y, a.y <= y < c.y, is the first
 // column whose centre is at or right of the edge. A triangle's row is the half-open span between
 // the crossings of its two edges there: the top-left rule for either winding, without an
-// orientation test (reference/spans.h).
+// orientation test (reference/row_crossing.h).
 #ifndef RASTERPROOF_REFERENCE_KERNELS_EXACT_CROSSINGS_H_
 #define RASTERPROOF_REFERENCE_KERNELS_EXACT_CROSSINGS_H_
 

@@ -2,7 +2,7 @@
 #include "core/vertex.h"
 #include "reference/exact_sign.h"
 #include "reference/kernels/kernel_table.h"
-#include "reference/spans.h"
+#include "reference/row_crossing.h"
 
 namespace rasterproof::reference::kernels {
 

@@ -196,7 +196,7 @@ class MaskRows {
 /// Fills in the masks of small triangles of one group of lanes. Returns whether some row was not
 /// told by its guess; with kResolve such rows are decided.
 template <bool kExact, bool kResolve, bool kFacing>
-HWY_INLINE bool FindExactMasks(const KernelView& view, ExactBlock& block, int at) {
+HWY_NOINLINE bool FindExactMasks(const KernelView& view, ExactBlock& block, int at) {
   const DF d;
   const SmallEdges edges(block, at);
   const SmallTies ties(view, block, at);  // left out where nothing asks it

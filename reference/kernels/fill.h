@@ -10,14 +10,14 @@
 
 namespace rasterproof::reference::kernels::HWY_NAMESPACE {
 
-/// Replaces each aligned vector of the target's rows by change(d, old).
+/// Replaces each vector of the target's rows by change(d, old). Rows of bits are not aligned.
 template <class T, class Change>
 HWY_INLINE void ChangeRows(const KernelView& view, int width, const Change& change) {
   const hn::ScalableTag<T> d;
   T* row = static_cast<T*>(view.planes[0]);
   for (int y = 0; y < view.height; ++y, row += view.pitch) {
     for (int x = 0; x < width; x += kLanesOf<decltype(d)>) {
-      hn::Store(change(d, hn::Load(d, row + x)), d, row + x);
+      hn::StoreU(change(d, hn::LoadU(d, row + x)), d, row + x);
     }
   }
 }

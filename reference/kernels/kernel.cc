@@ -1,5 +1,9 @@
 #include "reference/kernels/kernel.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -48,8 +52,12 @@ bool Runs(Target target) {
       return avx2;
     case Target::kAvx512:
       return avx512;
+    case Target::kNeon:
+      break;
   }
   return false;
+#elif defined(__aarch64__)
+  return target == Target::kScalar || target == Target::kNeon;
 #else
   return target == Target::kScalar;
 #endif
@@ -59,6 +67,7 @@ const KernelTable& TableOf(Target target) {
 #if defined(__x86_64__)
   switch (target) {
     case Target::kScalar:
+    case Target::kNeon:
       break;
     case Target::kSse4:
       return kSse4Kernels;
@@ -67,6 +76,8 @@ const KernelTable& TableOf(Target target) {
     case Target::kAvx512:
       return kAvx512Kernels;
   }
+#elif defined(__aarch64__)
+  if (target == Target::kNeon) return kNeonKernels;
 #endif
   return kScalarKernels;
 }
@@ -81,6 +92,21 @@ void RequireSupported(Target target) {
                    "choose one of SupportedTargets()");
 }
 
+// Small triangles are scattered over more pages of 4 KiB than a processor remembers. Where the
+// system does not know the advice, nothing is lost.
+void AdviseLargePages(std::byte* bytes, std::size_t size) {
+#if defined(__linux__)
+  constexpr std::size_t kPage = 4096;
+  const auto address = std::bit_cast<std::uintptr_t>(bytes);
+  const std::size_t skipped = Up(address, kPage) - address;
+  if (size <= skipped + kPage) return;
+  madvise(bytes + skipped, (size - skipped) / kPage * kPage, MADV_HUGEPAGE);
+#else
+  (void)bytes;
+  (void)size;
+#endif
+}
+
 template <class T>
 T Load(const std::byte* bytes) {
   T value;
@@ -91,7 +117,7 @@ T Load(const std::byte* bytes) {
 }  // namespace
 
 std::string_view NameOf(Target target) {
-  constexpr std::array<std::string_view, 4> kNames{"scalar", "sse4", "avx2", "avx512"};
+  constexpr std::array<std::string_view, 5> kNames{"scalar", "sse4", "avx2", "avx512", "neon"};
   return kNames[static_cast<std::size_t>(target)];
 }
 
@@ -125,7 +151,10 @@ Surface::Surface(Sink sink, int width, int height)
   const std::size_t rows = Up(static_cast<std::size_t>(height), 8) + 8;
   const std::size_t bytes_of_unit = sink == Sink::kMask ? 1 : BytesOfPixel(sink);
   plane_bytes_ = Up(rows * static_cast<std::size_t>(pitch_) * bytes_of_unit, kAlignment);
-  bytes_.resize(plane_bytes_ * (sink == Sink::kFacing ? 2 : 1) + kAlignment);
+  const std::size_t bytes = plane_bytes_ * (sink == Sink::kFacing ? 2 : 1) + kAlignment;
+  bytes_.reserve(bytes);
+  AdviseLargePages(bytes_.data(), bytes);
+  bytes_.resize(bytes);
   const auto address = std::bit_cast<std::uintptr_t>(bytes_.data());
   start_ = Up(address, kAlignment) - address;
   Clear();
@@ -195,8 +224,25 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
                         .strip_height = static_cast<std::ptrdiff_t>(strip_height),
                         .full_tiles = full.data(),
                         .full_pitch = static_cast<std::ptrdiff_t>(full_pitch),
-                        .tiers = tiers.data()};
+                        .tiers = tiers.data(),
+                        .first_row = 0,
+                        .on_span = nullptr,
+                        .state = nullptr};
   draw(view);
+}
+
+void DrawExact(Target target, Sink sink, KernelView view) {
+  RequireSupported(target);
+  std::array<std::uint64_t, 3> tiers{};
+  view.tiers = tiers.data();
+  FunctionOf(KernelMethod::kExact, target, sink)(view);
+}
+
+void DrawExactSpans(Target target, KernelView view) {
+  RequireSupported(target);
+  std::array<std::uint64_t, 3> tiers{};
+  view.tiers = tiers.data();
+  TableOf(target).exact_spans(view);
 }
 
 void Fill(Target target, Surface& surface) {

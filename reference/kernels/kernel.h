@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/kernels/kernel_table.h"
+
 namespace rasterproof::reference::kernels {
 
 /// Window space, y down; z is read by the depth sink alone.
@@ -36,10 +38,10 @@ struct KernelScene {
 };
 
 /// Instruction sets that the kernels are compiled for, least first. kScalar is the compiler's
-/// default for the machine, with no vectors of our own.
-enum class Target : std::uint8_t { kScalar, kSse4, kAvx2, kAvx512 };
-inline constexpr std::array kTargets{Target::kScalar, Target::kSse4, Target::kAvx2,
-                                     Target::kAvx512};
+/// default for the machine, with no vectors of our own; kNeon is that of 64-bit Arm.
+enum class Target : std::uint8_t { kScalar, kSse4, kAvx2, kAvx512, kNeon };
+inline constexpr std::array kTargets{Target::kScalar, Target::kSse4, Target::kAvx2, Target::kAvx512,
+                                     Target::kNeon};
 
 /// What is kept of the covered pixels.
 enum class Sink : std::uint8_t {
@@ -120,6 +122,16 @@ class Surface {
 /// Domain:     a target of SupportedTargets(); Draws(method, surface.sink()); a surface of the
 ///             scene's size. InputError otherwise.
 void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface& surface);
+
+/// Draws rows first_row to height - 1 by kExact into memory of the caller's. Allocates nothing.
+///
+/// Domain:     a target of SupportedTargets(); what the view names; room as sinks.h wants it: 7
+///             rows below the last one drawn, and 64 pixels behind.
+void DrawExact(Target target, Sink sink, KernelView view);
+
+/// Calls view.on_span with what kExact covers, triangle by triangle, each from its top row down. It
+/// may throw.
+void DrawExactSpans(Target target, KernelView view);
 
 /// Writes every pixel of the surface once, row by row, as one triangle over all of it would: adds 1
 /// (kFacing: to the front), stores a bit or an id, or takes the lesser depth: the store limit.

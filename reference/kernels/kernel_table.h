@@ -10,6 +10,13 @@
 
 namespace rasterproof::reference::kernels {
 
+/// A run of covered pixels: columns [x0, x1) of a row.
+struct KernelSpan {
+  std::uint32_t triangle;
+  bool is_front;
+  int row, x0, x1;
+};
+
 /// A scene and a surface as a kernel sees them.
 struct KernelView {
   const float* vertices;         ///< x, y, z of each
@@ -29,6 +36,12 @@ struct KernelView {
 
   std::uint64_t* tiers;  ///< kExact counts here: rows decided exactly, by expansions, edges of
                          ///< triangles beyond its guesses
+
+  // kExact alone: rows above this one are not drawn.
+  int first_row;
+  // KernelTable::exact_spans alone, which has no planes: what is called with every span, in order.
+  void (*on_span)(const void* state, const KernelSpan& span);
+  const void* state;
 };
 
 /// An edge from its upper end to its lower one, as it was given; a kernel's own coordinates are
@@ -51,12 +64,14 @@ using KernelFunction = void (*)(const KernelView&);
 struct KernelTable {
   KernelFunction draw[7][5];  ///< by KernelMethod and Sink; nullptr where there is no such kernel
   KernelFunction fill[5];     ///< by Sink: see Fill()
+  KernelFunction exact_spans;
 };
 
 extern const KernelTable kScalarKernels;
 extern const KernelTable kSse4Kernels;
 extern const KernelTable kAvx2Kernels;
 extern const KernelTable kAvx512Kernels;
+extern const KernelTable kNeonKernels;
 
 }  // namespace rasterproof::reference::kernels
 

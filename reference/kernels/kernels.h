@@ -11,6 +11,7 @@
 #include "reference/kernels/mask_rows.h"
 #include "reference/kernels/scanline.h"
 #include "reference/kernels/sinks.h"
+#include "reference/kernels/span_sink.h"
 #include "reference/kernels/vectors.h"
 
 namespace rasterproof::reference::kernels::HWY_NAMESPACE {
@@ -33,6 +34,7 @@ constexpr KernelTable kKernels = {
         RASTERPROOF_KERNEL_ROW(DrawExactUnsafe),
     },
     {&FillCount8, &FillFacing, &FillMask, &FillId, &FillDepth},
+    &DrawExact<SpanSink>,
 };
 
 }  // namespace rasterproof::reference::kernels::HWY_NAMESPACE

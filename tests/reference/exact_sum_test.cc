@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/spans.h"
+#include "reference/row_crossing.h"
 #include "tests/reference/brute_force.h"
 #include "tests/reference/random_values.h"
 

@@ -17,10 +17,9 @@
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "reference/kernels/kernel.h"
+#include "tests/reference/drawn_scenes.h"
 
 namespace rasterproof::reference::kernels {
-
-using KernelTriangle = std::array<KernelVertex, 3>;
 
 /// What one triangle covers of a target.
 struct Covered {

@@ -12,7 +12,7 @@
 #include "exact/edge.h"
 #include "exact/rational.h"
 #include "reference/exact_sign.h"
-#include "reference/spans.h"
+#include "reference/row_crossing.h"
 #include "reference/wireframe.h"
 #include "tests/climb.h"
 #include "tests/reference/random_values.h"

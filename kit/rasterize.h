@@ -1,0 +1,107 @@
+// Exact coverage as a library: meshes drawn into memory of your own.
+//
+//     #include "kit/rasterize.h"
+//     rasterproof::Rasterize({.positions = xyz, .indices = triangles},
+//                            {.output = rasterproof::RasterOutput::kMask, .width = 1920,
+//                             .height = 1080, .pitch = 240, .memory = mask});
+//
+// A pixel is covered where its centre lies inside the triangle of the float32 vertices as they are
+// given: any finite values, nothing snapped or clipped, no sample decided by a rounded number. Ties
+// follow the top-left rule, so triangles that share an edge leave no gap beside it and overlap
+// nowhere. Both windings are drawn; a triangle with a NaN or an infinity covers nothing. Every
+// instruction set gives the same bits.
+//
+// Link rasterproof::rasterize; docs/library.md has the rest. The same in C:
+// kit/rasterproof_rasterize.h.
+#ifndef RASTERPROOF_KIT_RASTERIZE_H_
+#define RASTERPROOF_KIT_RASTERIZE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "core/error.h"
+
+namespace rasterproof {
+
+/// Window space: pixels, x right, y down; pixel (i, j) has its centre at (i + 1/2, j + 1/2).
+///
+/// Domain:     any float32; at most 2^29 vertices, fewer than 2^32 - 1 triangles.
+struct RasterMesh {
+  std::span<const float> positions = {};        ///< x, y, z of each vertex; kDepths alone reads z
+  std::span<const std::uint32_t> indices = {};  ///< three of each triangle
+};
+
+/// What is kept of the covered pixels. Little-endian; pixels of 4 bytes are aligned.
+enum class RasterOutput : std::uint8_t {
+  kCounts,        ///< a byte: how many triangles cover the pixel, 255 at most
+  kFacingCounts,  ///< uint32, twice: front facing ones in `memory`, others in `back`
+  kMask,          ///< a bit, pixel x at bit x & 7 of byte x >> 3: whether any does
+  kIds,           ///< uint32: the last triangle that does; kNoTriangle
+  kDepths         ///< float32: the least z, of the plane through the vertices at the pixel's centre
+};
+inline constexpr std::uint32_t kNoTriangle = 0xffffffff;
+
+/// Memory of the caller's, rows from the top.
+///
+/// Domain:     1 <= width, height <= 65536; a pitch of at least a row, of whole pixels; memory (and
+///             back, where there is one) from the first row to the last one's last pixel.
+struct RasterTarget {
+  RasterOutput output = RasterOutput::kCounts;
+  int width = 0;
+  int height = 0;
+  std::size_t pitch = 0;  ///< bytes from one row to the next
+  std::span<std::byte> memory = {};
+  std::span<std::byte> back = {};  ///< kFacingCounts alone
+};
+
+/// A run of pixels that a triangle covers: columns [x0, x1) of row y.
+struct RasterSpan {
+  std::uint32_t triangle = 0;
+  bool is_front = false;  ///< counter-clockwise, as seen on the screen
+  int y = 0;
+  int x0 = 0;
+  int x1 = 0;
+};
+
+/// Instruction sets. kBest: the last of those that this machine runs.
+enum class InstructionSet : std::uint8_t { kBest, kScalar, kSse4, kAvx2, kAvx512, kNeon };
+
+/// Whether this machine, and this build of the library, runs it.
+bool IsSupported(InstructionSet set);
+
+/// Draws the triangles in order onto what memory holds: counts go on counting, depths go on being
+/// tested.
+///
+/// Vectors read and rewrite what lies between rows and behind them, within memory and unchanged: no
+/// other thread may write there meanwhile. Allocates nothing where memory has RoomFor(target)
+/// bytes; without room the last rows are drawn beside it and copied, and the mesh is gone through
+/// twice.
+///
+/// Error:      InputError, which names the argument and the remedy; nothing is drawn then.
+void Rasterize(const RasterMesh& mesh, const RasterTarget& target,
+               InstructionSet set = InstructionSet::kBest);
+
+/// Calls on_span for every row of every triangle that is covered: triangles in order, each from its
+/// top row down. It may throw, and that ends the drawing.
+///
+/// Error:      as above; also if on_span is empty.
+void Rasterize(const RasterMesh& mesh, int width, int height,
+               const std::function<void(const RasterSpan&)>& on_span,
+               InstructionSet set = InstructionSet::kBest);
+
+/// Bytes of memory (and of back) with which nothing is copied: the rows and some 7 more.
+///
+/// Domain:     a target whose width, height and pitch are in their domain; memory is not looked at.
+std::size_t RoomFor(const RasterTarget& target);
+
+/// Empties every pixel: no count, no bit, kNoTriangle, a depth of infinity. Bits behind the last
+/// pixel of a mask's row are emptied too.
+///
+/// Error:      as Rasterize.
+void Clear(const RasterTarget& target);
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_KIT_RASTERIZE_H_

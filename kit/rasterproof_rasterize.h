@@ -1,0 +1,108 @@
+/* Exact coverage as a library, in C: what kit/rasterize.h says, without exceptions.
+ *
+ * C99 and C++11. Every call returns a status; the message of a thread's last call that failed is
+ * rasterproof_raster_message(). A call that fails has drawn nothing; spans may have been given
+ * before STOPPED and FAULT. Link rasterproof::rasterize, by a C++ linker.
+ */
+#ifndef RASTERPROOF_KIT_RASTERPROOF_RASTERIZE_H_
+#define RASTERPROOF_KIT_RASTERPROOF_RASTERIZE_H_
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Of this header; rasterproof_raster_version() is the library's. They must be equal. */
+#define RASTERPROOF_RASTER_VERSION 1u
+uint32_t rasterproof_raster_version(void);
+
+typedef enum rasterproof_raster_status {
+  RASTERPROOF_RASTER_OK = 0,
+  RASTERPROOF_RASTER_BAD_ARGUMENT = 1, /* the message names it, and the remedy */
+  RASTERPROOF_RASTER_STOPPED = 2,      /* the callback said so */
+  RASTERPROOF_RASTER_NO_MEMORY = 3,
+  RASTERPROOF_RASTER_FAULT = 4 /* an exception of a callback in C++, or a fault of the library */
+} rasterproof_raster_status;
+
+/* What is kept of the covered pixels: see RasterOutput. */
+enum rasterproof_raster_output {
+  RASTERPROOF_RASTER_COUNTS = 0,        /* uint8_t, 255 at most */
+  RASTERPROOF_RASTER_FACING_COUNTS = 1, /* uint32_t: front in `memory`, others in `back` */
+  RASTERPROOF_RASTER_MASK = 2,          /* a bit, pixel x at bit x & 7 of byte x >> 3 */
+  RASTERPROOF_RASTER_IDS = 3,           /* uint32_t: the last triangle */
+  RASTERPROOF_RASTER_DEPTHS = 4         /* float: the least z */
+};
+#define RASTERPROOF_RASTER_NO_TRIANGLE 0xffffffffu
+
+/* `set` below. */
+enum rasterproof_raster_set {
+  RASTERPROOF_RASTER_BEST = 0,
+  RASTERPROOF_RASTER_SCALAR = 1,
+  RASTERPROOF_RASTER_SSE4 = 2,
+  RASTERPROOF_RASTER_AVX2 = 3,
+  RASTERPROOF_RASTER_AVX512 = 4,
+  RASTERPROOF_RASTER_NEON = 5
+};
+
+/* Window space: pixels, x right, y down; pixel (i, j) has its centre at (i + 1/2, j + 1/2). */
+typedef struct rasterproof_raster_mesh {
+  const float* positions; /* x, y, z of each vertex */
+  size_t vertex_count;
+  const uint32_t* indices; /* three of each triangle */
+  size_t triangle_count;
+} rasterproof_raster_mesh;
+
+/* Memory of the caller's, rows from the top. */
+typedef struct rasterproof_raster_target {
+  uint32_t output; /* enum rasterproof_raster_output */
+  int32_t width;
+  int32_t height;
+  size_t pitch; /* bytes from one row to the next */
+  void* memory;
+  size_t memory_size; /* bytes */
+  void* back;         /* NULL unless the output is FACING_COUNTS */
+  size_t back_size;
+} rasterproof_raster_target;
+
+/* A run of pixels that a triangle covers: columns [x0, x1) of row y. */
+typedef struct rasterproof_raster_span {
+  uint32_t triangle;
+  int32_t is_front; /* 1: counter-clockwise, as seen on the screen */
+  int32_t y;
+  int32_t x0;
+  int32_t x1;
+} rasterproof_raster_span;
+
+/* 0: go on; anything else ends the drawing. */
+typedef int32_t (*rasterproof_raster_on_span)(void* state, const rasterproof_raster_span* span);
+
+/* Empties every pixel. */
+rasterproof_raster_status rasterproof_raster_clear(const rasterproof_raster_target* target);
+
+/* Draws the triangles in order onto what memory holds. */
+rasterproof_raster_status rasterproof_rasterize(const rasterproof_raster_mesh* mesh,
+                                                const rasterproof_raster_target* target,
+                                                uint32_t set);
+
+/* Calls on_span for every row of every triangle that is covered, in order. */
+rasterproof_raster_status rasterproof_rasterize_spans(const rasterproof_raster_mesh* mesh,
+                                                      int32_t width, int32_t height,
+                                                      rasterproof_raster_on_span on_span,
+                                                      void* state, uint32_t set);
+
+/* Bytes of memory (and of back) with which nothing is copied; 0 if the target is NULL. */
+size_t rasterproof_raster_room(const rasterproof_raster_target* target);
+
+/* 1 if this machine, and this build of the library, runs the set. */
+int32_t rasterproof_raster_is_supported(uint32_t set);
+
+/* Of this thread's last call that failed; "" before that. It stays until the next one fails. */
+const char* rasterproof_raster_message(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* RASTERPROOF_KIT_RASTERPROOF_RASTERIZE_H_ */

@@ -1,0 +1,149 @@
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <new>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "kit/rasterize.h"
+#include "kit/rasterproof_rasterize.h"
+
+namespace rasterproof {
+namespace {
+
+thread_local std::array<char, 256> last_message{};
+
+rasterproof_raster_status Fail(rasterproof_raster_status status, std::string_view message) {
+  const std::size_t n = message.copy(last_message.data(), last_message.size() - 1);
+  last_message[n] = '\0';
+  return status;
+}
+
+// A callback's wish to end, thrown through the kernel.
+struct Stop {};
+
+template <class Act>
+rasterproof_raster_status Guarded(const Act& act) noexcept {
+  try {
+    act();
+    return RASTERPROOF_RASTER_OK;
+  } catch (const Stop&) {
+    return Fail(RASTERPROOF_RASTER_STOPPED, "the callback ended the drawing");
+  } catch (const InputError& error) {
+    return Fail(RASTERPROOF_RASTER_BAD_ARGUMENT, error.what());
+  } catch (const std::bad_alloc&) {
+    return Fail(RASTERPROOF_RASTER_NO_MEMORY,
+                "no memory for the last rows; give the target rasterproof_raster_room() bytes");
+  } catch (const std::exception& error) {
+    return Fail(RASTERPROOF_RASTER_FAULT, error.what());
+  } catch (...) {
+    return Fail(RASTERPROOF_RASTER_FAULT, "an exception of an unknown type");
+  }
+}
+
+template <class T>
+const T& Required(const T* argument, const char* name) {
+  if (argument == nullptr) throw InputError(name, "null", "give one");
+  return *argument;
+}
+
+std::size_t TimesThree(std::size_t n, const char* name) {
+  if (n <= std::numeric_limits<std::uint32_t>::max()) return 3 * n;
+  throw InputError(name, "too many", "draw parts of fewer than 2^29");
+}
+
+// Spans of lengths that cannot be are refused by name: a null pointer may only mean nothing.
+template <class T>
+std::span<T> SpanOf(T* values, std::size_t size, const char* name) {
+  if (values == nullptr && size != 0) throw InputError(name, "null", "give the values, or none");
+  return {values, size};
+}
+
+RasterMesh MeshOf(const rasterproof_raster_mesh* given) {
+  const rasterproof_raster_mesh& mesh = Required(given, "mesh");
+  return {.positions = SpanOf(mesh.positions, TimesThree(mesh.vertex_count, "mesh.vertex_count"),
+                              "mesh.positions"),
+          .indices = SpanOf(mesh.indices, TimesThree(mesh.triangle_count, "mesh.triangle_count"),
+                            "mesh.indices")};
+}
+
+RasterTarget TargetOf(const rasterproof_raster_target* given) {
+  const rasterproof_raster_target& target = Required(given, "target");
+  if (target.output > RASTERPROOF_RASTER_DEPTHS) {
+    throw InputError("target.output", "there is no such output",
+                     "give one of rasterproof_raster_output");
+  }
+  return {
+      .output = static_cast<RasterOutput>(target.output),
+      .width = target.width,
+      .height = target.height,
+      .pitch = target.pitch,
+      .memory = SpanOf(static_cast<std::byte*>(target.memory), target.memory_size, "target.memory"),
+      .back = SpanOf(static_cast<std::byte*>(target.back), target.back_size, "target.back")};
+}
+
+InstructionSet SetOf(std::uint32_t set) {
+  if (set <= RASTERPROOF_RASTER_NEON) return static_cast<InstructionSet>(set);
+  throw InputError("set", "there is no such set", "give one of rasterproof_raster_set");
+}
+
+}  // namespace
+}  // namespace rasterproof
+
+extern "C" {
+
+uint32_t rasterproof_raster_version(void) { return RASTERPROOF_RASTER_VERSION; }
+
+const char* rasterproof_raster_message(void) { return rasterproof::last_message.data(); }
+
+rasterproof_raster_status rasterproof_raster_clear(const rasterproof_raster_target* target) {
+  return rasterproof::Guarded([&] { rasterproof::Clear(rasterproof::TargetOf(target)); });
+}
+
+rasterproof_raster_status rasterproof_rasterize(const rasterproof_raster_mesh* mesh,
+                                                const rasterproof_raster_target* target,
+                                                std::uint32_t set) {
+  return rasterproof::Guarded([&] {
+    rasterproof::Rasterize(rasterproof::MeshOf(mesh), rasterproof::TargetOf(target),
+                           rasterproof::SetOf(set));
+  });
+}
+
+rasterproof_raster_status rasterproof_rasterize_spans(const rasterproof_raster_mesh* mesh,
+                                                      int32_t width, int32_t height,
+                                                      rasterproof_raster_on_span on_span,
+                                                      void* state, std::uint32_t set) {
+  return rasterproof::Guarded([&] {
+    if (on_span == nullptr) {
+      throw rasterproof::InputError("on_span", "null", "give a function to call");
+    }
+    const auto call = [&](const rasterproof::RasterSpan& span) {
+      const rasterproof_raster_span given{span.triangle, span.is_front ? 1 : 0, span.y, span.x0,
+                                          span.x1};
+      if (on_span(state, &given) != 0) throw rasterproof::Stop();
+    };
+    rasterproof::Rasterize(rasterproof::MeshOf(mesh), width, height, call, rasterproof::SetOf(set));
+  });
+}
+
+size_t rasterproof_raster_room(const rasterproof_raster_target* target) {
+  if (target == nullptr) return 0;
+  return rasterproof::RoomFor({.output = static_cast<rasterproof::RasterOutput>(target->output),
+                               .width = target->width,
+                               .height = target->height,
+                               .pitch = target->pitch,
+                               .memory = {},
+                               .back = {}});
+}
+
+int32_t rasterproof_raster_is_supported(std::uint32_t set) {
+  if (set > RASTERPROOF_RASTER_NEON) return 0;
+  return rasterproof::IsSupported(static_cast<rasterproof::InstructionSet>(set)) ? 1 : 0;
+}
+
+}  // extern "C"

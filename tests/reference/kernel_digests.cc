@@ -1,0 +1,64 @@
+// What every kernel draws, in digests: machines of other kinds must print the same lines.
+// Status 1: two targets of this machine draw different bits.
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "reference/kernels/kernel.h"
+#include "tests/reference/drawn_scenes.h"
+
+namespace rasterproof::reference::kernels {
+namespace {
+
+// FNV-1a over the pixels, eight bytes each.
+std::uint64_t DigestOf(const Surface& surface) {
+  std::uint64_t digest = 14695981039346656037U;
+  for (int y = 0; y < surface.height(); ++y) {
+    for (int x = 0; x < surface.width(); ++x) {
+      const std::uint64_t pixel = surface.At(x, y);
+      for (int byte = 0; byte < 8; ++byte) {
+        digest = (digest ^ ((pixel >> (8 * byte)) & 0xff)) * 1099511628211U;
+      }
+    }
+  }
+  return digest;
+}
+
+std::uint64_t Drawn(KernelMethod method, Sink sink, Target target, const OwnedScene& scene) {
+  Surface surface(sink, scene.width, scene.height);
+  Draw(method, target, scene.View(), surface);
+  return DigestOf(surface);
+}
+
+int PrintAll() {
+  int status = 0;
+  for (const OwnedScene& scene : DrawnScenes(100)) {
+    for (const KernelMethod method : kKernelMethods) {
+      // What exactness is left out of states nothing.
+      if (method == KernelMethod::kExactUnsafe) continue;
+      for (const Sink sink : kSinks) {
+        if (!Draws(method, sink)) continue;
+        const std::uint64_t digest = Drawn(method, sink, SupportedTargets().front(), scene);
+        const std::string what =
+            scene.name + ' ' + std::string(NameOf(method)) + ' ' + std::string(NameOf(sink));
+        std::printf("%s %016llx\n", what.c_str(), static_cast<unsigned long long>(digest));
+        for (const Target target : SupportedTargets()) {
+          if (Drawn(method, sink, target, scene) == digest) continue;
+          std::fprintf(stderr, "%s: %s draws other bits than %s\n", what.c_str(),
+                       std::string(NameOf(target)).c_str(),
+                       std::string(NameOf(SupportedTargets().front())).c_str());
+          status = 1;
+        }
+      }
+    }
+  }
+  for (const Target target : SupportedTargets()) {
+    std::fprintf(stderr, "target %s\n", std::string(NameOf(target)).c_str());
+  }
+  return status;
+}
+
+}  // namespace
+}  // namespace rasterproof::reference::kernels
+
+int main() { return rasterproof::reference::kernels::PrintAll(); }

@@ -4,118 +4,204 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <list>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "bench/thread_seconds.h"
+#include "bench/clock.h"
+#include "bench/errors.h"
+#include "bench/paired.h"
+#include "bench/values.h"
+#include "core/coverage.h"
 #include "exact/coverage.h"
-#include "props/run/facings.h"
+#include "reference/kernels/kernel.h"
+#include "reference/method.h"
 
 namespace rasterproof::bench {
 namespace {
 
-// Pixels of the triangles' bounding boxes inside the target: what a box-scanning method visits.
-std::uint64_t BoxPixels(const Scene& scene) {
-  std::uint64_t pixels = 0;
-  for (const Triangle& triangle : scene.triangles) {
-    const auto v = Corners(scene, triangle);
-    const auto side = [](double a, double b, double c, int size) {
-      const double low =
-          std::clamp(std::floor(std::min({a, b, c})), 0.0, static_cast<double>(size));
-      const double high =
-          std::clamp(std::ceil(std::max({a, b, c})), 0.0, static_cast<double>(size));
-      return static_cast<std::uint64_t>(high - low);
-    };
-    pixels +=
-        side(v[0].x, v[1].x, v[2].x, scene.width) * side(v[0].y, v[1].y, v[2].y, scene.height);
-  }
-  return pixels;
-}
+namespace kernels = reference::kernels;
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
+// Shorter draws are repeated until they add up to this: clocks cost some tenths of a microsecond.
+constexpr double kLeastSeconds = 1e-3;
+constexpr int kMostDraws = 64;
 
-// The oracle's counts of one scene, computed once for all profiles that have the same model.
-class Truths {
+// Measures the same method under another name.
+class Twin final : public Contender {
  public:
-  explicit Truths(const Scene& scene) : scene_(scene) {}
-
-  const CoverageCounts& Of(const Profile& profile) {
-    const auto found = std::ranges::find_if(
-        known_, [&](const Truth& truth) { return SameModel(truth.profile, profile); });
-    if (found != known_.end()) return found->counts;
-    return known_.emplace_back(profile, exact::Coverage(scene_, profile)).counts;
+  explicit Twin(std::unique_ptr<Contender> same) : same_(std::move(same)) {
+    method_ = same_->method();
+    method_.name += " again";
+    method_.summary = "the baseline measured a second time: the floor of the noise";
+    model_ = same_->model();
   }
+  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
+    return same_->WhyNot(family);
+  }
+  void Load(const FamilyInput& family) override { same_->Load(family); }
+  DrawTime Draw() override { return same_->Draw(); }
+  std::optional<CoverageCounts> Drawn() override { return same_->Drawn(); }
+  bool DrawsAlone() const override { return false; }
+  void DrawAlone(std::size_t triangle, const PixelRect& area,
+                 std::vector<std::uint8_t>& box) override {
+    same_->DrawAlone(triangle, area, box);
+  }
+  std::uint64_t LeftBehind() override { return same_->LeftBehind(); }
 
  private:
-  struct Truth {
-    Truth(const Profile& p, CoverageCounts c) : profile(p), counts(std::move(c)) {}
-    Profile profile;
-    CoverageCounts counts;
-  };
-
-  const Scene& scene_;
-  std::list<Truth> known_;  // references to the counts stay valid
+  std::unique_ptr<Contender> same_;
 };
 
-void BenchFamily(const Family& family, std::span<Subject* const> subjects,
-                 const BenchOptions& options, std::vector<BenchRow>& rows) {
-  std::vector<Subject*> takers;
-  for (Subject* subject : subjects) {
-    if (Takes(subject->Info(), family.scene)) takers.push_back(subject);
+// A contender on one family, and what is measured of it.
+struct Run {
+  Contender* contender = nullptr;
+  std::uint32_t method = 0;
+  int draws = 1;  // of one measurement
+  std::vector<double> seconds;
+  std::vector<double> wall;
+};
+
+// Draws once for nothing, then measures.
+void Measure(Run& run) {
+  const DrawTime first = run.contender->Draw();
+  if (run.seconds.empty()) {
+    const double wanted = kLeastSeconds / std::max(first.seconds, 1e-9);
+    run.draws = std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostDraws);
   }
-  Truths truths(family.scene);
-  std::vector<std::vector<double>> seconds(takers.size());
-  std::vector<BenchRow> found(takers.size());
-  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
-    for (std::size_t k = 0; k < takers.size(); ++k) {
-      const Profile& own = takers[k]->Info().profile;
-      CoverageCounts counts(family.scene.width, family.scene.height, own.pattern.samples());
-      const double start = ThreadSeconds();
-      props::DrawByFacing(*takers[k], family.scene, {}, counts);
-      seconds[k].push_back(ThreadSeconds() - start);
-      if (repetition != 0) continue;
-      found[k].against_own = Compare(counts, truths.Of(own));
-      if (own.pattern == SamplePattern{}) {
-        found[k].against_real = Compare(counts, truths.Of(Profile{}));
-      }
-    }
+  DrawTime sum;
+  for (int draw = 0; draw < run.draws; ++draw) {
+    const DrawTime time = run.contender->Draw();
+    sum.seconds += time.seconds;
+    sum.wall_seconds += time.wall_seconds;
   }
-  double baseline = 0;
-  for (std::size_t k = 0; k < takers.size(); ++k) {
-    BenchRow& row = found[k];
-    row.family = family.name;
-    row.subject = takers[k]->Info().name;
-    row.triangles = family.scene.triangles.size();
-    row.box_pixels = BoxPixels(family.scene);
-    row.median_seconds = Median(seconds[k]);
-    row.least_seconds = std::ranges::min(seconds[k]);
-    if (k == 0 || row.subject == kBaseline) baseline = row.least_seconds;
+  run.seconds.push_back(sum.seconds / run.draws);
+  run.wall.push_back(sum.wall_seconds / run.draws);
+}
+
+std::size_t MeasureInRounds(std::vector<Run>& runs, const BenchOptions& options) {
+  const double begun = WallSeconds();
+  std::size_t rounds = 0;
+  while (rounds < options.most_rounds) {
+    const bool is_late = WallSeconds() - begun > options.seconds_per_family;
+    if (rounds >= options.least_rounds && is_late) break;
+    // A step that is coprime to most counts spreads few rounds over the whole design.
+    for (const std::size_t k : RoundOrder(runs.size(), 7 * rounds)) Measure(runs[k]);
+    ++rounds;
   }
-  for (BenchRow& row : found) row.ratio = baseline > 0 ? row.least_seconds / baseline : 0;
-  rows.insert(rows.end(), found.begin(), found.end());
+  return rounds;
+}
+
+std::uint64_t WrongSamples(const CoverageCounts& drawn, const Scene& scene, const Profile& model) {
+  return Compare(drawn, exact::Coverage(scene, model)).wrong;
+}
+
+std::uint32_t IndexOf(const std::vector<Run>& runs, std::string_view name) {
+  const auto found = std::ranges::find(
+      runs, name, [](const Run& run) { return std::string_view(run.contender->method().name); });
+  return found == runs.end() ? runs.front().method : found->method;
+}
+
+kernels::Sink SinkOf(const BenchMethod& method) {
+  return *std::ranges::find(kernels::kSinks, method.sink,
+                            [](kernels::Sink sink) { return NameOf(sink); });
+}
+
+BenchRow RowOf(Run& run, const FamilyInput& family, const BenchFamily& described,
+               CoverageJudge& judge) {
+  BenchRow row;
+  row.method = run.method;
+  if (const auto drawn = run.contender->Drawn()) {
+    row.drawing_wrong = WrongSamples(*drawn, family.scene, run.contender->model());
+  }
+  if (run.contender->DrawsAlone()) {
+    const Judgement& judgement = judge.Of(*run.contender);
+    row.real = judgement.real;
+    row.own = judgement.own;
+    row.leaks = judgement.leaks;
+    row.is_judged = true;
+  }
+  row.values = ValuesOf(*run.contender, family);
+  row.time = MedianInterval(run.seconds);
+  row.wall_median = MedianInterval(run.wall).median;
+  const double stored =
+      StoreLimit(SinkOf(run.contender->method())) * static_cast<double>(described.covered);
+  row.binds_at_store = row.time.median < 2 * stored;
+  return row;
 }
 
 }  // namespace
 
-BenchResult RunBench(std::span<Subject* const> subjects, const BenchOptions& options) {
-  BenchResult result;
-  const bool present = std::ranges::any_of(
-      subjects, [](const Subject* subject) { return subject->Info().name == kBaseline; });
-  result.baseline =
-      present ? std::string(kBaseline) : (subjects.empty() ? "" : subjects.front()->Info().name);
-  result.repetitions = options.repetitions;
-  result.seed = options.seed;
-  for (const Family& family : Families(options.seed)) {
-    if (options.progress) options.progress(std::string(family.name));
-    BenchFamily(family, subjects, options, result.rows);
+std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice) {
+  std::vector<std::unique_ptr<Contender>> contenders;
+  for (const std::string_view name : {kBaseline, kClipBaseline}) {
+    const reference::Method& method = *reference::FindMethod(name);
+    contenders.push_back(MakeMethodContender(method));
+    contenders.push_back(std::make_unique<Twin>(MakeMethodContender(method)));
   }
-  return result;
+  for (const reference::Method& method : reference::Methods()) {
+    if (method.name == kBaseline || method.name == kClipBaseline) continue;
+    contenders.push_back(MakeMethodContender(method));
+  }
+  const auto targets = kernels::SupportedTargets();
+  const bool is_full = choice == ContenderChoice::kFull;
+  for (const kernels::Target target : targets) {
+    const bool is_widest = target == targets.back();
+    if (!is_full && !is_widest && target != kernels::Target::kAvx2) continue;
+    for (const kernels::Sink sink : kernels::kSinks) {
+      const bool is_quick = sink == kernels::Sink::kFacing ||
+                            (is_widest && sink == kernels::Sink::kMask);
+      if (!is_full && !is_quick) continue;
+      for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
+        if (!kernels::Draws(kernel, sink)) continue;
+        contenders.push_back(MakeKernelContender(kernel, target, sink));
+      }
+    }
+  }
+  return contenders;
+}
+
+void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Contender>> contenders,
+               const BenchOptions& options, BenchResult& result) {
+  const auto say = [&](const std::string& what) {
+    if (options.progress) options.progress(family.name + ": " + what);
+  };
+  const auto at = static_cast<std::uint32_t>(result.families.size());
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k < contenders.size(); ++k) {
+    const auto method = static_cast<std::uint32_t>(k);
+    if (result.methods.size() == k) result.methods.push_back(contenders[k]->method());
+    if (auto why = contenders[k]->WhyNot(family)) {
+      result.left_out.push_back({at, method, *why});
+      continue;
+    }
+    contenders[k]->Load(family);
+    runs.push_back({contenders[k].get(), method, 1, {}, {}});
+  }
+  say("samples");
+  const JudgedTriangles judged(family.scene, options.judged_pixels);
+  BenchFamily described = Describe(family, judged);
+  if (!runs.empty()) {
+    say("times");
+    described.rounds = MeasureInRounds(runs, options);
+    const std::string_view baseline = family.scene.clip_space ? kClipBaseline : kBaseline;
+    described.baseline = IndexOf(runs, baseline);
+    described.twin = IndexOf(runs, std::string(baseline) + " again");
+    say("errors");
+    CoverageJudge judge(family, judged);
+    const auto base = std::ranges::find(runs, described.baseline, &Run::method);
+    for (Run& run : runs) {
+      BenchRow row = RowOf(run, family, described, judge);
+      row.family = at;
+      row.ratio = RatioInterval(run.seconds, base->seconds);
+      row.seconds = run.seconds;
+      result.rows.push_back(std::move(row));
+    }
+  }
+  result.families.push_back(std::move(described));
 }
 
 }  // namespace rasterproof::bench

@@ -1,48 +1,54 @@
-// Error against run time: every subject on the same scenes in one run.
+// Error against run time: every method on the same families in one run.
 #ifndef RASTERPROOF_BENCH_BENCH_H_
 #define RASTERPROOF_BENCH_BENCH_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bench/contender.h"
+#include "bench/family.h"
 #include "core/bench_result.h"
-#include "core/scene.h"
-#include "core/subject.h"
 
 namespace rasterproof::bench {
 
-/// The subject whose time is 1: Pineda's increments from the corner of the box.
+/// The methods whose time is 1: Pineda's increments from the corner of the box, and in clip space
+/// the division followed by the direct form.
 inline constexpr std::string_view kBaseline = "f32-incremental";
+inline constexpr std::string_view kClipBaseline = "hom-projected-f32";
 
 struct BenchOptions {
-  int repetitions = 7;
-  std::uint64_t seed = 1;
+  /// Rounds of a family go on until this is used up, within the two limits.
+  double seconds_per_family = 2;
+  std::size_t least_rounds = 9;
+  std::size_t most_rounds = 61;
+  /// Triangles are judged until their boxes add up to this.
+  std::uint64_t judged_pixels = 2'000'000;
   /// Called with what is being done. May be empty.
   std::function<void(const std::string&)> progress;
 };
 
-/// A family of scenes with one hard side.
-struct Family {
-  std::string_view name;
-  std::string_view summary;
-  Scene scene;
+/// Which of the built-in methods and kernels are drawn.
+enum class ContenderChoice : std::uint8_t {
+  kQuick,  ///< every method; kernels by AVX2 and the widest vectors into counts, masks by the widest
+  kFull    ///< every method; kernels by every instruction set into every sink
 };
 
-/// The four families: "medium" (1000 triangles of about 64 px), "large" (4 of 2048 px), "wide" (6
-/// of 16384 x 64), "needles" (60 of up to 1024 px, less than one pixel wide). float32, unsnapped,
-/// front facing.
-std::vector<Family> Families(std::uint64_t seed);
+/// The project's own: every method of the table, every kernel; the baselines and their twins first.
+std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice);
 
-/// Runs every subject on every family, repetitions interleaved so that a slow spell of the machine
-/// falls on all alike.
+/// Adds what is measured on one family to the result: every contender that draws it, in rounds in
+/// which each is drawn once, behind a draw that is not counted.
 ///
-/// Units:      seconds of the thread's CPU time; only ratios within one result mean something.
-/// Returns:    a row per family and subject that takes the family's scene, families in order.
-BenchResult RunBench(std::span<Subject* const> subjects, const BenchOptions& options);
+/// Domain:     the contenders of earlier calls for the same result, in the same order; the family's
+///             baseline and twin among them, or the first one stands in for both.
+void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Contender>> contenders,
+               const BenchOptions& options, BenchResult& result);
 
 }  // namespace rasterproof::bench
 

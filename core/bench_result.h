@@ -1,33 +1,183 @@
-// What a benchmark found: measured by bench, rendered by report.
+// What a benchmark found, times and errors of the same inputs in one run: measured by bench,
+// rendered by report.
 #ifndef RASTERPROOF_CORE_BENCH_RESULT_H_
 #define RASTERPROOF_CORE_BENCH_RESULT_H_
 
+#include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/coverage.h"
-
 namespace rasterproof {
 
-/// One subject on one family of scenes. Times mean something only as ratios within one run.
-struct BenchRow {
-  std::string family;  ///< "medium", "large", "wide", "needles"
-  std::string subject;
-  std::uint64_t triangles = 0;
-  std::uint64_t box_pixels = 0;  ///< pixels in the triangles' clipped bounding boxes
-  double median_seconds = 0;     ///< thread CPU time of one draw of the family
-  double least_seconds = 0;
-  double ratio = 0;                 ///< least_seconds over the baseline's, same family, same run
-  CoverageDifference against_own;   ///< the oracle under the subject's own profile
-  CoverageDifference against_real;  ///< the oracle under real geometry
+/// A median with its interval.
+struct Interval {
+  double low = 0;
+  double median = 0;
+  double high = 0;
+
+  friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-struct BenchResult {
-  std::string baseline;  ///< the subject whose time is 1
-  int repetitions = 0;
+/// Returns whether two intervals have no number in common.
+inline bool AreApart(const Interval& a, const Interval& b) {
+  return a.high < b.low || b.high < a.low;
+}
+
+/// How a method's time is taken.
+enum class BenchClock : std::uint8_t {
+  kThread,   ///< processor time of this process: one thread draws
+  kProgram,  ///< processor time of a program, by the slope over repeats of the scene in one request
+  kWall      ///< elapsed time alone: what draws runs elsewhere
+};
+
+/// One way to draw: what is timed and put to the test.
+struct BenchMethod {
+  std::string name;     ///< "f32-direct", "kernel-exact", "mine.so"
+  std::string summary;  ///< one line
+  std::string kind;     ///< "float32", "float64", "fixed point", "exact", "yours"
+  std::string target;   ///< instruction set: "compiler" (as the compiler was told), "avx2", ...
+  std::string sink;     ///< "facing", "count8", "mask", "id", "depth"
+  std::string model;    ///< name of the profile that it is held to; "real" for real geometry
+  BenchClock clock = BenchClock::kThread;
+  /// 0 wrong samples are proved of it: against its own model, inside its limit.
+  bool is_proved = false;
+  bool is_users = false;        ///< the user's own, not the project's
+  double coordinate_limit = 0;  ///< beyond it nothing is stated; pixels
+  std::uint64_t vertex_bytes = 0;  ///< that one vertex takes in the format that it reads
+  std::uint64_t pixel_bits = 0;    ///< that one pixel takes in its sink
+  /// What it costs to turn the scene's vertices into its own and its answer into counts, seconds
+  /// for a triangle; not part of its time. NaN: nothing is converted.
+  double conversion_seconds = std::numeric_limits<double>::quiet_NaN();
+
+  friend bool operator==(const BenchMethod&, const BenchMethod&) = default;
+};
+
+/// Distances of samples from the nearest edge of their triangle, all pairs within a pixel: on it,
+/// then up to 2^-16, 2^-8, 2^-4, 1 pixel.
+struct EdgeDistances {
+  static constexpr std::array<double, 5> kUpTo{0, 0x1p-16, 0x1p-8, 0x1p-4, 1};
+  std::array<std::uint64_t, 5> pairs{};
+};
+
+/// A family of triangles, and what it is made of.
+struct BenchFamily {
+  std::string name;
+  std::string summary;  ///< a sentence
+  int width = 0;
+  int height = 0;
+  bool is_clip_space = false;
+  /// Vertices were placed to be hard: shares are "k of N constructed", never a rate.
+  bool is_constructed = false;
+  /// Its triangles are independent draws of one distribution: 0 of N bounds the rate by 3/N.
+  bool is_random = false;
+  double largest_coordinate = 0;  ///< magnitude, pixels
+  std::uint64_t triangles = 0;
+  std::uint64_t covered = 0;  ///< pairs (triangle, sample) that exact geometry covers
+  /// Of the triangles whose errors were counted (all, or every n-th block of 64):
+  std::uint64_t judged_triangles = 0;
+  std::uint64_t judged_covered = 0;
+  std::uint64_t boundary_pairs = 0;  ///< (triangle, sample) at most a pixel from an edge
+  std::uint64_t shared_pairs = 0;    ///< (edge of two triangles, sample) at most a pixel from it
+  EdgeDistances distances;
+  std::uint32_t baseline = 0;  ///< the method whose ratio is 1
+  /// The baseline measured a second time under another name: its ratio is the noise's floor.
+  std::uint32_t twin = 0;
+  std::uint64_t rounds = 0;
+};
+
+/// A wrong decision, to be seen again.
+struct BenchWitness {
+  std::uint64_t triangle = 0;
+  int x = 0;
+  int y = 0;
+  double distance = 0;  ///< of the sample from the triangle's boundary, pixels
+
+  friend bool operator==(const BenchWitness&, const BenchWitness&) = default;
+};
+
+/// Decisions of a method on a family's judged triangles against one geometry.
+struct BenchErrors {
+  std::uint64_t missing = 0;     ///< pairs that it should cover
+  std::uint64_t unexpected = 0;  ///< pairs that it should not
+  /// Of the missing pairs: of triangles of 16 pairs and more that it drew nothing of.
+  std::uint64_t lost = 0;
+  /// Largest distance of a wrong sample, not lost, from the triangle's boundary: how far an edge
+  /// has to move to make the decision right. Pixels.
+  double displacement = 0;
+  /// 99.9 % of them are at most as far; NaN below 10,000 wrong pairs.
+  double displacement_999 = std::numeric_limits<double>::quiet_NaN();
+  std::optional<BenchWitness> worst;
+
+  std::uint64_t Wrong() const { return missing + unexpected; }
+};
+
+/// What a method leaks along shared edges, held to its own model.
+struct BenchLeaks {
+  std::uint64_t gaps = 0;
+  std::uint64_t overlaps = 0;
+
+  std::uint64_t Sum() const { return gaps + overlaps; }
+};
+
+/// Values that a method computes besides coverage. NaN: it shows none.
+struct BenchValues {
+  double edge = std::numeric_limits<double>::quiet_NaN();  ///< largest |error of E| / length, px
+  /// Largest |error of E| over its proven bound.
+  double edge_share_of_bound = std::numeric_limits<double>::quiet_NaN();
+  double barycentric = std::numeric_limits<double>::quiet_NaN();
+  double depth = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// One method on one family.
+struct BenchRow {
+  std::uint32_t family = 0;  ///< index in BenchResult::families
+  std::uint32_t method = 0;  ///< index in BenchResult::methods
+  /// Seconds of one draw of the family, a number for each round, in the order of the rounds.
+  std::vector<double> seconds;
+  Interval time;            ///< of the seconds
+  double wall_median = 0;   ///< elapsed
+  Interval ratio;  ///< to the baseline's of the same round
+  /// The time is that of storing what is covered, or less than twice that.
+  bool binds_at_store = false;
+  /// Whether its decisions were judged; else the errors say nothing.
+  bool is_judged = false;
+  BenchErrors real;  ///< against real geometry
+  BenchErrors own;   ///< against the method's own model
+  BenchLeaks leaks;
+  BenchValues values;
+  /// Samples of the whole drawing that was timed whose count is not the own model's.
+  std::uint64_t drawing_wrong = 0;
+};
+
+/// What was not timed, and why.
+struct BenchLeftOut {
+  std::uint32_t family = 0;
+  std::uint32_t method = 0;
+  std::string why;
+};
+
+/// Where and how it was measured.
+struct BenchSetting {
+  std::string processor;
+  std::string compiler;
+  std::string flags;
+  std::string commit;
+  std::string command;
+  std::string date;
   std::uint64_t seed = 0;
+  bool is_quick = false;  ///< families of an eighth of their size
+};
+
+/// A whole run. Times mean something only beside others of the same run.
+struct BenchResult {
+  BenchSetting setting;
+  std::vector<BenchMethod> methods;
+  std::vector<BenchFamily> families;
   std::vector<BenchRow> rows;
+  std::vector<BenchLeftOut> left_out;
 };
 
 }  // namespace rasterproof

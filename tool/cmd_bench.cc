@@ -1,47 +1,130 @@
 // rasterproof bench: error against run time, every method from the same inputs in one run.
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "bench/bench.h"
+#include "bench/contender.h"
+#include "bench/family.h"
+#include "core/bench_result.h"
+#include "core/error.h"
+#include "exact/environment.h"
+#include "fmt/chrono.h"
 #include "fmt/format.h"
 #include "io/output.h"
-#include "report/bench_plot.h"
-#include "subjects/builtin/builtin.h"
-#include "tool/asked.h"
+#include "report/bench_text.h"
 #include "tool/commands.h"
 #include "tool/progress.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
+namespace {
+
+// Below this, families are small and kernels draw by the machine's best vectors.
+constexpr double kFullFrom = 180;
+
+std::string ProcessorName() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown processor";
+}
+
+BenchSetting SettingOf(const BenchOptions& options) {
+  const exact::Environment environment = exact::InspectEnvironment();
+  BenchSetting setting;
+  setting.processor = fmt::format("{}, {} processors", ProcessorName(), sysconf(_SC_NPROCESSORS_ONLN));
+  setting.compiler = environment.compiler;
+  setting.flags = environment.flags;
+  setting.command = options.command;
+  setting.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now()));
+  setting.seed = options.seed;
+  setting.is_quick = options.budget < kFullFrom;
+  return setting;
+}
+
+bench::FamilyInput FromFile(const std::string& path, const BenchOptions& options) {
+  SceneOptions scene_options;
+  scene_options.path = path;
+  scene_options.width = options.width;
+  scene_options.height = options.height;
+  Scene scene = LoadScene(scene_options);
+  scene.name = std::filesystem::path(path).stem().string();
+  return bench::FamilyOf(std::move(scene), "The scene " + path);
+}
+
+std::vector<bench::FamilyInput> FamiliesOf(const BenchOptions& options) {
+  std::vector<bench::FamilyInput> families;
+  const auto size =
+      options.budget < kFullFrom ? bench::FamilySize::kQuick : bench::FamilySize::kFull;
+  const bool all = options.families.empty() && options.scenes.empty();
+  std::vector<std::string> known;
+  for (const bench::FamilyKind& kind : bench::FamilyKinds()) {
+    known.emplace_back(kind.name);
+    if (!all && std::ranges::find(options.families, kind.name) == options.families.end()) continue;
+    families.push_back(bench::MakeFamily(kind, size, options.seed));
+  }
+  for (const std::string& name : options.families) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    throw InputError("--family " + name, "there is no such family",
+                     fmt::format("choose of {}", fmt::join(known, ", ")));
+  }
+  for (const std::string& path : options.scenes) families.push_back(FromFile(path, options));
+  return families;
+}
+
+std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& options) {
+  auto contenders = bench::OwnContenders(options.budget < kFullFrom ? bench::ContenderChoice::kQuick
+                                                                    : bench::ContenderChoice::kFull);
+  if (options.subjects.empty()) return contenders;
+  const auto is_asked = [&](const std::string& name) {
+    return std::ranges::find(options.subjects, name) != options.subjects.end();
+  };
+  for (const std::string& name : options.subjects) {
+    const bool is_known = std::ranges::any_of(
+        contenders, [&](const auto& contender) { return contender->method().name == name; });
+    if (!is_known) {
+      throw InputError("--subject " + name, "it is no method that bench draws",
+                       "see the names in the table of: rasterproof bench --family ties");
+    }
+  }
+  // The baselines and their twins stay: ratios are to them.
+  std::erase_if(contenders, [&](const auto& contender) {
+    const std::string& name = contender->method().name;
+    const bool is_base = name.starts_with(bench::kBaseline) && name.size() <= bench::kBaseline.size() + 6;
+    return !is_base && !name.starts_with(bench::kClipBaseline) && !is_asked(name);
+  });
+  return contenders;
+}
+
+}  // namespace
 
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
-  std::vector<std::unique_ptr<Subject>> owned;
-  std::vector<Subject*> subjects;
-  const std::vector<std::string> names =
-      options.subjects.empty() ? subjects::BuiltinNames() : options.subjects;
-  for (const std::string& name : names) {
-    auto subject = MakeSubject(name);
-    const SubjectInfo& info = subject->Info();
-    // The four families are window space; canonical order changes which way an edge is walked, not
-    // its cost.
-    if (options.subjects.empty() && (!info.takes_window || name.ends_with(":canonical"))) continue;
-    subjects.push_back(subject.get());
-    owned.push_back(std::move(subject));
-  }
-  bench::BenchOptions bench_options;
-  bench_options.repetitions = options.repetitions;
-  bench_options.seed = options.seed;
+  const auto contenders = ContendersOf(options);
+  const std::vector<bench::FamilyInput> families = FamiliesOf(options);
   BenchResult result;
+  result.setting = SettingOf(options);
   {
     Progress progress;
     progress.Stage("bench");
+    bench::BenchOptions bench_options;
+    bench_options.seconds_per_family = 0.7 * options.budget / static_cast<double>(families.size());
     bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
-    result = bench::RunBench(subjects, bench_options);
+    for (const bench::FamilyInput& family : families) {
+      bench::RunFamily(family, contenders, bench_options, result);
+    }
   }
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
-  if (!options.plot.empty()) io::WriteFile(options.plot, report::BenchPlotSpec(result));
   io::WriteStandardOutput(report::BenchToTable(result));
   return kExitHolds;
 }

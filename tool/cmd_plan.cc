@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/thread_seconds.h"
+#include "bench/clock.h"
 #include "core/coverage.h"
 #include "core/error.h"
 #include "exact/coverage.h"
@@ -33,16 +33,16 @@ struct Timed {
   }
 };
 
-// Draws until two milliseconds of this thread's time have gone by; the time of one draw.
+// Draws until two milliseconds of processor time have gone by; the time of one draw.
 double TimeOne(const reference::PlanDraw draw, const Scene& scene, const Profile& profile,
                CoverageCounts& counts) {
   constexpr double kEnough = 2e-3;
-  const double begun = bench::ThreadSeconds();
+  const double begun = bench::ProcessSeconds();
   double spent = 0;
   int draws = 0;
   for (; spent < kEnough; ++draws) {
     draw(scene, profile, {}, counts);
-    spent = bench::ThreadSeconds() - begun;
+    spent = bench::ProcessSeconds() - begun;
   }
   return spent / draws * 1e9;
 }

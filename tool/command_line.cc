@@ -293,34 +293,24 @@ void AddClimb(CLI::App& app, Run& run) {
       [&run] { run = [] { return UntilInterrupted([] { return RunClimb(options); }); }; });
 }
 
-void AddBench(CLI::App& app, Run& run) {
+void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   static BenchOptions options;
-  CLI::App* verb = app.add_subcommand("bench", "Error against run time, as ratios within one run");
-  verb->add_option("--subject", options.subjects, "Subjects (default: every method)");
-  verb->add_option("--repetitions", options.repetitions, "Interleaved repetitions")
-      ->check(Positive())
-      ->capture_default_str();
+  options.command = typed;
+  CLI::App* verb = app.add_subcommand("bench", "Error against run time, measured in one run");
+  verb->add_option("--family", options.families, "Families (default: all)");
+  verb->add_option("--scene", options.scenes, "Scene files or meshes beside the families");
+  verb->add_option("--subject", options.subjects, "Built-in methods and kernels (default: all)");
+  verb->add_option_function<std::string>(
+          "--budget", [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },
+          "Time for everything, as 90s or 10m; from 3m on families have their full size")
+      ->default_str("60s");
   verb->add_option_function<std::string>(
       "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-      "Seed of the scenes");
-  verb->add_option("--json", options.json, "Result as JSON");
-  verb->add_option("--plot", options.plot, "Vega-Lite specification of the plot");
-  CLI::Option* kernels = verb->add_flag("--kernels", options.kernels,
-                                        "Time the fast kernels instead: nanoseconds a triangle");
-  const auto add = [&](const std::string& name, std::vector<std::string>& to,
-                       const std::string& help) {
-    verb->add_option(name, to, help)->needs(kernels);
-  };
-  add("--scene", options.scenes, "Scene by name, scene file or mesh (default: all by name)");
-  add("--target", options.targets, "scalar, sse4, avx2, avx512, neon (default: the best one here)");
-  add("--sink", options.sinks, "count8, facing, mask, id, depth (default: all)");
-  add("--method", options.methods, "Kernel (default: all)");
-  add("--plugin", options.plugins, "Library that is timed beside them, in this process");
-  verb->add_option("--width", options.width, "Of the target")->check(Positive())->needs(kernels);
-  verb->add_option("--height", options.height, "Of the target")->check(Positive())->needs(kernels);
-  verb->callback([&run] {
-    run = [] { return options.kernels ? RunBenchKernels(options) : RunBench(options); };
-  });
+      "Seed of the families");
+  verb->add_option("--json", options.json, "Result as JSON, raw times included");
+  verb->add_option("--width", options.width, "Of the target of meshes")->check(Positive());
+  verb->add_option("--height", options.height, "Of the target of meshes")->check(Positive());
+  verb->callback([&run] { run = [] { return RunBench(options); }; });
 }
 
 void AddDecode(CLI::App& app, Run& run) {
@@ -412,7 +402,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddMerge(app, run);
   AddList(app, run);
   AddSceneVerbs(app, run);
-  AddBench(app, run);
+  AddBench(app, run, typed);
   AddShrink(app, run, typed);
   AddClimb(app, run);
   AddDecode(app, run);

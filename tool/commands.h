@@ -217,23 +217,17 @@ struct PlanOptions {
 int RunPlan(const PlanOptions& options);
 
 struct BenchOptions {
-  std::vector<std::string> subjects;
-  std::string json;
-  std::string plot;  ///< Vega-Lite specification
-  int repetitions = 7;
+  std::vector<std::string> families;  ///< names; empty: all, unless there are scenes
+  std::vector<std::string> scenes;    ///< scene files or meshes
+  std::vector<std::string> subjects;  ///< built-in methods and kernels by name; empty: all
+  double budget = 60;                 ///< seconds for everything
   std::uint64_t seed = 1;
-  bool kernels = false;
-  // With --kernels only. Empty: all; of the targets the best.
-  std::vector<std::string> scenes;  ///< names or files
-  std::vector<std::string> targets;
-  std::vector<std::string> sinks;
-  std::vector<std::string> methods;
-  std::vector<std::string> plugins;  ///< timed beside the kernels, in this process
-  int width = 1920;
+  std::string json;
+  std::string command;  ///< as it was typed
+  int width = 1920;     ///< of meshes
   int height = 1080;
 };
 int RunBench(const BenchOptions& options);
-int RunBenchKernels(const BenchOptions& options);
 
 struct DecodeOptions {
   std::string input;

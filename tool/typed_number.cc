@@ -39,4 +39,20 @@ int ParseCount(const std::string& option, const std::string& text, int most) {
                    fmt::format("give an integer of 1 to {}", most));
 }
 
+double ParseSeconds(const std::string& option, const std::string& text) {
+  std::size_t used = 0;
+  double seconds = 0;
+  try {
+    seconds = std::stod(text, &used);
+  } catch (const std::logic_error&) {
+    used = 0;
+  }
+  const std::string unit = text.substr(used);
+  const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+  if (used == 0 || factor == 0 || !(seconds > 0) || seconds > 1e6) {
+    throw InputError(option + " " + text, "it is no time", "give seconds or minutes, as 90s or 10m");
+  }
+  return seconds * factor;
+}
+
 }  // namespace rasterproof::tool

@@ -19,6 +19,11 @@ std::uint64_t ParseSeed(const std::string& text);
 /// Error:      InputError that names the option.
 int ParseCount(const std::string& option, const std::string& text, int most);
 
+/// "90", "90s", "10m", "1h": seconds, more than 0.
+///
+/// Error:      InputError that names the option.
+double ParseSeconds(const std::string& option, const std::string& text);
+
 }  // namespace rasterproof::tool
 
 #endif  // RASTERPROOF_TOOL_TYPED_NUMBER_H_

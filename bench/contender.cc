@@ -1,0 +1,276 @@
+#include "bench/contender.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bench/clock.h"
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/subject_info.h"
+#include "reference/kernels/kernel.h"
+#include "reference/rasterize.h"
+
+namespace rasterproof::bench {
+namespace {
+
+namespace kernels = reference::kernels;
+
+// Times one call.
+template <class Call>
+DrawTime Timed(const Call& call) {
+  const double wall = WallSeconds();
+  const double start = ProcessSeconds();
+  call();
+  const double end = ProcessSeconds();
+  return {.seconds = end - start, .wall_seconds = WallSeconds() - wall};
+}
+
+// The kind of a method, by what it computes in and whether it states to be exact.
+std::string KindOf(const SubjectInfo& info) {
+  if (!info.profile.snap.IsNone()) return "fixed point";
+  if (info.states_exact) return "exact";
+  return info.input == Precision::kFloat64 || info.name.find("f64") != std::string::npos
+             ? "float64"
+             : "float32";
+}
+
+class MethodContender final : public Contender {
+ public:
+  explicit MethodContender(const reference::Method& table_row) : row_(table_row) {
+    const SubjectInfo& info = table_row.info;
+    model_ = info.profile;
+    edges_ = table_row.edges;
+    method_.name = table_row.name;
+    method_.summary = table_row.summary;
+    method_.kind = KindOf(info);
+    method_.target = "compiler";
+    method_.sink = NameOf(kernels::Sink::kFacing);
+    method_.model = info.profile.name;
+    method_.is_proved = info.states_exact;
+    method_.coordinate_limit = info.profile.coordinate_limit;
+    method_.vertex_bytes = sizeof(Vertex);
+    method_.pixel_bits = 8 * sizeof(std::uint64_t);
+  }
+
+  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
+    if (Takes(row_.info, family.scene)) return std::nullopt;
+    if (family.scene.clip_space) return "it draws window space, and the family is clip space";
+    if (!row_.info.takes_window) return "it draws clip space, and the family is window space";
+    return "it computes in float32, and the family's coordinates are float64";
+  }
+
+  void Load(const FamilyInput& family) override {
+    family_ = &family;
+    counts_ = CoverageCounts(family.scene.width, family.scene.height);
+    alone_ = Scene{.name = family.scene.name,
+                   .width = family.scene.width,
+                   .height = family.scene.height,
+                   .precision = family.scene.precision,
+                   .clip_space = family.scene.clip_space,
+                   .vertices = std::vector<Vertex>(3),
+                   .triangles = {{0, 1, 2}}};
+  }
+
+  DrawTime Draw() override {
+    std::ranges::fill(counts_.front, 0);
+    std::ranges::fill(counts_.back, 0);
+    return Timed([&] { reference::Rasterize(family_->scene, row_, {}, counts_); });
+  }
+
+  std::optional<CoverageCounts> Drawn() override {
+    return std::exchange(counts_, CoverageCounts(counts_.width, counts_.height));
+  }
+
+  void DrawAlone(std::size_t triangle, const PixelRect& area,
+                 std::vector<std::uint8_t>& box) override {
+    const auto corners = Corners(family_->scene, family_->scene.triangles[triangle]);
+    std::ranges::copy(corners, alone_.vertices.begin());
+    reference::Rasterize(alone_, row_, {}, counts_);
+    std::size_t at = 0;
+    for (int y = area.y0; y < area.y1; ++y) {
+      for (int x = area.x0; x < area.x1; ++x) {
+        const std::size_t i = counts_.Index(x, y);
+        box[at++] = counts_.Count(i) != 0 ? 1 : 0;
+        counts_.front[i] = counts_.back[i] = 0;
+      }
+    }
+  }
+
+  std::uint64_t LeftBehind() override {
+    std::uint64_t left = 0;
+    for (std::size_t i = 0; i < counts_.size(); ++i) left += counts_.Count(i) != 0 ? 1 : 0;
+    if (left != 0) counts_ = CoverageCounts(counts_.width, counts_.height);
+    return left;
+  }
+
+ private:
+  const reference::Method& row_;
+  const FamilyInput* family_ = nullptr;
+  CoverageCounts counts_;
+  Scene alone_;
+};
+
+std::string_view SummaryOf(kernels::KernelMethod method) {
+  switch (method) {
+    case kernels::KernelMethod::kIncremental:
+      return "float32 edge functions stepped from the box's corner, by vectors";
+    case kernels::KernelMethod::kTiles:
+      return "float32 half-spaces: 8x8 tiles accepted, rejected or tested by pixel";
+    case kernels::KernelMethod::kScanline:
+      return "float32 crossings of edges with rows, by vectors";
+    case kernels::KernelMethod::kFixedTiles:
+      return "tiles on vertices snapped to 1/256 pixel";
+    case kernels::KernelMethod::kMaskRows:
+      return "float32 crossings into tiles of bits that know when they are full";
+    case kernels::KernelMethod::kExact:
+      return "crossings of edges with rows, decided exactly";
+    case kernels::KernelMethod::kExactUnsafe:
+      return "the exact kernel with what makes it exact left out";
+  }
+  return "";
+}
+
+std::uint64_t BitsOf(kernels::Sink sink) {
+  switch (sink) {
+    case kernels::Sink::kCount8: return 8;
+    case kernels::Sink::kFacing: return 64;
+    case kernels::Sink::kMask: return 1;
+    case kernels::Sink::kId:
+    case kernels::Sink::kDepth: return 32;
+  }
+  return 0;
+}
+
+class KernelContender final : public Contender {
+ public:
+  KernelContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
+      : kernel_(kernel), target_(target), sink_(sink) {
+    const bool is_fixed = kernel == kernels::KernelMethod::kFixedTiles;
+    const bool is_exact = kernel == kernels::KernelMethod::kExact;
+    if (is_fixed) {
+      model_.name = "snapped to 1/256";
+      model_.snap = {8, SnapRule::kNearestEven};
+    }
+    model_.coordinate_limit =
+        is_fixed ? double{kernels::kFixedRange} : double{std::numeric_limits<float>::max()};
+    method_.name = "kernel-" + std::string(NameOf(kernel));
+    method_.summary = SummaryOf(kernel);
+    method_.kind = is_fixed ? "fixed point" : is_exact ? "exact" : "float32";
+    method_.target = NameOf(target);
+    method_.sink = NameOf(sink);
+    method_.model = model_.name;
+    method_.is_proved = is_fixed || is_exact;
+    method_.coordinate_limit = model_.coordinate_limit;
+    method_.vertex_bytes = sizeof(kernels::KernelVertex);
+    method_.pixel_bits = BitsOf(sink);
+  }
+
+  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
+    if (family.KernelsDrawIt()) return std::nullopt;
+    return "kernels draw float32 vertices in window space";
+  }
+
+  void Load(const FamilyInput& family) override {
+    family_ = &family;
+    surface_.emplace(sink_, family.scene.width, family.scene.height);
+  }
+
+  DrawTime Draw() override {
+    surface_->Clear();
+    const kernels::KernelScene scene = family_->KernelScene();
+    return Timed([&] { kernels::Draw(kernel_, target_, scene, *surface_); });
+  }
+
+  std::optional<CoverageCounts> Drawn() override {
+    if (sink_ != kernels::Sink::kFacing) return std::nullopt;
+    CoverageCounts counts(surface_->width(), surface_->height());
+    for (int y = 0; y < surface_->height(); ++y) {
+      for (int x = 0; x < surface_->width(); ++x) {
+        const std::uint64_t both = surface_->At(x, y);
+        const std::size_t i = counts.Index(x, y);
+        counts.front[i] = static_cast<std::uint32_t>(both);
+        counts.back[i] = static_cast<std::uint32_t>(both >> 32);
+      }
+    }
+    surface_->Clear();
+    return counts;
+  }
+
+  // By every instruction set and into every sink the same: tests/reference/kernels_test.cc. Masks
+  // that know when they are full are the one kernel without another sink.
+  bool DrawsAlone() const override { return kernel_ != kernels::KernelMethod::kMaskRows; }
+
+  void DrawAlone(std::size_t triangle, const PixelRect& area,
+                 std::vector<std::uint8_t>& box) override {
+    if (!alone_) alone_.emplace(kernels::Sink::kCount8, surface_->width(), surface_->height());
+    kernels::KernelScene scene = family_->KernelScene();
+    scene.indices = scene.indices.subspan(3 * triangle, 3);
+    kernels::Draw(kernel_, target_, scene, *alone_);
+    const auto columns = static_cast<std::size_t>(area.x1 - area.x0);
+    for (int y = area.y0; y < area.y1; ++y) {
+      std::byte* const row = alone_->plane(0) + y * alone_->pitch() + area.x0;
+      std::memcpy(box.data() + static_cast<std::size_t>(y - area.y0) * columns, row, columns);
+      std::memset(row, 0, columns);
+    }
+  }
+
+  std::uint64_t LeftBehind() override {
+    std::uint64_t left = 0;
+    if (!alone_) return left;
+    for (int y = 0; y < alone_->height(); ++y) {
+      for (int x = 0; x < alone_->width(); ++x) left += alone_->At(x, y) != 0 ? 1 : 0;
+    }
+    alone_.reset();
+    return left;
+  }
+
+ private:
+  kernels::KernelMethod kernel_;
+  kernels::Target target_;
+  kernels::Sink sink_;
+  const FamilyInput* family_ = nullptr;
+  std::optional<kernels::Surface> surface_;
+  std::optional<kernels::Surface> alone_;
+};
+
+}  // namespace
+
+std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method) {
+  return std::make_unique<MethodContender>(method);
+}
+
+std::unique_ptr<Contender> MakeKernelContender(kernels::KernelMethod method,
+                                               kernels::Target target, kernels::Sink sink) {
+  return std::make_unique<KernelContender>(method, target, sink);
+}
+
+double StoreLimit(kernels::Sink sink) {
+  static std::array<double, kernels::kSinks.size()> known{};
+  double& limit = known[static_cast<std::size_t>(sink)];
+  if (limit > 0) return limit;
+  constexpr int kSide = 1024;
+  constexpr int kPasses = 8;
+  kernels::Surface surface(sink, kSide, kSide);
+  limit = std::numeric_limits<double>::infinity();
+  for (int repetition = 0; repetition < 8; ++repetition) {
+    const DrawTime time = Timed([&] {
+      for (int pass = 0; pass < kPasses; ++pass) {
+        kernels::Fill(kernels::SupportedTargets().back(), surface);
+      }
+    });
+    limit = std::min(limit, time.seconds / (kPasses * double{kSide} * kSide));
+  }
+  return limit;
+}
+
+}  // namespace rasterproof::bench

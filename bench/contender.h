@@ -1,0 +1,84 @@
+// What a benchmark times: one way to draw, called as its user would call it.
+#ifndef RASTERPROOF_BENCH_CONTENDER_H_
+#define RASTERPROOF_BENCH_CONTENDER_H_
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/family.h"
+#include "core/bench_result.h"
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/evaluators.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "reference/kernels/kernel.h"
+#include "reference/method.h"
+
+namespace rasterproof::bench {
+
+/// Processor and elapsed time of one draw.
+struct DrawTime {
+  double seconds = 0;
+  double wall_seconds = 0;
+};
+
+/// One way to draw.
+class Contender {
+ public:
+  virtual ~Contender() = default;
+
+  const BenchMethod& method() const { return method_; }
+  /// The model that it is held to.
+  const Profile& model() const { return model_; }
+  /// Its edge values, if it shows them.
+  const EdgeEvaluator* edges() const { return edges_; }
+
+  /// Why it does not draw the family; nothing if it does.
+  virtual std::optional<std::string> WhyNot(const FamilyInput& family) const = 0;
+  /// Makes ready to draw the family. Not timed. The family outlives the draws.
+  virtual void Load(const FamilyInput& family) = 0;
+  /// Clears the target, not timed, then draws the family once, timed.
+  ///
+  /// Domain:     behind Load().
+  virtual DrawTime Draw() = 0;
+  /// What the last Draw() drew, as counts; nothing of sinks that keep no counts.
+  virtual std::optional<CoverageCounts> Drawn() = 0;
+  /// Whether triangles can be drawn alone, so that its decisions are judged one by one.
+  virtual bool DrawsAlone() const { return true; }
+  /// Draws one triangle of the loaded family alone onto the cleared target; `box` becomes 1 where it
+  /// is covered. The target is cleared again within the box.
+  ///
+  /// Shape:      row-major, area.x1 - area.x0 bytes a row.
+  virtual void DrawAlone(std::size_t triangle, const PixelRect& area,
+                         std::vector<std::uint8_t>& box) = 0;
+  /// How many samples are covered still, outside of the areas of all triangles drawn alone. They
+  /// are cleared.
+  virtual std::uint64_t LeftBehind() = 0;
+
+ protected:
+  BenchMethod method_;
+  Profile model_;
+  const EdgeEvaluator* edges_ = nullptr;
+};
+
+/// A method of the table, into counts of either facing.
+std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method);
+
+/// A kernel.
+///
+/// Domain:     Draws(method, sink); a target of SupportedTargets().
+std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod method,
+                                               reference::kernels::Target target,
+                                               reference::kernels::Sink sink);
+
+/// Seconds that storing one pixel takes at least, by the widest vectors. Measured when first asked
+/// for.
+double StoreLimit(reference::kernels::Sink sink);
+
+}  // namespace rasterproof::bench
+
+#endif  // RASTERPROOF_BENCH_CONTENDER_H_

@@ -1,0 +1,60 @@
+// The exact answers about the triangles of a family, one triangle at a time.
+#ifndef RASTERPROOF_BENCH_EXACT_TRIANGLES_H_
+#define RASTERPROOF_BENCH_EXACT_TRIANGLES_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/draw_options.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/vertex.h"
+
+namespace rasterproof::bench {
+
+/// Returns the distance of p from the closed segment from a to b.
+///
+/// Domain:     finite; magnitudes from 2^-500 to 2^500.
+/// Units:      pixels.
+/// Error:      a few ulps of the double result where the coordinates' differences are exact; 0
+///             where p lies on the segment.
+double SegmentDistance(Point2 a, Point2 b, Point2 p);
+
+/// Returns the distance of p from the boundary of the triangle.
+double BoundaryDistance(const std::array<Point2, 3>& v, Point2 p);
+
+/// The pixels whose decisions are looked at: those of the triangle's box, and two more all round,
+/// within the target. Corners of clip space are divided by their w.
+PixelRect JudgedArea(const Scene& scene, std::size_t triangle);
+
+inline Point2 CentreOf(int x, int y) { return {x + 0.5, y + 0.5}; }
+
+/// A scene's triangles under one model.
+///
+/// Domain:     a model with one sample a pixel, in its centre, that decides the scene
+///             (exact::WhyNotDecided).
+class ExactTriangles {
+ public:
+  ExactTriangles(const Scene& scene, const Profile& model);
+  ~ExactTriangles();
+
+  /// `covered` becomes 1 for every pixel of the area whose centre the triangle covers, else 0.
+  ///
+  /// Shape:      row-major over the area.
+  void Cover(std::size_t triangle, const PixelRect& area, std::vector<std::uint8_t>& covered);
+  /// Whether the triangle covers the pixel's centre: by another way than Cover().
+  bool Covers(std::size_t triangle, int x, int y) const;
+  /// Its corners in window space where the model places them.
+  std::array<Point2, 3> CornersOf(std::size_t triangle) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace rasterproof::bench
+
+#endif  // RASTERPROOF_BENCH_EXACT_TRIANGLES_H_

@@ -1,0 +1,58 @@
+// The families of triangles that methods are timed and put to the test on.
+#ifndef RASTERPROOF_BENCH_FAMILY_H_
+#define RASTERPROOF_BENCH_FAMILY_H_
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene.h"
+#include "reference/kernels/kernel.h"
+
+namespace rasterproof::bench {
+
+/// How much of a family is drawn: enough to see which method leads, or all of it.
+enum class FamilySize : std::uint8_t { kQuick, kFull };
+
+/// A family, or a scene of the user's, in the formats that methods read: nothing is converted while
+/// a method is timed.
+struct FamilyInput {
+  std::string name;
+  std::string summary;
+  Scene scene;
+  /// The same for kernels; empty where they do not draw it: clip space, or float64.
+  std::vector<reference::kernels::KernelVertex> vertices;
+  std::vector<std::uint32_t> indices;
+  bool is_constructed = false;
+  bool is_random = false;
+
+  bool KernelsDrawIt() const { return !indices.empty(); }
+  reference::kernels::KernelScene KernelScene() const {
+    return {vertices, indices, scene.width, scene.height};
+  }
+};
+
+/// A row of the table of families.
+struct FamilyKind {
+  std::string_view name;
+  std::string_view summary;  ///< a sentence
+  bool is_random = false;    ///< independent triangles of one distribution
+  /// Draws about 1 / `part` of the full number of triangles.
+  Scene (*make)(int part, std::uint64_t seed) = nullptr;
+};
+
+/// "px5", "px100", "px1m", "walks", "needles", "fan", "mesh", "ties", "snapped-4", "snapped-8",
+/// "far", "torus", "perspective", "four-samples".
+std::span<const FamilyKind> FamilyKinds();
+
+/// Makes the family.
+FamilyInput MakeFamily(const FamilyKind& kind, FamilySize size, std::uint64_t seed);
+
+/// A scene of the user's as a family of its own.
+FamilyInput FamilyOf(Scene scene, std::string summary);
+
+}  // namespace rasterproof::bench
+
+#endif  // RASTERPROOF_BENCH_FAMILY_H_

@@ -1,0 +1,36 @@
+// Statistics of paired measurements: in which order methods are drawn, and what the pairs tell.
+#ifndef RASTERPROOF_BENCH_PAIRED_H_
+#define RASTERPROOF_BENCH_PAIRED_H_
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/bench_result.h"
+
+namespace rasterproof::bench {
+
+/// Returns the order in which round `round` draws `count` methods: a row of a Williams design.
+///
+/// Properties: over 2 `count` rounds every method stands at every place equally often, and follows
+///             every other one equally often: what a method leaves in the caches falls on all alike.
+/// Source:     Williams, Australian Journal of Scientific Research A 2 (1949).
+std::vector<std::size_t> RoundOrder(std::size_t count, std::size_t round);
+
+/// Returns the median with the interval that holds the true median with at least 95 %, from a sign
+/// test: two order statistics.
+///
+/// Domain:     at least one value. Below six values no two of them hold it with 95 %: the interval
+///             is all of them.
+/// Properties: presupposes independent values, and nothing of how they are distributed.
+/// Source:     Conover, Practical Nonparametric Statistics, section 3.2.
+Interval MedianInterval(std::vector<double> values);
+
+/// The interval of the ratio from pairs of one round each.
+///
+/// Shape:      as many of either; the shorter one's length counts.
+Interval RatioInterval(std::span<const double> seconds, std::span<const double> baseline);
+
+}  // namespace rasterproof::bench
+
+#endif  // RASTERPROOF_BENCH_PAIRED_H_

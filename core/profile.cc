@@ -139,7 +139,7 @@ bool IsFilledIn(const Profile& profile) {
   return filled == profile && profile.freedom.least_bits.value_or(profile.snap.bits) >= least;
 }
 
-// All that is not named here is of the model, keys of a later day too.
+// Every key not listed here is part of the model, including keys added later.
 bool SameModel(const Profile& a, const Profile& b) {
   Profile judged_alike = a;
   judged_alike.name = b.name;

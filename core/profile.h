@@ -102,7 +102,9 @@ struct TargetModel {
 /// Zero area:  a triangle whose area is zero after snapping covers nothing, unless
 ///             `degenerate_triangles` says otherwise.
 /// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
-///             `max_primitive_extent` are dropped. The last three keys speak of window space alone.
+///             `max_primitive_extent` are dropped.
+/// Window space alone: what `fixed`, `scanline_rounding`, `max_primitive_extent`, `guard_band` and
+///             `squares` say.
 struct Profile {
   std::string name = "real";
   /// The legal set that this is, with numbers of one device, as the preset is named: "vulkan". See

@@ -35,8 +35,8 @@ struct Heading {
 // What comes from outside states a profile, and no more than that.
 std::array<Heading, 3> Headings(bool is_survey) {
   const Heading naive{Group::kNothing, "states-nothing", "Naive, there to fail",
-                      "Plain arithmetic that nobody states to be exact: a violation shows where it "
-                      "goes wrong."};
+                      "Plain arithmetic, not stated to be exact: a violation shows where it goes "
+                      "wrong."};
   const Heading asked{Group::kNothing, "states-a-profile", "States a profile",
                       "Held to the profile that it states. A violation is a finding."};
   return {

@@ -21,7 +21,8 @@
 
 namespace rasterproof::tool {
 
-/// Every subject this build knows: the built-in ones, then the oracle's deciders.
+/// The built-in subjects, the oracle by each decider, then the types that this program was built
+/// with (kit/main.h). Mutants, plugins and programs have names too, but are not among these.
 std::vector<std::string> SubjectNames();
 
 /// A subject that was asked for by name: its profile is read and what it is is looked up, once.

@@ -195,13 +195,13 @@ std::string Remarks(const report::Certificate& certificate) {
   return text;
 }
 
-// A survey of every method is judged by what each properties: that a naive one fails is what it is
-// here to show, and is observed (docs/decisions/0005).
+// With --all, only methods stated to be exact can fail the run; the naive ones are there to fail
+// (docs/decisions/0005).
 bool Counts(const report::Certificate& certificate, Outcome outcome, bool survey) {
   return !survey || certificate.subject.states_exact || outcome != Outcome::kViolated;
 }
 
-// Of several subjects the worst one tells.
+// The worst subject decides the exit status.
 int ExitStatus(const std::vector<report::Certificate>& certificates, bool survey) {
   int status = certificates.empty() ? kExitInconclusive : kExitHolds;
   for (const report::Certificate& certificate : certificates) {

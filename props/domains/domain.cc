@@ -19,7 +19,10 @@ bool LeavesGridPoints(const Profile& profile) {
 
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
-// In the order in which they are told. The next new number is 69; given back: none.
+// The number that the next new domain gets. None is given twice: it is part of what names a case.
+constexpr std::uint16_t kNextNumber = 70;
+
+// In the order in which they are listed.
 constexpr std::array kDomains{
     Domain{.number = 1,
            .name = "uniform-subpixel",
@@ -341,6 +344,8 @@ constexpr std::array kDomains{
            .mesh = true,
            .draw = MeshesAroundEye},
 };
+
+static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);
 
 }  // namespace
 

@@ -31,7 +31,7 @@ Wanted WantedBy(Shows shows) {
       break;
     case Shows::kFacings:
       return {[](const D& d) { return d.info.coverage == CoverageKind::kFacingCounts; },
-              "the subject tells no facings", "the subject counts by facing"};
+              "the subject does not report facings", "the subject counts by facing"};
     case Shows::kEdgeValues:
       return {[](const D& d) { return d.edges != nullptr; }, "the subject shows no edge values",
               "the subject shows edge values and states a finite bound there"};

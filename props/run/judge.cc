@@ -97,7 +97,7 @@ void CaseInHand::Take(Answers answers) {
 void CaseInHand::Blame(Subject& subject) {
   const bool is_said = trial_->verdict.outcome != Outcome::kViolated || trial_->broke_down;
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
-  // Of a case that the oracle does not decide nobody is named.
+  // If the oracle cannot decide the case, no triangle is blamed.
   if (exact::WhyNotDecided(judged_.value.scene, judged_.value.profile)) return;
   const Asked round = WorkedOut(
       place_, [&] { return property_.blame(judged_.value, violation_, judged_.subject); });

@@ -1,7 +1,8 @@
 // Fast rasterizers of indexed float32 triangles: one method, sink and SIMD target at a time.
 //
-// The methods are baselines: naive in what they compute, not in how fast. What each one draws,
-// pixel for pixel and by every target, tests/reference/kernel_definitions.h defines in plain loops.
+// kExact is exact, and kExactUnsafe its twin without what makes it so. The others are baselines:
+// naive in what they compute, not in how fast. What each one draws, pixel for pixel and by every
+// target, tests/reference/kernel_definitions.h defines in plain loops.
 #ifndef RASTERPROOF_REFERENCE_KERNELS_KERNEL_H_
 #define RASTERPROOF_REFERENCE_KERNELS_KERNEL_H_
 

@@ -159,7 +159,7 @@ std::vector<std::string> SubjectNames() {
   return names;
 }
 
-void SayOfPreset(const Profile& profile) {
+void NotePreset(const Profile& profile) {
   static std::set<std::string> said;
   for (const SquarePresetInfo& preset : kSquarePresets) {
     if (preset.name != profile.name || PresetProfile(profile.name) != profile) continue;

@@ -51,7 +51,7 @@ std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string&
 
 /// Says on standard error, once for each of them, that the preset of an API is one of the models
 /// that it leaves legal, so that nobody takes another legal one for wrong.
-void SayOfPreset(const Profile& profile);
+void NotePreset(const Profile& profile);
 
 /// For commands that look for a model of samples. Throws InputError if the subject's profile states
 /// whole pixels.

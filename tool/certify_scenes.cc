@@ -110,7 +110,7 @@ PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
   result.property = fmt::format("{} on {}", property.name, measured.name());
   result.subject = info.name;
   result.clause = property.clause;
-  props::TellGrounds(props::AuthorityOf(property, info.profile), result);
+  props::SetGrounds(props::AuthorityOf(property, info.profile), result);
   result.tolerance = property.tolerance;
   result.outcome = attempt.outcome;
   result.cases = 1;

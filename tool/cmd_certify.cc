@@ -216,7 +216,7 @@ std::vector<AskedSubject> SubjectsOf(const CertifyOptions& options) {
   std::vector<AskedSubject> subjects;
   for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
     if (std::ranges::find(subjects, name, &AskedSubject::name) != subjects.end()) continue;
-    SayOfPreset(subjects.emplace_back(ResolveSubject(name)).Make()->Info().profile);
+    NotePreset(subjects.emplace_back(ResolveSubject(name)).Make()->Info().profile);
   }
   return subjects;
 }

@@ -214,7 +214,7 @@ Answers PutInStep(Answering& answering, Asking& asking, const props::Request& re
   return answers;
 }
 
-AllAnswers PutAll(const PutOne& put_one, const props::CaseInHand& hand) {
+AllAnswers PutAll(const PutOne& put_one, const props::CaseJudge& hand) {
   AllAnswers all;
   const auto put = [&](const Questions& questions) {
     const props::Check check{questions, {}};
@@ -235,7 +235,7 @@ bool IsAnyRefused(const AllAnswers& all) {
 }
 
 // Judges the checks by their answers, up to the first violated one.
-const Verdict& JudgeAll(props::CaseInHand& hand, AllAnswers& all) {
+const Verdict& JudgeAll(props::CaseJudge& hand, AllAnswers& all) {
   std::vector<std::shared_ptr<const Drawing>> drawn;
   for (std::size_t k = 0; !hand.IsDone(); ++k) {
     Answers& answers = all.of_checks[k];
@@ -283,7 +283,7 @@ int RunGen(const PipeOptions& options) {
   std::string why_not;
   for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
     const Case c = props::DrawCase(info, property, options.campaign.seed, n);
-    const props::CaseInHand hand(property, c, description);
+    const props::CaseJudge hand(property, c, description);
     if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
     PutAll([&](const props::Request& request) { return PutTo(asking, request); }, hand);
     const std::vector<DrawJob> jobs = asking.Asked();
@@ -314,7 +314,7 @@ int RunVer(const PipeOptions& options) {
     for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
       progress.Done(n);
       const Case c = props::DrawCase(info, property, options.campaign.seed, n);
-      props::CaseInHand hand(property, c, description);
+      props::CaseJudge hand(property, c, description);
       if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
       AllAnswers all = PutAll(put, hand);
       answering.RequireAll();

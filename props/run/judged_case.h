@@ -43,7 +43,7 @@ struct JudgedCase {
 JudgedCase Judged(const Case& given, const Description& subject, bool judges_degenerates);
 
 /// The verdict on the case as given: its witness names the triangle by its place there.
-Verdict OnTheCaseAsGiven(const JudgedCase& judged, Verdict verdict);
+Verdict RenumberWitness(const JudgedCase& judged, Verdict verdict);
 
 }  // namespace rasterproof::props
 

@@ -3,7 +3,8 @@
  * C99 and C++11. Every call returns a status; the message of a thread's last call that failed is
  * rasterproof_raster_message(). A call that fails has drawn nothing; spans may have been given
  * before STOPPED and FAULT. While a call draws, and in its callback, the thread's floating-point
- * environment is the default one (no flush to zero); then it is what it was. Link rasterproof::rasterize, by a C++ linker.
+ * environment is the default one (no flush to zero); then it is what it was. Link
+ * rasterproof::rasterize, by a C++ linker.
  */
 #ifndef RASTERPROOF_KIT_RASTERPROOF_RASTERIZE_H_
 #define RASTERPROOF_KIT_RASTERPROOF_RASTERIZE_H_

@@ -74,7 +74,9 @@ HWY_INLINE hn::Vec<D> FloatsFrom(D d, float first) {
   return hn::Add(hn::Set(d, first), hn::Load(d, kFirstFloats));
 }
 
-/// v, or the end of [least, most] that it lies beyond. Domain: neither NaN nor -0.
+/// v, or the end of [least, most] that it lies beyond.
+///
+/// Domain:     neither NaN nor -0.
 template <class D>
 HWY_INLINE hn::Vec<D> Clamped(D d, hn::Vec<D> v, float least, float most) {
 #if HWY_TARGET == HWY_SCALAR

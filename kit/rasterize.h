@@ -31,8 +31,8 @@ namespace rasterproof {
 
 /// Window space: pixels, x right, y down; pixel (i, j) has its centre at (i + 1/2, j + 1/2).
 ///
-/// Domain:     any float32; at most 2^29 vertices, fewer than 2^32 - 1 triangles. Aligned to 4 bytes;
-///             apart from the target's memory, from its first row to its last one's last pixel.
+/// Domain:     any float32; at most 2^29 vertices, fewer than 2^32 - 1 triangles. Both aligned to 4
+///             bytes, and apart from the target's memory, first row to last one's last pixel.
 struct RasterMesh {
   std::span<const float> positions = {};        ///< x, y, z of each vertex; kDepths alone reads z
   std::span<const std::uint32_t> indices = {};  ///< three of each triangle

@@ -358,7 +358,7 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
 Profile ProfileFromObject(const JsonValue& value) {
   value.RequireObject(kProfileKeys);
   Profile profile = BeginningOf(value);
-  profile.name = value.Get("name").RequireString();
+  profile.name = value.Get("name").RequireName();
   ReadSnap(value, profile.snap);
   ReadIfThere(value, "sample_locations", profile.pattern, PatternFromJson);
   ReadIfThere(value, "y_axis", profile.y_axis,

@@ -50,7 +50,8 @@ enum class Sink : std::uint8_t {
   kFacing,  ///< 2 x 32 bits: front (counter-clockwise on screen) and back facing ones apart
   kMask,    ///< 1 bit: whether any does
   kId,      ///< 32 bits: index of the last one that does
-  kDepth    ///< float32: the least z, of the plane through the vertices at the pixel's centre
+  kDepth  ///< float32: the least z, of the plane through the vertices at the pixel's centre, within
+          ///< theirs; see Plane in blocks.h
 };
 inline constexpr std::array kSinks{Sink::kCount8, Sink::kFacing, Sink::kMask, Sink::kId,
                                    Sink::kDepth};

@@ -34,6 +34,15 @@ TEST(ProfileJson, RareKeysReadBack) {
   ExpectReadsBack(profile);
 }
 
+TEST(ProfileJson, ANameNeverSpeaksToTheTerminal) {
+  const auto name = [](const std::string& written) {
+    return ParseProfile(R"({"name": ")" + written + R"("})", "written").name;
+  };
+  EXPECT_EQ(name("\\u001b]0;mine\\u0007"), "\\x1b]0;mine\\x07");
+  EXPECT_EQ(name("\\u009b31m"), "\\xc2\\x9b31m");
+  EXPECT_EQ(name("stra\\u00dfe 1"), "stra\u00dfe 1");
+}
+
 TEST(ProfileJson, SampleLocationsAreNamedOrListedAsFractions) {
   const auto parsed = [](const std::string& locations) {
     return ParseProfile(R"({"name": "p", "sample_locations": )" + locations + "}", "p.json")

@@ -159,6 +159,8 @@ class TextTest(unittest.TestCase):
         self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
         self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
         self.expect("core/scene_utils.cc", "int width;\n", "says nothing")
+        self.expect("crash-5ac7280c", "x", "crash-5ac7280c: stray at the root")
+        self.expect("README.md", "A page.\n")
 
 
 class DefinitionsTest(unittest.TestCase):

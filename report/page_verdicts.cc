@@ -155,6 +155,8 @@ std::string OneSubject(const Certificate& certificate) {
   std::string text;
   if (overall.outcome == Outcome::kHolds) {
     text = fmt::format("{} holds all that it states.", name);
+    if (!certificate.contract_thin.empty())
+      text += " But " + Escaped(certificate.contract_thin) + ".";
   } else {
     text =
         fmt::format("{} is {}: {}.", name, OutcomeName(overall.outcome), Escaped(overall.reason));

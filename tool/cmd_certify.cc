@@ -167,6 +167,9 @@ std::string SummaryLine(const report::Certificate& certificate) {
       WrongSamples(certificate), certificate.subject.states_exact ? "  (states exact)" : "");
   if (lacks != 0) line += fmt::format("; {} short of quality", lacks);
   if (overall.outcome == Outcome::kInconclusive) line += "; " + overall.reason;
+  if (overall.outcome == Outcome::kHolds && !certificate.contract_thin.empty()) {
+    line += "; " + certificate.contract_thin;
+  }
   if (overall.outcome == Outcome::kViolated && certificate.interrupted) line += "; interrupted";
   return report::CleanText(line) + "\n";
 }

@@ -234,7 +234,11 @@ void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
 std::string ContractText(const SubjectInfo& subject, std::span<const PropertyResult> results,
                          Tally& tally) {
   const props::ContractEvidence evidence = props::EvidenceOfContract(subject, results);
-  if (evidence.is_exercised) return "";
+  if (evidence.is_exercised && evidence.thin.empty()) return "";
+  if (evidence.is_exercised) {
+    return fmt::format("{:<16} {:<10} {}\n", OutcomeName(Outcome::kHolds), subject.name,
+                       evidence.thin);
+  }
   tally.CountInconclusive();
   return fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
                      OutcomeName(Outcome::kInconclusive), subject.name, evidence.why);

@@ -126,18 +126,28 @@ class AnswerLines {
     throw InputError("standard input", "it ends before every request was answered",
                      "give ver the same options as gen, and flush what the program says");
   }
+  // Behind the last answer: more was answered than was asked.
+  void RequireEnd() {
+    if (!Peek()) return;
+    throw InputError(fmt::format("standard input: line {}", number_),
+                     "it goes on behind the last answer: " + Quoted(line_, 60),
+                     "give ver the same options as gen, and one answer to each request");
+  }
 
  private:
   // Whether there is a line to be read next.
   bool Peek() {
-    if (!is_held_) is_held_ = static_cast<bool>(std::getline(std::cin, line_));
+    if (is_held_) return true;
+    is_held_ = static_cast<bool>(std::getline(std::cin, line_));
+    if (is_held_) ++number_;
     return is_held_;
   }
 
   std::string line_;
-  bool is_held_ = false;   // the line is to be read, again or for the first time
-  bool is_short_ = false;  // there was none where one was needed
-  bool is_lost_ = false;   // behind a bad answer no line began another one
+  std::uint64_t number_ = 0;  // of the line, from 1
+  bool is_held_ = false;      // the line is to be read, again or for the first time
+  bool is_short_ = false;     // there was none where one was needed
+  bool is_lost_ = false;      // behind a bad answer no line began another one
 };
 
 // ver's: every job is answered by what the program said, in the same order.
@@ -166,6 +176,7 @@ class Answering final : public FarEnd {
   }
   std::uint64_t answered() const { return id_; }
   void RequireAll() const { lines_.RequireAll(); }
+  void RequireEnd() { lines_.RequireEnd(); }
 
  private:
   std::uint64_t id_ = 0;
@@ -339,6 +350,7 @@ int RunVer(const PipeOptions& options) {
       }
     }
   }
+  answering.RequireEnd();
   if (answering.answered() == 0) TellNothingAsked(property, options.campaign.cases, why_not);
   io::WriteStandardOutput(
       fmt::format("{}{}: {} cases held, {} violated, {} did not exercise it, {} refused\n",

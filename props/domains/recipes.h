@@ -70,6 +70,7 @@ Case NearRectangles(BitSource& bits, const SubjectInfo& info);
 Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info);
 Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info);
 Case GuardBandEnds(BitSource& bits, const SubjectInfo& info);
+Case OffGridMoves(BitSource& bits, const SubjectInfo& info);
 Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info);
 
 // recipes_degenerate.cc

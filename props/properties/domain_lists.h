@@ -38,6 +38,10 @@ inline constexpr auto kOnTheLattice = std::to_array<std::string_view>(
     {"uniform-subpixel", "vertices-on-samples", "axis-aligned", "edges-through-samples",
      "near-edge", "vertex-orders", "fans"});
 
+// The same, and what is off the subpixel grid before it is moved and after.
+inline constexpr auto kMoved =
+    Both(kOnTheLattice, std::to_array<std::string_view>({"off-grid-moves"}));
+
 // Long targets.
 inline constexpr auto kLongRows =
     std::to_array<std::string_view>({"long-rows", "target-sizes", "near-edge"});

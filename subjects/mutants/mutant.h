@@ -9,6 +9,7 @@
 #include "core/profile.h"
 #include "subjects/mutants/centroids.h"
 #include "subjects/mutants/clip_space.h"
+#include "subjects/mutants/clipping.h"
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/free_choice.h"
 #include "subjects/mutants/own_transform.h"
@@ -25,7 +26,7 @@ struct Mutant {
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
   std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
-               FreeStages, SquareStages, CentroidStages>
+               FreeStages, SquareStages, CentroidStages, ClippingStages>
       stages;
 };
 

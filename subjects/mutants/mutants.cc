@@ -72,6 +72,9 @@ struct Maker {
   std::unique_ptr<Subject> operator()(const mutants::SquareStages& stages) const {
     return mutants::MakeSquares(info.name, info.change, stages);
   }
+  std::unique_ptr<Subject> operator()(const mutants::ClippingStages& stages) const {
+    return mutants::MakeClipping(info.name, info.change, stages);
+  }
   std::unique_ptr<Subject> operator()(const mutants::CentroidStages& stages) const {
     return mutants::MakeCentroids(info.name, info.change, stages);
   }

@@ -337,5 +337,26 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
   }
 }
 
+TEST(ProfileJson, NamesTheGuardBandOrGivesItsRectangle) {
+  const auto band = [](const std::string& text) {
+    return ParseProfile(R"({"name": "mine", "guard_band": )" + text + "}", "p.json").guard_band;
+  };
+  EXPECT_EQ(band("null"), std::nullopt);
+  EXPECT_EQ(band(R"("none")"), std::nullopt);
+  EXPECT_EQ(band(R"("unknown")"), GuardBand(SomewhereAroundTarget{}));
+  EXPECT_EQ(band(R"("viewport")"), GuardBand(AroundTarget{0}));
+  EXPECT_EQ(band(R"("viewport+64")"), GuardBand(AroundTarget{64}));
+  for (const char* text : {R"("viewport+")", R"("viewport-1")", R"("viewport+1.5")", R"("all")"}) {
+    EXPECT_THROW(band(text), InputError) << text;
+  }
+  Profile profile = *PresetProfile("gl");
+  for (const GuardBand& stated : {GuardBand(SomewhereAroundTarget{}), GuardBand(AroundTarget{0}),
+                                  GuardBand(AroundTarget{64}), GuardBand(WindowBox{0, 0, 9, 9})}) {
+    profile.guard_band = stated;
+    profile.name = "mine";
+    EXPECT_EQ(ParseProfile(ProfileToJson(profile), "p.json").guard_band, stated);
+  }
+}
+
 }  // namespace
 }  // namespace rasterproof::io

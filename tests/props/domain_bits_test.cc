@@ -90,6 +90,7 @@ std::vector<SubjectInfo> StatingInfos(const Domain& domain) {
   }
   SubjectInfo free = SnappedInfo(8);
   free.profile.freedom.snap_tolerance = 0.6;
+  free.profile.translation_invariant = true;
   return {InfoWith(), free};
 }
 

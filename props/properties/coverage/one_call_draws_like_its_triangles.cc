@@ -115,7 +115,10 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
     .tolerance = kExact,
     .domains = kCalls,
     .takes_long = true,
-    .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},
+    .gate = {.space = Space::kEither,
+             .any_model = true,
+             .judges_clipped = true,
+             .where = kTwoTriangles},
     .ask = Ask,
 };
 

@@ -19,7 +19,10 @@ bool LeavesGridPoints(const Profile& profile) {
 
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
-// In the order in which they are told. The next new number is 69; given back: none.
+// No number from here on was ever given to a recipe.
+constexpr std::uint16_t kNextNumber = 72;
+
+// In the order in which they are told.
 constexpr std::array kDomains{
     Domain{.number = 1,
            .name = "uniform-subpixel",
@@ -340,7 +343,19 @@ constexpr std::array kDomains{
            .clip = true,
            .mesh = true,
            .draw = MeshesAroundEye},
+    Domain{.number = 70,
+           .name = "far-sides",
+           .summary = "edges as wide as the stated range, targets of up to 4096 a side",
+           .mesh = true,
+           .draw = FarSides},
+    Domain{.number = 71,
+           .name = "every-size",
+           .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
+           .mesh = true,
+           .draw = EverySize},
 };
+
+static_assert(std::ranges::max(kDomains, {}, &Domain::number).number < kNextNumber);
 
 }  // namespace
 

@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 76;
+constexpr std::uint16_t kNextNumber = 73;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -265,7 +265,7 @@ constexpr std::array kDomains{
            .mesh = true,
            .is_stated = StatesGuardBand,
            .draw = GuardBandEnds},
-    Domain{.number = 75,
+    Domain{.number = 72,
            .name = "off-grid-moves",
            .summary = "triangles off the grid that stay inside when moved, and exact in float32",
            .is_stated = [](const Profile& p) { return p.translation_invariant; },
@@ -348,6 +348,16 @@ constexpr std::array kDomains{
            .clip = true,
            .mesh = true,
            .draw = MeshesAroundEye},
+    Domain{.number = 70,
+           .name = "far-sides",
+           .summary = "edges as wide as the stated range, targets of up to 4096 a side",
+           .mesh = true,
+           .draw = FarSides},
+    Domain{.number = 71,
+           .name = "every-size",
+           .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
+           .mesh = true,
+           .draw = EverySize},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

@@ -40,6 +40,7 @@ FixedStages StagesOfPreset(std::string_view preset);
 std::vector<Mutant> TieRuleMutants();     // ties, facing
 std::vector<Mutant> PositionMutants();    // sample locations, snapping
 std::vector<Mutant> SetUpMutants();       // overflow, guard band
+std::vector<Mutant> WidthMutants();       // numbers of one bit too few
 std::vector<Mutant> TraversalMutants();   // box, tiles, stepping
 std::vector<Mutant> TargetMutants();      // scissor, culling, target size, threads
 std::vector<Mutant> SceneMutants();       // state, degenerate and non-finite input, lost triangles
@@ -63,6 +64,7 @@ std::vector<Mutant> LegalVariants();
 std::vector<Mutant> TransformVariants();
 std::vector<Mutant> MapVariants();
 std::vector<Mutant> ScanlineVariants();
+std::vector<Mutant> WidthVariants();
 std::vector<Mutant> SquareVariants();
 std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
 std::vector<Mutant> SetVariants();       // of the legal sets of APIs

@@ -33,7 +33,7 @@ Case OneTriangle() {
 }
 
 TEST(Asking, ForNewCoverageNeedsAMoveThatChangesIt) {
-  const std::unique_ptr<Subject> subject = subjects::MakeBuiltin("exact");
+  const std::unique_ptr<Subject> subject = subjects::MakeBuiltin("spans-exact");
   const Description description{subject->Info(), nullptr, nullptr};
   const Property& property = *FindProperty("NewVerticesGiveNewCoverage");
   Case c = OneTriangle();

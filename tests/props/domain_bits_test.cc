@@ -194,6 +194,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {69, "many-triangles", 0x6bebb1b4cd9b1361},
     {70, "far-sides", 0xc281c76bcbcd063b},
     {71, "every-size", 0x20f9aaa81e80e3b6},
+    {72, "off-grid-moves", 0xdd9e7a71873f94e},
 });
 
 constexpr std::uint64_t kGoldenExamples = 0x89a17e8eb434938e;

@@ -14,6 +14,7 @@
 
 #include "core/quoted.h"
 #include "core/square_presets.h"
+#include "core/suggestion.h"
 #include "io/case_file.h"
 #include "io/freedom_json.h"
 #include "io/json_document.h"
@@ -438,10 +439,9 @@ Profile ProfileFromObject(const JsonValue& value) {
 
 }  // namespace
 
-std::string PresetNames() {
-  std::string names;
-  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
-  for (const SquarePresetInfo& preset : kSquarePresets) names += " " + std::string(preset.name);
+std::vector<std::string_view> PresetNames() {
+  std::vector<std::string_view> names(kPresetProfiles.begin(), kPresetProfiles.end());
+  for (const SquarePresetInfo& preset : kSquarePresets) names.push_back(preset.name);
   return names;
 }
 
@@ -454,7 +454,8 @@ Profile ProfileFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kString) {
     if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
     throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
-                      "write an object, or one of the presets" + PresetNames());
+                      Suggestion(value.text(), PresetNames()) +
+                          "write an object, or one of the presets" + ListedNames(PresetNames()));
   }
   Profile profile = ProfileFromObject(value);
   if (ProfileName(profile) == profile.name) return profile;

@@ -45,6 +45,8 @@ void VisitSums(Counts& sums, const Visit& visit) {
   visit("exercised", sums.exercised);
   visit("cases_refused", sums.cases_refused);
   visit("not_judged", sums.not_judged);
+  visit("positive_fronts", sums.positive_fronts);
+  visit("negative_fronts", sums.negative_fronts);
   visit("not_applicable", sums.not_applicable);
   visit("refused_within_limits", sums.refused_within_limits);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "core/square_presets.h"
 
@@ -30,6 +31,8 @@ Profile CanonicalModel() {
 Profile Direct3D11() {
   Profile profile = CanonicalModel();
   profile.freedom.snap_tolerance = 0.6;
+  profile.front_face = FrontFace::kUnstated;
+  profile.guard_band = SomewhereAroundTarget{};
   profile.freedom.transform_error.reset();
   profile.nan_z = NanZ::kNothing;
   profile.centroid = Centroid::kDirect3D;
@@ -38,7 +41,8 @@ Profile Direct3D11() {
 
 // No rounding is named, nor who of two neighbours owns a sample of their common edge; four subpixel
 // bits are the fewest. What is not finite or has no area is not spoken of. Divide and viewport are
-// formulas without an error, here and in the others. Centroid is in pixel and primitive, in all
+// formulas without an error, here and in the others, and which side is the front is state of the
+// pipeline. Centroid is in pixel and primitive, in all
 // three.
 Profile Vulkan() {
   Profile profile = CanonicalModel();
@@ -46,6 +50,8 @@ Profile Vulkan() {
                      .least_bits = 4,
                      .ties = TieOwnership::kPerEdge,
                      .transform_error = std::nullopt};
+  profile.front_face = FrontFace::kUnstated;
+  profile.guard_band = SomewhereAroundTarget{};
   profile.nan_vertex = NanVertex::kUnspecified;
   profile.nan_z = NanZ::kUnspecified;
   profile.centroid = Centroid::kInside;
@@ -122,6 +128,7 @@ Profile FilledIn(const Profile& set, const Profile& device) {
   filled.pattern = device.pattern;
   filled.coordinate_limit = device.coordinate_limit;
   filled.guard_band = device.guard_band;
+  filled.front_face = device.front_face;
   if (set.freedom.least_bits && !device.snap.IsNone()) {
     filled.snap.bits = device.snap.bits;
     filled.freedom.least_bits = device.freedom.least_bits;
@@ -139,7 +146,7 @@ bool IsFilledIn(const Profile& profile) {
   return filled == profile && profile.freedom.least_bits.value_or(profile.snap.bits) >= least;
 }
 
-// All that is not named here is of the model, keys of a later day too.
+// Every key not listed here is part of the model, including keys added later.
 bool SameModel(const Profile& a, const Profile& b) {
   Profile judged_alike = a;
   judged_alike.name = b.name;
@@ -154,9 +161,18 @@ bool SameModel(const Profile& a, const Profile& b) {
   judged_alike.translation_invariant = b.translation_invariant;
   judged_alike.shares_edge_samples = b.shares_edge_samples;
   judged_alike.guard_band = b.guard_band;
+  judged_alike.front_face = b.front_face;
   judged_alike.sample_positions = b.sample_positions;
   judged_alike.centroid = b.centroid;
   return judged_alike == b;
+}
+
+std::optional<WindowBox> UnclippedBox(const Profile& profile, int width, int height) {
+  if (!profile.guard_band) return std::nullopt;
+  if (const auto* box = std::get_if<WindowBox>(&*profile.guard_band)) return *box;
+  const auto* around = std::get_if<AroundTarget>(&*profile.guard_band);
+  const double pixels = around != nullptr ? around->pixels : 0;
+  return WindowBox{-pixels, -pixels, width + pixels, height + pixels};
 }
 
 bool WithinLimits(const Scene& scene, const Profile& profile) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/fixed_input.h"
@@ -23,6 +24,12 @@ namespace rasterproof {
 /// Which way y grows in the subject's window space. Rows of a buffer are always stored top row
 /// first.
 enum class YAxis : std::uint8_t { kDown, kUp };
+
+/// Which side of a triangle is its front.
+enum class FrontFace : std::uint8_t {
+  kPositiveArea,  ///< the one of positive area, as CoverageCounts has it
+  kUnstated       ///< either, one for all triangles of all calls: it is state of the pipeline
+};
 
 /// What a subject's coverage can be held to.
 enum class Contract : std::uint8_t {
@@ -79,6 +86,21 @@ struct WindowBox {
   friend bool operator==(const WindowBox&, const WindowBox&) = default;
 };
 
+/// The target, and so many pixels around it.
+struct AroundTarget {
+  double pixels = 0;  ///< whole
+
+  friend bool operator==(const AroundTarget&, const AroundTarget&) = default;
+};
+
+/// A rectangle that is not stated, but that it holds the target.
+struct SomewhereAroundTarget {
+  friend bool operator==(const SomewhereAroundTarget&, const SomewhereAroundTarget&) = default;
+};
+
+/// Where triangles are clipped.
+using GuardBand = std::variant<WindowBox, AroundTarget, SomewhereAroundTarget>;
+
 /// What differs on targets of up to so many pixels a side.
 struct TargetModel {
   int max_width = kMaxTargetSide;
@@ -102,7 +124,9 @@ struct TargetModel {
 /// Zero area:  a triangle whose area is zero after snapping covers nothing, unless
 ///             `degenerate_triangles` says otherwise.
 /// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
-///             `max_primitive_extent` are dropped. The last three keys speak of window space alone.
+///             `max_primitive_extent` are dropped.
+/// Window space alone: what `fixed`, `scanline_rounding`, `max_primitive_extent`, `guard_band` and
+///             `squares` say.
 struct Profile {
   std::string name = "real";
   /// The legal set that this is, with numbers of one device, as the preset is named: "vulkan". See
@@ -121,6 +145,8 @@ struct Profile {
   Centroid centroid = Centroid::kUnstated;
   YAxis y_axis = YAxis::kDown;
   TieRule tie_rule;
+  /// Domain:     kUnstated only with freedom: one model has one front.
+  FrontFace front_face = FrontFace::kPositiveArea;
   Contract contract = Contract::kSampleExact;
   Freedom freedom;
   /// The way from clip space, or from a map, to window space that the rasterizer computes itself.
@@ -144,9 +170,10 @@ struct Profile {
   /// The integers that coordinates come as, for a subject that takes no floats.
   std::optional<FixedInput> fixed;
   std::optional<MaxPrimitiveExtent> max_primitive_extent;
-  /// A triangle with a vertex outside is clipped by the subject, and its edges may move: what
-  /// single samples do is then not stated, what meshes do is.
-  std::optional<WindowBox> guard_band;
+  /// A triangle with a vertex outside may be clipped by the subject, and edges that leave may move:
+  /// what single samples do is then not stated, what meshes do is. None: nothing is clipped. Where
+  /// grid points are left free, the vertices that clipping makes are too: see MovesClippedEdges.
+  std::optional<GuardBand> guard_band;
 
   /// What is stated of pixels as squares, of a contract `squares`. Nothing: samples are points.
   std::optional<SquareRule> squares;
@@ -172,8 +199,8 @@ inline constexpr std::array<std::string_view, 8> kPresetProfiles{
 /// rasterizer: a legal one may then differ from it.
 bool IsCanonicalPreset(std::string_view name);
 
-/// Returns the legal set with the numbers of one device: sample locations, coordinate limit, guard
-/// band, and where the set leaves the subpixel bits to the device, those.
+/// Returns the legal set with what is said of one device: sample locations, coordinate limit, guard
+/// band, the front face, and where the set leaves the subpixel bits to the device, those.
 Profile FilledIn(const Profile& set, const Profile& device);
 
 /// Returns whether the profile is its specification's legal set with the numbers of a device that
@@ -190,6 +217,23 @@ inline bool TakesToWindow(const Profile& profile, const Scene& scene) {
 /// that no transform of the rasterizer's own takes to the window.
 inline bool IsHomogeneous(const Scene& scene, const Profile& profile) {
   return scene.clip_space && !TakesToWindow(profile, scene);
+}
+
+/// Returns the largest rectangle of window coordinates, on a target of that size, within which the
+/// profile states that nothing is clipped. Nothing: no triangle is, wherever it lies.
+std::optional<WindowBox> UnclippedBox(const Profile& profile, int width, int height);
+
+/// Returns whether the profile says which rectangle clipping is to.
+inline bool StatesGuardBand(const Profile& profile) {
+  return profile.guard_band && !std::holds_alternative<SomewhereAroundTarget>(*profile.guard_band);
+}
+
+/// Returns whether a legal result may have the samples next to an edge that leaves the guard band
+/// either way, for each of the edge's triangles: clipping makes a vertex there, which goes to a
+/// grid point that the profile leaves free, and which neighbours need not have in common.
+inline bool MovesClippedEdges(const Profile& profile) {
+  return profile.guard_band && profile.contract == Contract::kSampleExact &&
+         profile.freedom.MovesVertices();
 }
 
 /// Returns whether exactly one result is legal for every scene within the limits.

@@ -16,6 +16,7 @@
 
 #include "core/quoted.h"
 #include "core/renamed.h"
+#include "core/suggestion.h"
 
 namespace rasterproof::io {
 namespace {
@@ -202,9 +203,9 @@ void JsonValue::RequireObject(std::span<const std::string_view> allowed) const {
   for (std::uint32_t key = node_ + 1; key != end; key = document_->nodes_[key + 1].next) {
     const std::string_view name = document_->Text(key);
     if (std::ranges::find(allowed, name) != allowed.end()) continue;
-    std::string remedy = "known here are";
-    for (const std::string_view a : allowed) remedy += " \"" + std::string(a) + "\"";
-    throw Error("unknown key " + Quoted(name) + RenamedText(name), remedy);
+    const std::vector<std::string_view> known(allowed.begin(), allowed.end());
+    throw Error("unknown key " + Quoted(name) + RenamedText(name),
+                Suggestion(name, known) + "known here are" + ListedNames(known));
   }
 }
 
@@ -242,6 +243,18 @@ std::string_view JsonValue::RequireString() const {
     throw Error("is " + std::string(KindName(kind())) + ", not a string", "write \"...\"");
   }
   return text();
+}
+
+std::string JsonValue::RequireName() const {
+  const std::string_view name = RequireString();
+  bool has_control = false;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    const auto byte = static_cast<unsigned char>(name[k]);
+    // U+0080 to U+009F, which are two bytes, begin sequences, too.
+    const bool after_c2 = k > 0 && static_cast<unsigned char>(name[k - 1]) == 0xC2;
+    has_control |= byte < 0x20 || byte == 0x7F || (after_c2 && byte < 0xA0);
+  }
+  return has_control ? Printable(name) : std::string(name);
 }
 
 std::int64_t JsonValue::RequireInteger(std::int64_t least, std::int64_t greatest) const {

@@ -7,7 +7,8 @@
 
 namespace rasterproof::io {
 
-/// Reads a whole file ("-": standard input). InputError names the file and the reason.
+/// Reads a whole file ("-": standard input) or pipe. InputError names the file and the reason: it
+/// is a device, say, or a pipe that nobody opened for writing within 2 s.
 std::string ReadFile(const std::string& path);
 
 /// Writes a file so that it is either complete or as it was: temporary beside it, fsync, rename. A
@@ -20,6 +21,12 @@ void WriteStandardOutput(std::string_view content);
 
 /// Creates the folder and its parents; InputError if that fails.
 void MakeFolder(const std::string& path);
+
+/// Finds out, and leaves nothing behind, whether MakeFolder can make the folder and files can be
+/// made in it: for what writes there after long work.
+///
+/// Error:      InputError as MakeFolder, or that nothing may be written there.
+void RequireFolderCanBe(const std::string& path);
 
 }  // namespace rasterproof::io
 

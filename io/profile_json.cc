@@ -3,15 +3,18 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/quoted.h"
 #include "core/square_presets.h"
+#include "core/suggestion.h"
 #include "io/case_file.h"
 #include "io/freedom_json.h"
 #include "io/json_document.h"
@@ -35,6 +38,7 @@ constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
                                                                "sample_positions",
                                                                "centroid",
                                                                "y_axis",
+                                                               "front_face",
                                                                "tie_rule",
                                                                "coordinate_limit",
                                                                "contract",
@@ -70,6 +74,8 @@ constexpr std::array<std::pair<Precision, std::string_view>, 2> kPrecisions{
     {{Precision::kFloat32, "float32"}, {Precision::kFloat64, "float64"}}};
 constexpr std::array<std::pair<YAxis, std::string_view>, 2> kYAxes{
     {{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
+constexpr std::array<std::pair<FrontFace, std::string_view>, 2> kFrontFaces{
+    {{FrontFace::kPositiveArea, "positive-area"}, {FrontFace::kUnstated, "unstated"}}};
 constexpr std::array<std::pair<SamplePositions, std::string_view>, 3> kSamplePositions{
     {{SamplePositions::kStated, "stated"},
      {SamplePositions::kFixed, "fixed"},
@@ -158,8 +164,40 @@ std::optional<MaxPrimitiveExtent> MaxPrimitiveExtentFromJson(const JsonValue& va
   throw value.Error("is not the size of a triangle", "write two positive numbers");
 }
 
-std::optional<WindowBox> WindowBoxFromJson(const JsonValue& value) {
+constexpr std::string_view kTargetBand = "viewport";
+constexpr std::string_view kUnknownBand = "unknown";
+constexpr std::size_t kMostDigits = 9;
+
+// "none", "unknown", "viewport" and "viewport+64".
+std::optional<GuardBand> NamedGuardBand(const JsonValue& value) {
+  const std::string name(value.RequireString());
+  if (name == "none") return std::nullopt;
+  if (name == kUnknownBand) return SomewhereAroundTarget{};
+  if (name == kTargetBand) return AroundTarget{};
+  const std::string beginning = std::string(kTargetBand) + "+";
+  if (name.starts_with(beginning)) {
+    const std::string pixels = name.substr(beginning.size());
+    const bool is_digits = pixels.find_first_not_of("0123456789") == std::string::npos;
+    if (is_digits && !pixels.empty() && pixels.size() <= kMostDigits)
+      return AroundTarget{std::stod(pixels)};
+  }
+  throw value.Error(Quoted(value.text()) + " is no guard band",
+                    "write none, unknown, viewport, viewport+64 or [x0, y0, x1, y1]");
+}
+
+std::string GuardBandToJson(const GuardBand& band) {
+  if (const auto* box = std::get_if<WindowBox>(&band))
+    return NumbersToJson({box->x0, box->y0, box->x1, box->y1});
+  const auto* around = std::get_if<AroundTarget>(&band);
+  if (around == nullptr) return InQuotes(kUnknownBand);
+  if (around->pixels == 0) return InQuotes(kTargetBand);
+  return InQuotes(std::string(kTargetBand) + "+" +
+                  std::to_string(static_cast<std::int64_t>(around->pixels)));
+}
+
+std::optional<GuardBand> GuardBandFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kNull) return std::nullopt;
+  if (value.kind() == JsonKind::kString) return NamedGuardBand(value);
   const auto [x0, y0, x1, y1] = FiniteNumbers<4>(value, "[x0, y0, x1, y1]");
   if (x0 < x1 && y0 < y1) return WindowBox{x0, y0, x1, y1};
   throw value.Error("is empty", "write x0 < x1 and y0 < y1");
@@ -327,6 +365,11 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   if (profile.nan_z != NanZ::kIgnored) {
     json += line + "\"nan_z\": " + InQuotes(NameOf(profile.nan_z, Names<NanZ>(kNanZs)));
   }
+  // A specification's set begins with its own.
+  if (profile.front_face != FrontFace::kPositiveArea || !profile.specification.empty()) {
+    json += line + "\"front_face\": " +
+            InQuotes(NameOf(profile.front_face, Names<FrontFace>(kFrontFaces)));
+  }
   if (profile.sample_positions != SamplePositions::kStated) {
     json += line + "\"sample_positions\": " +
             InQuotes(NameOf(profile.sample_positions, Names<SamplePositions>(kSamplePositions)));
@@ -343,9 +386,7 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   if (const std::optional<MaxPrimitiveExtent>& most = profile.max_primitive_extent) {
     json += line + "\"max_primitive_extent\": " + NumbersToJson({most->width, most->height});
   }
-  if (const std::optional<WindowBox>& box = profile.guard_band) {
-    json += line + "\"guard_band\": " + NumbersToJson({box->x0, box->y0, box->x1, box->y1});
-  }
+  if (profile.guard_band) json += line + "\"guard_band\": " + GuardBandToJson(*profile.guard_band);
   if (!profile.scanline_rounding.IsNone())
     json += line + "\"scanline_rounding\": " + ScanlineRoundingToJson(profile.scanline_rounding);
   if (profile.transform) json += line + "\"transform\": " + TransformToJson(*profile.transform);
@@ -358,11 +399,13 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
 Profile ProfileFromObject(const JsonValue& value) {
   value.RequireObject(kProfileKeys);
   Profile profile = BeginningOf(value);
-  profile.name = value.Get("name").RequireString();
+  profile.name = value.Get("name").RequireName();
   ReadSnap(value, profile.snap);
   ReadIfThere(value, "sample_locations", profile.pattern, PatternFromJson);
   ReadIfThere(value, "y_axis", profile.y_axis,
               [](const JsonValue& v) { return FromName(v, Names<YAxis>(kYAxes)); });
+  ReadIfThere(value, "front_face", profile.front_face,
+              [](const JsonValue& v) { return FromName(v, Names<FrontFace>(kFrontFaces)); });
   ReadIfThere(value, "tie_rule", profile.tie_rule, TieRuleFromJson);
   ReadIfThere(value, "contract", profile.contract,
               [](const JsonValue& v) { return FromName(v, Names<Contract>(kContracts)); });
@@ -389,13 +432,17 @@ Profile ProfileFromObject(const JsonValue& value) {
   ReadIfThere(value, "fixed", profile.fixed, FixedInputFromJson);
   ReadIfThere(value, "max_primitive_extent", profile.max_primitive_extent,
               MaxPrimitiveExtentFromJson);
-  ReadIfThere(value, "guard_band", profile.guard_band, WindowBoxFromJson);
+  ReadIfThere(value, "guard_band", profile.guard_band, GuardBandFromJson);
   ReadIfThere(value, "scanline_rounding", profile.scanline_rounding, ScanlineRoundingFromJson);
   ReadIfThere(value, "transform", profile.transform, TransformFromJson);
   ReadIfThere(value, "coverage", profile.squares, SquareRuleFromJson);
   if (profile.squares.has_value() != (profile.contract == Contract::kSquares)) {
     throw value.Error("has the key coverage or the contract squares, but not both",
                       "write both: \"contract\": \"squares\" is about what coverage states");
+  }
+  if (profile.front_face == FrontFace::kUnstated && profile.freedom.IsNone()) {
+    throw value.Error("leaves front_face unstated and nothing else free",
+                      "write \"front_face\": \"positive-area\", and tell facings by that");
   }
   // Last: an entry has of the profile what it leaves out.
   ReadIfThere(value, "by_target_size", profile.by_target_size,
@@ -406,10 +453,9 @@ Profile ProfileFromObject(const JsonValue& value) {
 
 }  // namespace
 
-std::string PresetNames() {
-  std::string names;
-  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
-  for (const SquarePresetInfo& preset : kSquarePresets) names += " " + std::string(preset.name);
+std::vector<std::string_view> PresetNames() {
+  std::vector<std::string_view> names(kPresetProfiles.begin(), kPresetProfiles.end());
+  for (const SquarePresetInfo& preset : kSquarePresets) names.push_back(preset.name);
   return names;
 }
 
@@ -422,7 +468,8 @@ Profile ProfileFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kString) {
     if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
     throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
-                      "write an object, or one of the presets" + PresetNames());
+                      Suggestion(value.text(), PresetNames()) +
+                          "write an object, or one of the presets" + ListedNames(PresetNames()));
   }
   Profile profile = ProfileFromObject(value);
   if (ProfileName(profile) == profile.name) return profile;

@@ -69,6 +69,8 @@ class FamilyView {
     return static_cast<std::size_t>(scene_.triangles[triangle][corner]);
   }
 
+  Point2 OnScreen(const Vertex& v) const;
+
   const Scene& scene_;
   Profile profile_;
   Family family_;

@@ -15,13 +15,15 @@
 #include "core/profile.h"
 #include "core/subject.h"
 #include "props/domains/case_name.h"
+#include "props/domains/worlds.h"
 #include "props/property.h"
 #include "tool/commands.h"
 #include "tool/outside.h"
 
 namespace rasterproof::tool {
 
-/// Every subject this build knows: the built-in ones, then the oracle's deciders.
+/// The built-in subjects, the oracle by each decider, then the types that this program was built
+/// with (kit/main.h). Mutants, plugins and programs have names too, but are not among these.
 std::vector<std::string> SubjectNames();
 
 /// A subject that was asked for by name: its profile is read and what it is is looked up, once.
@@ -50,17 +52,23 @@ std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string&
 
 /// Says on standard error, once for each of them, that the preset of an API is one of the models
 /// that it leaves legal, so that nobody takes another legal one for wrong.
-void SayOfPreset(const Profile& profile);
+void NotePreset(const Profile& profile);
 
 /// For commands that look for a model of samples. Throws InputError if the subject's profile states
 /// whole pixels.
 void RequireSamples(const SubjectInfo& info);
+
+/// True of the names of the oracle's deciders, and of no other.
+bool IsOracle(std::string_view name);
 
 /// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);
 
 /// Error:      InputError naming the properties there are.
 const props::Property& RequireProperty(const std::string& name);
+
+/// Error:      InputError at the place, with the world that may be meant.
+const props::World& RequireWorld(const std::string& place, const std::string& name);
 
 /// Reads the name of a drawn case, "near-edge:17@1".
 ///

@@ -60,15 +60,6 @@ std::string LimitOptions() {
   return text;
 }
 
-// FNV-1a: whether two files differ, not who made them.
-std::string HashText(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char byte : bytes) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  }
-  return fmt::format("{:016x}", hash);
-}
-
 std::map<std::string, std::string> DescribeEnvironment() {
   const exact::Environment environment = exact::InspectEnvironment();
   return {{"compiler", environment.compiler},
@@ -206,6 +197,7 @@ report::Certificate Certification::Result() const {
   if (!certificate.interrupted) {
     const props::ContractEvidence evidence = props::EvidenceOfContract(info_, certificate.tested);
     if (!evidence.is_exercised) certificate.contract_untested = evidence.why;
+    certificate.contract_thin = evidence.thin;
   }
   std::for_each(scenes, parts_.end(), add);
   certificate.oracle_tiers = {{"filter", tiers.filter},

@@ -21,12 +21,12 @@ int RunDiff(const DiffOptions& options) {
   RequireTakes(*subject, scene, options.scene.path);
   // Against the oracle the subject is held to its own profile, unless another one is named.
   std::unique_ptr<Subject> against;
-  if (options.against.starts_with("exact") && options.profile.empty()) {
+  if (IsOracle(options.against) && options.profile.empty()) {
     against = MakeOracle(options.against, subject->Info().profile);
   } else {
     against = MakeSubject(options.against, options.profile);
   }
-  SayOfPreset(against->Info().profile);
+  NotePreset(against->Info().profile);
   RequireTakes(*against, scene, options.scene.path);
   if (subject->Info().profile.pattern.samples() != against->Info().profile.pattern.samples()) {
     throw InputError("--against " + options.against, "the two have different samples per pixel",

@@ -12,10 +12,12 @@
 #include <map>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "CLI/CLI.hpp"
 #include "core/error.h"
 #include "core/subject_errors.h"
+#include "core/suggestion.h"
 #include "fmt/format.h"
 #include "report/text.h"
 #include "tool/commands.h"
@@ -126,8 +128,10 @@ void AddList(CLI::App& app, Run& run) {
 
 void AddFailOn(CLI::App* verb, FailOn& fail_on) {
   verb->add_option("--fail-on", fail_on, "Violations that fail: of what is stated, or of quality")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, FailOn>{
-          {"stated", FailOn::kStated}, {"quality", FailOn::kQuality}}))
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, FailOn>{{"stated", FailOn::kStated},
+                                                                {"quality", FailOn::kQuality}})
+              .description("{stated,quality}"))
       ->default_str("stated");
 }
 
@@ -145,7 +149,7 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
                  "Put the subject's numbers into the legal set that --profile names: its subpixel "
                  "bits, sample locations, coordinate limit and guard band");
   verb->add_option("--save", options.save,
-                   "Folder for shrunken counterexamples; those that it holds are asked first");
+                   "Folder for shrunk counterexamples; those already there are replayed first");
   AddCampaign(verb, options.campaign);
   AddJobs(verb, options.jobs, "Properties");
   AddFailOn(verb, options.fail_on);
@@ -165,7 +169,7 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   AddSubjects(verb, options.subjects);
   verb->add_flag(
       "--all", options.all,
-      "Every built-in subject; the status then tells only whether each keeps its own properties");
+      "Every built-in subject; the exit status then covers only those stated to be exact");
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
@@ -418,8 +422,10 @@ int Parse(int argc, char** argv, const std::string& own) {
                 .empty();
   };
   if (argc > 1 && argv[1][0] != '-' && !is_verb(argv[1])) {
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
     throw InputError(fmt::format("verb '{}'", argv[1]), "there is no such verb",
-                     "rasterproof --help lists them");
+                     Suggestion(argv[1], verbs) + "rasterproof --help lists them");
   }
   try {
     app.parse(argc, argv);

@@ -110,6 +110,14 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .reading = "New vertices are placed too, so edges of a clipped triangle may move; what lies "
                 "far from both the old and the new edge is decided all the same.",
      .keys = "guard_band"},
+    {.id = "gl.clip-point",
+     .place = "13.7",
+     .force = kSilent,
+     .sentence = "Nothing says how near to the edge the vertex lies that clipping makes.",
+     .reading = "It lies exactly on the edge and is then placed as any vertex, so an edge that "
+                "leaves moves by less than a step; neighbours need not take the same one.",
+     .keys = "guard_band",
+     .is_assumed = true},
     {.id = "gl.clip-corner",
      .place = "13.7",
      .sentence = "A polygon that meets an edge of the clip volume's boundary must include a point "
@@ -126,7 +134,9 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .place = "14.6.1",
      .sentence = "Facing is the sign of the area, \"clipped or unclipped\", in window coordinates.",
      .reading = "Near zero area, clipping and rounding may turn it: both facings are legal there; "
-                "zero area is back-facing, since front needs a positive sign."},
+                "zero area is back-facing, since front needs a positive sign. Which winding is the "
+                "front is state (FrontFace): one for all.",
+     .keys = "front_face=unstated"},
     {.id = "gl.zero-area",
      .place = "14.6.1",
      .force = kSilent,

@@ -77,6 +77,14 @@ constexpr auto kWebGpu = std::to_array<Clause>({
                  "bring new vertices.",
      .reading = "New vertices are placed too, so edges of a clipped triangle may move.",
      .keys = "guard_band; coordinate_limit"},
+    {.id = "webgpu.clip-point",
+     .place = "23.2.4",
+     .force = kSilent,
+     .sentence = "Nothing says how near to the edge the vertex lies that clipping makes.",
+     .reading = "It lies exactly on the edge and is then placed as any vertex, so an edge that "
+                "leaves moves by less than a step; neighbours need not take the same one.",
+     .keys = "guard_band",
+     .is_assumed = true},
     {.id = "webgpu.clip-corner",
      .place = "23.2.4",
      .sentence = "The clipped polygon must include a point of an edge of the boundary that it "
@@ -87,7 +95,10 @@ constexpr auto kWebGpu = std::to_array<Clause>({
      .place = "23.2.5.4, step 3",
      .sentence = "The sign of the area in framebuffer coordinates; zero is back-facing for both "
                  "windings.",
-     .reading = "Of the placed polygon; near zero area both facings are legal."},
+     .reading =
+         "Of the placed polygon; near zero area both facings are legal. Which winding is the "
+         "front is state of the pipeline: one for all.",
+     .keys = "front_face=unstated"},
     {.id = "webgpu.zero-area",
      .place = "23.2.5.4",
      .force = kSilent,

@@ -29,13 +29,14 @@ namespace kernels = reference::kernels;
 // Shorter draws are repeated until they add up to this: clocks cost some tenths of a microsecond.
 constexpr double kLeastSeconds = 1e-3;
 constexpr int kMostDraws = 64;
+constexpr std::string_view kAgain = " again";
 
 // Measures the same method under another name.
 class Twin final : public Contender {
  public:
   explicit Twin(std::unique_ptr<Contender> same) : same_(std::move(same)) {
     method_ = same_->method();
-    method_.name += " again";
+    method_.name += kAgain;
     method_.summary = "the baseline measured a second time: the floor of the noise";
     model_ = same_->model();
   }
@@ -135,6 +136,11 @@ BenchRow RowOf(Run& run, const FamilyInput& family, const BenchFamily& described
 
 }  // namespace
 
+bool IsBaseline(std::string_view name) {
+  if (name.ends_with(kAgain)) name.remove_suffix(kAgain.size());
+  return name == kBaseline || name == kClipBaseline;
+}
+
 std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice) {
   std::vector<std::unique_ptr<Contender>> contenders;
   for (const std::string_view name : {kBaseline, kClipBaseline}) {
@@ -152,8 +158,8 @@ std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice) {
     const bool is_widest = target == targets.back();
     if (!is_full && !is_widest && target != kernels::Target::kAvx2) continue;
     for (const kernels::Sink sink : kernels::kSinks) {
-      const bool is_quick = sink == kernels::Sink::kFacing ||
-                            (is_widest && sink == kernels::Sink::kMask);
+      const bool is_quick =
+          sink == kernels::Sink::kFacing || (is_widest && sink == kernels::Sink::kMask);
       if (!is_full && !is_quick) continue;
       for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
         if (!kernels::Draws(kernel, sink)) continue;
@@ -189,7 +195,7 @@ void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Conten
     described.rounds = MeasureInRounds(runs, options);
     const std::string_view baseline = family.scene.clip_space ? kClipBaseline : kBaseline;
     described.baseline = IndexOf(runs, baseline);
-    described.twin = IndexOf(runs, std::string(baseline) + " again");
+    described.twin = IndexOf(runs, std::string(baseline) + std::string(kAgain));
     say("errors");
     CoverageJudge judge(family, judged);
     const auto base = std::ranges::find(runs, described.baseline, &Run::method);
@@ -198,6 +204,7 @@ void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Conten
       row.family = at;
       row.ratio = RatioInterval(run.seconds, base->seconds);
       row.seconds = run.seconds;
+      result.methods[run.method].conversion_seconds = run.contender->method().conversion_seconds;
       result.rows.push_back(std::move(row));
     }
   }

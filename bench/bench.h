@@ -22,6 +22,9 @@ namespace rasterproof::bench {
 inline constexpr std::string_view kBaseline = "f32-incremental";
 inline constexpr std::string_view kClipBaseline = "hom-projected-f32";
 
+/// Whether this names a baseline, or its twin: "f32-incremental again".
+bool IsBaseline(std::string_view name);
+
 struct BenchOptions {
   /// Rounds of a family go on until this is used up, within the two limits.
   double seconds_per_family = 2;

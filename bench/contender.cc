@@ -142,11 +142,15 @@ std::string_view SummaryOf(kernels::KernelMethod method) {
 
 std::uint64_t BitsOf(kernels::Sink sink) {
   switch (sink) {
-    case kernels::Sink::kCount8: return 8;
-    case kernels::Sink::kFacing: return 64;
-    case kernels::Sink::kMask: return 1;
+    case kernels::Sink::kCount8:
+      return 8;
+    case kernels::Sink::kFacing:
+      return 64;
+    case kernels::Sink::kMask:
+      return 1;
     case kernels::Sink::kId:
-    case kernels::Sink::kDepth: return 32;
+    case kernels::Sink::kDepth:
+      return 32;
   }
   return 0;
 }
@@ -243,14 +247,77 @@ class KernelContender final : public Contender {
   std::optional<kernels::Surface> alone_;
 };
 
+class SubjectContender final : public Contender {
+ public:
+  explicit SubjectContender(Subject& subject) : subject_(subject) {
+    const SubjectInfo& info = subject.Info();
+    model_ = info.profile;
+    method_.name = info.name;
+    method_.summary = info.summary;
+    method_.kind = "yours";
+    method_.target = "its own";
+    method_.sink = NameOf(kernels::Sink::kFacing);
+    method_.model = info.profile.name;
+    method_.is_users = true;
+    method_.coordinate_limit = info.profile.coordinate_limit;
+    method_.vertex_bytes = sizeof(Vertex);
+    method_.pixel_bits = 8 * sizeof(std::uint64_t);
+  }
+
+  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
+    if (Takes(subject_.Info(), family.scene)) return std::nullopt;
+    return "it does not take the family's vertices";
+  }
+
+  void Load(const FamilyInput& family) override {
+    family_ = &family;
+    empty_ = family.scene;
+    empty_.triangles.clear();
+  }
+
+  DrawTime Draw() override {
+    const DrawTime converting = DrawOnce(empty_);
+    const DrawTime all = DrawOnce(family_->scene);
+    const double triangles = static_cast<double>(family_->scene.triangles.size());
+    method_.conversion_seconds = converting.seconds / std::max(1.0, triangles);
+    return {.seconds = std::max(0.0, all.seconds - converting.seconds),
+            .wall_seconds = std::max(0.0, all.wall_seconds - converting.wall_seconds)};
+  }
+
+  // Counts without facings have no counterpart in the model's.
+  std::optional<CoverageCounts> Drawn() override {
+    if (subject_.Info().coverage != CoverageKind::kFacingCounts) return std::nullopt;
+    return counts_;
+  }
+  bool DrawsAlone() const override { return false; }
+  void DrawAlone(std::size_t /*triangle*/, const PixelRect& /*area*/,
+                 std::vector<std::uint8_t>& /*box*/) override {}
+  std::uint64_t LeftBehind() override { return 0; }
+
+ private:
+  DrawTime DrawOnce(const Scene& scene) {
+    counts_ = CoverageCounts(scene.width, scene.height);
+    return Timed([&] { subject_.Draw(scene, {}, counts_); });
+  }
+
+  Subject& subject_;
+  const FamilyInput* family_ = nullptr;
+  Scene empty_;
+  CoverageCounts counts_;
+};
+
 }  // namespace
+
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject) {
+  return std::make_unique<SubjectContender>(subject);
+}
 
 std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method) {
   return std::make_unique<MethodContender>(method);
 }
 
-std::unique_ptr<Contender> MakeKernelContender(kernels::KernelMethod method,
-                                               kernels::Target target, kernels::Sink sink) {
+std::unique_ptr<Contender> MakeKernelContender(kernels::KernelMethod method, kernels::Target target,
+                                               kernels::Sink sink) {
   return std::make_unique<KernelContender>(method, target, sink);
 }
 

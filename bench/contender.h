@@ -15,6 +15,7 @@
 #include "core/evaluators.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/subject.h"
 #include "reference/kernels/kernel.h"
 #include "reference/method.h"
 
@@ -74,6 +75,13 @@ std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method);
 std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod method,
                                                reference::kernels::Target target,
                                                reference::kernels::Sink sink);
+
+/// A subject in this process, into the counts that it shows. Its time is that of a draw less that of
+/// a draw of the same vertices without triangles, which is what it converts; the latter is told
+/// apart. Its decisions are not judged pair by pair: one call for each triangle takes too long.
+///
+/// Domain:     one sample a pixel, in its centre; the subject outlives the contender.
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject);
 
 /// Seconds that storing one pixel takes at least, by the widest vectors. Measured when first asked
 /// for.

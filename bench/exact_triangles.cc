@@ -61,10 +61,9 @@ PixelRect JudgedArea(const Scene& scene, std::size_t triangle) {
   };
   const auto [x0, x1] = std::minmax({v[0].x, v[1].x, v[2].x});
   const auto [y0, y1] = std::minmax({v[0].y, v[1].y, v[2].y});
-  return {within(std::floor(x0) - kMargin, scene.width),
-          within(std::floor(y0) - kMargin, scene.height),
-          within(std::ceil(x1) + kMargin, scene.width),
-          within(std::ceil(y1) + kMargin, scene.height)};
+  return {
+      within(std::floor(x0) - kMargin, scene.width), within(std::floor(y0) - kMargin, scene.height),
+      within(std::ceil(x1) + kMargin, scene.width), within(std::ceil(y1) + kMargin, scene.height)};
 }
 
 struct ExactTriangles::State {
@@ -93,8 +92,7 @@ void ExactTriangles::Cover(std::size_t triangle, const PixelRect& area,
   if (!v) return;
   const std::array<Point2, 3> points{WindowPoint((*v)[0]), WindowPoint((*v)[1]),
                                      WindowPoint((*v)[2])};
-  const int facing =
-      s.placed.clip_space ? exact::HomogeneousFacing(*v) : exact::Facing(points);
+  const int facing = s.placed.clip_space ? exact::HomogeneousFacing(*v) : exact::Facing(points);
   if (facing == 0) return;
   if (s.placed.clip_space) {
     exact::AddHomogeneousSpans(*v, facing, s.frame, s.target);

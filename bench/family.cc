@@ -92,9 +92,7 @@ Scene Scattered(int count, double area, double x0, Scene scene, std::uint64_t se
   return scene;
 }
 
-Scene Px5(int part, std::uint64_t seed) {
-  return Scattered(240'000 / part, 5, 0, Empty(), seed);
-}
+Scene Px5(int part, std::uint64_t seed) { return Scattered(240'000 / part, 5, 0, Empty(), seed); }
 Scene Px100(int part, std::uint64_t seed) {
   return Scattered(32'000 / part, 100, 0, Empty(), seed);
 }
@@ -123,7 +121,7 @@ Scene Walks(int part, std::uint64_t seed) {
 Scene Needles(int part, std::uint64_t seed) {
   Scene scene = Empty();
   Random random(seed);
-  for (int i = 0; i < 16'000 / part; ++i) {
+  for (int i = 0; i < 512 / part; ++i) {
     const double x = random.Between(0, scene.width);
     const double y = random.Between(0, scene.height);
     const double z = random.Between(0, 1);
@@ -139,20 +137,21 @@ Scene Needles(int part, std::uint64_t seed) {
   return scene;
 }
 
-// Slivers at one vertex.
+// Neighbouring slices of a fan of 16,000 around one vertex.
 Scene Fan(int part, std::uint64_t seed) {
   Scene scene = Empty();
   Random random(seed);
-  const int slices = 16'000 / part;
+  constexpr int kAllSlices = 16'000;
+  const int slices = 2048 / part;
   const double x = 0.5 * scene.width + 0.3;
   const double y = 0.5 * scene.height + 0.2;
   scene.vertices.push_back(At(x, y, 0.5));
-  for (int i = 0; i < slices; ++i) {
-    const double angle = 2 * std::numbers::pi * i / slices;
-    const double radius = random.Between(0.4, 0.48) * scene.height;
+  for (int i = 0; i <= slices; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kAllSlices;
+    const double radius = random.Between(0.8, 0.96) * scene.width / 2;
     scene.vertices.push_back(At(x + radius * std::cos(angle), y + radius * std::sin(angle), 0.5));
   }
-  for (int i = 0; i < slices; ++i) scene.triangles.push_back({0, 1 + (i + 1) % slices, 1 + i});
+  for (int i = 0; i < slices; ++i) scene.triangles.push_back({0, 2 + i, 1 + i});
   return scene;
 }
 
@@ -175,14 +174,16 @@ Scene JitteredGrid(int part, int bits, std::uint64_t seed) {
   constexpr double kCell = 6.3246;  // two triangles of 20 px
   const int columns = static_cast<int>(std::lround(scene.width / kCell));
   const int rows = static_cast<int>(std::lround(scene.height / kCell));
-  const auto placed = [bits](double x) { return std::ldexp(std::round(std::ldexp(x, bits)), -bits); };
+  const auto placed = [bits](double x) {
+    return std::ldexp(std::round(std::ldexp(x, bits)), -bits);
+  };
   for (int j = 0; j <= rows; ++j) {
     for (int i = 0; i <= columns; ++i) {
       const double z = random.Between(0, 1);
       const double dx = i == 0 || i == columns ? 0 : random.Between(-0.33, 0.33);
       const double dy = j == 0 || j == rows ? 0 : random.Between(-0.33, 0.33);
-      scene.vertices.push_back(At(placed((i + dx) * scene.width / columns),
-                                  placed((j + dy) * scene.height / rows), z));
+      scene.vertices.push_back(
+          At(placed((i + dx) * scene.width / columns), placed((j + dy) * scene.height / rows), z));
     }
   }
   AddGrid(scene, columns, rows);
@@ -262,25 +263,37 @@ constexpr std::array kKinds{
     FamilyKind{"px100", "Scattered triangles of about a hundred pixels", true, Px100},
     FamilyKind{"px1m", "Triangles of about a million pixels, partly outside the target", true,
                Px1m},
-    FamilyKind{"walks", "Triangles up to 16,384 pixels wide in a band of 64 rows: long steps along "
-                        "the row", true, Walks},
-    FamilyKind{"needles", "Needles 100 to 900 pixels long and 0.05 to 1 pixel wide", true,
-               Needles},
-    FamilyKind{"fan", "Slivers around one vertex", false, Fan},
+    FamilyKind{"walks",
+               "Triangles up to 16,384 pixels wide in a band of 64 rows: long steps along "
+               "the row",
+               true, Walks},
+    FamilyKind{"needles", "Needles 100 to 900 pixels long and 0.05 to 1 pixel wide", true, Needles},
+    FamilyKind{
+        "fan",
+        "Neighbouring slivers of a fan, 800 pixels long and a third of a pixel wide at its rim",
+        false, Fan},
     FamilyKind{"mesh", "A jittered grid that partitions the target, triangles of about 20 pixels",
                false, Mesh},
-    FamilyKind{"ties", "A grid of triangles of 8 pixels whose edges all pass through pixel "
-                       "centres", false, Ties},
+    FamilyKind{"ties",
+               "A grid of triangles of 8 pixels whose edges all pass through pixel "
+               "centres",
+               false, Ties},
     FamilyKind{"snapped-4", "The jittered grid with its vertices on 1/16 pixel", false, Snapped4},
     FamilyKind{"snapped-8", "The jittered grid with its vertices on 1/256 pixel", false, Snapped8},
-    FamilyKind{"far", "Triangles of about 50 pixels, 14,336 to 16,384 pixels from the origin",
-               true, Far},
-    FamilyKind{"torus", "A torus in perspective, divided and rounded to float32: triangles of 2 to "
-                        "3 pixels", false, Torus},
-    FamilyKind{"perspective", "The torus in clip space: a method divides, or uses homogeneous "
-                              "edges", false, Perspective},
-    FamilyKind{"four-samples", "The grid on 1/256 pixel at the four standard samples of each "
-                               "pixel, a pass each", false, FourSamples},
+    FamilyKind{"far", "Triangles of about 50 pixels, 14,336 to 16,384 pixels from the origin", true,
+               Far},
+    FamilyKind{"torus",
+               "A torus in perspective, divided and rounded to float32: triangles of 2 to "
+               "3 pixels",
+               false, Torus},
+    FamilyKind{"perspective",
+               "The torus in clip space: a method divides, or uses homogeneous "
+               "edges",
+               false, Perspective},
+    FamilyKind{"four-samples",
+               "The grid on 1/256 pixel at the four standard samples of each "
+               "pixel, a pass each",
+               false, FourSamples},
 };
 
 // The number of parts of which a quick run draws one.

@@ -44,8 +44,8 @@ struct BenchMethod {
   BenchClock clock = BenchClock::kThread;
   /// 0 wrong samples are proved of it: against its own model, inside its limit.
   bool is_proved = false;
-  bool is_users = false;        ///< the user's own, not the project's
-  double coordinate_limit = 0;  ///< beyond it nothing is stated; pixels
+  bool is_users = false;           ///< the user's own, not the project's
+  double coordinate_limit = 0;     ///< beyond it nothing is stated; pixels
   std::uint64_t vertex_bytes = 0;  ///< that one vertex takes in the format that it reads
   std::uint64_t pixel_bits = 0;    ///< that one pixel takes in its sink
   /// What it costs to turn the scene's vertices into its own and its answer into counts, seconds
@@ -137,9 +137,9 @@ struct BenchRow {
   std::uint32_t method = 0;  ///< index in BenchResult::methods
   /// Seconds of one draw of the family, a number for each round, in the order of the rounds.
   std::vector<double> seconds;
-  Interval time;            ///< of the seconds
-  double wall_median = 0;   ///< elapsed
-  Interval ratio;  ///< to the baseline's of the same round
+  Interval time;           ///< of the seconds
+  double wall_median = 0;  ///< elapsed
+  Interval ratio;          ///< to the baseline's of the same round
   /// The time is that of storing what is covered, or less than twice that.
   bool binds_at_store = false;
   /// Whether its decisions were judged; else the errors say nothing.
@@ -148,8 +148,9 @@ struct BenchRow {
   BenchErrors own;   ///< against the method's own model
   BenchLeaks leaks;
   BenchValues values;
-  /// Samples of the whole drawing that was timed whose count is not the own model's.
-  std::uint64_t drawing_wrong = 0;
+  /// Samples of the whole drawing that was timed whose counts are not the own model's; nothing of
+  /// sinks that keep no counts by facing.
+  std::optional<std::uint64_t> drawing_wrong;
 };
 
 /// What was not timed, and why.

@@ -16,9 +16,12 @@ namespace {
 
 std::string_view ClockName(BenchClock clock) {
   switch (clock) {
-    case BenchClock::kThread: return "processor";
-    case BenchClock::kProgram: return "program";
-    case BenchClock::kWall: return "elapsed";
+    case BenchClock::kThread:
+      return "processor";
+    case BenchClock::kProgram:
+      return "program";
+    case BenchClock::kWall:
+      return "elapsed";
   }
   return "";
 }
@@ -45,12 +48,17 @@ std::vector<const BenchRow*> RowsOf(const BenchResult& result, std::size_t famil
 // "proved 0", "0 of 12,345", "12.3 %": of the pairs at most a pixel from an edge.
 std::string ShareText(const BenchErrors& errors, std::uint64_t of, bool is_proved) {
   if (errors.Wrong() == 0) return is_proved ? "proved 0" : fmt::format("0 of {}", of);
-  return fmt::format("{:.3g} %", of == 0 ? 0 : 100.0 * static_cast<double>(errors.Wrong()) /
-                                                   static_cast<double>(of));
+  return fmt::format(
+      "{:.3g} %",
+      of == 0 ? 0 : 100.0 * static_cast<double>(errors.Wrong()) / static_cast<double>(of));
 }
 
 std::string DistanceText(double pixels) {
   return std::isnan(pixels) ? "-" : fmt::format("{:.3g}", pixels);
+}
+
+std::string DrawingText(const BenchRow& row) {
+  return row.drawing_wrong ? std::to_string(*row.drawing_wrong) : "-";
 }
 
 std::string TableOf(const BenchResult& result, std::size_t at) {
@@ -63,7 +71,7 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
       result.methods.empty() ? "" : result.methods[family.baseline].name);
   table += fmt::format("  {:<28} {:<8} {:<7} {:>10} {:>22} {:>14} {:>9} {:>14} {:>6} {:>6}\n",
                        "method", "target", "sink", "ns/tri", "ratio", "wrong", "px", "own model",
-                       "gaps", "over");
+                       "gaps", "over", "drawing");
   for (const BenchRow* row : RowsOf(result, at)) {
     const BenchMethod& method = result.methods[row->method];
     const std::string ratio =
@@ -71,16 +79,17 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
     table += fmt::format("  {:<28} {:<8} {:<7} {:>10.1f} {:>22}", method.name, method.target,
                          method.sink, NanosecondsATriangle(result, *row), ratio);
     if (!row->is_judged) {
-      table += fmt::format(" {:>14} {:>9} {:>14} {:>6} {:>6}\n", "-", "-", "-", "-", "-");
+      table += fmt::format(" {:>14} {:>9} {:>14} {:>6} {:>6} {:>8}\n", "-", "-", "-", "-", "-",
+                           DrawingText(*row));
       continue;
     }
     const bool is_real = method.model == "real";
-    table += fmt::format(
-        " {:>14} {:>9} {:>14} {:>6} {:>6}\n",
-        ShareText(row->real, family.boundary_pairs, method.is_proved && is_real),
-        DistanceText(row->real.displacement),
-        is_real ? "" : ShareText(row->own, family.boundary_pairs, method.is_proved),
-        row->leaks.gaps, row->leaks.overlaps);
+    table +=
+        fmt::format(" {:>14} {:>9} {:>14} {:>6} {:>6} {:>8}\n",
+                    ShareText(row->real, family.boundary_pairs, method.is_proved && is_real),
+                    DistanceText(row->real.displacement),
+                    is_real ? "" : ShareText(row->own, family.boundary_pairs, method.is_proved),
+                    row->leaks.gaps, row->leaks.overlaps, DrawingText(*row));
   }
   return table;
 }
@@ -161,7 +170,7 @@ void WriteRow(JsonWriter& json, const BenchResult& result, const BenchRow& row) 
   json.Key("elapsed").Rounded(row.wall_median);
   WriteInterval(json, "ratio", row.ratio);
   json.Key("store_limit").Bool(row.binds_at_store);
-  json.Key("drawing_wrong").Integer(row.drawing_wrong);
+  if (row.drawing_wrong) json.Key("drawing_wrong").Integer(*row.drawing_wrong);
   if (row.is_judged) {
     WriteErrors(json, "real", row.real);
     WriteErrors(json, "own", row.own);

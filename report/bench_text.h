@@ -10,9 +10,9 @@ namespace rasterproof::report {
 
 /// What is shown of the wrong decisions: proved, 0 of so many, or a rate.
 enum class ErrorLane : std::uint8_t {
-  kProved,      ///< 0, by proof, inside the method's limit
-  kNone,        ///< 0 of N
-  kRate,        ///< some
+  kProved,  ///< 0, by proof, inside the method's limit
+  kNone,    ///< 0 of N
+  kRate,    ///< some
   kNotJudged
 };
 

@@ -18,8 +18,11 @@
 #include "exact/environment.h"
 #include "fmt/chrono.h"
 #include "fmt/format.h"
+#include "io/case_file.h"
 #include "io/output.h"
+#include "report/bench_svg.h"
 #include "report/bench_text.h"
+#include "subjects/plugin/plugin.h"
 #include "tool/commands.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -42,7 +45,8 @@ std::string ProcessorName() {
 BenchSetting SettingOf(const BenchOptions& options) {
   const exact::Environment environment = exact::InspectEnvironment();
   BenchSetting setting;
-  setting.processor = fmt::format("{}, {} processors", ProcessorName(), sysconf(_SC_NPROCESSORS_ONLN));
+  setting.processor =
+      fmt::format("{}, {} processors", ProcessorName(), sysconf(_SC_NPROCESSORS_ONLN));
   setting.compiler = environment.compiler;
   setting.flags = environment.flags;
   setting.command = options.command;
@@ -83,8 +87,8 @@ std::vector<bench::FamilyInput> FamiliesOf(const BenchOptions& options) {
 }
 
 std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& options) {
-  auto contenders = bench::OwnContenders(options.budget < kFullFrom ? bench::ContenderChoice::kQuick
-                                                                    : bench::ContenderChoice::kFull);
+  auto contenders = bench::OwnContenders(
+      options.budget < kFullFrom ? bench::ContenderChoice::kQuick : bench::ContenderChoice::kFull);
   if (options.subjects.empty()) return contenders;
   const auto is_asked = [&](const std::string& name) {
     return std::ranges::find(options.subjects, name) != options.subjects.end();
@@ -100,17 +104,35 @@ std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& 
   // The baselines and their twins stay: ratios are to them.
   std::erase_if(contenders, [&](const auto& contender) {
     const std::string& name = contender->method().name;
-    const bool is_base = name.starts_with(bench::kBaseline) && name.size() <= bench::kBaseline.size() + 6;
-    return !is_base && !name.starts_with(bench::kClipBaseline) && !is_asked(name);
+    return !bench::IsBaseline(name) && !is_asked(name);
   });
   return contenders;
+}
+
+// A plugin in this process: what it does wrong it does to this program.
+std::unique_ptr<Subject> PluginOf(const std::string& file) {
+  subjects::LoadedPlugin loaded = subjects::LoadPlugin(file);
+  SubjectInfo info = loaded.subject->OwnInfo();
+  info.name = std::filesystem::path(file).filename().string();
+  info.profile = io::ParseProfile(loaded.profile, file);
+  if (info.profile.pattern != SamplePattern{} || !info.profile.by_target_size.empty()) {
+    throw InputError("--plugin " + file, "its samples are not the pixels' centres",
+                     "time one that samples pixel centres, by one model for all targets");
+  }
+  loaded.subject->JudgeAs(info);
+  return std::move(loaded.subject);
 }
 
 }  // namespace
 
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
-  const auto contenders = ContendersOf(options);
+  auto contenders = ContendersOf(options);
+  std::vector<std::unique_ptr<Subject>> plugins;
+  for (const std::string& file : options.plugins) {
+    plugins.push_back(PluginOf(file));
+    contenders.push_back(bench::MakeSubjectContender(*plugins.back()));
+  }
   const std::vector<bench::FamilyInput> families = FamiliesOf(options);
   BenchResult result;
   result.setting = SettingOf(options);
@@ -118,13 +140,17 @@ int RunBench(const BenchOptions& options) {
     Progress progress;
     progress.Stage("bench");
     bench::BenchOptions bench_options;
-    bench_options.seconds_per_family = 0.7 * options.budget / static_cast<double>(families.size());
+    // Rounds take half: samples and errors are counted besides, and the least rounds take as long as
+    // they take.
+    bench_options.seconds_per_family = 0.5 * options.budget / static_cast<double>(families.size());
+    bench_options.judged_pixels = options.budget < kFullFrom ? 500'000 : 4'000'000;
     bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
     for (const bench::FamilyInput& family : families) {
       bench::RunFamily(family, contenders, bench_options, result);
     }
   }
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
+  if (!options.svg.empty()) io::WriteFile(options.svg, report::BenchToSvg(result));
   io::WriteStandardOutput(report::BenchToTable(result));
   return kExitHolds;
 }

@@ -304,14 +304,17 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--family", options.families, "Families (default: all)");
   verb->add_option("--scene", options.scenes, "Scene files or meshes beside the families");
   verb->add_option("--subject", options.subjects, "Built-in methods and kernels (default: all)");
+  verb->add_option("--plugin", options.plugins, "Libraries that are timed too, in this process");
   verb->add_option_function<std::string>(
-          "--budget", [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },
+          "--budget",
+          [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },
           "Time for everything, as 90s or 10m; from 3m on families have their full size")
       ->default_str("60s");
   verb->add_option_function<std::string>(
       "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
       "Seed of the families");
   verb->add_option("--json", options.json, "Result as JSON, raw times included");
+  verb->add_option("--svg", options.svg, "Picture: error against run time, a panel a family");
   verb->add_option("--width", options.width, "Of the target of meshes")->check(Positive());
   verb->add_option("--height", options.height, "Of the target of meshes")->check(Positive());
   verb->callback([&run] { run = [] { return RunBench(options); }; });

@@ -220,9 +220,11 @@ struct BenchOptions {
   std::vector<std::string> families;  ///< names; empty: all, unless there are scenes
   std::vector<std::string> scenes;    ///< scene files or meshes
   std::vector<std::string> subjects;  ///< built-in methods and kernels by name; empty: all
+  std::vector<std::string> plugins;   ///< libraries that are timed beside them, in this process
   double budget = 60;                 ///< seconds for everything
   std::uint64_t seed = 1;
   std::string json;
+  std::string svg;
   std::string command;  ///< as it was typed
   int width = 1920;     ///< of meshes
   int height = 1080;

@@ -50,7 +50,8 @@ double ParseSeconds(const std::string& option, const std::string& text) {
   const std::string unit = text.substr(used);
   const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
   if (used == 0 || factor == 0 || !(seconds > 0) || seconds > 1e6) {
-    throw InputError(option + " " + text, "it is no time", "give seconds or minutes, as 90s or 10m");
+    throw InputError(option + " " + text, "it is no time",
+                     "give seconds or minutes, as 90s or 10m");
   }
   return seconds * factor;
 }

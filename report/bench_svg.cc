@@ -22,16 +22,16 @@ constexpr double kMostWrong = 0.01;
 
 // Of a panel, in user units.
 constexpr double kPanelWidth = 400;
-constexpr double kPanelHeight = 330;
+constexpr double kPanelHeight = 310;
 constexpr double kLeft = 66;
-constexpr double kTop = 44;
+constexpr double kTop = 56;
 constexpr double kPlotWidth = 310;
 constexpr double kPlotHeight = 170;
 constexpr int kColumns = 3;
 // The lanes of zero lie below the axis of rates.
 constexpr double kRateHeight = 116;
 constexpr double kLeastRate = 1e-7;
-constexpr double kLeastRatio = 1e-2;
+constexpr double kLeastRatio = 1e-3;
 constexpr double kMostRatio = 10;
 
 struct Kind {
@@ -109,11 +109,22 @@ std::string Title(const BenchResult& result, const BenchRow& row) {
       result.families[row.family].boundary_pairs);
 }
 
+// A sentence at its last blank that leaves the first line short enough for a panel.
+std::pair<std::string, std::string> InTwoLines(const std::string& sentence) {
+  constexpr std::size_t kMost = 56;
+  if (sentence.size() <= kMost) return {sentence, ""};
+  const std::size_t blank = sentence.rfind(' ', kMost);
+  if (blank == std::string::npos) return {sentence, ""};
+  return {sentence.substr(0, blank), sentence.substr(blank + 1)};
+}
+
 std::string Axes(const BenchFamily& family) {
   std::string svg = Text(kLeft, 18, "start", family.name, "font-weight=\"600\" font-size=\"14\"");
-  svg += Text(kLeft, 34, "start", family.summary, "class=\"soft\" font-size=\"9.5\"");
+  const auto [first, second] = InTwoLines(family.summary);
+  svg += Text(kLeft, 33, "start", first, "class=\"soft\"");
+  svg += Text(kLeft, 46, "start", second, "class=\"soft\"");
   const double bottom = kTop + kPlotHeight;
-  for (const double ratio : {0.01, 0.1, 1.0, 10.0}) {
+  for (const double ratio : {0.001, 0.01, 0.1, 1.0, 10.0}) {
     svg += fmt::format("<path class=\"grid\" d=\"M{:.1f} {}V{}\"/>\n", XOf(ratio), kTop, bottom);
     svg += Text(XOf(ratio), bottom + 14, "middle", fmt::format("{}", ratio), "class=\"soft\"");
   }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
@@ -104,6 +105,9 @@ struct FixedStages {
   std::function<std::uint32_t(const Sample&, const GridTriangle&)> times = {};
   std::function<std::size_t(const CoverageCounts&, const Sample&)> index = {};
   std::function<void(CoverageCounts&, const CoverageCounts& before)> after = {};
+  /// By what images of whole draws are kept and found again, beside target, culling and scissor;
+  /// each subject keeps its own. Empty: none is kept.
+  std::function<std::vector<std::int64_t>(const Scene&)> kept_by = {};
 };
 
 /// The rasterizer with the given stages.

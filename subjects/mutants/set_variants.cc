@@ -103,6 +103,25 @@ double RoundByHash(double x) {
   return (mixed >> 60 & 1U) != 0 ? Floor(x, 8) : -Floor(-x, 8);
 }
 
+// The images of draws, kept by the vertices in the steps of a grid and the indices.
+FixedStages Keeping(std::string_view preset, std::function<std::int64_t(double)> word) {
+  FixedStages stages = Of(preset);
+  stages.kept_by = [word = std::move(word)](const Scene& scene) {
+    std::vector<std::int64_t> key;
+    for (const Vertex& v : scene.vertices) key.insert(key.end(), {word(v.x), word(v.y)});
+    key.push_back(-1);  // of lists as long, one has the more vertices
+    for (const Triangle& t : scene.triangles) key.insert(key.end(), t.begin(), t.end());
+    return key;
+  };
+  return stages;
+}
+
+FixedStages KeepingByGrid(std::string_view preset, int bits) {
+  return Keeping(preset, [bits](double x) {
+    return static_cast<std::int64_t>(std::clamp(std::ldexp(Floor(x, bits), bits), -0x1p60, 0x1p60));
+  });
+}
+
 FreeStages Farthest(std::string_view preset, int bits, double tolerance, CoverageKind coverage) {
   FreeStages stages;
   stages.profile = *PresetProfile(preset);
@@ -188,6 +207,8 @@ std::vector<Mutant> SetVariants() {
        Farthest("vulkan", 6, 1, CoverageKind::kMask)},
       {"vulkan-farthest-ids", "each vertex takes the farther grid point, shown as ids", "",
        Farthest("vulkan", 5, 1, CoverageKind::kPrimitiveIds)},
+      {"vulkan-kept-by-all", "images are kept, and found again by every bit of the scene", "",
+       Keeping("vulkan", [](double x) { return std::bit_cast<std::int64_t>(x); })},
       {"gl-4-bits-floor", "four subpixel bits, and the snap rounds down", "",
        Snapping("gl", [](double x) { return Floor(x, 4); })},
       {"gl-owner-by-direction", "an edge's direction decides who owns it", "",
@@ -265,6 +286,12 @@ std::vector<Mutant> SetMutants() {
        Snapping("d3d11", [](double x) { return Floor(x, 8); })},
       {"d3d11-7-bits", "the grid has seven subpixel bits", "",
        Snapping("d3d11", [](double x) { return Nearest(x, 7); })},
+      {"vulkan-kept-by-pixels", "images are kept, and found again by the vertices' pixels", "",
+       KeepingByGrid("vulkan", 0)},
+      {"vulkan-kept-by-indices", "images are kept, and found again by the indices alone", "",
+       Keeping("vulkan", [](double) { return std::int64_t{0}; })},
+      {"d3d11-kept-by-sixteenths", "images are kept, and found again by sixteenths of a pixel", "",
+       KeepingByGrid("d3d11", 4)},
       {"d3d11-bottom-right", "ties fall to the right and the bottom", "",
        Owning("d3d11",
               [](const GridEdge& edge, const GridTriangle&, const Sample&) { return !edge.owns; })},

@@ -29,6 +29,7 @@ class TestCheck {
     RequireCounts();
     RequireDomains();
     RequireEnd();
+    RequirePlaces();
     if (test_.run.found) RequireFound(*test_.run.found);
   }
 
@@ -71,6 +72,16 @@ class TestCheck {
   std::size_t Domains() const {
     if (!test_.world.empty()) return 0;
     return props::DomainsFor(info_, *props::FindProperty(test_.property)).size();
+  }
+
+  void RequirePlaces() const {
+    const props::Sums& sums = test_.run.sums;
+    for (const auto& [asked, refused] : sums.places) {
+      Require(refused <= asked && refused <= sums.refused_within_limits &&
+                  asked - refused <= sums.cases_exercised,
+              fmt::format("{} of {} cases with one kind of place refused, of {} in all", refused,
+                          asked, sums.refused_within_limits));
+    }
   }
 
   void RequireDomains() const {

@@ -27,7 +27,7 @@ namespace {
 using io::JsonValue;
 using report::JsonWriter;
 
-constexpr int kPartVersion = 2;
+constexpr int kPartVersion = 3;
 
 constexpr std::array<std::pair<props::End, std::string_view>, 4> kEnds{
     {{props::End::kAllRun, "all run"},
@@ -58,6 +58,12 @@ void VisitNearEdge(Counts& counts, const Visit& visit) {
   visit("within_1", counts.within_1);
   visit("within_16", counts.within_16);
   visit("within_256", counts.within_256);
+}
+
+template <class Counts, class Visit>
+void VisitPlace(Counts& counts, const Visit& visit) {
+  visit("asked", counts.asked);
+  visit("refused", counts.refused);
 }
 
 template <class Counts, class Visit>
@@ -93,6 +99,13 @@ void WriteSums(JsonWriter& json, const props::Sums& sums) {
     json.BeginObject();
     json.Key("drawn").Integer(sums.drawn[d]);
     VisitNearEdge(sums.near_edge[d], IntegersTo(json));
+    json.EndObject();
+  }
+  json.EndArray();
+  json.Key("places").BeginArray();
+  for (const props::PlaceCounts& counts : sums.places) {
+    json.BeginObject();
+    VisitPlace(counts, IntegersTo(json));
     json.EndObject();
   }
   json.EndArray();
@@ -171,6 +184,12 @@ props::Sums SumsOf(const JsonValue& object) {
     sums.drawn.push_back(IntegerOf<std::uint64_t>(domain.Get("drawn")));
     VisitNearEdge(sums.near_edge.emplace_back(), IntegersFrom(domain));
   }
+  const JsonValue places = object.Get("places");
+  if (places.RequireArray().size() != sums.places.size()) {
+    throw places.Error("has no entry for every place, or more", "write the part again");
+  }
+  auto counts = sums.places.begin();
+  for (const JsonValue place : places.RequireArray()) VisitPlace(*counts++, IntegersFrom(place));
   return sums;
 }
 

@@ -50,14 +50,18 @@ struct Decided {
   bool IsDecided(std::size_t sample) const { return (counts[sample] & (counts[sample] - 1)) == 0; }
   int Least(std::size_t sample) const;
   int Most(std::size_t sample) const;
+  /// How many samples are open: two legal models of the whole scene cover them differently often.
+  std::uint64_t NumberOpen() const;
 };
 
 /// Returns how often legal models of the profile cover each sample of the scene.
 ///
 /// Domain:     as JudgeJointly.
 /// Returns:    exactly the counts that some legal model has, where `bounded` does not count the
-///             sample; there, all between the least and the most.
-Decided DecidedSamples(const Scene& scene, const Profile& profile);
+///             sample; there, all between the least and the most. Where `only` says which samples
+///             (shape as counts), nothing of the others.
+Decided DecidedSamples(const Scene& scene, const Profile& profile,
+                       const std::vector<bool>* only = nullptr);
 
 }  // namespace rasterproof::legal
 

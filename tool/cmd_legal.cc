@@ -1,6 +1,7 @@
 // rasterproof legal: whether one legal model of a profile explains a drawing.
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "io/case_file.h"
 #include "io/counts_file.h"
 #include "io/output.h"
+#include "legal/decided.h"
 #include "legal/joint.h"
 #include "model/target_model.h"
 #include "props/judging/witness.h"
@@ -82,25 +84,50 @@ std::string LegalityName(legal::Legality legality) {
   return "not judged";
 }
 
+// "2", "1 or more", "1 to 2".
+std::string SeenOf(const legal::Requirement& seen) {
+  return seen.least == seen.most ? fmt::format("{}", seen.least)
+                                 : fmt::format("{} or more", seen.least);
+}
+
+std::string RequirementText(const legal::Requirement& seen) {
+  if (seen.triangles.empty()) return "no legal model lets any triangle cover it\n";
+  const std::string of = fmt::format("{}", fmt::join(seen.triangles, ", "));
+  std::string text = !seen.visible ? fmt::format("{} of triangles {} cover it", SeenOf(seen), of)
+                     : *seen.visible == kNoPrimitive
+                         ? fmt::format("none of triangles {} is visible", of)
+                         : fmt::format("of triangles {} number {} is visible", of, *seen.visible);
+  if (seen.legal_least == seen.legal_most)
+    text += fmt::format("; in every legal model {} do", seen.legal_most);
+  return text + "\n";
+}
+
+std::string HeadOf(const legal::Core& core) {
+  const std::size_t samples = core.requirements.size();
+  if (core.wrong_by_themselves > 1) {
+    return fmt::format(
+        "the values of {} samples contradict every legal model, each by itself; "
+        "the first:\n",
+        core.wrong_by_themselves);
+  }
+  if (core.wrong_by_themselves == 1)
+    return "the value of one sample contradicts every legal model by itself:\n";
+  if (!core.is_minimal)
+    return fmt::format("a set of {} samples that no legal model explains together:\n", samples);
+  return fmt::format(
+      "a minimal set of {} samples that no legal model explains together; without "
+      "any of them one does:\n",
+      samples);
+}
+
 std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples) {
   constexpr std::size_t kMostTold = 8;
-  std::string text =
-      fmt::format("no choice explains these {} samples together{}:\n", core.requirements.size(),
-                  core.is_minimal ? ", and without any of them one does" : "");
+  std::string text = HeadOf(core);
   for (std::size_t k = 0; k < core.requirements.size() && k < kMostTold; ++k) {
     const legal::Requirement& seen = core.requirements[k];
     const std::size_t pixel = seen.sample / samples;
-    text += fmt::format("  column {} row {}: ", pixel % static_cast<std::size_t>(scene.width),
-                        pixel / static_cast<std::size_t>(scene.width));
-    if (seen.triangles.empty()) {
-      text += "no legal model of any triangle covers it so\n";
-      continue;
-    }
-    text +=
-        fmt::format("{} of triangles {} cover it\n",
-                    seen.least == seen.most ? fmt::format("{}", seen.most)
-                                            : fmt::format("{} or more", std::max(seen.least, 0)),
-                    fmt::join(seen.triangles, ", "));
+    text += fmt::format("  column {} row {}: {}", pixel % static_cast<std::size_t>(scene.width),
+                        pixel / static_cast<std::size_t>(scene.width), RequirementText(seen));
   }
   if (core.requirements.size() > kMostTold)
     text += fmt::format("  and {} more\n", core.requirements.size() - kMostTold);
@@ -115,7 +142,8 @@ std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t sa
   return text;
 }
 
-std::string Text(const legal::JointVerdict& verdict, const Profile& profile, const Scene& scene) {
+std::string Text(const legal::JointVerdict& verdict, std::uint64_t open, const Profile& profile,
+                 const Scene& scene) {
   std::string text = fmt::format("{}: profile {}; ", LegalityName(verdict.legality), profile.name);
   const std::string family = FamilyText(verdict.family, profile);
   if (verdict.legality == legal::Legality::kLegal) {
@@ -129,17 +157,18 @@ std::string Text(const legal::JointVerdict& verdict, const Profile& profile, con
                             ? "one grid and tie rule was"
                             : fmt::format("{} grids and tie rules were", verdict.families));
   }
-  text += fmt::format(
-      "with {}: {} samples depend on choices, in {} components, the largest of {} triangles; {} "
-      "are "
-      "not judged\n",
-      family, verdict.open, verdict.components, verdict.largest_component, verdict.not_judged);
+  text += fmt::format("{} samples are open: legal models cover them differently often\n", open);
+  if (verdict.components != 0) {
+    text += fmt::format(
+        "with {}: {} components, the largest of {} triangles; {} samples are not judged\n", family,
+        verdict.components, verdict.largest_component, verdict.not_judged);
+  }
   if (verdict.core)
     text += CoreText(*verdict.core, scene, static_cast<std::size_t>(profile.pattern.samples()));
   return text;
 }
 
-std::string ToJson(const legal::JointVerdict& verdict, const Profile& profile) {
+std::string ToJson(const legal::JointVerdict& verdict, std::uint64_t open, const Profile& profile) {
   report::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_legal").Integer(1);
@@ -149,13 +178,14 @@ std::string ToJson(const legal::JointVerdict& verdict, const Profile& profile) {
   json.Key("model").Text(FamilyText(verdict.family, profile));
   json.Key("models_tried").Integer(verdict.families);
   json.Key("samples").Integer(verdict.samples);
-  json.Key("open").Integer(verdict.open);
+  json.Key("open").Integer(open);
   json.Key("not_judged").Integer(verdict.not_judged);
   json.Key("components").Integer(verdict.components);
   json.Key("largest_component").Integer(verdict.largest_component);
   if (verdict.core) {
     json.Key("core").BeginObject();
     json.Key("is_minimal").Bool(verdict.core->is_minimal);
+    json.Key("wrong_by_themselves").Integer(verdict.core->wrong_by_themselves);
     json.Key("samples").BeginArray();
     for (const legal::Requirement& seen : verdict.core->requirements) {
       json.BeginObject();
@@ -164,6 +194,9 @@ std::string ToJson(const legal::JointVerdict& verdict, const Profile& profile) {
       json.Key("y").Exact(seen.at.y);
       json.Key("least").Integer(seen.least);
       json.Key("most").Integer(seen.most);
+      if (seen.visible) json.Key("visible").Integer(*seen.visible);
+      json.Key("legal_least").Integer(seen.legal_least);
+      json.Key("legal_most").Integer(seen.legal_most);
       json.Key("triangles").BeginArray();
       for (const std::size_t t : seen.triangles) json.Integer(t);
       json.EndArray();
@@ -191,6 +224,21 @@ Scene CoreScene(const Scene& scene, const legal::Core& core) {
   part.triangles.clear();
   for (const std::size_t t : triangles) part.triangles.push_back(scene.triangles[t]);
   return part;
+}
+
+// A subject is judged again. A picture can't be drawn again: its case shows what the canonical
+// model has there, and its origin says what was seen.
+void Save(const LegalOptions& options, const Scene& scene, const Profile& profile,
+          const legal::Core& core) {
+  const bool is_drawn = !options.subject.empty();
+  const std::string origin =
+      "core of " + options.scene.path +
+      (is_drawn ? ""
+                : " as " + options.image + " shows it; " +
+                      CoreText(core, scene, static_cast<std::size_t>(profile.pattern.samples())));
+  const Case part{CoreScene(scene, core), profile, {}, origin};
+  io::WriteFile(options.save, io::CaseToJson({part, is_drawn ? options.subject : "exact",
+                                              is_drawn ? "OneLegalModelExplainsTheMesh" : ""}));
 }
 
 Drawn Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
@@ -228,14 +276,11 @@ int RunLegal(const LegalOptions& options) {
   }
   const Drawn drawn = subject ? DrawnBy(*subject, scene) : Read(options, scene, profile);
   const legal::JointVerdict verdict = legal::JudgeJointly(scene, profile, drawn.Observed());
-  if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, profile));
-  if (!options.save.empty() && verdict.core) {
-    const Case part{CoreScene(scene, *verdict.core), profile, {}, "core of " + options.scene.path};
-    io::WriteFile(options.save,
-                  io::CaseToJson({part, options.subject, "OneLegalModelExplainsTheMesh"}));
-  }
+  const std::uint64_t open = legal::DecidedSamples(scene, profile).NumberOpen();
+  if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, open, profile));
+  if (!options.save.empty() && verdict.core) Save(options, scene, profile, *verdict.core);
   if (options.json != "-") {
-    io::WriteStandardOutput(Text(verdict, profile, scene) + report::AssumptionLines(profile));
+    io::WriteStandardOutput(Text(verdict, open, profile, scene) + report::AssumptionLines(profile));
   }
   switch (verdict.legality) {
     case legal::Legality::kLegal:

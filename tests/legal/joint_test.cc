@@ -18,6 +18,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/tie_rule.h"
+#include "exact/coverage.h"
 #include "legal/decided.h"
 #include "model/snap.h"
 
@@ -400,6 +401,106 @@ TEST(DecidedSamples, AreTheCountsOfASearchThroughAllModels) {
   }
   EXPECT_GT(decided, 300);
   EXPECT_GT(open, 300);
+}
+
+// Whether some model explains the counts at these samples, by any search.
+bool ExplainsAt(const Scene& scene, const Profile& profile, const CoverageCounts& counts,
+                const std::vector<std::size_t>& samples) {
+  return IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {
+    return std::ranges::all_of(samples, [&](std::size_t s) {
+      return ExplainsCountAt(scene, profile, rule, model, s, counts.Count(s));
+    });
+  });
+}
+
+TEST(Core, IsOneSampleThatNoModelHasOrAMinimalSetOverAllGrids) {
+  Draws draws(20261124);
+  int alone = 0;
+  int together = 0;
+  int over_grids = 0;
+  for (int n = 0; n < 1500; ++n) {
+    const Scene scene = draws.AScene();
+    Profile profile = draws.AProfile();
+    if (n % 2 == 0) profile.freedom.least_bits = 0;
+    if (SharesPositions(scene) || !IsJudgedAlike(scene, profile)) continue;
+    CoverageCounts mixed(kSide, kSide);
+    for (std::size_t column = 0; column < kSide; ++column) {
+      CoverageCounts sum(kSide, kSide);
+      for (const CoverageCounts& one : AsCounts(draws.ALegalDrawing(scene, profile))) sum += one;
+      for (std::size_t s = column; s < kSide * kSide; s += kSide) mixed.front[s] = sum.front[s];
+    }
+    if (n % 5 == 0) ++mixed.front[draws.Below(kSide * kSide)];
+    Observed observed;
+    observed.together = &mixed;
+    const JointVerdict verdict = JudgeJointly(scene, profile, observed);
+    if (verdict.legality != Legality::kNotLegal) continue;
+    std::vector<std::size_t> samples;
+    for (const Requirement& seen : verdict.core->requirements) samples.push_back(seen.sample);
+    ASSERT_TRUE(verdict.core->is_minimal);
+    ASSERT_FALSE(ExplainsAt(scene, profile, mixed, samples)) << n;
+    std::size_t wrong = 0;
+    for (std::size_t s = 0; s < mixed.size(); ++s)
+      wrong += ExplainsAt(scene, profile, mixed, {s}) ? 0 : 1;
+    ASSERT_EQ(verdict.core->wrong_by_themselves, wrong) << n;
+    ASSERT_EQ(samples.size() == 1, wrong != 0) << n;
+    ++(wrong != 0 ? alone : together);
+    for (std::size_t k = 0; wrong == 0 && k < samples.size(); ++k) {
+      std::vector<std::size_t> others = samples;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      ASSERT_TRUE(ExplainsAt(scene, profile, mixed, others)) << n << ", without " << samples[k];
+    }
+    over_grids += wrong == 0 && profile.freedom.least_bits ? 1 : 0;
+  }
+  EXPECT_GT(alone, 50);
+  EXPECT_GT(together, 10);
+  RecordProperty("over several grids", over_grids);
+}
+
+// A vertex whose place two samples pin between two lines, where no grid of 18 bits has a point, and
+// an edge beside a sample, which covers it once its end is rounded down.
+Scene PinnedScene(double beside) {
+  const double e = std::ldexp(1.0, -19);
+  Scene scene;
+  scene.width = 8;
+  scene.height = 8;
+  scene.precision = Precision::kFloat64;
+  scene.vertices = {{3, 1, 0, 1},
+                    {4 + e, 4 + 4 * e, 0, 1},
+                    {8, 1, 0, 1},
+                    {3, -1, 0, 1},
+                    {8, -1, 0, 1},
+                    {1.5 + beside, 6, 0, 1},
+                    {1.5 + beside, 8, 0, 1},
+                    {6, 7, 0, 1}};
+  scene.triangles = {{0, 1, 2}, {3, 1, 4}, {5, 6, 7}};
+  return scene;
+}
+
+Legality OfVulkan(const Scene& scene, const Scene& drawn) {
+  const CoverageCounts counts = exact::Coverage(drawn, *PresetProfile("real"));
+  Observed observed;
+  observed.together = &counts;
+  return JudgeJointly(scene, *PresetProfile("vulkan"), observed).legality;
+}
+
+TEST(JointVerdict, GridsOfMoreThanSixteenBitsAreLegal) {
+  const Scene scene = PinnedScene(0x1p-22);
+  for (int bits = 19; bits <= 23; ++bits) {
+    Scene drawn = scene;
+    for (Vertex& v : drawn.vertices) {
+      v.x = std::ldexp(std::floor(std::ldexp(v.x, bits)), -bits);
+      v.y = std::ldexp(std::floor(std::ldexp(v.y, bits)), -bits);
+    }
+    EXPECT_EQ(OfVulkan(scene, drawn), Legality::kLegal) << bits;
+  }
+}
+
+TEST(JointVerdict, NothingIsSaidBeyondTheCoordinateLimit) {
+  Scene scene = PinnedScene(0);
+  scene.vertices[2].x = 32768.5;
+  EXPECT_TRUE(WhyNotJoint(scene, *PresetProfile("vulkan")).has_value());
+  scene.vertices[2].x = 32768;
+  EXPECT_FALSE(WhyNotJoint(scene, *PresetProfile("vulkan")).has_value());
 }
 
 // A rasterizer that places vertices anew for each column of samples, legally every time.

@@ -91,8 +91,34 @@ class LegalTest(unittest.TestCase):
         self.assertEqual(twice.returncode, 1, twice.stderr)
         self.assertIn("column 1 row 1: 2 of triangles 0, 1 cover it", twice.stdout)
         with open(self.path("core.json")) as file:
-            self.assertEqual(json.load(file)["property"], "OneLegalModelExplainsTheMesh")
+            self.assertEqual(json.load(file)["scene"]["triangles"], SQUARE["triangles"])
         self.assertEqual(self.legal(self.as_text(rows), "webgpu").returncode, 0)
+
+    def test_an_inner_sample_that_is_lost_is_named_though_its_owner_depends_on_the_grid(self):
+        square = {"rasterproof_scene": 1, "name": "square", "width": 64, "height": 64,
+                  "vertices": [[3.21, 2.17], [60.83, 4.71], [58.39, 61.13], [2.57, 59.91]],
+                  "triangles": [[0, 1, 2], [0, 2, 3]]}
+        self.scene = self.write("square.json", json.dumps(square))
+        drawn = run("coverage", self.scene, "--subject", "i32-snap4")
+        rows = [[int(n) for n in line.split()] for line in drawn.stdout.splitlines()]
+        legal = self.legal(self.as_text(rows), "vulkan")
+        self.assertEqual(legal.returncode, 0, legal.stdout)
+        told = run("decided", self.scene, "--profile", "vulkan").stderr
+        number = told.split("; ")[1].split()[0]
+        self.assertIn(f"{number} samples are open", legal.stdout)
+        self.assertEqual(rows[30][30], 1)
+        rows[30][30] = 0
+        lost = self.legal(self.as_text(rows), "vulkan", "--save", self.path("core.json"))
+        self.assertEqual(lost.returncode, 1)
+        self.assertIn("the value of one sample contradicts every legal model", lost.stdout)
+        self.assertIn("column 30 row 30: 0 of triangles", lost.stdout)
+        self.assertIn("in every legal model 1 do", lost.stdout)
+        with open(self.path("core.json")) as file:
+            case = json.load(file)
+        self.assertGreaterEqual(len(case["scene"]["triangles"]), 1)
+        self.assertEqual(case["scene"]["width"], 64)
+        shown = run("explain", self.path("core.json"))
+        self.assertEqual(shown.returncode, 0, shown.stdout + shown.stderr)
 
     def test_a_picture_says_where_and_not_how_often(self):
         rows = self.drawn("vulkan-canonical")

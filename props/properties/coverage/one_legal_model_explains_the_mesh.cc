@@ -59,15 +59,22 @@ std::vector<std::size_t> TrianglesOf(const legal::Core& core) {
 std::string SeenText(const legal::Requirement& requirement) {
   const std::string place = HexText(requirement.at);
   if (requirement.triangles.empty()) return place + " as no legal model of any triangle has it";
+  const std::string names = Names(requirement.triangles);
+  if (requirement.visible) {
+    return "of triangles " + names + " " +
+           (*requirement.visible == kNoPrimitive
+                ? "none"
+                : "number " + std::to_string(*requirement.visible)) +
+           " is visible at " + place;
+  }
   if (requirement.triangles.size() == 1) {
-    const std::string triangle = "triangle " + std::to_string(requirement.triangles[0]);
-    if (requirement.most > 1) {
-      return triangle + " covers " + place + " " + std::to_string(requirement.most) + " times";
+    const std::string triangle = "triangle " + names;
+    if (requirement.least > 1) {
+      return triangle + " covers " + place + " " + std::to_string(requirement.least) + " times";
     }
     return triangle + (requirement.most == 0 ? " does not cover " : " covers ") + place;
   }
-  return "triangles " + Names(requirement.triangles) + " cover " + place + " " +
-         std::to_string(std::max(requirement.least, 0)) +
+  return "triangles " + names + " cover " + place + " " + std::to_string(requirement.least) +
          (requirement.least == requirement.most ? "" : " or more") + " times together";
 }
 

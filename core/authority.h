@@ -10,7 +10,7 @@ namespace rasterproof {
 enum class Authority : std::uint8_t {
   kClause,       ///< a sentence of the specification that the profile is named after
   kStatedModel,  ///< the profile's own words, or the bounds that the subject states
-  kQuality       ///< nobody; users want it. A violation is told, and fails no run by itself
+  kQuality       ///< required by nobody. Violations are reported; by default they fail no run
 };
 
 /// "clause", "stated model", "quality".

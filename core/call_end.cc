@@ -15,7 +15,7 @@ CallEnd EndOf(const std::function<void()>& call) {
   } catch (const SubjectRefusal& refusal) {
     return {Stop::kRefused, refusal.what()};
   } catch (const InputError& input) {
-    return {Stop::kCantBePut, input.what()};
+    return {Stop::kNotDrawable, input.what()};
   } catch (const SubjectHang& hang) {
     return {Stop::kHung, hang.what()};
   } catch (const SubjectFault& fault) {

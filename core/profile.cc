@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "core/square_presets.h"
 
@@ -30,6 +31,7 @@ Profile CanonicalModel() {
 Profile Direct3D11() {
   Profile profile = CanonicalModel();
   profile.freedom.snap_tolerance = 0.6;
+  profile.guard_band = SomewhereAroundTarget{};
   profile.freedom.transform_error.reset();
   profile.nan_z = NanZ::kNothing;
   profile.centroid = Centroid::kDirect3D;
@@ -46,6 +48,7 @@ Profile Vulkan() {
                      .least_bits = 4,
                      .ties = TieOwnership::kPerEdge,
                      .transform_error = std::nullopt};
+  profile.guard_band = SomewhereAroundTarget{};
   profile.nan_vertex = NanVertex::kUnspecified;
   profile.nan_z = NanZ::kUnspecified;
   profile.centroid = Centroid::kInside;
@@ -139,7 +142,7 @@ bool IsFilledIn(const Profile& profile) {
   return filled == profile && profile.freedom.least_bits.value_or(profile.snap.bits) >= least;
 }
 
-// All that is not named here is of the model, keys of a later day too.
+// Every key not listed here is part of the model, including keys added later.
 bool SameModel(const Profile& a, const Profile& b) {
   Profile judged_alike = a;
   judged_alike.name = b.name;
@@ -157,6 +160,14 @@ bool SameModel(const Profile& a, const Profile& b) {
   judged_alike.sample_positions = b.sample_positions;
   judged_alike.centroid = b.centroid;
   return judged_alike == b;
+}
+
+std::optional<WindowBox> UnclippedBox(const Profile& profile, int width, int height) {
+  if (!profile.guard_band) return std::nullopt;
+  if (const auto* box = std::get_if<WindowBox>(&*profile.guard_band)) return *box;
+  const auto* around = std::get_if<AroundTarget>(&*profile.guard_band);
+  const double pixels = around != nullptr ? around->pixels : 0;
+  return WindowBox{-pixels, -pixels, width + pixels, height + pixels};
 }
 
 bool WithinLimits(const Scene& scene, const Profile& profile) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/fixed_input.h"
@@ -79,6 +80,21 @@ struct WindowBox {
   friend bool operator==(const WindowBox&, const WindowBox&) = default;
 };
 
+/// The target, and so many pixels around it.
+struct AroundTarget {
+  double pixels = 0;  ///< whole
+
+  friend bool operator==(const AroundTarget&, const AroundTarget&) = default;
+};
+
+/// A rectangle that is not stated, but that it holds the target.
+struct SomewhereAroundTarget {
+  friend bool operator==(const SomewhereAroundTarget&, const SomewhereAroundTarget&) = default;
+};
+
+/// Where triangles are clipped.
+using GuardBand = std::variant<WindowBox, AroundTarget, SomewhereAroundTarget>;
+
 /// What differs on targets of up to so many pixels a side.
 struct TargetModel {
   int max_width = kMaxTargetSide;
@@ -102,7 +118,9 @@ struct TargetModel {
 /// Zero area:  a triangle whose area is zero after snapping covers nothing, unless
 ///             `degenerate_triangles` says otherwise.
 /// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
-///             `max_primitive_extent` are dropped. The last three keys speak of window space alone.
+///             `max_primitive_extent` are dropped.
+/// Window space alone: what `fixed`, `scanline_rounding`, `max_primitive_extent`, `guard_band` and
+///             `squares` say.
 struct Profile {
   std::string name = "real";
   /// The legal set that this is, with numbers of one device, as the preset is named: "vulkan". See
@@ -144,9 +162,10 @@ struct Profile {
   /// The integers that coordinates come as, for a subject that takes no floats.
   std::optional<FixedInput> fixed;
   std::optional<MaxPrimitiveExtent> max_primitive_extent;
-  /// A triangle with a vertex outside is clipped by the subject, and its edges may move: what
-  /// single samples do is then not stated, what meshes do is.
-  std::optional<WindowBox> guard_band;
+  /// A triangle with a vertex outside may be clipped by the subject, and edges that leave may move:
+  /// what single samples do is then not stated, what meshes do is. None: nothing is clipped. Where
+  /// grid points are left free, the vertices that clipping makes are too: see MovesClippedEdges.
+  std::optional<GuardBand> guard_band;
 
   /// What is stated of pixels as squares, of a contract `squares`. Nothing: samples are points.
   std::optional<SquareRule> squares;
@@ -190,6 +209,23 @@ inline bool TakesToWindow(const Profile& profile, const Scene& scene) {
 /// that no transform of the rasterizer's own takes to the window.
 inline bool IsHomogeneous(const Scene& scene, const Profile& profile) {
   return scene.clip_space && !TakesToWindow(profile, scene);
+}
+
+/// Returns the largest rectangle of window coordinates, on a target of that size, within which the
+/// profile states that nothing is clipped. Nothing: no triangle is, wherever it lies.
+std::optional<WindowBox> UnclippedBox(const Profile& profile, int width, int height);
+
+/// Returns whether the profile says which rectangle clipping is to.
+inline bool StatesGuardBand(const Profile& profile) {
+  return profile.guard_band && !std::holds_alternative<SomewhereAroundTarget>(*profile.guard_band);
+}
+
+/// Returns whether a legal result may have the samples next to an edge that leaves the guard band
+/// either way, for each of the edge's triangles: clipping makes a vertex there, which goes to a
+/// grid point that the profile leaves free, and which neighbours need not have in common.
+inline bool MovesClippedEdges(const Profile& profile) {
+  return profile.guard_band && profile.contract == Contract::kSampleExact &&
+         profile.freedom.MovesVertices();
 }
 
 /// Returns whether exactly one result is legal for every scene within the limits.

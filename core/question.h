@@ -70,12 +70,12 @@ struct Questions {
 /// Why answers end early.
 enum class Stop : std::uint8_t {
   kNone,
-  kRefused,    ///< the subject does not draw this scene
-  kCantBePut,  ///< it can't be given it: its own transform takes no vertex there; too large
-  kBrokeDown,  ///< it crashed, threw or answered what is no answer: a finding
-  kHung,       ///< it broke down by giving no answer at all
-  kTooSlow,    ///< it took longer than it may
-  kDeadline    ///< it had no time left that it was given
+  kRefused,      ///< the subject does not draw this scene
+  kNotDrawable,  ///< it can't be given to it: its own transform takes no vertex there; too large
+  kBrokeDown,    ///< it crashed, threw or answered what is no answer: a finding
+  kHung,         ///< it broke down by giving no answer at all
+  kTooSlow,      ///< it took longer than it may
+  kDeadline      ///< it had no time left that it was given
 };
 
 /// The answers to some questions, each list in the order of asking. Where they end early some lists

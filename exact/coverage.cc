@@ -137,7 +137,7 @@ CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOp
 
 std::vector<std::int32_t> PrimitiveIds(const Scene& scene, const Profile& profile,
                                        const DrawOptions& options, Visible order) {
-  RequireTargetSize("oracle", scene.width, scene.height, profile.pattern.samples());
+  if (const auto why = WhyNotDecided(scene, profile)) throw InputError(*why);
   const Drawable drawable(scene, profile, options);
   CoverageCounts alone(scene.width, scene.height, profile.pattern.samples());
   SpanTarget target(alone);

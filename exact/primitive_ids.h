@@ -16,9 +16,9 @@ namespace rasterproof::exact {
 /// Returns for every sample the last or the first triangle of the scene's list that covers it by
 /// the profile's canonical model, or kNoPrimitive.
 ///
-/// Domain:     as Coverage.
+/// Domain:     as Coverage, but of no profile of squares.
 /// Shape:      as CoverageCounts.
-/// Error:      as Coverage.
+/// Error:      none; throws WhyNotDecided() where Coverage's domain is left.
 /// Cost:       as Coverage, and the target's width for each row that a triangle meets.
 std::vector<std::int32_t> PrimitiveIds(const Scene& scene, const Profile& profile,
                                        const DrawOptions& options, Visible order);

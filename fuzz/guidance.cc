@@ -36,8 +36,9 @@ void NoteErrorOverBound(std::size_t slot, double ratio) {
 
 void NoteNearZero(std::size_t slot, double value, double sum_of_products) {
   if (value == 0 || !std::isfinite(value) || !std::isfinite(sum_of_products)) return;
-  const int lost = std::ilogb(sum_of_products) - std::ilogb(value);
-  Take(slot, kRatioSteps + static_cast<std::size_t>(std::clamp(lost, 0, int{kOrders} - 1)));
+  // A sum that underflowed to zero has the exponent -inf: it lost nothing.
+  const double lost = std::logb(sum_of_products) - std::logb(value);
+  Take(slot, kRatioSteps + static_cast<std::size_t>(std::clamp(lost, 0.0, kOrders - 1.0)));
 }
 
 double LargestErrorOverBound(std::size_t slot) { return largest[slot]; }

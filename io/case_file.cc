@@ -58,7 +58,7 @@ DrawOptions OptionsFromJson(const JsonValue& value) {
   return options;
 }
 
-std::string TextFromJson(const JsonValue& value) { return std::string(value.RequireString()); }
+std::string TextFromJson(const JsonValue& value) { return value.RequireName(); }
 
 void RequireVersion(const JsonValue& object) {
   const JsonValue version = object.Get("rasterproof_case");

@@ -30,16 +30,12 @@ std::array<std::uint8_t, 3> ColourFrom(const std::string& text) {
 CountsFile FromPicture(std::string_view bytes, const std::string& path, CoverageCounts shape,
                        const std::string& background) {
   const std::array<std::uint8_t, 3> paper = ColourFrom(background);
-  Image image = DecodePng(bytes, path);
-  if (image.width != shape.width || image.height != shape.height || shape.samples != 1) {
-    throw InputError(path,
-                     "the picture has " + std::to_string(image.width) + " x " +
-                         std::to_string(image.height) + " pixels, the target " +
-                         std::to_string(shape.width) + " x " + std::to_string(shape.height) +
-                         " of " + std::to_string(shape.samples) + " samples",
-                     "give a picture of the scene's target; of several samples a pixel, give "
-                     "counts as text");
+  if (shape.samples != 1) {
+    throw InputError(
+        path, "a picture has one sample a pixel, the target " + std::to_string(shape.samples),
+        "give counts as text");
   }
+  const Image image = DecodePng(bytes, path, shape.width, shape.height);
   for (std::size_t k = 0; k < shape.size(); ++k) {
     shape.front[k] = image.pixels[k] == paper ? 0 : 1;
   }

@@ -27,7 +27,7 @@ std::string EncodePng(const Image& image) {
   return bytes;
 }
 
-Image DecodePng(std::string_view bytes, const std::string& place) {
+Image DecodePng(std::string_view bytes, const std::string& place, int width, int height) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   const auto refuse = [&]() -> InputError {
@@ -35,14 +35,17 @@ Image DecodePng(std::string_view bytes, const std::string& place) {
             "give a picture that other programs open"};
   };
   if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) throw refuse();
-  constexpr png_uint_32 kMostSide = 1U << 16;
-  if (header.width > kMostSide || header.height > kMostSide) {
+  if (header.width != static_cast<png_uint_32>(width) ||
+      header.height != static_cast<png_uint_32>(height)) {
     png_image_free(&header);
-    throw InputError(place, "the picture is wider or higher than 65536 pixels",
+    throw InputError(place,
+                     "the picture has " + std::to_string(header.width) + " x " +
+                         std::to_string(header.height) + " pixels, the target " +
+                         std::to_string(width) + " x " + std::to_string(height),
                      "give a picture of the scene's target");
   }
   header.format = PNG_FORMAT_RGB;
-  Image image(static_cast<int>(header.width), static_cast<int>(header.height));
+  Image image(width, height);
   const png_color black{0, 0, 0};  // under what is transparent
   if (png_image_finish_read(&header, &black, image.pixels.data(), 0, nullptr) == 0) throw refuse();
   return image;

@@ -33,8 +33,10 @@ std::string EncodePng(const Image& image);
 
 /// The picture in the bytes of a PNG file, alpha left out.
 ///
+/// Domain:     the width and height that it must have, 65536 at most. The file's header is asked
+///             for them before anything of its size is made.
 /// Error:      InputError that names `place`.
-Image DecodePng(std::string_view bytes, const std::string& place);
+Image DecodePng(std::string_view bytes, const std::string& place, int width, int height);
 
 }  // namespace rasterproof::io
 

@@ -22,7 +22,9 @@ struct Mesh {
 ///
 /// Polygons become fans around their first corner: a closed mesh stays closed, a concave polygon
 /// may fold. Degenerate triangles stay, points and lines go.
-/// Error:      InputError with file, reason and remedy; vertices that aren't finite are refused.
+/// Error:      InputError with file, reason and remedy; vertices that aren't finite are refused,
+///             and a file on which the library crashes, or takes more time or memory than a sound
+///             mesh of its size: it is parsed in a child process (limited_child.h).
 Mesh ReadMesh(const std::string& path);
 
 /// A pin-hole camera: right-handed, looking from `eye` to `target`.

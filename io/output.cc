@@ -1,6 +1,7 @@
 #include "io/output.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <pthread.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -125,19 +126,55 @@ void SyncFolder(const fs::path& path) {
   if (descriptor.get() >= 0) ::fsync(descriptor.get());
 }
 
+// How long a pipe may be open at one end alone: 2 s.
+constexpr int kMostLooks = 200;
+constexpr int kMillisecondsALook = 10;
+
+// Waits until somebody writes into a pipe that was opened without waiting; gives its first byte, if
+// there is one by then.
+std::string AwaitWriter(int pipe, const std::string& name) {
+  for (int look = 0; look < kMostLooks; ++look) {
+    char byte = 0;
+    const ssize_t n = ::read(pipe, &byte, 1);
+    if (n == 1) return {byte};
+    if (n < 0) return "";  // it is open at the other end, too
+    pollfd end{pipe, POLLIN, 0};
+    if (::poll(&end, 1, kMillisecondsALook) > 0 && (end.revents & POLLHUP) != 0) return "";
+  }
+  throw InputError(name, "is a pipe that nobody writes into", "start its writer, or give a file");
+}
+
+// Requires a regular file, or a pipe that somebody writes into, or what is standard input anyway.
+// Returns what was read of it.
+std::string BeginToRead(int file, const std::string& name) {
+  struct stat status{};
+  if (::fstat(file, &status) != 0) throw CannotRead(name, errno);
+  struct stat input{};
+  const bool is_input = ::fstat(STDIN_FILENO, &input) == 0 && input.st_dev == status.st_dev &&
+                        input.st_ino == status.st_ino;
+  if ((S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) && !is_input) {
+    throw InputError(name, "is a device", "give a file");
+  }
+  std::string first = S_ISFIFO(status.st_mode) ? AwaitWriter(file, name) : "";
+  ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+  return first;
+}
+
 }  // namespace
 
 std::string ReadFile(const std::string& path) {
   const bool standard = path == "-";
   const std::string name = standard ? "standard input" : path;
-  Descriptor file(standard ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // O_NONBLOCK: opening a pipe must not wait for somebody to write.
+  Descriptor file(standard ? ::dup(STDIN_FILENO)
+                           : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) throw CannotRead(name, errno);
+  std::string content = standard ? "" : BeginToRead(file.get(), name);
   // A regular file tells its size at once; anything else is read to its end.
   struct stat status{};
   const bool sized = ::fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode);
   const std::size_t size = sized ? static_cast<std::size_t>(status.st_size) : 0;
   if (size > kMaxFileBytes) throw TooLarge(name);
-  std::string content;
   content.reserve(size);
   std::array<char, 1 << 16> block;
   for (;;) {

@@ -7,7 +7,8 @@
 
 namespace rasterproof::io {
 
-/// Reads a whole file ("-": standard input). InputError names the file and the reason.
+/// Reads a whole file ("-": standard input) or pipe. InputError names the file and the reason: it
+/// is a device, say, or a pipe that nobody opened for writing within 2 s.
 std::string ReadFile(const std::string& path);
 
 /// Writes a file so that it is either complete or as it was: temporary beside it, fsync, rename. A

@@ -3,11 +3,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/quoted.h"
@@ -158,8 +160,40 @@ std::optional<MaxPrimitiveExtent> MaxPrimitiveExtentFromJson(const JsonValue& va
   throw value.Error("is not the size of a triangle", "write two positive numbers");
 }
 
-std::optional<WindowBox> WindowBoxFromJson(const JsonValue& value) {
+constexpr std::string_view kTargetBand = "viewport";
+constexpr std::string_view kUnknownBand = "unknown";
+constexpr std::size_t kMostDigits = 9;
+
+// "none", "unknown", "viewport" and "viewport+64".
+std::optional<GuardBand> NamedGuardBand(const JsonValue& value) {
+  const std::string name(value.RequireString());
+  if (name == "none") return std::nullopt;
+  if (name == kUnknownBand) return SomewhereAroundTarget{};
+  if (name == kTargetBand) return AroundTarget{};
+  const std::string beginning = std::string(kTargetBand) + "+";
+  if (name.starts_with(beginning)) {
+    const std::string pixels = name.substr(beginning.size());
+    const bool is_digits = pixels.find_first_not_of("0123456789") == std::string::npos;
+    if (is_digits && !pixels.empty() && pixels.size() <= kMostDigits)
+      return AroundTarget{std::stod(pixels)};
+  }
+  throw value.Error(Quoted(value.text()) + " is no guard band",
+                    "write none, unknown, viewport, viewport+64 or [x0, y0, x1, y1]");
+}
+
+std::string GuardBandToJson(const GuardBand& band) {
+  if (const auto* box = std::get_if<WindowBox>(&band))
+    return NumbersToJson({box->x0, box->y0, box->x1, box->y1});
+  const auto* around = std::get_if<AroundTarget>(&band);
+  if (around == nullptr) return InQuotes(kUnknownBand);
+  if (around->pixels == 0) return InQuotes(kTargetBand);
+  return InQuotes(std::string(kTargetBand) + "+" +
+                  std::to_string(static_cast<std::int64_t>(around->pixels)));
+}
+
+std::optional<GuardBand> GuardBandFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kNull) return std::nullopt;
+  if (value.kind() == JsonKind::kString) return NamedGuardBand(value);
   const auto [x0, y0, x1, y1] = FiniteNumbers<4>(value, "[x0, y0, x1, y1]");
   if (x0 < x1 && y0 < y1) return WindowBox{x0, y0, x1, y1};
   throw value.Error("is empty", "write x0 < x1 and y0 < y1");
@@ -343,9 +377,7 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   if (const std::optional<MaxPrimitiveExtent>& most = profile.max_primitive_extent) {
     json += line + "\"max_primitive_extent\": " + NumbersToJson({most->width, most->height});
   }
-  if (const std::optional<WindowBox>& box = profile.guard_band) {
-    json += line + "\"guard_band\": " + NumbersToJson({box->x0, box->y0, box->x1, box->y1});
-  }
+  if (profile.guard_band) json += line + "\"guard_band\": " + GuardBandToJson(*profile.guard_band);
   if (!profile.scanline_rounding.IsNone())
     json += line + "\"scanline_rounding\": " + ScanlineRoundingToJson(profile.scanline_rounding);
   if (profile.transform) json += line + "\"transform\": " + TransformToJson(*profile.transform);
@@ -358,7 +390,7 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
 Profile ProfileFromObject(const JsonValue& value) {
   value.RequireObject(kProfileKeys);
   Profile profile = BeginningOf(value);
-  profile.name = value.Get("name").RequireString();
+  profile.name = value.Get("name").RequireName();
   ReadSnap(value, profile.snap);
   ReadIfThere(value, "sample_locations", profile.pattern, PatternFromJson);
   ReadIfThere(value, "y_axis", profile.y_axis,
@@ -389,7 +421,7 @@ Profile ProfileFromObject(const JsonValue& value) {
   ReadIfThere(value, "fixed", profile.fixed, FixedInputFromJson);
   ReadIfThere(value, "max_primitive_extent", profile.max_primitive_extent,
               MaxPrimitiveExtentFromJson);
-  ReadIfThere(value, "guard_band", profile.guard_band, WindowBoxFromJson);
+  ReadIfThere(value, "guard_band", profile.guard_band, GuardBandFromJson);
   ReadIfThere(value, "scanline_rounding", profile.scanline_rounding, ScanlineRoundingFromJson);
   ReadIfThere(value, "transform", profile.transform, TransformFromJson);
   ReadIfThere(value, "coverage", profile.squares, SquareRuleFromJson);

@@ -33,7 +33,7 @@ int Side(const JsonValue& value) {
 SceneEntry ReadEntry(const JsonValue& object, const std::filesystem::path& folder) {
   object.RequireObject(kEntryKeys);
   SceneEntry entry;
-  entry.name = object.Get("name").RequireString();
+  entry.name = object.Get("name").RequireName();
   // An absolute path stays as it is.
   entry.path = (folder / object.Get("path").RequireString()).string();
   if (const auto kind = object.Find("kind")) entry.real = IsReal(*kind);

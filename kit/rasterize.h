@@ -11,6 +11,10 @@
 // nowhere. Both windings are drawn; a triangle with a NaN or an infinity covers nothing. Every
 // instruction set gives the same bits.
 //
+// So it is whatever the thread's floating-point environment: while a call draws, the thread rounds
+// to nearest, keeps subnormal numbers (no FTZ, no DAZ) and traps nothing, a callback too; then the
+// environment is again what it was, flags included.
+//
 // Link rasterproof::rasterize; docs/library.md has the rest. The same in C:
 // kit/rasterproof_rasterize.h.
 #ifndef RASTERPROOF_KIT_RASTERIZE_H_
@@ -27,19 +31,25 @@ namespace rasterproof {
 
 /// Window space: pixels, x right, y down; pixel (i, j) has its centre at (i + 1/2, j + 1/2).
 ///
-/// Domain:     any float32; at most 2^29 vertices, fewer than 2^32 - 1 triangles.
+/// Domain:     any float32; at most 2^29 vertices, fewer than 2^32 - 1 triangles. Both aligned to 4
+///             bytes, and apart from the target's memory, first row to last one's last pixel.
 struct RasterMesh {
   std::span<const float> positions = {};        ///< x, y, z of each vertex; kDepths alone reads z
   std::span<const std::uint32_t> indices = {};  ///< three of each triangle
 };
 
 /// What is kept of the covered pixels. Little-endian; pixels of 4 bytes are aligned.
+///
+/// The z of a triangle at a pixel is that of the plane through its vertices at the pixel's centre,
+/// in float32, never less than their least z nor more than their greatest; their least throughout
+/// where float32 finds no plane, because the area rounds to zero or a coefficient is 2^100 or more.
+/// A triangle with a z that is a NaN or an infinity leaves depths as they are.
 enum class RasterOutput : std::uint8_t {
   kCounts,        ///< a byte: how many triangles cover the pixel, 255 at most
   kFacingCounts,  ///< uint32, twice: front facing ones in `memory`, others in `back`
   kMask,          ///< a bit, pixel x at bit x & 7 of byte x >> 3: whether any does
   kIds,           ///< uint32: the last triangle that does; kNoTriangle
-  kDepths         ///< float32: the least z, of the plane through the vertices at the pixel's centre
+  kDepths         ///< float32: the least z
 };
 inline constexpr std::uint32_t kNoTriangle = 0xffffffff;
 

@@ -2,7 +2,9 @@
  *
  * C99 and C++11. Every call returns a status; the message of a thread's last call that failed is
  * rasterproof_raster_message(). A call that fails has drawn nothing; spans may have been given
- * before STOPPED and FAULT. Link rasterproof::rasterize, by a C++ linker.
+ * before STOPPED and FAULT. While a call draws, and in its callback, the thread's floating-point
+ * environment is the default one (no flush to zero); then it is what it was. Link
+ * rasterproof::rasterize, by a C++ linker.
  */
 #ifndef RASTERPROOF_KIT_RASTERPROOF_RASTERIZE_H_
 #define RASTERPROOF_KIT_RASTERPROOF_RASTERIZE_H_
@@ -32,7 +34,7 @@ enum rasterproof_raster_output {
   RASTERPROOF_RASTER_FACING_COUNTS = 1, /* uint32_t: front in `memory`, others in `back` */
   RASTERPROOF_RASTER_MASK = 2,          /* a bit, pixel x at bit x & 7 of byte x >> 3 */
   RASTERPROOF_RASTER_IDS = 3,           /* uint32_t: the last triangle */
-  RASTERPROOF_RASTER_DEPTHS = 4         /* float: the least z */
+  RASTERPROOF_RASTER_DEPTHS = 4         /* float: the least z, within the vertices' */
 };
 #define RASTERPROOF_RASTER_NO_TRIANGLE 0xffffffffu
 
@@ -46,7 +48,8 @@ enum rasterproof_raster_set {
   RASTERPROOF_RASTER_NEON = 5
 };
 
-/* Window space: pixels, x right, y down; pixel (i, j) has its centre at (i + 1/2, j + 1/2). */
+/* Window space: pixels, x right, y down; pixel (i, j) has its centre at (i + 1/2, j + 1/2).
+ * Positions and indices are aligned to 4 bytes and do not overlap the target's memory. */
 typedef struct rasterproof_raster_mesh {
   const float* positions; /* x, y, z of each vertex */
   size_t vertex_count;

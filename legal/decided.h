@@ -12,7 +12,7 @@
 
 namespace rasterproof::legal {
 
-/// Counts of up to so many triangles are told apart; more are told as so many.
+/// Counts saturate at this value.
 inline constexpr int kMostCounted = 63;
 
 /// A triangle and a sample that legal models decide differently.

@@ -8,17 +8,15 @@
 #include "core/coverage.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "legal/clipped_triangle.h"
 #include "model/drop.h"
 #include "model/target_model.h"
+#include "model/wrap.h"
 
 namespace rasterproof::legal {
 namespace {
 
 using Corners3 = std::array<const std::vector<Point2>*, 3>;
-
-// A clipped triangle gets vertices of its own: its edges may move by so many pixels. No sentence
-// says how far; a reading.
-constexpr double kClippedEdgesMove = 1;
 
 // One edge of a triangle, over all places of its two ends.
 class EdgeOverPlaces {
@@ -110,6 +108,14 @@ class TriangleOverPlaces {
     if (facing() > 0 ? on_right : on_left) return Status::kOut;
     const bool is_sure = signs[0] && signs[1] && signs[2];
     return is_sure ? std::optional(Status::kIn) : std::nullopt;
+  }
+
+  // Whether the sample is outside however the triangle is clipped.
+  bool IsOutIfClipped(const ClippedTriangle& clipped, Point2 p) const {
+    for (std::size_t e = 0; e < 3 && has_one_shape_; ++e) {
+      if (clipped.Keeps(e, p) && edges_[e].Constant(p) == -facing()) return true;
+    }
+    return false;
   }
 
   // By choice, the last corner's places fastest.
@@ -225,37 +231,19 @@ Box BoxOf(const Corners3& places, const exact::SampleFrame& frame, double margin
           clamp(std::ceil(high_y + margin - row0) + 1, clip.y0, clip.y1)};
 }
 
-Point2 InWindow(Point2 screen, YAxis y_axis) {
-  return {screen.x, y_axis == YAxis::kUp ? -screen.y : screen.y};
-}
-
-bool Leaves(const std::vector<Point2>& places, const WindowBox& box, YAxis y_axis) {
-  return std::ranges::any_of(places, [&](Point2 p) {
-    const Point2 at = InWindow(p, y_axis);
-    return !box.Contains(at.x, at.y);
-  });
-}
-
-bool Leaves(const Corners3& places, const std::optional<WindowBox>& box, YAxis y_axis) {
-  return box &&
-         std::ranges::any_of(places, [&](const auto* of) { return Leaves(*of, *box, y_axis); });
-}
-
-// Whether clipping to the box can decide a sample otherwise: it lies beside an edge that leaves the
-// box, or beside the box's own sides, along which the triangle is cut, or beyond them.
-bool IsMovedByClipping(const Corners3& places, const WindowBox& box, YAxis y_axis, Point2 p) {
-  const Point2 at = InWindow(p, y_axis);
-  constexpr double kMargin = kClippedEdgesMove;
-  const bool is_inner = at.x >= box.x0 + kMargin && at.x <= box.x1 - kMargin &&
-                        at.y >= box.y0 + kMargin && at.y <= box.y1 - kMargin;
-  if (!is_inner) return true;
-  for (std::size_t e = 0; e < 3; ++e) {
-    const std::vector<Point2>& from = *places[e];
-    const std::vector<Point2>& to = *places[(e + 1) % 3];
-    if (!Leaves(from, box, y_axis) && !Leaves(to, box, y_axis)) continue;
-    if (SegmentDistance(from[0], to[0], p) <= kMargin) return true;
+// In screen axes.
+ClippedTriangle ClippedTo(const std::optional<WindowBox>& window_box, YAxis y_axis,
+                          const std::array<Point2, 3>& given, const Corners3& places,
+                          const Snap& grid) {
+  if (!window_box) return {given, {}, {}, grid};
+  WindowBox box = *window_box;
+  if (y_axis == YAxis::kUp) box = {box.x0, -box.y1, box.x1, -box.y0};
+  std::array<bool, 3> is_outside{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto leaves = [&](Point2 p) { return !box.Contains(p.x, p.y); };
+    is_outside[k] = leaves(given[k]) || std::ranges::any_of(*places[k], leaves);
   }
-  return false;
+  return {given, is_outside, box, grid};
 }
 
 }  // namespace
@@ -277,6 +265,16 @@ FamilyView::FamilyView(const Scene& scene, const Profile& profile, const Family&
       has_rule_(!profile_.shares_edge_samples &&
                 (profile_.freedom.ties == TieOwnership::kStated ||
                  profile_.freedom.ties == TieOwnership::kAxisAligned)) {}
+
+// As given, or beside it by the rounding of a quotient.
+Point2 FamilyView::OnScreen(const Vertex& v) const {
+  const double w = scene_.clip_space ? v.w : 1;
+  const auto unwrapped = [&](double x) {
+    return profile_.fixed ? Wrapped(x, *profile_.fixed) : x / w;
+  };
+  const double y = unwrapped(v.y);
+  return {unwrapped(v.x), profile_.y_axis == YAxis::kUp ? -y : y};
+}
 
 TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* only) const {
   TriangleSamples samples;
@@ -301,12 +299,12 @@ TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* on
   const std::optional<TieRule> rule = has_rule_ ? std::optional(family_.rule) : std::nullopt;
   const TriangleOverPlaces over(places, profile_, rule);
   samples.facing = over.facing();
-  const bool is_clipped = Leaves(places, profile_.guard_band, profile_.y_axis);
-  const double margin = is_clipped ? kClippedEdgesMove : 0;
-  const auto is_moved = [&](Point2 p) {
-    return is_clipped && IsMovedByClipping(places, *profile_.guard_band, profile_.y_axis, p);
-  };
-  const Box box = BoxOf(places, frame_, margin);
+  const ClippedTriangle clipped = ClippedTo(
+      UnclippedBox(profile_, scene_.width, scene_.height), profile_.y_axis,
+      {OnScreen(given[0]), OnScreen(given[1]), OnScreen(given[2])}, places,
+      // Without a grid new vertices are off by rounding alone: a step of the canonical one.
+      family_.grid.IsNone() ? profile_.snap : family_.grid);
+  const Box box = BoxOf(places, frame_, clipped.IsClipped() ? clipped.reach() : 0);
   for (int row = box.y0; row < box.y1; ++row) {
     for (int x = box.x0; x < box.x1; ++x) {
       for (std::size_t s = 0; s < frame_.offsets.size(); ++s) {
@@ -317,8 +315,9 @@ TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* on
             s;
         if (only != nullptr && !(*only)[index]) continue;
         const Point2 p = frame_.At(x, row, s);
-        OpenSample open{triangle, index, p, {}, {}, is_moved(p)};
+        OpenSample open{triangle, index, p, {}, {}, clipped.MayDecide(p)};
         if (open.is_clipped) {
+          if (over.IsOutIfClipped(clipped, p)) continue;
           open.by_choice = {Status::kFree};
         } else if (const std::optional<Status> status = over.Constant(p)) {
           if (*status == Status::kIn) samples.covered.push_back(index);

@@ -72,6 +72,8 @@ class FamilyView {
   Point2 At(int x, int row, std::size_t s) const { return frame_.At(x, row, s); }
 
  private:
+  Point2 OnScreen(const Vertex& v) const;
+
   const Scene& scene_;
   Profile profile_;
   Family family_;

@@ -39,13 +39,13 @@ Scene SnapScene(const Scene& scene, const Profile& own) {
 }
 
 bool IsUnclipped(const Scene& scene, const Profile& profile) {
-  if (!profile.guard_band) return true;
+  const std::optional<WindowBox> box = UnclippedBox(profile, scene.width, scene.height);
+  if (!box) return true;
   if (scene.clip_space) return false;  // the rectangle is of window space
   const auto holds = [&](const Scene& placed) {
     return std::ranges::all_of(placed.triangles, [&](const Triangle& t) {
-      return std::ranges::all_of(Corners(placed, t), [&](const Vertex& v) {
-        return profile.guard_band->Contains(v.x, v.y);
-      });
+      return std::ranges::all_of(Corners(placed, t),
+                                 [&](const Vertex& v) { return box->Contains(v.x, v.y); });
     });
   };
   // Whether clipping looks at a vertex before or after snapping is left to the subject.

@@ -27,7 +27,7 @@ struct Grounds {
 Grounds AuthorityOf(const Property& property, const Profile& profile);
 
 /// Writes them into a result.
-void TellGrounds(const Grounds& grounds, PropertyResult& result);
+void SetGrounds(const Grounds& grounds, PropertyResult& result);
 
 }  // namespace rasterproof::props
 

@@ -1,5 +1,5 @@
-// A property: a property about a rasterizer, as data: when it applies, what it asks, how the
-// answers are judged.
+// A property of rasterizers, as data: when it applies, what to ask, and how to judge the
+// answers.
 #ifndef RASTERPROOF_PROPS_PROPERTY_H_
 #define RASTERPROOF_PROPS_PROPERTY_H_
 

@@ -52,8 +52,8 @@ struct Stages {
 struct Method {
   std::string_view name;     ///< "f32-direct"
   std::string_view summary;  ///< one line
-  /// Number format, profile (its own), window or clip space; whether it states to be exact inside
-  /// its proven domain, and what is proved of its edge arithmetic.
+  /// Number format, profile (its own), window or clip space; whether it is stated to be exact
+  /// inside its proven domain, and what is proved of its edge arithmetic.
   SubjectInfo info;
   bool can_be_canonical = false;
   Stages stages;

@@ -14,9 +14,9 @@ void RequireTakes(const Scene& scene, const Method& method);
 
 /// Adds the scene's coverage by `method` to `counts`.
 ///
-/// Domain:     a scene that Takes(method.info, scene); counts of the scene's size and the profile's
-///             samples.
-/// Error:      InputError if the scene is not one the method takes.
+/// Domain:     a scene that Takes(method.info, scene); counts of the scene's size, with one sample
+///             a pixel: no method draws more.
+/// Error:      InputError if the scene or the counts are others.
 void Rasterize(const Scene& scene, const Method& method, const RasterOptions& options,
                CoverageCounts& counts);
 

@@ -30,6 +30,8 @@ struct Certificate {
   /// What kept every property of the subject's contract from being put to the test; empty if
   /// nothing did. Properties that hold beside the contract are no evidence for it.
   std::string contract_untested;
+  /// How little of it was, where that is little; empty else.
+  std::string contract_thin;
   /// Statements about the subject's arithmetic; `by` names the script by its hash, and where it was
   /// run or that it was not.
   std::vector<Evidence> proved;

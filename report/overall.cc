@@ -73,7 +73,11 @@ Overall OverallOf(const Certificate& certificate) {
   const auto lacks = std::ranges::count_if(certificate.tested, [&](const PropertyResult& result) {
     return IsLackOfQuality(result, certificate.fail_on);
   });
-  return {Outcome::kHolds, lacks == 0 ? "" : fmt::format("properties short of quality: {}", lacks)};
+  std::string but = certificate.contract_thin;
+  if (lacks != 0) {
+    but += fmt::format("{}properties short of quality: {}", but.empty() ? "" : "; ", lacks);
+  }
+  return {Outcome::kHolds, but};
 }
 
 std::string OverallVerdict(const Certificate& certificate) {

@@ -65,7 +65,7 @@ tbody th {
 tbody th.name, tbody th > .name, td > .name { white-space: nowrap; }
 .verdicts { table-layout: fixed; min-width: 62rem; }
 .verdicts th:first-child { width: 25%; }
-.verdicts th:nth-child(7) { width: 18%; }
+.verdicts th:nth-child(8) { width: 18%; }
 thead tr:first-child th:first-child { position: sticky; left: 0; z-index: 3; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 td.number { font-size: 0.84rem; }

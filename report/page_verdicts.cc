@@ -34,16 +34,19 @@ struct Heading {
 
 // What comes from outside states a profile, and no more than that.
 std::array<Heading, 3> Headings(bool is_survey) {
-  const Heading naive{Group::kNothing, "states-nothing", "States nothing",
-                      "Plain arithmetic that does not state to be exact. It may fail: that is what "
-                      "it is here to show."};
+  const Heading naive{Group::kNothing, "states-nothing", "Naive, there to fail",
+                      "Plain arithmetic, not stated to be exact: a violation shows where it goes "
+                      "wrong."};
   const Heading asked{Group::kNothing, "states-a-profile", "States a profile",
                       "Held to the profile that it states. A violation is a finding."};
-  return {{{Group::kExact, "states-exact", "States exact coverage",
-            "States 0 wrong samples under its own profile. A violation would be a bug."},
-           is_survey ? naive : asked,
-           {Group::kHomogeneous, "homogeneous", "Homogeneous",
-            "Takes triangles in clip space, by x, y and w."}}};
+  return {
+      {{Group::kExact, "states-exact", "States exact coverage",
+        "States 0 wrong samples under its own profile. A violation would be a bug."},
+       is_survey ? naive : asked,
+       {Group::kHomogeneous, "homogeneous", "Homogeneous",
+        is_survey ? "Takes triangles in clip space, by x, y and w. What is not stated to be exact "
+                    "is there to fail."
+                  : "Takes triangles in clip space, by x, y and w."}}};
 }
 
 std::size_t CountOf(const Subjects& subjects, Outcome outcome) {
@@ -152,6 +155,8 @@ std::string OneSubject(const Certificate& certificate) {
   std::string text;
   if (overall.outcome == Outcome::kHolds) {
     text = fmt::format("{} holds all that it states.", name);
+    if (!certificate.contract_thin.empty())
+      text += " But " + Escaped(certificate.contract_thin) + ".";
   } else {
     text =
         fmt::format("{} is {}: {}.", name, OutcomeName(overall.outcome), Escaped(overall.reason));
@@ -163,6 +168,19 @@ std::string ManySubjects(const Subjects& subjects) {
   return subjects.size() == CountOf(subjects, Outcome::kHolds)
              ? fmt::format("All {} subjects hold what they state.", subjects.size())
              : fmt::format("Of {} subjects: {}.", subjects.size(), Counts(subjects));
+}
+
+// Naive methods that fail are no bad news: the run shows what they are there for.
+std::string Naive(const Subjects& methods) {
+  const std::size_t violated = CountOf(methods, Outcome::kViolated);
+  if (violated != methods.size()) {
+    return fmt::format("Of {}, there to fail, {} {} found wrong.",
+                       Several(methods.size(), "naive method"), violated,
+                       violated == 1 ? "was" : "were");
+  }
+  return violated == 1
+             ? "The naive method, there to fail, was found wrong."
+             : fmt::format("All {} naive methods, there to fail, were found wrong.", violated);
 }
 
 std::string Survey(const Subjects& subjects) {
@@ -180,9 +198,7 @@ std::string Survey(const Subjects& subjects) {
     text = fmt::format("Of {} that state exact coverage: {}. ", Several(exact.size(), "subject"),
                        Counts(exact));
   }
-  if (others.empty()) return text;
-  return text + fmt::format("Of {} that {} no such thing: {}.", Several(others.size(), "subject"),
-                            others.size() == 1 ? "states" : "state", Counts(others));
+  return others.empty() ? text : text + Naive(others);
 }
 
 }  // namespace

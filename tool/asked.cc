@@ -79,6 +79,7 @@ void JudgeBy(const Profile& profile, Subject& subject) {
 Profile ReportedBy(const Subject& subject, const Profile& set) {
   const SubjectInfo info = subject.Info();
   Profile filled = FilledIn(set, info.profile);
+  if (!filled.guard_band) filled.guard_band = set.guard_band;  // it says nothing of clipping
   if (filled == set) return set;
   filled.specification = set.name;
   filled.name = set.name + " of " + info.name;
@@ -159,7 +160,7 @@ std::vector<std::string> SubjectNames() {
   return names;
 }
 
-void SayOfPreset(const Profile& profile) {
+void NotePreset(const Profile& profile) {
   static std::set<std::string> said;
   for (const SquarePresetInfo& preset : kSquarePresets) {
     if (preset.name != profile.name || PresetProfile(profile.name) != profile) continue;

@@ -21,7 +21,8 @@
 
 namespace rasterproof::tool {
 
-/// Every subject this build knows: the built-in ones, then the oracle's deciders.
+/// The built-in subjects, the oracle by each decider, then the types that this program was built
+/// with (kit/main.h). Mutants, plugins and programs have names too, but are not among these.
 std::vector<std::string> SubjectNames();
 
 /// A subject that was asked for by name: its profile is read and what it is is looked up, once.
@@ -50,7 +51,7 @@ std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string&
 
 /// Says on standard error, once for each of them, that the preset of an API is one of the models
 /// that it leaves legal, so that nobody takes another legal one for wrong.
-void SayOfPreset(const Profile& profile);
+void NotePreset(const Profile& profile);
 
 /// For commands that look for a model of samples. Throws InputError if the subject's profile states
 /// whole pixels.

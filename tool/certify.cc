@@ -206,6 +206,7 @@ report::Certificate Certification::Result() const {
   if (!certificate.interrupted) {
     const props::ContractEvidence evidence = props::EvidenceOfContract(info_, certificate.tested);
     if (!evidence.is_exercised) certificate.contract_untested = evidence.why;
+    certificate.contract_thin = evidence.thin;
   }
   std::for_each(scenes, parts_.end(), add);
   certificate.oracle_tiers = {{"filter", tiers.filter},

@@ -36,7 +36,8 @@ namespace rasterproof::tool {
 /// A scene of the set, loaded once, with the oracle's counts per profile, computed once.
 class MeasuredScene {
  public:
-  MeasuredScene(const io::SceneEntry& entry, Scene scene);
+  /// `path`: how commands name the scene's file.
+  MeasuredScene(const io::SceneEntry& entry, const std::string& path, Scene scene);
 
   const std::string& name() const { return name_; }
   bool real() const { return real_; }

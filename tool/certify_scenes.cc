@@ -1,5 +1,6 @@
 // The scenes of a certificate: found, loaded, drawn by the subject, compared with the oracle.
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -109,7 +110,7 @@ PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
   result.property = fmt::format("{} on {}", property.name, measured.name());
   result.subject = info.name;
   result.clause = property.clause;
-  props::TellGrounds(props::AuthorityOf(property, info.profile), result);
+  props::SetGrounds(props::AuthorityOf(property, info.profile), result);
   result.tolerance = property.tolerance;
   result.outcome = attempt.outcome;
   result.cases = 1;
@@ -117,6 +118,15 @@ PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
   result.message = attempt.reason;
   result.seconds = attempt.seconds;
   return result;
+}
+
+// How a reader on any machine names a file of the bundled set: "scenes/ties.json" (Located). A file
+// that lies elsewhere is named by its path.
+std::string SharedName(const std::string& file, const std::string& scene_set) {
+  const std::filesystem::path folder = std::filesystem::path(scene_set).parent_path();
+  const std::filesystem::path name =
+      std::filesystem::path(file).lexically_relative(folder.parent_path());
+  return name.empty() || *name.begin() == ".." ? file : name.string();
 }
 
 }  // namespace
@@ -141,11 +151,11 @@ std::string WhyNotStated(const Scene& scene, const Profile& profile) {
                    std::string(kNotJudged);
 }
 
-MeasuredScene::MeasuredScene(const io::SceneEntry& entry, Scene scene)
+MeasuredScene::MeasuredScene(const io::SceneEntry& entry, const std::string& path, Scene scene)
     : name_(entry.name),
       real_(entry.real),
       mesh_(IsMeshPath(entry.path)),
-      arguments_(ShellWord(entry.path)),
+      arguments_(ShellWord(path)),
       scene_(std::move(scene)) {
   if (!mesh_) return;
   if (!entry.camera.empty()) arguments_ += " --camera " + ShellWord(entry.camera);
@@ -186,7 +196,8 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
   for (const io::SceneEntry& entry : io::ReadSceneSet(*found)) {
     progress.Stage("reading " + entry.name);
     scenes.push_back(std::make_unique<MeasuredScene>(
-        entry, LoadScene({entry.path, entry.camera, entry.project, entry.width, entry.height})));
+        entry, path.empty() ? SharedName(entry.path, *found) : entry.path,
+        LoadScene({entry.path, entry.camera, entry.project, entry.width, entry.height})));
   }
   return scenes;
 }

@@ -167,6 +167,9 @@ std::string SummaryLine(const report::Certificate& certificate) {
       WrongSamples(certificate), certificate.subject.states_exact ? "  (states exact)" : "");
   if (lacks != 0) line += fmt::format("; {} short of quality", lacks);
   if (overall.outcome == Outcome::kInconclusive) line += "; " + overall.reason;
+  if (overall.outcome == Outcome::kHolds && !certificate.contract_thin.empty()) {
+    line += "; " + certificate.contract_thin;
+  }
   if (overall.outcome == Outcome::kViolated && certificate.interrupted) line += "; interrupted";
   return report::CleanText(line) + "\n";
 }
@@ -195,13 +198,13 @@ std::string Remarks(const report::Certificate& certificate) {
   return text;
 }
 
-// A survey of every method is judged by what each properties: that a naive one fails is what it is
-// here to show, and is observed (docs/decisions/0005).
+// With --all, only methods stated to be exact can fail the run; the naive ones are there to fail
+// (docs/decisions/0005).
 bool Counts(const report::Certificate& certificate, Outcome outcome, bool survey) {
   return !survey || certificate.subject.states_exact || outcome != Outcome::kViolated;
 }
 
-// Of several subjects the worst one tells.
+// The worst subject decides the exit status.
 int ExitStatus(const std::vector<report::Certificate>& certificates, bool survey) {
   int status = certificates.empty() ? kExitInconclusive : kExitHolds;
   for (const report::Certificate& certificate : certificates) {
@@ -216,7 +219,7 @@ std::vector<AskedSubject> SubjectsOf(const CertifyOptions& options) {
   std::vector<AskedSubject> subjects;
   for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
     if (std::ranges::find(subjects, name, &AskedSubject::name) != subjects.end()) continue;
-    SayOfPreset(subjects.emplace_back(ResolveSubject(name)).Make()->Info().profile);
+    NotePreset(subjects.emplace_back(ResolveSubject(name)).Make()->Info().profile);
   }
   return subjects;
 }

@@ -234,7 +234,11 @@ void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
 std::string ContractText(const SubjectInfo& subject, std::span<const PropertyResult> results,
                          Tally& tally) {
   const props::ContractEvidence evidence = props::EvidenceOfContract(subject, results);
-  if (evidence.is_exercised) return "";
+  if (evidence.is_exercised && evidence.thin.empty()) return "";
+  if (evidence.is_exercised) {
+    return fmt::format("{:<16} {:<10} {}\n", OutcomeName(Outcome::kHolds), subject.name,
+                       evidence.thin);
+  }
   tally.CountInconclusive();
   return fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
                      OutcomeName(Outcome::kInconclusive), subject.name, evidence.why);
@@ -271,7 +275,7 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
   const Verdict verdict = props::RunCase(subject, property, c);
   PropertyResult& result = share.result.emplace();
   result.property = property.name;
-  props::TellGrounds(props::AuthorityOf(property, subject.Info().profile), result);
+  props::SetGrounds(props::AuthorityOf(property, subject.Info().profile), result);
   result.outcome = verdict.outcome;
   result.cases = 1;
   result.exercised = verdict.exercised;
@@ -363,7 +367,7 @@ std::string Hint(const std::string& subject, const Tally& tally, const std::stri
 // Runs what is asked of one subject. What was found up to an error is printed all the same.
 Told Check(const AskedSubject& subject, const CheckAsked& asked, const CheckOptions& options) {
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
-  SayOfPreset(crew.Of(0).Info().profile);
+  NotePreset(crew.Of(0).Info().profile);
   Told told(options.fail_on);
   told.profile = crew.Of(0).Info().profile;
   try {

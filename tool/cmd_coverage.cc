@@ -47,6 +47,10 @@ Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& 
   const Profile profile = on_this_target(io::ReadProfile(name));
   const Profile own = on_this_target(subject.Info().profile);
   if (SameModel(profile, own)) return scene;
+  if (profile.freedom.MovesVertices()) {
+    throw InputError("--profile " + name, "it leaves open to which grid points vertices snap",
+                     "name a profile with one grid, such as vulkan-canonical");
+  }
   if (!own.snap.IsNone() || profile.scanline_rounding != own.scanline_rounding ||
       profile.pattern != own.pattern || profile.tie_rule != own.tie_rule ||
       profile.y_axis != own.y_axis || scene.clip_space) {

@@ -26,7 +26,7 @@ int RunDiff(const DiffOptions& options) {
   } else {
     against = MakeSubject(options.against, options.profile);
   }
-  SayOfPreset(against->Info().profile);
+  NotePreset(against->Info().profile);
   RequireTakes(*against, scene, options.scene.path);
   if (subject->Info().profile.pattern.samples() != against->Info().profile.pattern.samples()) {
     throw InputError("--against " + options.against, "the two have different samples per pixel",

@@ -124,7 +124,7 @@ std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
 int RunInfer(const InferOptions& options) {
   RequireHonestEnvironment();
   const std::unique_ptr<Subject> subject = MakeSubject(options.subject, options.profile);
-  SayOfPreset(subject->Info().profile);
+  NotePreset(subject->Info().profile);
   RequireSamples(subject->Info());
   props::InferOptions choice;
   choice.seed = options.seed;

@@ -126,18 +126,28 @@ class AnswerLines {
     throw InputError("standard input", "it ends before every request was answered",
                      "give ver the same options as gen, and flush what the program says");
   }
+  // Behind the last answer: more was answered than was asked.
+  void RequireEnd() {
+    if (!Peek()) return;
+    throw InputError(fmt::format("standard input: line {}", number_),
+                     "it goes on behind the last answer: " + Quoted(line_, 60),
+                     "give ver the same options as gen, and one answer to each request");
+  }
 
  private:
   // Whether there is a line to be read next.
   bool Peek() {
-    if (!is_held_) is_held_ = static_cast<bool>(std::getline(std::cin, line_));
+    if (is_held_) return true;
+    is_held_ = static_cast<bool>(std::getline(std::cin, line_));
+    if (is_held_) ++number_;
     return is_held_;
   }
 
   std::string line_;
-  bool is_held_ = false;   // the line is to be read, again or for the first time
-  bool is_short_ = false;  // there was none where one was needed
-  bool is_lost_ = false;   // behind a bad answer no line began another one
+  std::uint64_t number_ = 0;  // of the line, from 1
+  bool is_held_ = false;      // the line is to be read, again or for the first time
+  bool is_short_ = false;     // there was none where one was needed
+  bool is_lost_ = false;      // behind a bad answer no line began another one
 };
 
 // ver's: every job is answered by what the program said, in the same order.
@@ -166,6 +176,7 @@ class Answering final : public FarEnd {
   }
   std::uint64_t answered() const { return id_; }
   void RequireAll() const { lines_.RequireAll(); }
+  void RequireEnd() { lines_.RequireEnd(); }
 
  private:
   std::uint64_t id_ = 0;
@@ -214,7 +225,7 @@ Answers PutInStep(Answering& answering, Asking& asking, const props::Request& re
   return answers;
 }
 
-AllAnswers PutAll(const PutOne& put_one, const props::CaseInHand& hand) {
+AllAnswers PutAll(const PutOne& put_one, const props::CaseJudge& hand) {
   AllAnswers all;
   const auto put = [&](const Questions& questions) {
     const props::Check check{questions, {}};
@@ -235,7 +246,7 @@ bool IsAnyRefused(const AllAnswers& all) {
 }
 
 // Judges the checks by their answers, up to the first violated one.
-const Verdict& JudgeAll(props::CaseInHand& hand, AllAnswers& all) {
+const Verdict& JudgeAll(props::CaseJudge& hand, AllAnswers& all) {
   std::vector<std::shared_ptr<const Drawing>> drawn;
   for (std::size_t k = 0; !hand.IsDone(); ++k) {
     Answers& answers = all.of_checks[k];
@@ -283,7 +294,7 @@ int RunGen(const PipeOptions& options) {
   std::string why_not;
   for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
     const Case c = props::DrawCase(info, property, options.campaign.seed, n);
-    const props::CaseInHand hand(property, c, description);
+    const props::CaseJudge hand(property, c, description);
     if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
     PutAll([&](const props::Request& request) { return PutTo(asking, request); }, hand);
     const std::vector<DrawJob> jobs = asking.Asked();
@@ -314,7 +325,7 @@ int RunVer(const PipeOptions& options) {
     for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
       progress.Done(n);
       const Case c = props::DrawCase(info, property, options.campaign.seed, n);
-      props::CaseInHand hand(property, c, description);
+      props::CaseJudge hand(property, c, description);
       if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
       AllAnswers all = PutAll(put, hand);
       answering.RequireAll();
@@ -339,6 +350,7 @@ int RunVer(const PipeOptions& options) {
       }
     }
   }
+  answering.RequireEnd();
   if (answering.answered() == 0) TellNothingAsked(property, options.campaign.cases, why_not);
   io::WriteStandardOutput(
       fmt::format("{}{}: {} cases held, {} violated, {} did not exercise it, {} refused\n",

@@ -145,7 +145,7 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
                  "Put the subject's numbers into the legal set that --profile names: its subpixel "
                  "bits, sample locations, coordinate limit and guard band");
   verb->add_option("--save", options.save,
-                   "Folder for shrunken counterexamples; those that it holds are asked first");
+                   "Folder for shrunk counterexamples; those already there are replayed first");
   AddCampaign(verb, options.campaign);
   AddJobs(verb, options.jobs, "Properties");
   AddFailOn(verb, options.fail_on);
@@ -165,7 +165,7 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   AddSubjects(verb, options.subjects);
   verb->add_flag(
       "--all", options.all,
-      "Every built-in subject; the status then tells only whether each keeps its own properties");
+      "Every built-in subject; the exit status then covers only those stated to be exact");
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();

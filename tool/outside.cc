@@ -32,8 +32,8 @@ Makers& OwnMakers() {
 std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 // Every subject outside is made here, whatever described it. That a method is exact, and what is
-// proved of its arithmetic, are properties of reference/ and exact/ alone: nothing that comes from
-// outside makes them, whatever it is called.
+// proved of its arithmetic, only reference/ and exact/ may state: a subject from outside states
+// neither, whatever it is called.
 SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo info) {
   info.states_exact = false;
   info.proofs.clear();

@@ -75,7 +75,8 @@ void AddCoverage(CLI::App& app, Run& run) {
   AddScene(verb, options.scene);
   AddSubject(verb, options.subject);
   verb->add_option("--profile", options.profile,
-                   "Profile of --subject exact: a preset or a file (default real)");
+                   "Preset or profile file: the oracle's model (default real); a subject without a "
+                   "grid draws the scene snapped to the profile's");
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
   verb->callback([&run] { run = [] { return RunCoverage(options); }; });
 }

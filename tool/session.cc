@@ -30,6 +30,7 @@
 #include "subjects/mutants/mutants.h"
 #include "tool/asked.h"
 #include "tool/outside.h"
+#include "tool/shared_files.h"
 #include "tool/shell.h"
 
 namespace rasterproof::tool {
@@ -91,7 +92,7 @@ Scene LoadScene(const SceneOptions& options) {
                        options.path + " is a scene file, and a scene file takes no camera",
                        "leave the option out, or give a mesh (obj, ply, off, stl, gltf, glb)");
     }
-    return io::ReadScene(options.path);
+    return io::ReadScene(Located(options.path));
   }
   RequireTargetSize(fmt::format("--width {} --height {}", options.width, options.height),
                     options.width, options.height, 1);
@@ -205,7 +206,7 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   const auto add = [&](std::string_view option, const std::string& value) {
     if (!value.empty()) command += fmt::format("{} {}", option, ShellWord(value));
   };
-  // What begins like an option is none behind "./".
+  // Prefix "./" so that a leading dash is not taken for an option.
   const bool like_option = choice.path.size() > 1 && choice.path.front() == '-';
   add("", like_option ? "./" + choice.path : choice.path);
   if (!choice.subject.empty()) command += " " + SubjectOption(choice.subject);
@@ -244,7 +245,7 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   if (choice.path.empty()) {
     throw InputError("case", "no case was given", "give a case file, or --subject and --case NAME");
   }
-  const std::string content = io::ReadFile(choice.path);
+  const std::string content = io::ReadFile(Located(choice.path));
   if (choice.is_fuzz_input || IsNoText(content)) return LoadFuzzInput(choice, content, verb);
   const io::CaseFile file =
       io::ParseCase(content, choice.path == "-" ? "standard input" : choice.path);

@@ -1,4 +1,5 @@
-// What several verbs share: finding subjects, profiles, scenes and cases by what the user typed.
+// What several verbs share: reading scenes and cases, drawing them, and commands to type again.
+// Names of subjects, profiles and properties are resolved by tool/asked.h.
 #ifndef RASTERPROOF_TOOL_SESSION_H_
 #define RASTERPROOF_TOOL_SESSION_H_
 

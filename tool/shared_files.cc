@@ -46,4 +46,10 @@ std::optional<std::string> FindShared(const std::string& file) {
   return std::nullopt;
 }
 
+std::string Located(const std::string& path) {
+  std::error_code failed;
+  if (path == "-" || fs::path(path).is_absolute() || fs::exists(path, failed)) return path;
+  return FindShared(path).value_or(path);
+}
+
 }  // namespace rasterproof::tool

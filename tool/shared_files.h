@@ -18,6 +18,10 @@ std::vector<std::string> SharedFolders();
 /// Returns:    nothing if none does.
 std::optional<std::string> FindShared(const std::string& file);
 
+/// The file that a path on a command line means: the one of that path, or where there is none the
+/// one of FindShared(). So "scenes/ties.json" means the same in every folder.
+std::string Located(const std::string& path);
+
 }  // namespace rasterproof::tool
 
 #endif  // RASTERPROOF_TOOL_SHARED_FILES_H_

@@ -110,6 +110,14 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .reading = "New vertices are placed too, so edges of a clipped triangle may move; what lies "
                 "far from both the old and the new edge is decided all the same.",
      .keys = "guard_band"},
+    {.id = "gl.clip-point",
+     .place = "13.7",
+     .force = kSilent,
+     .sentence = "Nothing says how near to the edge the vertex lies that clipping makes.",
+     .reading = "It lies exactly on the edge and is then placed as any vertex, so an edge that "
+                "leaves moves by less than a step; neighbours need not take the same one.",
+     .keys = "guard_band",
+     .is_assumed = true},
     {.id = "gl.clip-corner",
      .place = "13.7",
      .sentence = "A polygon that meets an edge of the clip volume's boundary must include a point "

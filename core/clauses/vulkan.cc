@@ -103,6 +103,14 @@ constexpr auto kVulkan = std::to_array<Clause>({
      .reading = "New vertices are placed too, so edges of a clipped triangle may move; a guard "
                 "band is neither required nor named.",
      .keys = "guard_band"},
+    {.id = "vulkan.clip-point",
+     .place = "Primitive Clipping",
+     .force = kSilent,
+     .sentence = "Nothing says how near to the edge the vertex lies that clipping makes.",
+     .reading = "It lies exactly on the edge and is then placed as any vertex, so an edge that "
+                "leaves moves by less than a step; neighbours need not take the same one.",
+     .keys = "guard_band",
+     .is_assumed = true},
     {.id = "vulkan.clip-corner",
      .place = "Primitive Clipping",
      .sentence = "A polygon that meets an edge of the clip volume's boundary must include a point "

@@ -77,6 +77,14 @@ constexpr auto kWebGpu = std::to_array<Clause>({
                  "bring new vertices.",
      .reading = "New vertices are placed too, so edges of a clipped triangle may move.",
      .keys = "guard_band; coordinate_limit"},
+    {.id = "webgpu.clip-point",
+     .place = "23.2.4",
+     .force = kSilent,
+     .sentence = "Nothing says how near to the edge the vertex lies that clipping makes.",
+     .reading = "It lies exactly on the edge and is then placed as any vertex, so an edge that "
+                "leaves moves by less than a step; neighbours need not take the same one.",
+     .keys = "guard_band",
+     .is_assumed = true},
     {.id = "webgpu.clip-corner",
      .place = "23.2.4",
      .sentence = "The clipped polygon must include a point of an edge of the boundary that it "

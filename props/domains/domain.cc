@@ -19,7 +19,10 @@ bool LeavesGridPoints(const Profile& profile) {
 
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
-// In the order in which they are told. The next new number is 69; given back: none.
+// The number that the next new domain gets. None is given twice: it is part of what names a case.
+constexpr std::uint16_t kNextNumber = 73;
+
+// In the order in which they are listed.
 constexpr std::array kDomains{
     Domain{.number = 1,
            .name = "uniform-subpixel",
@@ -260,8 +263,13 @@ constexpr std::array kDomains{
            .name = "guard-band-ends",
            .summary = "meshes with vertices on either side of the guard-band rectangle",
            .mesh = true,
-           .is_stated = [](const Profile& p) { return p.guard_band.has_value(); },
+           .is_stated = StatesGuardBand,
            .draw = GuardBandEnds},
+    Domain{.number = 72,
+           .name = "off-grid-moves",
+           .summary = "triangles off the grid that stay inside when moved, and exact in float32",
+           .is_stated = [](const Profile& p) { return p.translation_invariant; },
+           .draw = OffGridMoves},
     Domain{.number = 53,
            .name = "target-size-ends",
            .summary = "ties of the snap on the largest targets of each model, and on larger ones",
@@ -340,7 +348,19 @@ constexpr std::array kDomains{
            .clip = true,
            .mesh = true,
            .draw = MeshesAroundEye},
+    Domain{.number = 70,
+           .name = "far-sides",
+           .summary = "edges as wide as the stated range, targets of up to 4096 a side",
+           .mesh = true,
+           .draw = FarSides},
+    Domain{.number = 71,
+           .name = "every-size",
+           .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
+           .mesh = true,
+           .draw = EverySize},
 };
+
+static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);
 
 }  // namespace
 
@@ -362,7 +382,7 @@ bool Suits(const Domain& domain, const SubjectInfo& info) {
   // A transform of its own says nothing of what lies behind the eye; that of a map takes none.
   if (info.profile.transform && (info.takes_clip || info.profile.transform->map))
     return !domain.clip;
-  if (!PlacesClipSpace(info.profile) || info.profile.guard_band) {
+  if (!PlacesClipSpace(info.profile) || StatesGuardBand(info.profile)) {
     return !domain.clip && info.takes_window;
   }
   return domain.clip ? info.takes_clip : info.takes_window || info.takes_clip;

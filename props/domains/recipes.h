@@ -49,6 +49,9 @@ Case FullCoverage(BitSource& bits, const SubjectInfo& info);
 /// Triangles one vertex of which decides a sample by how it is snapped.
 void AddDecidingTies(Sketch& sketch);
 
+// recipes_far_sides.cc
+Case FarSides(BitSource& bits, const SubjectInfo& info);
+
 // recipes_folds.cc: what a legal choice of grid points turns over.
 Case Folds(BitSource& bits, const SubjectInfo& info);
 Case ClosedFolds(BitSource& bits, const SubjectInfo& info);
@@ -70,6 +73,7 @@ Case NearRectangles(BitSource& bits, const SubjectInfo& info);
 Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info);
 Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info);
 Case GuardBandEnds(BitSource& bits, const SubjectInfo& info);
+Case OffGridMoves(BitSource& bits, const SubjectInfo& info);
 Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info);
 
 // recipes_degenerate.cc
@@ -85,6 +89,7 @@ Case Fans(BitSource& bits, const SubjectInfo& info);
 Case Strips(BitSource& bits, const SubjectInfo& info);
 Case Grids(BitSource& bits, const SubjectInfo& info);
 Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info);
+Case EverySize(BitSource& bits, const SubjectInfo& info);
 Case SharedSnapTies(BitSource& bits, const SubjectInfo& info);
 
 // recipes_squares.cc: next to the sides and corners of pixels.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "props/domains/lines.h"
@@ -117,6 +118,69 @@ std::vector<double> DrawRim(Sketch& sketch, double radius, double grid_step) {
   return rim;
 }
 
+// Log-uniform up to 2^15 pixels, whatever the range is beyond that; or up to an eighth of it. The
+// largest mesh of such a size around a target still lies in the range.
+double DrawSize(Sketch& sketch) {
+  constexpr int kOrdinary = 14;
+  const int end = std::max(1, std::ilogb(sketch.Range()) - 4);
+  const int most = sketch.bits().Chance(48) ? end : std::min(kOrdinary, end);
+  return std::fabs(sketch.LogUniform(1, most));
+}
+
+// A sample, or a place as far from it as a mesh of that size still reaches.
+Point2 DrawCentre(Sketch& sketch, double size) {
+  const Point2 p = sketch.Sample();
+  if (sketch.bits().Chance(128)) return p;
+  const double x = sketch.Uniform(-size, size);
+  return {p.x + x, p.y + sketch.Uniform(-size, size)};
+}
+
+PlanarMesh DrawSizedGrid(Sketch& sketch, double size) {
+  GridShape shape{.columns = static_cast<int>(sketch.bits().Int(1, 3)),
+                  .rows = static_cast<int>(sketch.bits().Int(1, 3)),
+                  .spacing = size,
+                  .sample = DrawCentre(sketch, size)};
+  shape.sample_column = static_cast<int>(sketch.bits().Int(0, shape.columns));
+  shape.sample_row = static_cast<int>(sketch.bits().Int(0, shape.rows));
+  return MakeGrid(sketch, shape, sketch.bits().Chance(128) ? 0 : 0.24 * size);
+}
+
+PlanarMesh DrawSizedFan(Sketch& sketch, double size) {
+  const Point2 centre = OnLattice(sketch, DrawCentre(sketch, size));
+  PlanarMesh mesh;
+  mesh.AddVertex(centre);
+  std::vector<double> rim = DrawRim(sketch, size, std::ldexp(1.0, std::ilogb(size) - 8));
+  for (const double t : rim) mesh.AddVertex(OnLattice(sketch, OnSquare(centre, size, t)));
+  const auto n = static_cast<std::int32_t>(rim.size());
+  for (std::int32_t i = 0; i < n; ++i) mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  return mesh;
+}
+
+// Two on an edge past a sample, each of a height of its own: where a rasterizer goes another way
+// from some size on, they go different ways.
+PlanarMesh DrawUnequalNeighbours(Sketch& sketch, double size) {
+  const Point2 p = sketch.bits().Chance(128) ? sketch.Sample() : sketch.Place();
+  const double turn = sketch.Uniform(-1, 1) * std::numbers::pi;
+  const Point2 along{std::cos(turn) * size, std::sin(turn) * size};
+  const double before = sketch.Uniform(0.25, 1);
+  const double behind = sketch.Uniform(0.25, 1);
+  const Point2 a = OnLattice(sketch, {p.x - before * along.x, p.y - before * along.y});
+  const Point2 b = OnLattice(sketch, {p.x + behind * along.x, p.y + behind * along.y});
+  const auto beside = [&](double sign) {
+    const double height = sign * DrawSize(sketch) / size;
+    const double t = sketch.Uniform(0, 1);
+    return OnLattice(sketch, {a.x + t * (b.x - a.x) - height * along.y,
+                              a.y + t * (b.y - a.y) + height * along.x});
+  };
+  PlanarMesh mesh;
+  mesh.AddVertex(a);
+  mesh.AddVertex(b);
+  mesh.AddVertex(beside(+1));
+  mesh.AddVertex(beside(-1));
+  mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+  return mesh;
+}
+
 }  // namespace
 
 Case SharedEdge(BitSource& bits, const SubjectInfo& info) {
@@ -171,6 +235,27 @@ Case Grids(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
   const int columns = static_cast<int>(bits.Int(1, 6));
   return DoneGrid(sketch, DrawGridShape(sketch, columns, static_cast<int>(bits.Int(1, 6))));
+}
+
+Case EverySize(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  const double size = DrawSize(sketch);
+  PlanarMesh mesh;
+  switch (bits.Int(0, 3)) {
+    case 0:
+      mesh = DrawSizedGrid(sketch, size);
+      break;
+    case 1:
+      mesh = DrawSizedFan(sketch, size);
+      break;
+    default:
+      mesh = DrawUnequalNeighbours(sketch, size);
+      break;
+  }
+  // An end of the range or a coarse lattice has folded it.
+  if (!mesh.IsFacingOneWay()) mesh.triangles.resize(1);
+  mesh.AddTo(sketch);
+  return sketch.Done(Finish::kMesh);
 }
 
 Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info) {

@@ -89,7 +89,8 @@ Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info) {
 
 Case GuardBandEnds(BitSource& bits, const SubjectInfo& info) {
   Sketch sketch(bits, info);
-  const WindowBox box = info.profile.guard_band.value_or(WindowBox{-256, -256, 256, 256});
+  const WindowBox box = UnclippedBox(info.profile, sketch.width(), sketch.height())
+                            .value_or(WindowBox{-256, -256, 256, 256});
   // On a side of the rectangle, a step or two inside or outside it, well outside, or well inside.
   // Now and then all ends lie inside, or single samples would hardly ever be judged.
   const bool all_inside = bits.Chance(112);
@@ -119,6 +120,30 @@ Case GuardBandEnds(BitSource& bits, const SubjectInfo& info) {
     }
   }
   return sketch.Done(Finish::kMesh);
+}
+
+Case OffGridMoves(BitSource& bits, const SubjectInfo& info) {
+  // What is moved by so many pixels is not clipped either.
+  constexpr int kMargin = 6;
+  const auto side = [&] { return static_cast<int>(bits.Int(2 * kMargin + 2, 48)); };
+  const int width = side();
+  Sketch sketch(bits, info, width, side());
+  // Some bits more than the grid has, and few enough that float32 holds all that are moved.
+  const auto fraction = static_cast<int>(bits.Int(1, 16));
+  const auto within = [&](int extent) {
+    const double x = sketch.Uniform(kMargin, extent - kMargin);
+    return std::ldexp(std::floor(std::ldexp(x, fraction)), -fraction);
+  };
+  const std::int64_t triangles = bits.Int(1, 3);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    std::array<std::int32_t, 3> corner{};
+    for (std::int32_t& k : corner) {
+      const double x = within(sketch.width());
+      k = sketch.AddRaw({x, within(sketch.height())});
+    }
+    sketch.AddTriangle(corner[0], corner[1], corner[2]);
+  }
+  return sketch.Done(Finish::kAnyOrder);
 }
 
 Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info) {

@@ -43,16 +43,31 @@ double LargestCoordinate(const Case& c) {
 
 // How far the legal models of a case may put its vertices.
 struct Reach {
-  Freedom freedom;    ///< of grids and of their points
-  double slack = 0;   ///< in pixels, on each axis, beyond that
-  double beside = 0;  ///< in pixels: all vertices alike
+  Freedom freedom;                                    ///< of grids and of their points
+  double slack = 0;                                   ///< in pixels, on each axis, beyond that
+  double beside = 0;                                  ///< in pixels: all vertices alike
+  std::optional<WindowBox> unclipped = std::nullopt;  ///< window space
+  double clipped = 0;  ///< in pixels, on each axis: a triangle that leaves `unclipped`
 };
 
-Reach ReachOf(const Case& c, const Profile& profile) {
+// How far clipping may move an edge: by less than a step, where its new vertices go to grid points.
+double ReachOfClipping(const Profile& profile) {
+  if (!MovesClippedEdges(profile)) return kMovedOutlineMargin;
+  return std::ldexp(1.0, -LegalGrids(profile.snap, profile.freedom).front().bits);
+}
+
+Reach ReachOfVertices(const Case& c, const Profile& profile) {
   if (!MayMoveVertices(profile.contract)) return {profile.freedom, 0, 0};
   const double rounding = kOutlineMarginPerCoordinate * LargestCoordinate(c);
   if (profile.snap.IsNone()) return {{}, kMovedOutlineMargin + rounding, 0};
   return {{.snap_tolerance = 1}, rounding, kMovedOutlineMargin};
+}
+
+Reach ReachOf(const Case& c, const Profile& profile) {
+  Reach reach = ReachOfVertices(c, profile);
+  reach.unclipped = UnclippedBox(profile, c.scene.width, c.scene.height);
+  reach.clipped = ReachOfClipping(profile);
+  return reach;
 }
 
 // A coordinate's least and greatest legal value, the canonical one between them, and the given one.
@@ -205,11 +220,12 @@ bool HaveOnePlace(const Vertex& a, const Vertex& b) {
   return a.x == b.x && a.y == b.y && a.w == b.w;
 }
 
-// A triangle's legal places. Clipping may move its vertices by a pixel more.
+// A triangle's legal places. Clipping may move its edges further.
 struct PlacedTriangle {
   Places places{};
   double most_moved = 0;
   bool is_clipped = false;
+  std::array<bool, 3> is_outside{};  ///< by corner
 };
 
 std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool clip_space,
@@ -220,10 +236,11 @@ std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool
     const std::optional<PlacedVertex> corner = Placed(v[k], clip_space, profile, reach);
     if (!corner) return std::nullopt;
     placed[k] = *corner;
-    const bool leaves = !clip_space && LeavesBy(corner->legal, v[k], profile.guard_band);
+    const bool leaves = !clip_space && LeavesBy(corner->legal, v[k], reach.unclipped);
     triangle.is_clipped = triangle.is_clipped || leaves;
+    triangle.is_outside[k] = leaves;
   }
-  const double clipped = triangle.is_clipped ? kMovedOutlineMargin : 0;
+  const double clipped = triangle.is_clipped ? reach.clipped : 0;
   for (std::size_t k = 0; k < 3; ++k) {
     auto& [low, high] = placed[k].legal;
     low = {low.x - clipped, low.y - clipped};
@@ -237,6 +254,21 @@ std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool
 }
 
 }  // namespace
+
+ClippedEdges::ClippedEdges(const Case& c) {
+  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+  if (c.scene.clip_space || !MovesClippedEdges(profile)) return;
+  const Reach reach = ReachOf(c, profile);
+  const Snap coarsest = LegalGrids(profile.snap, profile.freedom).front();
+  for (const Triangle& t : c.scene.triangles) {
+    const std::array<Vertex, 3> v = Corners(c.scene, t);
+    if (!std::ranges::all_of(v, IsFinite)) continue;
+    const auto placed = PlacedCorners(v, false, profile, reach);
+    if (!placed->is_clipped) continue;
+    triangles_.emplace_back(std::array{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])},
+                            placed->is_outside, *reach.unclipped, coarsest);
+  }
+}
 
 OpenTriangles::OpenTriangles(const Case& c) {
   const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
@@ -295,7 +327,7 @@ std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const Case& c, const Tri
   const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
   const Reach reach = ReachOf(c, profile);
   auto placed = PlacedCorners(Corners(c.scene, t), false, profile, reach);
-  if (placed->is_clipped) return std::nullopt;
+  if (placed->is_clipped && !MovesClippedEdges(profile)) return std::nullopt;
   for (auto& [low, high] : placed->places) {
     low = {low.x - reach.beside, low.y - reach.beside};
     high = {high.x + reach.beside, high.y + reach.beside};

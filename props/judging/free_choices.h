@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_FREE_CHOICES_H_
 #define RASTERPROOF_PROPS_JUDGING_FREE_CHOICES_H_
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "core/case.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "legal/clipped_triangle.h"
 #include "props/judging/gate.h"
 
 namespace rasterproof::props {
@@ -18,6 +20,24 @@ namespace rasterproof::props {
 struct LegalPlaces {
   Point2 low;
   Point2 high;
+};
+
+/// The samples that legal models decide differently because they clip triangles.
+class ClippedEdges {
+ public:
+  /// None.
+  ClippedEdges() = default;
+  /// Domain:     window space. Elsewhere, and where the profile states that clipped meshes stay
+  ///             whole (MovesClippedEdges), there are none.
+  explicit ClippedEdges(const Case& c);
+
+  bool MayDecide(Point2 p) const {
+    return std::ranges::any_of(triangles_, [&](const auto& t) { return t.MayDecide(p); });
+  }
+  bool IsEmpty() const { return triangles_.empty(); }
+
+ private:
+  std::vector<legal::ClippedTriangle> triangles_;
 };
 
 /// The triangles of a case that legal models draw with more than one facing, or that some drop and

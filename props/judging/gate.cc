@@ -31,7 +31,7 @@ Wanted WantedBy(Shows shows) {
       break;
     case Shows::kFacings:
       return {[](const D& d) { return d.info.coverage == CoverageKind::kFacingCounts; },
-              "the subject tells no facings", "the subject counts by facing"};
+              "the subject does not report facings", "the subject counts by facing"};
     case Shows::kEdgeValues:
       return {[](const D& d) { return d.edges != nullptr; }, "the subject shows no edge values",
               "the subject shows edge values and states a finite bound there"};
@@ -201,7 +201,7 @@ std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, con
       (c.options.scissor && !info.takes_scissor)) {
     return NotExercised("the case is culled or cut, and the subject does neither");
   }
-  if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || c.profile.guard_band)) {
+  if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || StatesGuardBand(c.profile))) {
     return NotExercised("the case is in clip space, the profile speaks of window space");
   }
   if (!Takes(info, c.scene)) {

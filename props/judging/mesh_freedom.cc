@@ -47,6 +47,7 @@ OpenParts::OpenParts(const Case& c, bool spares_outline) {
     thin_ = ThinTriangles(c, most_moved);
   } else {
     open_ = OpenTriangles(c);
+    clipped_ = ClippedEdges(c);
     is_folded_ = open_.RestIsFolded();
     most_moved = open_.MostMoved();
   }

@@ -46,12 +46,14 @@ class OpenParts {
   bool IsFlat() const { return is_flat_; }
   bool IsBesideTheOutline(Point2 p) const { return outline_.IsNear(p); }
   bool CanTurnAt(Point2 p) const { return open_.CanCover(p) || thin_.AreNear(p); }
+  bool ClippingMayDecide(Point2 p) const { return clipped_.MayDecide(p); }
 
  private:
   bool is_folded_ = false;
   bool is_flat_ = false;
   Outline outline_;
   OpenTriangles open_;
+  ClippedEdges clipped_;
   ThinTriangles thin_;
 };
 

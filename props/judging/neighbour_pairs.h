@@ -36,6 +36,11 @@ class NeighbourPair {
   std::vector<SamplePlace> SamplesBesideTheEdge() const;
   /// Whether a legal choice could turn a triangle that covers the sample: it is not judged.
   bool CanTurnAt(const SamplePlace& sample) const { return open_.CanTurnAt(sample.at); }
+  /// Whether the two may have the sample as each clips the edge: neither clause nor model says that
+  /// they do so alike.
+  bool ClippingMayDecide(const SamplePlace& sample) const {
+    return open_.ClippingMayDecide(sample.at);
+  }
   /// Whether both triangles may have the sample, which lies on the edge.
   bool MayShare(const SamplePlace& sample, std::size_t index, std::uint32_t count) const;
 

@@ -56,7 +56,7 @@ class MeshJudge {
     const bool is_right = count == least || (count > least && mesh_.ties.Allow(count, k, place.at));
     if (is_right && least == 0) return std::nullopt;
     if (mesh_.open.IsBesideTheOutline(place.at)) return std::nullopt;
-    if (mesh_.open.CanTurnAt(place.at)) {
+    if (mesh_.open.CanTurnAt(place.at) || mesh_.open.ClippingMayDecide(place.at)) {
       ++not_judged_;
       return std::nullopt;
     }

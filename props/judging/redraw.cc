@@ -20,10 +20,10 @@
 namespace rasterproof::props {
 namespace {
 
-// Number of pixels of [0, size) that meet [low, high].
-std::uint64_t PixelsBetween(double low, double high, int size) {
-  const double first = std::max(std::floor(low), 0.0);
-  const double last = std::min(std::floor(high), size - 1.0);
+// Number of k of [0, size) with k + offset in [low, high].
+std::uint64_t SamplesBetween(double low, double high, double offset, int size) {
+  const double first = std::max(std::ceil(low - offset), 0.0);
+  const double last = std::min(std::floor(high - offset), size - 1.0);
   return last < first ? 0 : static_cast<std::uint64_t>(last - first) + 1;
 }
 
@@ -103,7 +103,8 @@ Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {
 }
 
 std::uint64_t DecisionsOf(const Case& c) {
-  const auto samples = static_cast<std::uint64_t>(c.profile.pattern.samples());
+  // As far as a vertex may go to its grid point.
+  const double step = c.profile.snap.IsNone() ? 0 : std::ldexp(1.0, -c.profile.snap.bits);
   std::uint64_t decisions = 0;
   std::optional<Scene> wrapped;
   if (!IsUnwrapped(c.scene, c.profile)) {
@@ -121,9 +122,11 @@ std::uint64_t DecisionsOf(const Case& c) {
     }
     const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
     const auto [low, high] = std::minmax({v[0].y, v[1].y, v[2].y});
-    // With y up the rows [low, high] are [-high, height - low] from the top: as many.
-    decisions += PixelsBetween(left, right, c.scene.width) *
-                 PixelsBetween(low, high, c.scene.height) * samples;
+    // With y up rows are counted from below, and samples lie as far above their pixel's lower side.
+    for (const Point2& at : c.profile.pattern.locations) {
+      decisions += SamplesBetween(left - step, right + step, at.x, c.scene.width) *
+                   SamplesBetween(low - step, high + step, at.y, c.scene.height);
+    }
   }
   return decisions;
 }

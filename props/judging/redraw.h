@@ -53,9 +53,9 @@ bool HasTheModelOf(const Case& c, int width, int height);
 /// The case with only the named triangles of its list.
 Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles);
 
-/// How many samples of the target lie in the bounding boxes of the case's finite triangles: the
-/// number of inside-or-outside decisions that a draw puts to the test. Clip space: every sample for
-/// each finite triangle.
+/// How many samples of the target lie in the bounding boxes of the case's finite triangles, or a
+/// step of its grid beside them: the number of inside-or-outside decisions that a draw puts to the
+/// test. Clip space: every sample for each finite triangle.
 std::uint64_t DecisionsOf(const Case& c);
 
 /// What the canonical model of the case's profile counts under another tie rule.

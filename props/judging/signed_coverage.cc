@@ -19,14 +19,14 @@ Verdict SignedCoverageIs(const Case& c, const CoverageCounts& counts,
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const bool is_right = counts.Signed(k) == expected[k];
     if (is_right && counts.Count(k) == 0 && expected[k] == 0) continue;
-    if (is_right && spared.outline.IsEmpty() && spared.open.IsEmpty()) {
+    if (is_right && spared.outline.IsEmpty() && spared.open.IsEmpty() && spared.clipped.IsEmpty()) {
       ++exercised;
       continue;
     }
     Witness witness = WitnessOfCounts(counts, counts, k);
     const Point2 at = PlaceOf(c, witness.x, witness.y, witness.sample).at;
     if (spared.outline.IsNear(at)) continue;
-    if (spared.open.CanCover(at)) {
+    if (spared.open.CanCover(at) || spared.clipped.MayDecide(at)) {
       ++not_judged;
       continue;
     }

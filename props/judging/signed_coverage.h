@@ -18,11 +18,12 @@ namespace rasterproof::props {
 /// Where front minus back is stated, each sample of an edge is given to one side, once.
 inline constexpr std::array kSignedCoverageRules{kCountsTies, kOwnsEdges};
 
-/// The samples that are not judged: beside an outline, and where a triangle can lie whose facing or
-/// extent is the subject's choice.
+/// The samples that are not judged: beside an outline, where a triangle can lie whose facing or
+/// extent is the subject's choice, and where clipping may decide.
 struct Spared {
   Outline outline;
   OpenTriangles open;
+  ClippedEdges clipped;
 };
 
 /// Asks for the case, culling and scissor off. Holds if front minus back is `expected`, in words

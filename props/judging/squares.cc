@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/scene.h"
+#include "core/square_rule.h"
 #include "exact/coverage.h"
+#include "exact/square_coverage.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
@@ -16,6 +20,23 @@ namespace rasterproof::props {
 namespace {
 
 constexpr std::size_t kMostSingles = 64;
+
+// How many squares the triangles of a case touch as they are given.
+std::uint64_t TouchedSquares(Case c) {
+  c.profile.freedom = {};
+  c.profile.squares =
+      SquareRule{.must = std::nullopt, .may = SquareRegion{}, .flat = FlatSquares::kDrawn};
+  const CoverageCounts touched = exact::MayCover(c.scene, c.profile, WholeTarget(c));
+  std::uint64_t squares = 0;
+  for (std::size_t k = 0; k < touched.size(); ++k) squares += touched.Count(k) != 0 ? 1 : 0;
+  return squares;
+}
+
+// A triangle of which no square may be covered was put to the test at the squares that it touches.
+Verdict ComparedToNone(Verdict verdict, MayBe allowed, const Case& one) {
+  const bool is_none = allowed == MayBe::kLess && verdict.outcome == Outcome::kNotExercised;
+  return is_none ? Verdict::Held(TouchedSquares(one)) : verdict;
+}
 
 }  // namespace
 
@@ -45,6 +66,7 @@ Asked CompareEachAndAll(const Case& c, const Description& subject, MayBe allowed
       const Case one = OnlyTriangles(c, {t});
       Verdict verdict =
           ComparedTo(answers.draws[0]->counts, expected(one, WholeTarget(c)), allowed, message);
+      verdict = ComparedToNone(std::move(verdict), allowed, one);
       if (verdict.witness) verdict.witness->triangle = static_cast<int>(t);
       return verdict;
     };

@@ -116,7 +116,8 @@ bool IsWithin(const std::vector<Point2>& polygon, Point2 p, double reach) {
 // What the freedom of places allows.
 double ReachOfVertices(const Case& c) {
   const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  if (profile.contract != Contract::kSampleExact || !IsUnclipped(c.scene, profile)) {
+  const bool moves_pixels = !MovesClippedEdges(profile) && !IsUnclipped(c.scene, profile);
+  if (profile.contract != Contract::kSampleExact || moves_pixels) {
     return std::sqrt(2.0) * kMovedOutlineMargin;
   }
   if (!profile.freedom.MovesVertices() || profile.snap.IsNone()) return 0;

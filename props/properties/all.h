@@ -75,6 +75,7 @@ extern const Property kOpenTiesAreCoveredOnce;
 extern const Property kPrimitiveIdFollowsTheStatedOrder;
 extern const Property kBatchDrawsLikeSingleCalls;
 extern const Property kTargetHeightKeepsCoverage;
+extern const Property kNewVerticesGiveNewCoverage;
 
 inline constexpr const Property* kAllProperties[] = {
     &kEdgeSignIsRightOutsideItsBand,
@@ -145,6 +146,7 @@ inline constexpr const Property* kAllProperties[] = {
     &kBatchDrawsLikeSingleCalls,
     &kTargetHeightKeepsCoverage,
     &kOpenTiesAreCoveredOnce,
+    &kNewVerticesGiveNewCoverage,
 };
 
 }  // namespace rasterproof::props

@@ -38,6 +38,10 @@ inline constexpr auto kOnTheLattice = std::to_array<std::string_view>(
     {"uniform-subpixel", "vertices-on-samples", "axis-aligned", "edges-through-samples",
      "near-edge", "vertex-orders", "fans"});
 
+// The same, and what is off the subpixel grid before it is moved and after.
+inline constexpr auto kMoved =
+    Both(kOnTheLattice, std::to_array<std::string_view>({"off-grid-moves"}));
+
 // Long targets.
 inline constexpr auto kLongRows =
     std::to_array<std::string_view>({"long-rows", "target-sizes", "near-edge"});
@@ -83,16 +87,18 @@ inline constexpr auto kCoverage = std::to_array<std::string_view>({"near-edge",
                                                                    "sub-pixel-triangles",
                                                                    "far-negative-corners",
                                                                    "least-areas",
-                                                                   "rows-and-columns"});
+                                                                   "rows-and-columns",
+                                                                   "far-sides"});
 
 // The same, what only the model can tell, and enough samples to find what goes wrong once in a
 // million.
-inline constexpr auto kModelCoverage = Both(
-    kCoverage, std::to_array<std::string_view>(
-                   {"deciding-snap-ties", "full-coverage", "wrapped-coordinates",
-                    "primitive-extent-ends", "target-size-ends", "guard-band-ends", "near-repeats",
-                    "sparse-indices", "many-triangles", "crowds", "accumulator-ends",
-                    "underflowing-products", "near-rectangles", "non-finite-depths"}));
+inline constexpr auto kModelCoverage =
+    Both(kCoverage,
+         std::to_array<std::string_view>(
+             {"deciding-snap-ties", "full-coverage", "wrapped-coordinates", "primitive-extent-ends",
+              "target-size-ends", "guard-band-ends", "near-repeats", "sparse-indices",
+              "many-triangles", "crowds", "accumulator-ends", "underflowing-products",
+              "near-rectangles", "non-finite-depths", "every-size"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -103,14 +109,15 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 // Planar subdivisions.
 inline constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans",
-     "guard-band-ends", "folds", "near-rectangles"});
+     "guard-band-ends", "folds", "near-rectangles", "every-size"});
 
 // Calls of several triangles, and of many kinds of them.
 inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"crowds"}));
 
-// The same as meshes, and meshes in clip space.
+// The same, meshes in clip space, and on targets that reach beyond the stated range.
 inline constexpr auto kMeshesAnySpace =
-    Both(kMeshes, std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye"}));
+    Both(kMeshes,
+         std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides"}));
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
@@ -133,7 +140,9 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "meshes-around-eye",
                                                                   "closed-around-eye",
                                                                   "many-triangles",
-                                                                  "crowds"});
+                                                                  "crowds",
+                                                                  "far-sides",
+                                                                  "every-size"});
 
 // Closed surfaces.
 inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh", "closed-folds"});
@@ -151,7 +160,8 @@ inline constexpr auto kClipSpace = std::to_array<std::string_view>(
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(
     {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye",
-     "covering-fans", "guard-band-ends", "folds", "perspective-meshes", "meshes-around-eye"});
+     "covering-fans", "every-size", "guard-band-ends", "folds", "perspective-meshes",
+     "meshes-around-eye"});
 
 // Vertices that a tolerance lets snap either way, meshes first.
 inline constexpr auto kFreeSnaps = std::to_array<std::string_view>(

@@ -113,6 +113,27 @@ std::string Why(const SubjectInfo& info, std::uint64_t cases, std::uint64_t refu
                        : keys);
 }
 
+bool StatesOwners(Contract contract) {
+  return contract == Contract::kSampleExact || contract == Contract::kWatertight ||
+         contract == Contract::kClosed;
+}
+
+// Of the results of drawn cases alone: nothing was counted of the others.
+std::string WhyThin(Contract contract, std::span<const PropertyResult> results) {
+  std::uint64_t ties = 0;
+  bool is_counted = false;
+  for (const PropertyResult& result : results) {
+    if (!IsOf(contract, result) || result.exercised == 0) continue;
+    if (!result.world.empty()) return "";
+    is_counted = is_counted || result.near_edge.samples != 0;
+    ties += result.near_edge.on_edge;
+  }
+  if (!StatesOwners(contract) || !is_counted || ties >= kFewestTies) return "";
+  return "thin: " + std::to_string(ties) + " samples on an edge put the contract " +
+         std::string(ContractName(contract)) + " to the test, fewer than " +
+         std::to_string(kFewestTies);
+}
+
 }  // namespace
 
 ContractEvidence EvidenceOfContract(const SubjectInfo& info,
@@ -122,7 +143,9 @@ ContractEvidence EvidenceOfContract(const SubjectInfo& info,
   std::uint64_t refused = 0;
   for (const PropertyResult& result : results) {
     if (!IsOf(info.profile.contract, result)) continue;
-    if (result.exercised != 0 || result.outcome == Outcome::kViolated) return {true, ""};
+    if (result.exercised != 0 || result.outcome == Outcome::kViolated) {
+      return {true, "", WhyThin(info.profile.contract, results)};
+    }
     cases += result.cases;
     refused += result.cases_refused;
   }

@@ -39,9 +39,9 @@ Counterexample Violated(const Case& c, const Verdict& verdict) {
 }
 
 // The subject, made anew if it can be; if not, or if the run is stopped meanwhile, as it is.
-class Afresh {
+class FreshSubject {
  public:
-  Afresh(Subject& subject, const CampaignOptions& options, const Budget& budget)
+  FreshSubject(Subject& subject, const CampaignOptions& options, const Budget& budget)
       : subject_(subject) {
     if (!options.afresh || budget.IsStopped()) return;
     try {
@@ -83,7 +83,7 @@ class Shrinking {
   /// The case that failed in company.
   Verdict JudgeAlone(const Case& c) {
     if (hung_) return JudgeInOneLimit(c);
-    return TryCase(Afresh(subject_, options_, budget_).Get(), property_, c).verdict;
+    return TryCase(FreshSubject(subject_, options_, budget_).Get(), property_, c).verdict;
   }
 
   Case Smallest(const Case& failing) {
@@ -181,11 +181,11 @@ Counterexample Confirmed(Subject& subject, const Property& property, const Case&
                          const Verdict& seen, const Failure& failure,
                          const CampaignOptions& options, const Budget& budget) {
   Counterexample found =
-      RunOnceMore(Afresh(subject, options, budget).Get(), property, smallest, seen);
+      RunOnceMore(FreshSubject(subject, options, budget).Get(), property, smallest, seen);
   const Case& failing = failure.company[failure.at];
   if (found.outcome == Outcome::kViolated || smallest == failing) return found;
-  Counterexample first =
-      RunOnceMore(Afresh(subject, options, budget).Get(), property, failing, failure.trial.verdict);
+  Counterexample first = RunOnceMore(FreshSubject(subject, options, budget).Get(), property,
+                                     failing, failure.trial.verdict);
   if (first.outcome != Outcome::kViolated) return found;
   first.message += "; smaller cases fail only sometimes";
   return first;

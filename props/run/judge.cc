@@ -24,7 +24,7 @@ std::string PlaceOfFault(const Property& property, std::span<const Case> cases) 
          (first.origin.empty() ? "scene " + first.scene.name : first.origin) + among + ": ";
 }
 
-CaseInHand::CaseInHand(const Property& property, const Case& c, const Description& subject)
+CaseJudge::CaseJudge(const Property& property, const Case& c, const Description& subject)
     : property_(property), place_(PlaceOfFault(property, {&c, 1})) {
   WorkedOut(place_, [&] {
     judged_ = Judged(c, subject, property.gate.judges_degenerates);
@@ -37,20 +37,20 @@ CaseInHand::CaseInHand(const Property& property, const Case& c, const Descriptio
   });
 }
 
-void CaseInHand::Conclude(Trial trial) {
-  trial.verdict = OnTheCaseAsGiven(judged_, std::move(trial.verdict));
+void CaseJudge::Conclude(Trial trial) {
+  trial.verdict = RenumberWitness(judged_, std::move(trial.verdict));
   trial_ = std::move(trial);
 }
 
-Request CaseInHand::Next() const { return {&judged_, &asked_.checks[next_], &drawn_}; }
+Request CaseJudge::Next() const { return {&judged_, &asked_.checks[next_], &drawn_}; }
 
-void CaseInHand::StopBy(const Answers& answers) {
+void CaseJudge::StopBy(const Answers& answers) {
   switch (answers.stop) {
     case Stop::kNone:
       return;
     case Stop::kRefused:
       return Conclude({Verdict::Refused(answers.why)});
-    case Stop::kCantBePut:
+    case Stop::kNotDrawable:
       return Conclude({Verdict::NotApplicable(answers.why)});
     case Stop::kBrokeDown:
     case Stop::kHung: {
@@ -69,7 +69,7 @@ void CaseInHand::StopBy(const Answers& answers) {
   }
 }
 
-void CaseInHand::Take(Answers answers) {
+void CaseJudge::Take(Answers answers) {
   if (answers.stop != Stop::kNone) return StopBy(answers);
   const Check& check = asked_.checks[next_++];
   drawn_.insert(drawn_.end(),
@@ -94,10 +94,10 @@ void CaseInHand::Take(Answers answers) {
   Conclude({sum_});
 }
 
-void CaseInHand::Blame(Subject& subject) {
+void CaseJudge::Blame(Subject& subject) {
   const bool is_said = trial_->verdict.outcome != Outcome::kViolated || trial_->broke_down;
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
-  // Of a case that the oracle does not decide nobody is named.
+  // If the oracle cannot decide the case, no triangle is blamed.
   if (exact::WhyNotDecided(judged_.value.scene, judged_.value.profile)) return;
   const Asked round = WorkedOut(
       place_, [&] { return property_.blame(judged_.value, violation_, judged_.subject); });
@@ -105,7 +105,7 @@ void CaseInHand::Blame(Subject& subject) {
     const Request request{&judged_, &check, &drawn_};
     const Answers answers = PutOne(subject, request);
     // What was seen stays so, whatever becomes of less of the case.
-    if (answers.stop == Stop::kRefused || answers.stop == Stop::kCantBePut) continue;
+    if (answers.stop == Stop::kRefused || answers.stop == Stop::kNotDrawable) continue;
     if (answers.stop != Stop::kNone) return;
     const Verdict blamed = WorkedOut(place_, [&] { return check.judge(answers); });
     if (blamed.outcome != Outcome::kViolated) continue;
@@ -116,7 +116,7 @@ void CaseInHand::Blame(Subject& subject) {
 
 Trial TryCase(Subject& subject, const Property& property, const Case& c, Blaming blaming) {
   const Description description = DescriptionOf(subject);
-  CaseInHand hand(property, c, description);
+  CaseJudge hand(property, c, description);
   WorkedOut(PlaceOfFault(property, {&c, 1}), [&] {
     while (!hand.IsDone()) hand.Take(PutOne(subject, hand.Next()));
     if (blaming == Blaming::kWhoItWas) hand.Blame(subject);

@@ -43,15 +43,15 @@ auto WorkedOut(const std::string& place, const Work& work) {
 
 /// A case that is being judged. Its checks are judged in order, up to the first violated one or the
 /// first whose answers end early; what they exercised adds up.
-class CaseInHand {
+class CaseJudge {
  public:
   /// Asks the property's checks of the case.
   ///
   /// Domain:     a property that asks, and a description; both outlive this.
   /// Error:      JudgingFault.
-  CaseInHand(const Property& property, const Case& c, const Description& subject);
-  CaseInHand(const CaseInHand&) = delete;
-  CaseInHand& operator=(const CaseInHand&) = delete;
+  CaseJudge(const Property& property, const Case& c, const Description& subject);
+  CaseJudge(const CaseJudge&) = delete;
+  CaseJudge& operator=(const CaseJudge&) = delete;
 
   bool IsDone() const { return trial_.has_value(); }
   /// The next check.

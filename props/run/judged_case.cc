@@ -52,7 +52,7 @@ JudgedCase Judged(const Case& given, const Description& subject, bool judges_deg
   return judged;
 }
 
-Verdict OnTheCaseAsGiven(const JudgedCase& judged, Verdict verdict) {
+Verdict RenumberWitness(const JudgedCase& judged, Verdict verdict) {
   if (!judged.numbers) return verdict;
   if (verdict.witness && verdict.witness->triangle >= 0) {
     const auto among_kept = static_cast<std::size_t>(verdict.witness->triangle);

@@ -20,8 +20,8 @@ namespace rasterproof::props {
 /// Domain:     a subject that outlives what is returned.
 Description DescriptionOf(Subject& subject);
 
-/// The subject as properties about the cases that it is given see it: behind a transform of its
-/// own, a taker of window space without edge values and barycentrics.
+/// The description that properties see. A subject with its own transform appears as one that takes
+/// window space and shows no edge values or barycentrics.
 Description AsJudged(Description subject);
 
 /// A case under the model of its target's size; in window space behind a transform of the
@@ -43,7 +43,7 @@ struct JudgedCase {
 JudgedCase Judged(const Case& given, const Description& subject, bool judges_degenerates);
 
 /// The verdict on the case as given: its witness names the triangle by its place there.
-Verdict OnTheCaseAsGiven(const JudgedCase& judged, Verdict verdict);
+Verdict RenumberWitness(const JudgedCase& judged, Verdict verdict);
 
 }  // namespace rasterproof::props
 

@@ -45,7 +45,7 @@ class Together {
 
   void Begin() {
     for (std::size_t k = 0; k < end_ && !IsStopped(); ++k) {
-      hands_[k] = std::make_unique<CaseInHand>(property_, cases_[k], description_);
+      hands_[k] = std::make_unique<CaseJudge>(property_, cases_[k], description_);
       NoteEnd(k);
     }
   }
@@ -70,7 +70,7 @@ class Together {
   }
 
   void NoteEnd(std::size_t k) {
-    const CaseInHand& hand = *hands_[k];
+    const CaseJudge& hand = *hands_[k];
     if (hand.IsDone() && EndsTheBatch(hand.Result().verdict.outcome)) end_ = std::min(end_, k + 1);
   }
 
@@ -87,7 +87,7 @@ class Together {
   std::span<const Case> cases_;
   const std::function<bool()>& stop_;
   Description description_;
-  std::vector<std::unique_ptr<CaseInHand>> hands_;
+  std::vector<std::unique_ptr<CaseJudge>> hands_;
   std::size_t end_;  ///< behind the case that ends the batch
   bool is_stopped_ = false;
 };

@@ -31,7 +31,7 @@ void Guarded(Answers& answers, const Call& call) {
 std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Answers& answers) {
   if (const auto error =
           TargetSizeError("scene", job.scene->width, job.scene->height, job.samples)) {
-    End(answers, Stop::kCantBePut, error->what());
+    End(answers, Stop::kNotDrawable, error->what());
     return std::nullopt;
   }
   if (!judged.places) return job;
@@ -42,7 +42,7 @@ std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Ans
   }
   const InputError error("subject " + judged.subject.info.name, judged.places->WhyNot(*job.scene),
                          "choose another property");
-  End(answers, Stop::kCantBePut, error.what());
+  End(answers, Stop::kNotDrawable, error.what());
   return std::nullopt;
 }
 
@@ -160,7 +160,7 @@ class Putting {
       const std::size_t end = shares_[first + (drawn == 0 ? 0 : drawn - 1)].request;
       const Stop stop = answers_[end].stop;
       const bool broke_down =
-          stop != Stop::kNone && stop != Stop::kRefused && stop != Stop::kCantBePut;
+          stop != Stop::kNone && stop != Stop::kRefused && stop != Stop::kNotDrawable;
       if (first + drawn < last || broke_down) {
         // What lies behind a breakdown is not drawn: the case that caused it is judged first.
         answers_.resize(end + 1);

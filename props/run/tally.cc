@@ -55,7 +55,7 @@ Tally::Tally(const Subject& subject, const Property& property, std::uint64_t see
   words_.property = property.name;
   words_.subject = subject.Info().name;
   words_.clause = property.clause;
-  TellGrounds(AuthorityOf(property, subject.Info().profile), words_);
+  SetGrounds(AuthorityOf(property, subject.Info().profile), words_);
   words_.tolerance = property.tolerance;
   words_.seed = seed;
   if (world == nullptr) {

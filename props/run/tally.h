@@ -22,8 +22,7 @@ namespace rasterproof::props {
 /// states a limit may refuse what lies beyond it.
 inline constexpr double kMostRefusedShare = 0.5;
 
-/// What cases add up to. Of two runs of cases that follow each other, Add gives what one run over
-/// all of them would have.
+/// Sums over cases. Adding the sums of two consecutive runs gives the sums of one run over both.
 struct Sums {
   std::uint64_t cases = 0;
   std::uint64_t cases_exercised = 0;
@@ -39,7 +38,7 @@ struct Sums {
   std::string why_refused;  ///< the first of those refusals
 };
 
-/// Adds the sums of the cases behind.
+/// Adds the sums of the cases that follow.
 ///
 /// Domain:     sums over the same domains, or none at all.
 void Add(Sums& sums, const Sums& behind);
@@ -62,7 +61,7 @@ class Tally {
   /// the world.
   void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict);
 
-  /// Adds what cases behind those that were added come to.
+  /// Adds the sums of the cases that follow.
   void AddSums(const Sums& behind) { Add(sums_, behind); }
 
   /// The result of a run in which nothing was violated. Not a pass if nothing was exercised, if a

@@ -15,14 +15,16 @@ namespace rasterproof::props {
 /// simpler in a well-founded order.
 std::vector<Case> ShrinkCandidates(const Case& c);
 
-/// Shrinks greedily while `fails` says that the candidate still fails.
-///
-/// Returns:    a locally minimal failing case, and the number of evaluations spent (at most
-/// `budget`).
 struct Shrunk {
-  Case minimal;
-  std::uint64_t evaluations = 0;
+  Case minimal;                   ///< it fails
+  std::uint64_t evaluations = 0;  ///< calls of `fails`
 };
+
+/// Shrinks greedily: as long as some candidate fails, the boldest of them takes the case's place.
+///
+/// Domain:     a case for which `fails` is true.
+/// Returns:    a failing case of whose candidates none fails, or the smallest one found within
+///             `budget` evaluations.
 Shrunk Shrink(const Case& failing, const std::function<bool(const Case&)>& fails,
               std::uint64_t budget = 2000);
 

@@ -269,6 +269,6 @@ constexpr std::array kStatements{
 
 }  // namespace
 
-std::span<const Statement> EdgeInfo() { return kStatements; }
+std::span<const Statement> EdgeStatements() { return kStatements; }
 
 }  // namespace rasterproof::props

@@ -46,7 +46,7 @@ struct Statement {
 std::vector<Statement> Statements();
 
 /// By subject. Statements() joins them.
-std::span<const Statement> EdgeInfo();                 ///< H1 to H12
+std::span<const Statement> EdgeStatements();           ///< H1 to H12
 std::span<const Statement> CoverageStatements();       ///< C1 to C7, C10 to C13, C16, C17
 std::span<const Statement> InterpolationStatements();  ///< C8, C9, C14, C15
 std::span<const Statement> HomogeneousStatements();    ///< E1 to E12

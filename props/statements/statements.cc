@@ -26,7 +26,7 @@ std::string_view TruthName(Truth truth) {
 
 std::vector<Statement> Statements() {
   std::vector<Statement> all;
-  for (const auto part : {EdgeInfo(), CoverageStatements(), InterpolationStatements(),
+  for (const auto part : {EdgeStatements(), CoverageStatements(), InterpolationStatements(),
                           HomogeneousStatements(), WireframeStatements()}) {
     all.insert(all.end(), part.begin(), part.end());
   }

@@ -260,7 +260,7 @@ class Surveying {
     const bool is_slow = look.stop == Stop::kTooSlow || look.stop == Stop::kDeadline;
     stops_ += look.Ended() || is_slow ? 1 : 0;
     survey_.refused += look.stop == Stop::kRefused ? 1 : 0;
-    const bool is_unjudged = !look.is_judged || is_slow || look.stop == Stop::kCantBePut;
+    const bool is_unjudged = !look.is_judged || is_slow || look.stop == Stop::kNotDrawable;
     survey_.unjudged += is_unjudged ? 1 : 0;
   }
 

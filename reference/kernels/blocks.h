@@ -10,9 +10,15 @@
 
 namespace rasterproof::reference::kernels::HWY_NAMESPACE {
 
-/// z = (zc + zy * y) + zx * x at the pixel centre (x, y), each operation rounded to float32.
+/// z = (zc + zy * y) + zx * x at the pixel centre (x, y), each operation rounded to float32, and
+/// no less than `least` nor more than `most`, the vertices'. Never NaN, and never -0, of which
+/// targets disagree what the lesser of it and 0 is.
+///
+/// Where a |coefficient| is not less than kSteepest (the area rounds to zero, say) z is `least`
+/// throughout; it is infinite if a vertex's z is not finite.
 struct Plane {
   float zc, zx, zy;
+  float least, most;
 };
 
 /// Pixels [x0, x1) x [y0, y1) of the target.
@@ -24,6 +30,7 @@ struct Box {
 struct alignas(64) Block {
   std::int32_t x0[kBlock], x1[kBlock], y0[kBlock], y1[kBlock];
   float zc[kBlock], zx[kBlock], zy[kBlock];
+  float least_z[kBlock], most_z[kBlock];
   std::uint32_t drawn;
   std::uint32_t front;
   std::uint32_t small;  ///< those drawn whose box is at most 8x8
@@ -31,7 +38,7 @@ struct alignas(64) Block {
   int height;
 
   Box BoxOf(int i) const { return {x0[i], x1[i], y0[i], y1[i]}; }
-  Plane PlaneOf(int i) const { return {zc[i], zx[i], zy[i]}; }
+  Plane PlaneOf(int i) const { return {zc[i], zx[i], zy[i], least_z[i], most_z[i]}; }
   bool IsFront(int i) const { return ((front >> i) & 1) != 0; }
   bool IsSmall(int i) const { return ((small >> i) & 1) != 0; }
 };
@@ -105,6 +112,30 @@ HWY_INLINE std::uint32_t StoreBox(DI_ di, hn::Vec<DI_> x0, hn::Vec<DI_> x1, hn::
   return static_cast<std::uint32_t>(MaskBits(di, hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1))));
 }
 
+/// Of a plane: no z of a target overflows.
+constexpr float kSteepest = 0x1p100F;
+
+/// Stores planes, and what they are where they have no z or no finite one: see Plane.
+template <class D>
+HWY_INLINE void StoreTame(D d, hn::Vec<D> zc, hn::Vec<D> zx, hn::Vec<D> zy,
+                          const hn::Vec<D> (&z)[3], int at, Block& block) {
+  using V = hn::Vec<D>;
+  const V zero = hn::Zero(d);
+  const auto is_tame = [&](V v) { return hn::Lt(hn::Abs(v), hn::Set(d, kSteepest)); };
+  const auto tame = hn::And(is_tame(zc), hn::And(is_tame(zx), is_tame(zy)));
+  V sum = zero;  // 0 of finite numbers, NaN of others
+  for (const V v : z) sum = hn::Add(sum, hn::Sub(v, v));
+  const auto finite = hn::Eq(sum, zero);
+  const V infinite = hn::Set(d, __builtin_inff());
+  const V least = hn::IfThenElse(finite, hn::Add(Min3(z), zero), infinite);
+  const V most = hn::IfThenElse(finite, hn::Add(Max3(z), zero), infinite);
+  hn::Store(hn::IfThenElseZero(tame, zx), d, block.zx + at);
+  hn::Store(hn::IfThenElseZero(tame, zy), d, block.zy + at);
+  hn::Store(hn::IfThenElse(tame, hn::Add(zc, zero), least), d, block.zc + at);
+  hn::Store(least, d, block.least_z + at);
+  hn::Store(most, d, block.most_z + at);
+}
+
 /// The planes of one group of lanes, from corners in any order.
 template <class D>
 HWY_INLINE void StorePlanes(D d, const Corners<hn::Vec<D>>& c, int at, Block& block) {
@@ -118,9 +149,8 @@ HWY_INLINE void StorePlanes(D d, const Corners<hn::Vec<D>>& c, int at, Block& bl
   const V det = hn::Sub(hn::Mul(ux, vy), hn::Mul(vx, uy));
   const V zx = hn::Div(hn::Sub(hn::Mul(uz, vy), hn::Mul(vz, uy)), det);
   const V zy = hn::Div(hn::Sub(hn::Mul(vz, ux), hn::Mul(uz, vx)), det);
-  hn::Store(zx, d, block.zx + at);
-  hn::Store(zy, d, block.zy + at);
-  hn::Store(hn::Sub(hn::Sub(c.z[0], hn::Mul(zx, c.x[0])), hn::Mul(zy, c.y[0])), d, block.zc + at);
+  const V zc = hn::Sub(hn::Sub(c.z[0], hn::Mul(zx, c.x[0])), hn::Mul(zy, c.y[0]));
+  StoreTame(d, zc, zx, zy, c.z, at, block);
 }
 
 /// Fills in which of the triangles drawn are small.

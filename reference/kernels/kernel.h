@@ -1,7 +1,8 @@
 // Fast rasterizers of indexed float32 triangles: one method, sink and SIMD target at a time.
 //
-// The methods are baselines: naive in what they compute, not in how fast. What each one draws,
-// pixel for pixel and by every target, tests/reference/kernel_definitions.h defines in plain loops.
+// kExact is exact, and kExactUnsafe its twin without what makes it so. The others are baselines:
+// naive in what they compute, not in how fast. What each one draws, pixel for pixel and by every
+// target, tests/reference/kernel_definitions.h defines in plain loops.
 #ifndef RASTERPROOF_REFERENCE_KERNELS_KERNEL_H_
 #define RASTERPROOF_REFERENCE_KERNELS_KERNEL_H_
 
@@ -49,7 +50,8 @@ enum class Sink : std::uint8_t {
   kFacing,  ///< 2 x 32 bits: front (counter-clockwise on screen) and back facing ones apart
   kMask,    ///< 1 bit: whether any does
   kId,      ///< 32 bits: index of the last one that does
-  kDepth    ///< float32: the least z, of the plane through the vertices at the pixel's centre
+  kDepth  ///< float32: the least z, of the plane through the vertices at the pixel's centre, within
+          ///< theirs; see Plane in blocks.h
 };
 inline constexpr std::array kSinks{Sink::kCount8, Sink::kFacing, Sink::kMask, Sink::kId,
                                    Sink::kDepth};

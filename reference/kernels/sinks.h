@@ -181,11 +181,11 @@ class Depth {
   }
   HWY_INLINE T* plane() const { return plane_; }
   HWY_INLINE void BeginRow(int row) { row_z_ = z_.zc + z_.zy * (static_cast<float>(row) + 0.5F); }
-  /// A z that is not less than the old one, NaN too, leaves it.
   template <class D>
   HWY_INLINE hn::Vec<D> New(D d, hn::Vec<D> old, int x) const {
     const auto centres = FloatsFrom(d, static_cast<float>(x) + 0.5F);
-    const auto z = hn::Add(hn::Set(d, row_z_), hn::Mul(hn::Set(d, z_.zx), centres));
+    const auto plane = hn::Add(hn::Set(d, row_z_), hn::Mul(hn::Set(d, z_.zx), centres));
+    const auto z = Clamped(d, plane, z_.least, z_.most);
     return hn::IfThenElse(hn::Lt(z, old), z, old);
   }
 

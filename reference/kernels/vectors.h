@@ -74,6 +74,20 @@ HWY_INLINE hn::Vec<D> FloatsFrom(D d, float first) {
   return hn::Add(hn::Set(d, first), hn::Load(d, kFirstFloats));
 }
 
+/// v, or the end of [least, most] that it lies beyond.
+///
+/// Domain:     neither NaN nor -0.
+template <class D>
+HWY_INLINE hn::Vec<D> Clamped(D d, hn::Vec<D> v, float least, float most) {
+#if HWY_TARGET == HWY_SCALAR
+  (void)d;
+  const float from = v.raw < least ? least : v.raw;  // Highway's Max looks for NaN
+  return hn::Vec<D>(from > most ? most : from);
+#else
+  return hn::Min(hn::Max(v, hn::Set(d, least)), hn::Set(d, most));
+#endif
+}
+
 HWY_INLINE int CountTrailingZeros(std::uint64_t bits) { return __builtin_ctzll(bits); }
 template <class T>
 HWY_INLINE T Least(T a, T b) {

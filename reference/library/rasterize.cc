@@ -17,6 +17,7 @@
 #include "core/error.h"
 #include "reference/kernels/kernel.h"
 #include "reference/kernels/kernel_table.h"
+#include "reference/library/float_environment.h"
 
 namespace rasterproof {
 namespace {
@@ -93,6 +94,15 @@ std::span<const Plane> PlanesOf(const RasterTarget& target, std::array<Plane, 2>
   return std::span(planes).first(target.output == RasterOutput::kFacingCounts ? 2 : 1);
 }
 
+std::span<const std::byte> RowsOf(const RasterTarget& target, const Plane& plane) {
+  return plane.first(BytesOfRows(target));
+}
+
+bool Overlap(std::span<const std::byte> a, std::span<const std::byte> b) {
+  const std::less<const std::byte*> less;
+  return less(a.data(), b.data() + b.size()) && less(b.data(), a.data() + a.size());
+}
+
 void RequireTarget(const RasterTarget& target) {
   if (target.output > RasterOutput::kDepths) {
     throw InputError("target.output", "there is no such output", "give one of RasterOutput");
@@ -105,10 +115,7 @@ void RequireTarget(const RasterTarget& target) {
     throw InputError("target.back", "facing counts alone have one", "leave it empty");
   }
   RequirePlane(target, "target.back", target.back);
-  const std::less<const std::byte*> less;
-  const std::size_t bytes = BytesOfRows(target);
-  if (less(target.memory.data(), target.back.data() + bytes) &&
-      less(target.back.data(), target.memory.data() + bytes)) {
+  if (Overlap(RowsOf(target, target.memory), RowsOf(target, target.back))) {
     throw InputError("target.back", "it overlaps target.memory", "give memory of its own");
   }
 }
@@ -120,6 +127,9 @@ void RequireTriples(const std::string& name, std::span<const T> values) {
   }
   if (values.size() % 3 != 0) {
     throw InputError(name, Text(values.size()) + " of them", "give three of each");
+  }
+  if (std::bit_cast<std::uintptr_t>(values.data()) % alignof(T) != 0) {
+    throw InputError(name, "not aligned", "align it to " + Text(alignof(T)) + " bytes");
   }
 }
 
@@ -135,6 +145,24 @@ void RequireMesh(const RasterMesh& mesh) {
     throw InputError("mesh.indices", Text(mesh.indices.size() / 3) + " triangles",
                      "draw parts of fewer than " + Text(kNoTriangle));
   }
+}
+
+void RequireApart(const RasterMesh& mesh, const RasterTarget& target) {
+  std::array<Plane, 2> both;
+  const auto planes = PlanesOf(target, both);
+  const auto require = [&](const std::string& name, std::span<const std::byte> values) {
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      if (values.empty() || !Overlap(RowsOf(target, planes[k]), values)) continue;
+      throw InputError(k == 0 ? "target.memory" : "target.back", "it overlaps " + name,
+                       "give memory of its own");
+    }
+  };
+  require("mesh.positions", std::as_bytes(mesh.positions));
+  require("mesh.indices", std::as_bytes(mesh.indices));
+}
+
+void RequireIndices(const RasterMesh& mesh) {
+  const std::size_t vertices = mesh.positions.size() / 3;
   std::uint32_t most = 0;
   for (const std::uint32_t index : mesh.indices) most = std::max(most, index);
   if (mesh.indices.empty() || most < vertices) return;
@@ -238,6 +266,8 @@ std::size_t RoomFor(const RasterTarget& target) {
 void Rasterize(const RasterMesh& mesh, const RasterTarget& target, InstructionSet set) {
   RequireTarget(target);
   RequireMesh(mesh);
+  RequireApart(mesh, target);
+  RequireIndices(mesh);
   const kernels::Target simd = RequireSet(set);
   const kernels::Sink sink = SinkOf(target.output);
 
@@ -251,6 +281,7 @@ void Rasterize(const RasterMesh& mesh, const RasterTarget& target, InstructionSe
     for (const Plane& plane : planes) last.emplace_back(target, plane, direct);
   }
 
+  const FloatEnvironment sane;
   kernels::KernelView view = ViewOf(mesh, target.width, direct);
   if (direct > 0) {
     for (std::size_t k = 0; k < planes.size(); ++k) view.planes[k] = planes[k].data();
@@ -270,6 +301,7 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
                const std::function<void(const RasterSpan&)>& on_span, InstructionSet set) {
   RequireSize("", width, height);
   RequireMesh(mesh);
+  RequireIndices(mesh);
   if (!on_span) throw InputError("on_span", "empty", "give a function to call");
   const kernels::Target simd = RequireSet(set);
   kernels::KernelView view = ViewOf(mesh, width, height);
@@ -278,6 +310,7 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
         {span.triangle, span.is_front, span.row, span.x0, span.x1});
   };
   view.state = &on_span;
+  const FloatEnvironment sane;
   kernels::DrawExactSpans(simd, view);
 }
 

@@ -228,7 +228,8 @@ void FixedPoint::DrawTile(const GridTriangle& triangle, const PixelRect& tile,
   for (int row = tile.y0; row < tile.y1; ++row) {
     for (int x = tile.x0; x < tile.x1; ++x) {
       for (int s = 0; s < counts.samples; ++s) {
-        Sample sample{x, row, s, At(x, row, target.offsets[static_cast<std::size_t>(s)])};
+        const GridPoint at = At(x, row, target.offsets[static_cast<std::size_t>(s)]);
+        Sample sample{x, row, s, at, counts.width, counts.height};
         if (stages_.sample) sample.at = stages_.sample(sample);
         if (test != TileTest::kInside && !Covers(triangle, sample)) continue;
         const std::uint32_t times = stages_.times ? stages_.times(sample, triangle) : 1;

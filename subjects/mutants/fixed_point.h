@@ -2,10 +2,12 @@
 #ifndef RASTERPROOF_SUBJECTS_MUTANTS_FIXED_POINT_H_
 #define RASTERPROOF_SUBJECTS_MUTANTS_FIXED_POINT_H_
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -30,8 +32,15 @@ struct GridEdge {
   GridPoint b;
   bool owns = false;  ///< whether a sample exactly on it is inside
 
+  /// The edge's value at p, or what 64 bits hold that is nearest to it.
+  ///
+  /// Domain:     coordinates below 2^61.
   std::int64_t At(GridPoint p) const {
-    return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
+    __extension__ using Wide = __int128;
+    const Wide value = Wide{p.x - a.x} * (b.y - a.y) - Wide{p.y - a.y} * (b.x - a.x);
+    constexpr Wide kLeast = std::numeric_limits<std::int64_t>::min();
+    constexpr Wide kMost = std::numeric_limits<std::int64_t>::max();
+    return static_cast<std::int64_t>(std::clamp(value, kLeast, kMost));
   }
 };
 
@@ -50,6 +59,9 @@ struct Sample {
   int row = 0;
   int s = 0;
   GridPoint at;
+  // of the target, in pixels
+  int width = 0;
+  int height = 0;
 };
 
 /// An edge's values at the outermost samples of a tile: top left, top right, bottom left, bottom
@@ -102,7 +114,8 @@ struct FixedStages {
 /// one thread.
 ///
 /// Domain:     float32 scenes in window space. A triangle that is not finite or leaves twice the
-///             profile's limit is not drawn. 64 bits suffice while 2 limit 2^bits <= 2^30.
+///             profile's limit is not drawn. 2 limit 2^bits <= 2^60; edge values are held to 64
+///             bits, which is all of them while 2 limit 2^bits <= 2^30.
 std::unique_ptr<Subject> MakeFixedPoint(const std::string& name, const std::string& summary,
                                         FixedStages stages);
 

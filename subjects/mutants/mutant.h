@@ -9,6 +9,7 @@
 #include "core/profile.h"
 #include "subjects/mutants/centroids.h"
 #include "subjects/mutants/clip_space.h"
+#include "subjects/mutants/clipping.h"
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/free_choice.h"
 #include "subjects/mutants/own_transform.h"
@@ -25,7 +26,7 @@ struct Mutant {
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
   std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
-               FreeStages, SquareStages, CentroidStages>
+               FreeStages, SquareStages, CentroidStages, ClippingStages>
       stages;
 };
 
@@ -39,6 +40,7 @@ FixedStages StagesOfPreset(std::string_view preset);
 std::vector<Mutant> TieRuleMutants();     // ties, facing
 std::vector<Mutant> PositionMutants();    // sample locations, snapping
 std::vector<Mutant> SetUpMutants();       // overflow, guard band
+std::vector<Mutant> WidthMutants();       // numbers of one bit too few
 std::vector<Mutant> TraversalMutants();   // box, tiles, stepping
 std::vector<Mutant> TargetMutants();      // scissor, culling, target size, threads
 std::vector<Mutant> SceneMutants();       // state, degenerate and non-finite input, lost triangles
@@ -62,6 +64,7 @@ std::vector<Mutant> LegalVariants();
 std::vector<Mutant> TransformVariants();
 std::vector<Mutant> MapVariants();
 std::vector<Mutant> ScanlineVariants();
+std::vector<Mutant> WidthVariants();
 std::vector<Mutant> SquareVariants();
 std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
 std::vector<Mutant> SetVariants();       // of the legal sets of APIs

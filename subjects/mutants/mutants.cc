@@ -33,7 +33,7 @@ std::vector<Row> MakeRows() {
         mutants::CrowdMutants, mutants::RealMutants, mutants::TransformMutants,
         mutants::ScanlineMutants, mutants::MapMutants, mutants::ShownValueMutants,
         mutants::ContractMutants, mutants::FreeMutants, mutants::SquareMutants, mutants::SetMutants,
-        mutants::SampleMutants, mutants::CentroidMutants}) {
+        mutants::SampleMutants, mutants::CentroidMutants, mutants::WidthMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);
@@ -71,6 +71,9 @@ struct Maker {
   }
   std::unique_ptr<Subject> operator()(const mutants::SquareStages& stages) const {
     return mutants::MakeSquares(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::ClippingStages& stages) const {
+    return mutants::MakeClipping(info.name, info.change, stages);
   }
   std::unique_ptr<Subject> operator()(const mutants::CentroidStages& stages) const {
     return mutants::MakeCentroids(info.name, info.change, stages);

@@ -2,6 +2,7 @@
 // lies just outside.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "core/profile.h"
+#include "subjects/mutants/clipping.h"
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/free_choice.h"
 #include "subjects/mutants/mutant.h"
@@ -78,8 +80,8 @@ FixedStages DrawingNan(std::string_view preset) {
 // A pixel and more around small targets.
 constexpr WindowBox kBand{-2, -2, 14, 14};
 
-// Vertices outside the guard band move, as those that clipping makes in their place could lie.
-FixedStages Clipping(double moved) {
+// Vertices outside the guard band move, and the edges that leave it with them.
+FixedStages MovingOutside(double moved) {
   FixedStages stages = Of("vulkan");
   stages.profile.name = "vulkan, clipped";
   stages.profile.guard_band = kBand;
@@ -89,6 +91,16 @@ FixedStages Clipping(double moved) {
     }
   };
   return stages;
+}
+
+ClippingStages Clipping(std::string_view preset, double beyond, double wider = 0) {
+  return {.base = Of(preset), .beyond = beyond, .wider = wider};
+}
+
+// Up or down, as the bits of the number say.
+double RoundByHash(double x) {
+  const std::uint64_t mixed = std::bit_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15U;
+  return (mixed >> 60 & 1U) != 0 ? Floor(x, 8) : -Floor(-x, 8);
 }
 
 FreeStages Farthest(std::string_view preset, int bits, double tolerance, CoverageKind coverage) {
@@ -156,8 +168,20 @@ std::vector<Mutant> SetVariants() {
       {"vulkan-infinite-clamped", "an infinite coordinate is drawn as a far one", "",
        Clamping("vulkan")},
       {"vulkan-nan-drawn", "a NaN is drawn as zero", "", DrawingNan("vulkan")},
-      {"vulkan-clipped-moves", "edges of clipped triangles move by half a pixel", "",
-       Clipping(0.5)},
+      {"vulkan-clipped-moves", "edges that leave the guard band move by half a step", "",
+       MovingOutside(0x1p-9)},
+      {"vulkan-clips-to-target", "triangles are clipped to the target, new vertices snap", "",
+       Clipping("vulkan", 0)},
+      {"vulkan-clips-64-beyond", "triangles are clipped 64 pixels around the target", "",
+       Clipping("vulkan", 64)},
+      {"gl-clips-to-target", "triangles are clipped to the target, new vertices snap", "",
+       Clipping("gl", 0)},
+      {"gl-clips-64-beyond", "triangles are clipped 64 pixels around the target", "",
+       Clipping("gl", 64)},
+      {"d3d11-clips-to-target", "triangles are clipped to the target, new vertices snap", "",
+       Clipping("d3d11", 0)},
+      {"d3d11-clips-64-beyond", "triangles are clipped 64 pixels around the target", "",
+       Clipping("d3d11", 64)},
       {"vulkan-farthest-counts", "each vertex takes the farther grid point, shown as counts", "",
        Farthest("vulkan", 4, 1, CoverageKind::kCounts)},
       {"vulkan-farthest-mask", "each vertex takes the farther grid point, shown as a mask", "",
@@ -220,8 +244,14 @@ std::vector<Mutant> SetMutants() {
          stages.sample = [](const Sample& at) { return GridPoint{at.at.x + 32, at.at.y}; };
          return stages;
        }()},
-      {"vulkan-clipped-too-far", "edges of clipped triangles move by three pixels", "",
-       Clipping(3)},
+      {"vulkan-clipped-too-far", "edges that leave the guard band move by half a pixel", "",
+       MovingOutside(0.5)},
+      {"vulkan-clipped-apart", "neighbours part along edges that leave, by up to three steps", "",
+       Clipping("vulkan", 0, -0x3p-4)},
+      {"vulkan-clipped-twice", "both neighbours own samples up to two steps beside such edges", "",
+       Clipping("vulkan", 0, 0x1p-3)},
+      {"gl-rounds-by-hash", "off the grid the bits of a coordinate say whether it rounds up", "",
+       Snapping("gl", RoundByHash)},
       {"gl-owner-by-sample", "each sample of an edge has an owner of its own", "",
        Owning("gl",
               [](const GridEdge& edge, const GridTriangle&, const Sample& sample) {

@@ -126,6 +126,18 @@ std::int64_t SteppedInFloat(const GridEdge& e, const Sample& at) {
   return std::int64_t{(value > 0) - (value < 0)};
 }
 
+std::int64_t SteppedIn16Bits(const GridEdge& e, const Sample& at) {
+  const std::int64_t dy = e.b.y - e.a.y;
+  return e.At(at.at) + (at.x % 8) * 256 * (static_cast<std::int16_t>(dy) - dy);
+}
+
+FixedStages SteppingOfTheVulkanSet(double limit) {
+  FixedStages stages = StagesOfPreset("vulkan");
+  stages.profile.coordinate_limit = limit;
+  stages.value = SteppedIn16Bits;
+  return stages;
+}
+
 std::vector<Mutant> Stepping() {
   return {
       {"stepping-drifts", "stepping along a row adds up in float32", "gogpu/gg #127",
@@ -137,12 +149,9 @@ std::vector<Mutant> Stepping() {
        FixedStages{.value = [](const GridEdge& e,
                                const Sample& at) { return e.At(at.at) - (at.row % 8); }}},
       {"stepping-16-bit-slope", "the slope per pixel is kept in 16 bits", "",
-       FixedStages{.value =
-                       [](const GridEdge& e, const Sample& at) {
-                         const std::int64_t dy = e.b.y - e.a.y;
-                         return e.At(at.at) +
-                                (at.x % 8) * 256 * (static_cast<std::int16_t>(dy) - dy);
-                       }}},
+       FixedStages{.value = SteppedIn16Bits}},
+      {"stepping-16-bit-slope-far", "the same, of the Vulkan set, with a limit of 2^30 pixels", "",
+       SteppingOfTheVulkanSet(0x1p30)},
   };
 }
 

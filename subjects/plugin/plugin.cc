@@ -66,10 +66,14 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   return info;
 }
 
-// A scene's vertices as the library sees them.
+// A scene's vertices as the library sees them. Filled anew they lie where those before lay, unless
+// there are more: as in a program that draws from one buffer, where an address says nothing of what
+// stands there.
 struct PluginVertices {
-  PluginVertices(std::shared_ptr<const Scene> of, const std::optional<FixedInput>& input)
-      : scene(std::move(of)) {
+  void Fill(std::shared_ptr<const Scene> of, const std::optional<FixedInput>& input) {
+    scene = std::move(of);
+    places.clear();
+    fixed.clear();
     if (input) {
       for (const Vertex& v : scene->vertices) {
         fixed.insert(fixed.end(), {input->Raw(v.x), input->Raw(v.y)});
@@ -86,10 +90,13 @@ struct PluginVertices {
 // What is to be drawn as the library sees it; holds what the structure points to.
 class PluginScene {
  public:
-  PluginScene(const DrawJob& job, std::shared_ptr<const PluginVertices> vertices)
-      : vertices_(std::move(vertices)) {
+  /// `indices` is room for those of the triangles, which TakeIndices gives back.
+  PluginScene(const DrawJob& job, std::shared_ptr<const PluginVertices> vertices,
+              std::vector<std::int32_t> indices = {})
+      : vertices_(std::move(vertices)), triangles_(std::move(indices)) {
     const Scene& scene = *job.scene;
     const DrawOptions& options = job.options;
+    triangles_.clear();
     for (const Triangle& t : job.Triangles())
       triangles_.insert(triangles_.end(), t.begin(), t.end());
     const PixelRect cut = options.scissor.value_or(PixelRect{0, 0, scene.width, scene.height});
@@ -108,6 +115,7 @@ class PluginScene {
              .fixed = vertices_->fixed.empty() ? nullptr : vertices_->fixed.data()};
   }
   const rasterproof_scene& view() const { return view_; }
+  std::vector<std::int32_t> TakeIndices() { return std::move(triangles_); }
 
  private:
   std::shared_ptr<const PluginVertices> vertices_;
@@ -290,10 +298,11 @@ class PluginSubject final : public Subject {
       throw InputError("subject " + info_.name, "its integers do not hold a coordinate",
                        "give it multiples of its step within its range");
     }
-    const PluginScene given(job, VerticesOf(job));
+    PluginScene given(job, VerticesOf(job), std::move(indices_));
     PluginTarget target(job, info_, needs_all_);
     const std::int32_t refused =
         InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
+    indices_ = given.TakeIndices();
     Drawing drawing = target.Drawn();
     if (refused != 0) {
       throw InputError("subject " + info_.name, "draw returned " + std::to_string(refused),
@@ -337,11 +346,14 @@ class PluginSubject final : public Subject {
   }
 
  private:
-  // Converted once for the jobs behind each other that share a scene.
+  // Converted once for the jobs behind each other that share a scene; into the buffers of the scene
+  // before if no other job of the call needs them.
   std::shared_ptr<const PluginVertices> VerticesOf(const DrawJob& job) {
-    if (vertices_ == nullptr || vertices_->scene != job.scene) {
-      vertices_ = std::make_shared<const PluginVertices>(job.scene, fixed_);
+    if (vertices_ != nullptr && vertices_->scene == job.scene) return vertices_;
+    if (vertices_ == nullptr || vertices_.use_count() != 1) {
+      vertices_ = std::make_shared<PluginVertices>();
     }
+    vertices_->Fill(job.scene, fixed_);
     return vertices_;
   }
   template <class Call>
@@ -361,7 +373,8 @@ class PluginSubject final : public Subject {
   bool needs_all_;  ///< it was not built to be given less than it shows
   void* state_ = nullptr;
   std::optional<PluginEdges> edges_;
-  std::shared_ptr<const PluginVertices> vertices_;
+  std::shared_ptr<PluginVertices> vertices_;
+  std::vector<std::int32_t> indices_;  ///< room for the next scene's
 };
 
 void RequireSoundFixedInput(const rasterproof_plugin& plugin, const std::string& path) {

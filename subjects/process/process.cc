@@ -120,8 +120,8 @@ class ProcessSubject::Child {
       case PipeEnd::kInterrupted:
         throw SubjectTooSlow(kInterruptedText);
       case PipeEnd::kTooLong:
-        throw SubjectFault("a line of its answer goes on behind " + std::to_string(most_bytes) +
-                           " bytes, more than any right answer to this scene has");
+        throw SubjectFault("a line of its answer is longer than " + std::to_string(most_bytes) +
+                           " bytes, the most that a correct answer to this scene needs");
       case PipeEnd::kClosed:
         break;
     }

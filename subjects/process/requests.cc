@@ -63,7 +63,7 @@ void AddOptions(TextWriter& text, const DrawOptions& options, const SubjectInfo&
   }
 }
 
-// Each number behind the one before it, and an end of the line behind the last.
+// Numbers separated by blanks, ending with a newline.
 template <class Numbers>
 void AddLine(TextWriter& text, const Numbers& numbers) {
   bool is_first = true;

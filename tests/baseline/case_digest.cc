@@ -68,6 +68,12 @@ void Add(const SquareRegion& region, Digest& digest) {
   digest.Integer(static_cast<int>(growth)).Number(half_width);
 }
 
+void Add(const GuardBand& band, Digest& digest) {
+  if (const auto* box = std::get_if<WindowBox>(&band)) return Add(*box, digest);
+  const auto* around = std::get_if<AroundTarget>(&band);
+  digest.Number(around != nullptr ? around->pixels : -1);
+}
+
 void Add(const SquareRule& rule, Digest& digest);
 
 template <class T>
@@ -107,7 +113,10 @@ void Add(const Profile& profile, Digest& digest) {
   for (const TargetModel& model : targets) Add(model, digest);
   AddIfAny(fixed, digest);
   AddIfAny(max_primitive_extent, digest);
-  AddIfAny(guard_band, digest);
+  // As before there was a band that is not stated, so that what was written then still holds.
+  const bool is_stated = StatesGuardBand(profile);
+  digest.Integer(is_stated);
+  if (is_stated) Add(*guard_band, digest);
   digest.Integer(static_cast<int>(sample_positions));
   AddIfAny(squares, digest);
   if (centroid != Centroid::kUnstated) digest.Integer(static_cast<int>(centroid));

@@ -271,6 +271,7 @@ TEST(WhyNotDecided, SaysBeforehandWhatCoverageThrows) {
     const std::optional<InputError> why = WhyNotDecided(c, profile);
     ASSERT_TRUE(why.has_value());
     EXPECT_EQ(why->what(), ThrownBy(c, profile));
+    EXPECT_THROW(PrimitiveIds(c, profile, {}, Visible::kLastDrawn), InputError) << why->what();
     reasons.insert(why->what());
   }
   EXPECT_EQ(reasons.size(), undecided.size());

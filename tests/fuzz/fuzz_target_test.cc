@@ -129,5 +129,37 @@ TEST(ScreensDeathTest, FindWhatIsPlanted) {
                "is violated by mutant:ties-inclusive");
 }
 
+// What libFuzzer reads: the linker names a section's ends.
+extern "C" {
+extern std::uint8_t __start___libfuzzer_extra_counters;
+extern std::uint8_t __stop___libfuzzer_extra_counters;
+}
+
+std::vector<std::size_t> TakenPlaces() {
+  std::vector<std::size_t> places;
+  for (std::uint8_t* p = &__start___libfuzzer_extra_counters;
+       p != &__stop___libfuzzer_extra_counters; ++p) {
+    if (*p != 0)
+      places.push_back(static_cast<std::size_t>(p - &__start___libfuzzer_extra_counters));
+    *p = 0;
+  }
+  return places;
+}
+
+TEST(NoteNearZero, CountsTheOrdersThatAreLostAndNoneOfASumThatUnderflowed) {
+  TakenPlaces();
+  const auto place = [](double value, double sum) {
+    NoteNearZero(0, value, sum);
+    return TakenPlaces();
+  };
+  const std::vector<std::size_t> none = place(1, 1);
+  ASSERT_EQ(none.size(), 1U);
+  EXPECT_EQ(place(0x1p-9, 1), std::vector{none[0] + 9});
+  EXPECT_EQ(place(0x1p-1074, 0x1p1023), std::vector{none[0] + 127});
+  EXPECT_EQ(place(1, 0x1p-9), none);
+  EXPECT_EQ(place(0x1p-1000, 0), none);
+  EXPECT_EQ(place(0x1p1000, 0), none);
+}
+
 }  // namespace
 }  // namespace rasterproof::fuzz

@@ -1,7 +1,5 @@
 #include "io/case_file.h"
 
-#include <unistd.h>
-
 #include <string>
 #include <vector>
 
@@ -9,6 +7,7 @@
 #include "gtest/gtest.h"
 #include "io/output.h"
 #include "io/scene_file.h"
+#include "tests/temporary_folder.h"
 
 namespace rasterproof::io {
 namespace {
@@ -86,7 +85,8 @@ TEST(CaseFileTest, ABareSceneIsACaseOfRealGeometry) {
 }
 
 TEST(CaseFileTest, AbsentKeysOfAProfileAreThoseOfReal) {
-  const std::string path = testing::TempDir() + "/profile_test." + std::to_string(::getpid());
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("profile.json");
   WriteFile(path, R"({"name": "mine", "subpixel_bits": 4})");
   Profile expected;
   expected.name = "mine";

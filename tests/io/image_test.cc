@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "gtest/gtest.h"
 
 namespace rasterproof::io {
@@ -38,6 +39,21 @@ TEST(ImageTest, AtIsRowMajorFromTheTop) {
   Image image(3, 2, {0, 0, 0});
   image.At(2, 1) = {9, 8, 7};
   EXPECT_EQ(image.pixels.back(), (std::array<std::uint8_t, 3>{9, 8, 7}));
+}
+
+// 59 bytes whose header says 65000 x 65000 pixels: 12 GiB, if they were made.
+TEST(ImageTest, APictureOfAnotherSizeIsRefusedByItsHeader) {
+  std::string bytes = EncodePng(Image(1, 1));
+  ASSERT_EQ(bytes.substr(12, 4), "IHDR");
+  bytes.replace(16, 17, std::string("\0\0\xfd\xe8\0\0\xfd\xe8\x08\x02\0\0\0\x2d\x35\x4e\x5d", 17));
+  try {
+    DecodePng(bytes, "seen.png", 4, 4);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "seen.png: the picture has 65000 x 65000 pixels, the target 4 x 4; give a picture "
+                 "of the scene's target");
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "io/mesh.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,22 +12,20 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
 #include "gtest/gtest.h"
-
-// assimp loses memory when it gives up on a file. LeakSanitizer asks for this by name.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
+#include "tests/temporary_folder.h"
 
 namespace rasterproof::io {
 namespace {
 
 Mesh ReadText(const std::string& extension, const std::string& content) {
-  const std::string path =
-      testing::TempDir() + "/mesh_test-" + std::to_string(::getpid()) + extension;
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("mesh_test-" + std::to_string(::getpid()) + extension);
   std::ofstream(path, std::ios::binary) << content;
   return ReadMesh(path);
 }
@@ -177,6 +176,77 @@ TEST(MeshTest, BadMeshesAreRefusedWithFileReasonAndRemedy) {
   expect(MessageFor(".obj", "v 0 0 0\nv nan 0 0\nv 1 1 0\nf 1 2 3\n"), "not finite");
   for (const std::string path : {"no/such/mesh.obj", "scenes.obj/"}) {
     EXPECT_THROW(ReadMesh(path), InputError);
+  }
+}
+
+std::string Repeated(const std::string& text, int times) {
+  std::string all;
+  for (int k = 0; k < times; ++k) all += text;
+  return all;
+}
+
+// A glTF of no mesh but the nodes.
+std::string GltfOfNodes(const std::string& nodes) {
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [)" +
+         nodes + "]}";
+}
+
+std::string ChainOfNodes(int depth, int children) {
+  std::string nodes;
+  for (int k = 1; k < depth; ++k) {
+    const std::string next = std::to_string(k);
+    nodes += R"({"children": [)" + next + (children == 2 ? ", " + next : "") + "]}, ";
+  }
+  return GltfOfNodes(nodes + "{}");
+}
+
+std::string ObjOfGroups(int count) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int k = 0; k < count; ++k) text += "g g" + std::to_string(k) + "\nf 1 2 3\n";
+  return text;
+}
+
+const std::string kPlyOfBillions =
+    "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 4000000000\nproperty list uchar int vertex_indices\n"
+    "end_header\n0 0 0\n";
+
+// A header, and a chunk of almost 4 GiB that is not there.
+const std::string kShortGlb("glTF\x02\0\0\0\x16\0\0\0\xf0\xff\xff\xffJSON{}", 22);
+
+// Small files that crash the library, or make it take all time and memory.
+TEST(MeshTest, FilesThatAreBuiltToCrashOrToExhaustAreRefusedInSeconds) {
+  for (const auto& [name, extension, content] :
+       {std::tuple{"deep nodes", ".gltf", ChainOfNodes(200000, 1)},
+        std::tuple{"nested arrays", ".gltf", Repeated("[", 1000000)},
+        std::tuple{"a DAG of nodes", ".gltf", ChainOfNodes(40, 2)},
+        std::tuple{"billions", ".ply", kPlyOfBillions},
+        std::tuple{"short glb", ".glb", kShortGlb}}) {
+    const std::string message = MessageFor(extension, content);
+    EXPECT_NE(message, "(accepted)") << name;
+    EXPECT_NE(message.find("mesh_test-"), std::string::npos) << message;
+    EXPECT_NE(message.find("; "), std::string::npos) << message;
+    rusage used{};
+    ::getrusage(RUSAGE_CHILDREN, &used);
+    EXPECT_LT(used.ru_maxrss, 1 << 20) << name << ", KiB";
+  }
+}
+
+TEST(MeshTest, ManyGroupsAreReadOrRefused) {
+  const std::string message = MessageFor(".obj", ObjOfGroups(100000));
+  EXPECT_TRUE(message == "(accepted)" || message.find("processor time") != std::string::npos)
+      << message;
+}
+
+TEST(MeshTest, AFaceThatNamesAVertexWhichIsNotThereIsRefused) {
+  const std::string off = "OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 ";
+  EXPECT_EQ(ReadText(".off", off + "2\n").triangles.size(), 1U);
+  for (const auto& [extension, content] :
+       {std::pair{".off", off + "3\n"},
+        std::pair{".obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n")}}) {
+    const std::string message = MessageFor(extension, content);
+    EXPECT_NE(message.find("mesh_test-"), std::string::npos) << message;
+    EXPECT_NE(message.find("; "), std::string::npos) << message;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -201,6 +202,32 @@ TEST_F(OutputTest, HugeFilesAreRefusedUnread) {
   fs::resize_file(Path("huge"), (std::uintmax_t{1} << 30) + 1);
   EXPECT_NE(MessageOf([&] { ReadFile(Path("huge")); }).find("huge: is larger than 1 GiB"),
             std::string::npos);
+}
+
+TEST_F(OutputTest, APipeThatNobodyWritesIntoIsRefused) {
+  ASSERT_EQ(::mkfifo(Path("idle").c_str(), 0600), 0);
+  EXPECT_EQ(MessageOf([&] { ReadFile(Path("idle")); }),
+            Path("idle") + ": is a pipe that nobody writes into; start its writer, or give a file");
+}
+
+TEST_F(OutputTest, APipeIsReadToItsEndHoweverSlowItsWriter) {
+  ASSERT_EQ(::mkfifo(Path("slow").c_str(), 0600), 0);
+  std::thread writer([&] {
+    const int pipe = ::open(Path("slow").c_str(), O_WRONLY);
+    for (const std::string text : {"first ", "second"}) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      EXPECT_EQ(::write(pipe, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    }
+    ::close(pipe);
+  });
+  EXPECT_EQ(ReadFile(Path("slow")), "first second");
+  writer.join();
+}
+
+TEST_F(OutputTest, ADeviceIsRefusedBeforeItIsRead) {
+  fs::create_symlink("/dev/zero", Path("endless.json"));
+  EXPECT_EQ(MessageOf([&] { ReadFile(Path("endless.json")); }),
+            Path("endless.json") + ": is a device; give a file");
 }
 
 }  // namespace

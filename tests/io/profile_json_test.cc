@@ -34,6 +34,15 @@ TEST(ProfileJson, RareKeysReadBack) {
   ExpectReadsBack(profile);
 }
 
+TEST(ProfileJson, ANameNeverSpeaksToTheTerminal) {
+  const auto name = [](const std::string& written) {
+    return ParseProfile(R"({"name": ")" + written + R"("})", "written").name;
+  };
+  EXPECT_EQ(name("\\u001b]0;mine\\u0007"), "\\x1b]0;mine\\x07");
+  EXPECT_EQ(name("\\u009b31m"), "\\xc2\\x9b31m");
+  EXPECT_EQ(name("stra\\u00dfe 1"), "stra\u00dfe 1");
+}
+
 TEST(ProfileJson, SampleLocationsAreNamedOrListedAsFractions) {
   const auto parsed = [](const std::string& locations) {
     return ParseProfile(R"({"name": "p", "sample_locations": )" + locations + "}", "p.json")
@@ -325,6 +334,27 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
     const std::string message = Message(bad.member);
     EXPECT_NE(message.find(bad.expected), std::string::npos)
         << message << "\n  expected: " << bad.expected;
+  }
+}
+
+TEST(ProfileJson, NamesTheGuardBandOrGivesItsRectangle) {
+  const auto band = [](const std::string& text) {
+    return ParseProfile(R"({"name": "mine", "guard_band": )" + text + "}", "p.json").guard_band;
+  };
+  EXPECT_EQ(band("null"), std::nullopt);
+  EXPECT_EQ(band(R"("none")"), std::nullopt);
+  EXPECT_EQ(band(R"("unknown")"), GuardBand(SomewhereAroundTarget{}));
+  EXPECT_EQ(band(R"("viewport")"), GuardBand(AroundTarget{0}));
+  EXPECT_EQ(band(R"("viewport+64")"), GuardBand(AroundTarget{64}));
+  for (const char* text : {R"("viewport+")", R"("viewport-1")", R"("viewport+1.5")", R"("all")"}) {
+    EXPECT_THROW(band(text), InputError) << text;
+  }
+  Profile profile = *PresetProfile("gl");
+  for (const GuardBand& stated : {GuardBand(SomewhereAroundTarget{}), GuardBand(AroundTarget{0}),
+                                  GuardBand(AroundTarget{64}), GuardBand(WindowBox{0, 0, 9, 9})}) {
+    profile.guard_band = stated;
+    profile.name = "mine";
+    EXPECT_EQ(ParseProfile(ProfileToJson(profile), "p.json").guard_band, stated);
   }
 }
 

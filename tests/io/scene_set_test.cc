@@ -1,7 +1,5 @@
 #include "io/scene_set.h"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,14 +7,20 @@
 #include "core/error.h"
 #include "gtest/gtest.h"
 #include "io/output.h"
+#include "tests/temporary_folder.h"
 
 namespace rasterproof::io {
 namespace {
 
 std::vector<SceneEntry> ReadText(const std::string& text) {
-  const std::string path = testing::TempDir() + "/scene_set_test." + std::to_string(::getpid());
-  WriteFile(path, text);
-  return ReadSceneSet(path);
+  const TemporaryFolder folder;
+  WriteFile(folder.Path("set.json"), text);
+  std::vector<SceneEntry> entries = ReadSceneSet(folder.Path("set.json"));
+  for (SceneEntry& entry : entries) {
+    const std::filesystem::path path(entry.path);
+    if (path.parent_path() == folder.path()) entry.path = "beside/" + path.filename().string();
+  }
+  return entries;
 }
 
 TEST(SceneSetTest, PathsAreRelativeToTheFile) {
@@ -25,7 +29,7 @@ TEST(SceneSetTest, PathsAreRelativeToTheFile) {
       {"name": "b", "path": "/b.obj", "kind": "real", "camera": "front", "project": "clip",
        "width": 64, "height": 32}]})");
   ASSERT_EQ(entries.size(), 2U);
-  EXPECT_EQ(std::filesystem::path(entries[0].path), testing::TempDir() + "/a.json");
+  EXPECT_EQ(entries[0].path, "beside/a.json");
   EXPECT_FALSE(entries[0].real);
   EXPECT_EQ(entries[1].path, "/b.obj");
   EXPECT_TRUE(entries[1].real);

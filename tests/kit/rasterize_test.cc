@@ -311,6 +311,12 @@ struct BadCall {
   std::function<void(RasterMesh&, RasterTarget&)> spoil;
 };
 
+// The same from an odd address on. Never read.
+template <class T>
+std::span<const T> OneByteOn(std::span<const T> values) {
+  return {std::bit_cast<const T*>(std::bit_cast<std::uintptr_t>(values.data()) + 1), values.size()};
+}
+
 std::vector<BadCall> BadCalls() {
   static const std::array<std::uint32_t, 3> beyond{0, 1, 3};
   static std::array<std::byte, 8> none{};
@@ -329,6 +335,25 @@ std::vector<BadCall> BadCalls() {
        [](auto& mesh, auto&) { mesh.indices = {mesh.indices.data(), 3 * 4294967295ULL}; }},
       {"mesh.indices[2]: 3, and there are 3 vertices; give",
        [](auto& mesh, auto&) { mesh.indices = beyond; }},
+      {"mesh.positions: not aligned; align",
+       [](auto& mesh, auto&) { mesh.positions = OneByteOn(mesh.positions); }},
+      {"mesh.indices: not aligned; align",
+       [](auto& mesh, auto&) { mesh.indices = OneByteOn(mesh.indices); }},
+      {"target.memory: it overlaps mesh.positions; give",
+       [](auto& mesh, auto& target) {
+         mesh.positions = {std::bit_cast<const float*>(&target.memory[124]), 9};
+       }},
+      {"target.memory: it overlaps mesh.indices; give",
+       [](auto& mesh, auto& target) {
+         mesh.indices = {std::bit_cast<const std::uint32_t*>(target.memory.data()), 3};
+       }},
+      {"target.back: it overlaps mesh.indices; give",
+       [](auto& mesh, auto& target) {
+         target.output = RasterOutput::kFacingCounts;
+         target.height = 2;
+         target.back = target.memory.subspan(64);
+         mesh.indices = {std::bit_cast<const std::uint32_t*>(target.back.data()), 3};
+       }},
       {"target.output: there is no such output; give",
        [](auto&, auto& target) { target.output = static_cast<RasterOutput>(5); }},
       {"target.width: 0 pixels; give 1 to 65536", [](auto&, auto& target) { target.width = 0; }},
@@ -382,6 +407,7 @@ TEST(Rasterize, RefusesBadInputByNameAndDrawsNothing) {
     EXPECT_EQ(said.substr(0, bad.message.size()), bad.message);
     EXPECT_EQ(std::ranges::count(memory, kGuard), 128) << bad.message;
     // Clear has no mesh to refuse, and spans no target.
+    if (bad.message.find("overlaps mesh") != std::string::npos) continue;
     if (bad.message.starts_with("target")) {
       EXPECT_EQ(Refusal([&] { Clear(target); }), said);
     } else {

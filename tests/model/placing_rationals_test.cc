@@ -284,7 +284,8 @@ TEST(PlacingByRationals, IsUnclippedBeforeAndAfterTheGrid) {
   for (int k = 0; k < Cases(20000); ++k) {
     Profile profile = AnyProfile(random);
     profile.transform.reset();
-    profile.guard_band = WindowBox{-random.Int(0, 64) / 8.0, -64, random.Int(0, 64) / 8.0, 64};
+    const WindowBox box{-random.Int(0, 64) / 8.0, -64, random.Int(0, 64) / 8.0, 64};
+    profile.guard_band = box;
     Scene scene = AnyScene(random, profile);
     scene.triangles.resize(1);
     if (!std::ranges::all_of(scene.vertices, IsFinite)) continue;
@@ -295,9 +296,8 @@ TEST(PlacingByRationals, IsUnclippedBeforeAndAfterTheGrid) {
       const bool is_dropped = IsDropped(scene.triangles[0], places, profile);
       for (const std::int32_t n : scene.triangles[0]) {
         const Place& at = places[static_cast<std::size_t>(is_dropped ? scene.triangles[0][0] : n)];
-        expected = expected && IsFinitePlace(at) && at[0].number >= profile.guard_band->x0 &&
-                   at[0].number <= profile.guard_band->x1 &&
-                   at[1].number >= profile.guard_band->y0 && at[1].number <= profile.guard_band->y1;
+        expected = expected && IsFinitePlace(at) && at[0].number >= box.x0 &&
+                   at[0].number <= box.x1 && at[1].number >= box.y0 && at[1].number <= box.y1;
       }
     }
     ASSERT_EQ(IsUnclipped(scene, profile), expected) << "scene " << k;

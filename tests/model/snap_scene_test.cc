@@ -135,7 +135,7 @@ TEST(IsUnclipped, AsksForEveryCornerBeforeAndAfterSnapping) {
   EXPECT_TRUE(holds(-8));
   EXPECT_FALSE(holds(8.25));  // snaps inside
   EXPECT_FALSE(holds(9));
-  profile.guard_band->x1 = 7.5;
+  profile.guard_band = WindowBox{-8, -8, 7.5, 8};
   EXPECT_FALSE(holds(7.5));  // snaps outside
 }
 

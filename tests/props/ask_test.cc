@@ -32,6 +32,18 @@ Case OneTriangle() {
   return c;
 }
 
+TEST(Asking, ForNewCoverageNeedsAMoveThatChangesIt) {
+  const std::unique_ptr<Subject> subject = subjects::MakeBuiltin("spans-exact");
+  const Description description{subject->Info(), nullptr, nullptr};
+  const Property& property = *FindProperty("NewVerticesGiveNewCoverage");
+  Case c = OneTriangle();
+  EXPECT_EQ(property.ask(c, description).checks.size(), 1U) << "a vertex lies on a sample";
+  for (Vertex& v : c.scene.vertices) v.x -= 100;
+  const Asked asked = property.ask(c, description);
+  EXPECT_TRUE(asked.checks.empty()) << "no move brings it into the target";
+  EXPECT_EQ(asked.otherwise.outcome, Outcome::kNotExercised);
+}
+
 // ---- judging without a subject ------------------------------------------------------------------
 
 struct Judged {

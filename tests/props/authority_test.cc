@@ -36,7 +36,7 @@ Grounds GroundsOf(std::string_view property, const Profile& profile) {
 
 std::vector<std::string> IdsOf(const Grounds& grounds) {
   PropertyResult result;
-  TellGrounds(grounds, result);
+  SetGrounds(grounds, result);
   return result.required_by;
 }
 

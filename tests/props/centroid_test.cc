@@ -179,6 +179,7 @@ Verdict JudgedAt(Profile profile, double x, WindowBox* band = nullptr) {
   profile.pattern = *StandardPattern(4);
   profile.centroid = Centroid::kInside;
   profile.name = "mine";
+  profile.guard_band.reset();
   if (band != nullptr) profile.guard_band = *band;
   ShowsCentroids subject(profile, {.at = [x](const Seen& seen) {
                            return Point2{seen.corner.x == 2 ? x : seen.Centre().x, seen.Centre().y};

@@ -90,6 +90,7 @@ std::vector<SubjectInfo> StatingInfos(const Domain& domain) {
   }
   SubjectInfo free = SnappedInfo(8);
   free.profile.freedom.snap_tolerance = 0.6;
+  free.profile.translation_invariant = true;
   return {InfoWith(), free};
 }
 
@@ -191,9 +192,12 @@ constexpr auto kGolden = std::to_array<Golden>({
     {67, "accumulator-ends", 0xd5730c5f4c9f0cae},
     {68, "near-rectangles", 0xa2a6e262bc44f529},
     {69, "many-triangles", 0x6bebb1b4cd9b1361},
+    {70, "far-sides", 0xc281c76bcbcd063b},
+    {71, "every-size", 0x20f9aaa81e80e3b6},
+    {72, "off-grid-moves", 0xdd9e7a71873f94e},
 });
 
-constexpr std::uint64_t kGoldenExamples = 0x7c7435cfc1ec8497;
+constexpr std::uint64_t kGoldenExamples = 0x89a17e8eb434938e;
 
 std::string LineOf(const Domain& domain, std::uint64_t hash) {
   std::ostringstream line;

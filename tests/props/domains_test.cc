@@ -199,7 +199,8 @@ TEST(Domains, PutVerticesOnTheSubpixelGridUnlessTheyAreAboutSnapping) {
                                             "square-grid-lines",
                                             "square-crossings",
                                             "square-interiors",
-                                            "underflowing-products"};
+                                            "underflowing-products",
+                                            "off-grid-moves"};
   for (const int bits : {0, 4, 8, 16}) {
     const SubjectInfo info = SnappedInfo(bits);
     for (const Domain& domain : Domains()) {

@@ -395,6 +395,32 @@ TEST(ContractEvidence, NamesTheKeyThatStandsInTheWay) {
       << why(crossing);
 }
 
+// All triangles lie between samples: that none is covered says nothing.
+TEST(ContractEvidence, IsNoneWhereNoTriangleReachesASample) {
+  SubjectInfo info = RealInfo();
+  info.profile.coordinate_limit = 0.001;
+  const ContractEvidence evidence = EvidenceOf(info);
+  EXPECT_FALSE(evidence.is_exercised);
+  EXPECT_NE(evidence.why.find("coordinate_limit"), std::string::npos) << evidence.why;
+}
+
+TEST(ContractEvidence, IsThinBelowTheFewestTies) {
+  SubjectInfo info = RealInfo();
+  PropertyResult result;
+  result.property = "CoverageEqualsTheModel";
+  result.cases = result.exercised = result.cases_exercised = 9;
+  result.near_edge.samples = 100;
+  result.near_edge.on_edge = kFewestTies - 1;
+  EXPECT_EQ(EvidenceOfContract(info, {&result, 1}).thin,
+            "thin: 31 samples on an edge put the contract sample-exact to the test, fewer than 32");
+  result.near_edge.on_edge = kFewestTies;
+  EXPECT_EQ(EvidenceOfContract(info, {&result, 1}).thin, "");
+  result.near_edge.on_edge = 0;
+  result.property = "CoverageKeepsToItsSideOfTheModel";
+  info.profile.contract = Contract::kAtMostModel;
+  EXPECT_EQ(EvidenceOfContract(info, {&result, 1}).thin, "") << "it states no owners";
+}
+
 TEST(ContractEvidence, TellsTooFewCasesAndRefusalsFromTheProfile) {
   SubjectInfo info = RealInfo();
   EXPECT_NE(EvidenceOfContract(info, {}).why.find("raise --cases"), std::string::npos);

@@ -48,7 +48,7 @@ struct Bug {
   std::function<void(Profile&)> states = {};
 };
 
-/// Properties the bounds of the sound subject, which its bug breaks.
+/// States the sound subject's bounds, which the bug violates.
 class PlantedSubject final : public Subject, public EdgeEvaluator, public BarycentricEvaluator {
  public:
   PlantedSubject(std::unique_ptr<Subject> sound, Bug bug);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -37,10 +38,32 @@ void LoseTheFirstColumn(Subject& sound, const Scene& scene, const DrawOptions& o
   sound.Draw(scene, narrow, counts);
 }
 
+bool HaveTheSameFloors(const Scene& a, const Scene& b) {
+  return std::ranges::equal(a.vertices, b.vertices, [](const Vertex& v, const Vertex& w) {
+    return std::floor(v.x) == std::floor(w.x) && std::floor(v.y) == std::floor(w.y);
+  });
+}
+
+// The scene before is drawn again where target, indices and the pixels of the vertices agree.
+DrawBug KeepTheLastByItsPixels() {
+  return [kept = Scene{}](Subject& sound, const Scene& scene, const DrawOptions& options,
+                          CoverageCounts& counts) mutable {
+    const bool agrees = kept.width == scene.width && kept.height == scene.height &&
+                        kept.clip_space == scene.clip_space && kept.triangles == scene.triangles &&
+                        HaveTheSameFloors(kept, scene);
+    if (!agrees) kept = scene;
+    sound.Draw(kept, options, counts);
+  };
+}
+
 }  // namespace
 
 std::vector<PlantedBug> OutputPlantedBugs() {
   return {
+      {"NewVerticesGiveNewCoverage",
+       "a scene is kept by the pixels of its vertices",
+       "spans-exact",
+       {.draw = KeepTheLastByItsPixels()}},
       {"TilesDrawnApartEqualTheWhole",
        "a tile beside the first loses its first column",
        "spans-exact",

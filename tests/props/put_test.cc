@@ -75,7 +75,7 @@ TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
   Empty subject;
   Requests requests(subject);
   requests.Add({Blank(8, 8, 3), Blank(kMaxTargetSide, kMaxTargetSide, 3)});
-  EXPECT_EQ(requests.PutTo(subject)[0].stop, Stop::kCantBePut);
+  EXPECT_EQ(requests.PutTo(subject)[0].stop, Stop::kNotDrawable);
   subject.breaks_over = 3;
   const Answers crashed = requests.PutTo(subject)[0];
   EXPECT_EQ(crashed.stop, Stop::kBrokeDown);

@@ -121,6 +121,42 @@ TEST(Squares, AFlatTriangleThatMustBeDrawnMayNotFallBetweenThem) {
   EXPECT_NE(RunCase(least, property, c).outcome, Outcome::kViolated) << "a vertex named twice";
 }
 
+// Covers what the triangles touch, flat ones too.
+class TouchedSubject final : public Subject {
+ public:
+  TouchedSubject() {
+    info_.name = "touched";
+    info_.profile = *SquarePreset("vulkan-underestimate");
+    info_.coverage = CoverageKind::kFacingCounts;
+  }
+  const SubjectInfo& OwnInfo() const override { return info_; }
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    counts += exact::MayCover(scene, *SquarePreset("voxel"), options);
+  }
+
+ private:
+  SubjectInfo info_;
+};
+
+TEST(Squares, AFlatTriangleIsJudgedWhereItMayCoverNothing) {
+  BoundSubject most("vulkan-underestimate", true);
+  TouchedSubject touched;
+  Case c;
+  c.scene.width = c.scene.height = 8;
+  c.scene.vertices = {{3, 3}, {5, 3}, {4, 3}};
+  c.scene.triangles = {{0, 1, 2}};
+  c.profile = most.Info().profile;
+  const Property& property = *FindProperty("SquaresOutsideTheMayRegionStayFree");
+  const Verdict verdict = RunCase(most, property, c);
+  EXPECT_EQ(verdict.outcome, Outcome::kHolds);
+  EXPECT_EQ(verdict.exercised, 8U) << "four columns in two rows that the segment touches";
+  EXPECT_EQ(RunCase(touched, property, c).outcome, Outcome::kViolated);
+  c.scene.triangles = {{0, 0, 0}};
+  EXPECT_EQ(RunCase(most, property, c).outcome, Outcome::kHolds);
+  c.scene.vertices[0] = {-9, 3};
+  EXPECT_EQ(RunCase(most, property, c).outcome, Outcome::kNotExercised) << "beside the target";
+}
+
 TEST(Squares, AreJudgedWhereTheProfileStatesThemAndNowhereElse) {
   const auto applies = [](std::string_view property, std::string_view preset) {
     Description description;

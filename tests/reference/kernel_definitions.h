@@ -279,7 +279,16 @@ inline float DefineDepth(const KernelTriangle& t, int x, int y) {
   const float zx = (uz * vy - vz * uy) / det;
   const float zy = (vz * ux - uz * vx) / det;
   const float zc = (t[0].z - zx * t[0].x) - zy * t[0].y;
-  return (zc + zy * definitions::Centre(y)) + zx * definitions::Centre(x);
+  const float least = std::min({t[0].z, t[1].z, t[2].z});
+  const float most = std::max({t[0].z, t[1].z, t[2].z});
+  for (const KernelVertex& vertex : t) {
+    if (!std::isfinite(vertex.z)) return std::numeric_limits<float>::infinity();
+  }
+  for (const float coefficient : {zc, zx, zy}) {
+    if (!(std::fabs(coefficient) < 0x1p100F)) return least + 0.0F;  // of -0, too, 0
+  }
+  const float z = (zc + zy * definitions::Centre(y)) + zx * definitions::Centre(x);
+  return std::clamp(z, least, most) + 0.0F;
 }
 
 /// What Surface::At returns of every pixel, row by row.

@@ -180,6 +180,14 @@ TEST(VerdictTest, WhatHoldsBesideTheContractIsNoEvidenceForIt) {
   EXPECT_EQ(OverallVerdict(certificate), "holds") << "a judged scene is evidence";
 }
 
+TEST(VerdictTest, TellsThinEvidenceAndHolds) {
+  Certificate certificate;
+  certificate.tested = {SampleProperty("a", Outcome::kHolds)};
+  certificate.contract_thin = "thin: 3 samples on an edge";
+  EXPECT_EQ(OverallVerdict(certificate), "holds");
+  EXPECT_EQ(OverallOf(certificate).reason, "thin: 3 samples on an edge");
+}
+
 TEST(VerdictTest, SaysWhatItDoesNotSpeakFor) {
   PropertyResult result = SampleProperty("a", Outcome::kHolds);
   EXPECT_EQ(Reservations(result), "");

@@ -114,7 +114,7 @@ TEST(PageTest, SaysTheVerdictThenItsSubjectsThenPictures) {
   EXPECT_TRUE(Has(html, "<span class=\"chip violated\">violated</span>"));
 }
 
-// A survey of n methods that state nothing, one that states to be exact and a homogeneous one.
+// A survey of n methods that state nothing, one stated to be exact and a homogeneous one.
 Page Survey(std::size_t n) {
   Page page{"a survey", true, {}, {}};
   page.certificates.assign(n + 2, SampleCertificate());
@@ -135,20 +135,29 @@ TEST(PageTest, ASurveyHasThreeGroupsByWhatSubjectsState) {
   const std::string html = VerdictGroups(Survey(3));
   EXPECT_TRUE(Has(html, "<strong>States exact coverage</strong>"));
   EXPECT_TRUE(Has(html, "1 subject: 1 holds"));
-  EXPECT_TRUE(Has(html, "<strong>States nothing</strong>"));
+  EXPECT_TRUE(Has(html, "<strong>Naive, there to fail</strong>"));
   EXPECT_TRUE(Has(html, "3 subjects: 3 violated"));
   EXPECT_TRUE(Has(html, "<strong>Homogeneous</strong>"));
   EXPECT_EQ(Count(html, "<tr><th scope=\"row\">"), 5U) << "each subject in one group";
-  EXPECT_EQ(VerdictSentence(Survey(3)),
-            "The subject that states exact coverage holds. Of 4 subjects that state no such thing: "
-            "4 violated.");
+  EXPECT_EQ(
+      VerdictSentence(Survey(3)),
+      "The subject that states exact coverage holds. All 4 naive methods, there to fail, were "
+      "found wrong.");
+}
+
+TEST(PageTest, TheWideColumnOfVerdictsIsTheOneWithNames) {
+  const std::string html = VerdictGroups(Survey(1));
+  const std::string head = html.substr(0, html.find("most on"));
+  const std::string rule = fmt::format(".verdicts th:nth-child({}) {{ width: 18%; }}",
+                                       Count(head.substr(head.rfind("<thead>")), "<th") - 1);
+  EXPECT_TRUE(Has(PageToHtml(Survey(1)), rule)) << rule;
 }
 
 TEST(PageTest, AGroupWithoutSubjectsIsNotShown) {
   const std::string html = VerdictsOf(SampleCertificate());
   EXPECT_EQ(Count(html, "<details"), 1U);
   EXPECT_TRUE(Has(html, "States a profile"));
-  EXPECT_FALSE(Has(html, "States nothing")) << "who asks for a subject holds it to its profile";
+  EXPECT_FALSE(Has(html, "there to fail")) << "who asks for a subject holds it to its profile";
 }
 
 TEST(PageTest, ALongGroupIsFoldedAndAShortOneIsNot) {

@@ -1,15 +1,17 @@
-"""Tests of what keeps documents true: the list of decisions, the drawing of the layers, and the
-commands that a document shows."""
+"""Tests of what keeps documents true: the list of decisions, the drawing of the layers, the
+commands that a document shows, and the figures that it quotes."""
 
 import importlib.machinery
 import importlib.util
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
 
-SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCRIPTS = ROOT / "scripts"
 
 
 def load(name):
@@ -19,6 +21,10 @@ def load(name):
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
     loader.exec_module(module)
     return module
+
+
+def read(path):
+    return (ROOT / path).read_text(encoding="utf-8")
 
 
 class DecisionsTest(unittest.TestCase):
@@ -86,6 +92,37 @@ class DrawingTest(unittest.TestCase):
             change(table)
             self.assertNotEqual(before, self.script.drawing(table))
 
+    def test_every_text_stays_in_its_box_and_on_the_page(self):
+        """By the width of DejaVu Sans' letters, half their size or more on the average."""
+        letters = {15: 9.5, 13: 7.0, 12: 6.3}
+        svg = self.script.drawing(self.layers)
+        boxes = [tuple(map(int, box)) for box in re.findall(
+            r'<rect x="(\d+)" y="(\d+)" width="(\d+)" height="(\d+)" rx', svg)]  # fmt: skip
+        texts = re.findall(r'<text x="(\d+)" y="(\d+)" font-size="(15|13|12)"[^>]*>([^<]*)<', svg)
+        self.assertEqual(len(boxes), len(self.layers.LAYERS))
+        width, height = map(int, re.search(r'width="(\d+)" height="(\d+)"', svg).groups())
+        for x, y, size, text in texts:
+            x, y, end = int(x), int(y), int(x) + letters[int(size)] * len(text)
+            self.assertLess(end, width, text)
+            self.assertLess(y, height, text)
+            for left, top, wide, high in boxes:
+                if left < x < left + wide and top < y < top + high:
+                    self.assertLess(end, left + wide, text)
+                else:
+                    self.assertFalse(top - 6 < y < top + high and x < left + wide and end > left,
+                                     f"{text} runs into the box at {left}, {top}")  # fmt: skip
+
+    def test_no_arrow_runs_behind_a_box(self):
+        svg = self.script.drawing(self.layers)
+        lines = re.findall(r'<line x1="([\d.]+)" y1="([\d.]+)" x2="([\d.]+)" y2="([\d.]+)"', svg)
+        self.assertTrue(lines)
+        for x0, y0, x1, y1 in (map(float, line) for line in lines):
+            for name, (left, top, wide, _) in self.script.BOXES.items():
+                for part in range(1, 100):
+                    x, y = x0 + (x1 - x0) * part / 100, y0 + (y1 - y0) * part / 100
+                    inside = left <= x <= left + wide and top < y < top + self.script.HEIGHT
+                    self.assertFalse(inside, f"{x0, y0} to {x1, y1} runs behind {name}")
+
     def test_an_arrow_leaves_out_what_another_leads_to(self):
         layers = {"a": set(), "b": {"a"}, "c": {"a", "b"}, "d": {"a", "c"}}
         self.assertEqual(list(self.script.arrows(layers)), [("b", "a"), ("c", "b"), ("d", "c")])
@@ -130,6 +167,103 @@ class ShownCommandsTest(unittest.TestCase):
         links = "[a](run) [b](absent.md) [c](#a-b) [d](#c) [e](https://a.b/c)\n# A, b\n"
         self.assertEqual(list(self.script.dead_links("README.md", links)),
                          ["absent.md", "#a-b", "#c"])  # fmt: skip
+
+
+class FiguresTest(unittest.TestCase):
+    """Numbers and names in sentences are those of what the sentences are about."""
+
+    NUMBERS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine",
+               "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen",
+               "eighteen", "nineteen", "twenty")  # fmt: skip
+
+    def one(self, pattern, path):
+        """What the only place of a file that the pattern fits says."""
+        found = re.findall(pattern, read(path))
+        self.assertEqual(len(found), 1, f"{pattern} in {path}")
+        return found[0]
+
+    def test_published_checks_find_as_many_bugs_in_the_readme_as_in_the_self_test(self):
+        measured = self.one(r"of (\d+) mutants that draw: CTS-like (\d+), Piglit-like (\d+)",
+                            "docs/selftest.md")  # fmt: skip
+        said = self.one(r"Of (\d+) bugs of coverage[^:]*find (\d+) and (\d+);", "README.md")
+        self.assertEqual(said, measured)
+        killed, mutants = self.one(r"- mutants: (\d+) of (\d+) killed", "docs/selftest.md")
+        self.assertEqual(killed, mutants, "README.md says that rasterproof finds them all")
+
+    def test_findings_are_counted_right(self):
+        defects, libraries = self.one(r"has (\w+) such defects in\s+(\w+) libraries", "README.md")
+        rows = re.findall(r"^\| \d+ \| ([\w+]+)", read("docs/findings.md"), re.M)
+        self.assertEqual((defects, libraries),
+                         (self.NUMBERS[len(rows)], self.NUMBERS[len(set(rows))]))  # fmt: skip
+
+    def test_an_example_has_as_many_lines_as_a_document_says(self):
+        quoted = re.compile(r"\[[\w.]+\]\(([\w./]+)\),\s+(?:is )?(\d+)\s+lines")
+        seen = set()
+        for document in ("README.md", "docs/subjects.md", "docs/library.md"):
+            for path, lines in quoted.findall(read(document)):
+                file = (ROOT / document).parent / path
+                self.assertEqual(int(lines), len(file.read_text(encoding="utf-8").splitlines()),
+                                 f"{document}: {path}")  # fmt: skip
+                seen.add(file.name)
+        self.assertEqual(seen, {"plugin.c", "program.py", "console.c", "own_type.cc"})
+
+    def test_the_worst_cases_known_stand_beside_their_bounds(self):
+        """0.9752 (f32-direct) in a header, where scenes/worst/README.md says so."""
+        quoted = r"(\d\.\d{4})\s+\(([\w-]+)\)"
+        headers = re.sub(r"\n\s*/// +", " ", read("reference/bounds.h"))
+        headers += re.sub(r"\n\s*/// +", " ", read("reference/barycentrics.h"))
+        said = sorted(re.findall(quoted, headers))
+        rows = re.findall(r"^\| `([\w-]+)-[A-Z]\w+\.json` \| (\d\.\d{4}) \|",
+                          read("scenes/worst/README.md"), re.M)  # fmt: skip
+        self.assertEqual(said, sorted((ratio, method) for method, ratio in rows))
+
+    def test_every_fuzz_target_is_in_the_table_and_no_other(self):
+        targets = {p.name.removesuffix("_fuzzer.cc") for p in (ROOT / "fuzz").rglob("*_fuzzer.cc")}
+        _, _, table = read("docs/fuzzing.md").partition("| target |")
+        named = re.findall(r"`(\w+)`", "\n".join(
+            row.split("|")[1] for row in table.split("\n\n")[0].splitlines()[2:]))  # fmt: skip
+        self.assertEqual(sorted(named), sorted(targets))
+
+    def test_limits_are_those_of_the_code(self):
+        header = read("props/judging/as_shown.h")
+        triangles = re.search(r"kMostCallsByTriangle = (\d+);", header)[1]
+        samples = re.search(r"kMostSamplesByTriangle = std::uint64_t\{1\} << (\d+);", header)[1]
+        self.assertEqual(self.one(r"more than ([\d,]+) triangles, or of more than 2\^(\d+) "
+                                  r"triangles times samples", "docs/subjects.md"),
+                         (f"{int(triangles):,}", samples))  # fmt: skip
+        lines = load("check_text").MAX_LINES
+        function = re.search(r"function-size\.LineThreshold: (\d+)", read(".clang-tidy"))[1]
+        self.assertEqual(self.one(r"has (\d+) at most\s+\(`scripts/check_text`\); a function aims "
+                                  r"at 8 and has (\d+) at most", "CONTRIBUTING.md"),
+                         (str(lines), function))  # fmt: skip
+
+    def test_the_decision_about_layers_has_the_table_that_is_checked(self):
+        checked = load("check_layers")
+        folders = set(checked.LAYERS)
+        text = read("docs/decisions/0002-layers.md")
+        rows = re.findall(r"^\| `(\w+)/` \| (.*?) \|", text, re.M)
+        self.assertEqual({row[0] for row in rows}, folders - {"tests"})
+        for folder, sees in rows:
+            with self.subTest(folder=folder):
+                before = sees.partition(";")[0].strip()
+                named = set(re.findall(r"\b\w+\b", re.sub(r"`.*?`", "", before))) & folders
+                if before.startswith("all but"):
+                    named = folders - named - {folder, "tests"}
+                self.assertEqual(named, set(checked.LAYERS[folder]) - {folder})
+        order = re.search(r"`(core < .*?)`", text)[1]
+        self.assertEqual(set(re.findall(r"\w+", order)), folders - {"tests"})
+        rank = {name: level for level, names in enumerate(order.split(" < "))
+                for name in re.findall(r"\w+", names)}  # fmt: skip
+        for folder, sees in checked.LAYERS.items():
+            for other in sees if folder != "tests" else ():
+                self.assertLess(rank[other], rank[folder], f"{folder} sees {other}")
+
+    def test_the_help_names_the_suites_that_get_more_cases(self):
+        help_text = read("run").partition("<<'HELP'")[2].partition("\nHELP")[0]
+        suites = re.findall(r"^more_of \S+ '(\w+)\.\*'", read("scripts/test_more"), re.M)
+        self.assertTrue(suites)
+        for suite in suites:
+            self.assertIn(f"({suite})", help_text)
 
 
 if __name__ == "__main__":

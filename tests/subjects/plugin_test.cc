@@ -27,6 +27,22 @@ TEST(Plugin, KeepsItsRoundingModeToItself) {
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
+// A program that draws from one buffer gives other vertices at the same address. One that keeps
+// images by addresses shows that they are reused here.
+TEST(Plugin, IsGivenOtherVerticesAtTheSameAddresses) {
+  const LoadedPlugin loaded = LoadPlugin(TEST_PLUGINS "/shown_KEEPS_BY_ADDRESSES.so");
+  Scene scene;
+  scene.width = scene.height = 4;
+  scene.vertices = {{-9, -9}, {-9, 30}, {30, -9}};
+  scene.triangles = {{0, 1, 2}};
+  const Drawing covered = loaded.subject->Show({scene, {}, 1});
+  ASSERT_NE(covered.counts.front[0] + covered.counts.back[0], 0U);
+  for (Vertex& v : scene.vertices) v.x += 1000;
+  EXPECT_EQ(loaded.subject->Show({scene, {}, 1}).counts, covered.counts) << "what it kept";
+  const LoadedPlugin sound = LoadPlugin(TEST_PLUGINS "/shown_FACING_COUNTS.so");
+  EXPECT_NE(sound.subject->Show({scene, {}, 1}).counts, covered.counts);
+}
+
 TEST(Plugin, IsNotGivenTargetsThatNobodyTakes) {
   const LoadedPlugin loaded = LoadPlugin(kRounds);
   Scene wide;

@@ -63,6 +63,16 @@ class PipesLaidByHand(unittest.TestCase):
                         text = run("ver", *chosen, data=b"".join(said_so)).stdout.decode()
                         self.assertIn(f": {held - 1} cases held, {counts}", text)
 
+    def test_more_answers_than_requests_are_told_by_their_line(self):
+        chosen = ("--property", STAYS_INSIDE, "--cases", "8")
+        requests = run("gen", *chosen).stdout
+        sound = run(program=os.path.join(SOURCES, "kit/examples/program.py"), data=requests).stdout
+        self.assertEqual(run("ver", *chosen, data=sound).returncode, 0)
+        done = run("ver", *chosen, data=sound + b"counts 9999\n0 0\n")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn(f"line {sound.count(bytes([10])) + 1}: it goes on behind the last answer",
+                      done.stderr.decode())  # fmt: skip
+
     def test_a_malformed_answer_costs_its_own_case_alone(self):
         example = os.path.join(SOURCES, "kit/examples/program.py")
         chosen = ("--property", STAYS_INSIDE, "--cases", "8")

@@ -334,11 +334,17 @@ class IsStated(Certify):
 
 
 class Files(Certify):
-    def test_scenes_are_found_wherever_the_command_is_called(self):
-        done = self.run_certify("--subject", "hom-exact", "--cases", "1", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
+    def test_scenes_are_found_and_named_alike_wherever_the_command_is_called(self):
+        done = self.run_certify("--subject", "f32-direct", "--cases", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
         (certificate,) = self.certificates()
-        self.assertIn("clip_behind", [scene["scene"] for scene in certificate["measured"]])
+        self.assertIn("slivers", [scene["scene"] for scene in certificate["measured"]])
+        pages = re.sub("<[^>]*>", "", "".join(self.pages().values()))
+        self.assertNotIn(SOURCES, pages)
+        (command,) = set(re.findall("rasterproof (explain scenes/.*)", pages))
+        done = subprocess.run([PROGRAM, *shlex.split(command)], cwd=self.folder,
+                              capture_output=True, timeout=300, check=False)  # fmt: skip
+        self.assertIn(b"samples differ", done.stdout)
 
     def test_scenes_are_found_where_they_are_installed(self):
         program = os.path.join(self.folder, "bin", "rasterproof")
@@ -404,7 +410,7 @@ class Pages(Certify):
         pages = self.pages()
         self.assertEqual(len(pages), 1 + len(self.certificates()))
         self.assertLess(len(pages["report.html"].encode()), 400_000)
-        for group in ("States exact coverage", "States nothing", "Homogeneous"):
+        for group in ("States exact coverage", "Naive, there to fail", "Homogeneous"):
             self.assertEqual(pages["report.html"].count(f"<strong>{group}</strong>"), 1)
         led_to = {"report.html"}
         for path, page in pages.items():

@@ -223,6 +223,9 @@ class BadInputTest(TemporaryFolder):
         self.refused("coverage", path, "--colour-of-magic", names="--colour-of-magic")
         self.refused("coverage", path, "--subject", "nonesuch", names="nonesuch")
         self.refused("coverage", path, "--profile", "nonesuch", names="nonesuch")
+        for legal_set in ("vulkan", "gl", "d3d11", "webgpu"):  # none names one grid point
+            self.refused("coverage", path, "--subject", "f32-direct", "--profile", legal_set,
+                         names="canonical")  # fmt: skip
         self.refused("check", "--property", "Nonesuch", names="Nonesuch")
         self.refused("check", "--seed", "12x", names="12x")
         self.refused("check", "--cases", "-4", names="--cases")

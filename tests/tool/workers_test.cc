@@ -58,8 +58,8 @@ TEST(ShareWork, BeginsInTheGivenOrder) {
   EXPECT_EQ(begun, order);
 }
 
-// The one that is begun last stands before the others: what comes before a failure is done all the
-// same, and the first failure in that order is told.
+// Order of work differs from order of numbers: everything numbered before the failure is still
+// done, and the lowest-numbered failure is rethrown.
 TEST(ShareWork, ThrowsTheFirstFailureByNumberAndDoesAllThatComeBeforeIt) {
   for (const int jobs : {1, 2, 7}) {
     std::mutex mutex;

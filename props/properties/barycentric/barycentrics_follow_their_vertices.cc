@@ -82,7 +82,7 @@ Asked Ask(const Case& c, const Description& subject) {
 constinit const Property kBarycentricsFollowTheirVertices{
     .name = "BarycentricsFollowTheirVertices",
     .group = "barycentric",
-    .clause = "A barycentric belongs to its vertex, in whatever order the vertices are told.",
+    .clause = "A barycentric belongs to its vertex, in whatever order the vertices are listed.",
     .tolerance = "the sum of both proven BarycentricErrorBounds",
     .domains = kBarycentrics,
     .gate = {.shows = Shows::kBarycentrics,

@@ -43,6 +43,7 @@ Asked Ask(const Case& c, const Description& subject) {
   Spared spared;
   if (!one_model) {
     spared.open = OpenTriangles(c);
+    spared.clipped = ClippedEdges(c);
     spared.outline = Outline::OfMoved(c, spared.open.MostMoved());  // of owners left open
     // A surface that is turned in part still cancels, by the facings that the subject itself gives
     // its triangles; what covers something without area need not.

@@ -59,7 +59,10 @@ constinit const Property kFacingIsOneAtAllSamples{
     .required_by = kFacingClauses,
     .tolerance = kExact,
     .domains = kCoverage,
-    .gate = {.shows = Shows::kFacings, .contract = ContractNeeded::kAny, .any_model = true},
+    .gate = {.shows = Shows::kFacings,
+             .contract = ContractNeeded::kAny,
+             .any_model = true,
+             .judges_clipped = true},
     .ask = Ask,
 };
 

@@ -100,11 +100,13 @@ constinit const Property kIntegerTranslationMovesCoverage{
     .required_by = kTranslationClauses,
     .stated_by = StatesTranslation,
     .tolerance = kExact,
-    .domains = kOnTheLattice,
+    .domains = kMoved,
     .gate = {.any_model = true,
              .unwrapped = true,
              .rules = kRules,
-             .where = "the moved coordinates are exact, of the input format and within the limit"},
+             .where =
+                 "the moved coordinates are exact, of the input format and within the limit, and "
+                 "nothing is clipped before or after"},
     .ask = Ask,
 };
 

@@ -1,6 +1,7 @@
 // Two triangles cover each sample near their common edge as often clipped as unclipped.
 //
-// At least one of them leaves the target or passes behind the eye.
+// At least one of them leaves the target or passes behind the eye. No clause asks for it: each of
+// the two may take its own new vertex on the edge.
 #include <algorithm>
 #include <cstddef>
 
@@ -26,7 +27,7 @@ bool LeavesTarget(const Scene& scene, std::size_t triangle) {
 }
 
 Asked Ask(const Case& c, const Description& subject) {
-  return CoverSharedEdgesOnce(c, subject, [&](const Neighbours& pair) {
+  return CoverSharedEdgesOnce(c, subject, Clipped::kAlike, [&](const Neighbours& pair) {
     return LeavesTarget(c.scene, pair.first) || LeavesTarget(c.scene, pair.second);
   });
 }

@@ -33,7 +33,7 @@ constexpr std::size_t kBefore = 256;
 // The triangles of one call, by their place in the case.
 using CallOrder = std::vector<std::size_t>;
 
-// The mesh, so many times over; and behind so many repetitions of its first triangle.
+// The mesh repeated `times` times, and the same after kBefore copies of its first triangle.
 std::array<CallOrder, 2> OrdersOf(std::size_t count, std::size_t times) {
   CallOrder plain;
   for (std::size_t n = 0; n < times * count; ++n) plain.push_back(n % count);
@@ -115,7 +115,10 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
     .tolerance = kExact,
     .domains = kCalls,
     .takes_long = true,
-    .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},
+    .gate = {.space = Space::kEither,
+             .any_model = true,
+             .judges_clipped = true,
+             .where = kTwoTriangles},
     .ask = Ask,
 };
 

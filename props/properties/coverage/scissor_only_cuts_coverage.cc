@@ -47,7 +47,10 @@ constinit const Property kScissorOnlyCutsCoverage{
     .required_by = kScissorClauses,
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .gate = {.space = Space::kEither, .shows = Shows::kScissor, .any_model = true},
+    .gate = {.space = Space::kEither,
+             .shows = Shows::kScissor,
+             .any_model = true,
+             .judges_clipped = true},
     .ask = Ask,
 };
 

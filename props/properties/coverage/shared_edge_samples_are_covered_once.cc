@@ -20,10 +20,11 @@ namespace {
 
 // The counts of the pair drawn alone: beside the edge that they share, neither a gap nor an
 // overlap.
-Verdict CoveredOnce(const NeighbourPair& pair, const CoverageCounts& counts) {
+Verdict CoveredOnce(const NeighbourPair& pair, const CoverageCounts& counts, Clipped clipped) {
   Verdict verdict;
   for (const SamplePlace& sample : pair.SamplesBesideTheEdge()) {
-    if (pair.CanTurnAt(sample)) {
+    const bool is_left_out = clipped == Clipped::kMayDiffer && pair.ClippingMayDecide(sample);
+    if (is_left_out || pair.CanTurnAt(sample)) {
       ++verdict.not_judged;
       continue;
     }
@@ -38,12 +39,13 @@ Verdict CoveredOnce(const NeighbourPair& pair, const CoverageCounts& counts) {
 }
 
 Asked Ask(const Case& c, const Description& subject) {
-  return CoverSharedEdgesOnce(c, subject, [](const Neighbours&) { return true; });
+  return CoverSharedEdgesOnce(c, subject, Clipped::kMayDiffer,
+                              [](const Neighbours&) { return true; });
 }
 
 }  // namespace
 
-Asked CoverSharedEdgesOnce(const Case& c, const Description& subject,
+Asked CoverSharedEdgesOnce(const Case& c, const Description& subject, Clipped clipped,
                            const std::function<bool(const Neighbours&)>& takes) {
   Asked asked;
   for (const Neighbours& neighbours : NeighbourPair::Some(c)) {
@@ -54,10 +56,11 @@ Asked CoverSharedEdgesOnce(const Case& c, const Description& subject,
     Questions questions;
     questions.draws.push_back(CountsOf(alone.scene, alone.profile, WholeTarget(alone)));
     const bool as_shown = IsJudgedAsShown(subject, alone);
-    asked.checks.push_back({std::move(questions), [pair, as_shown](const Answers& answers) {
-                              const Verdict verdict = CoveredOnce(*pair, answers.draws[0]->counts);
-                              return as_shown ? NeverHolds(verdict) : verdict;
-                            }});
+    asked.checks.push_back(
+        {std::move(questions), [pair, as_shown, clipped](const Answers& answers) {
+           const Verdict verdict = CoveredOnce(*pair, answers.draws[0]->counts, clipped);
+           return as_shown ? NeverHolds(verdict) : verdict;
+         }});
   }
   return asked;
 }

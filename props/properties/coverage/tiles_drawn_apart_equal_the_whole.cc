@@ -53,7 +53,10 @@ constinit const Property kTilesDrawnApartEqualTheWhole{
     .required_by = kScissorClauses,
     .tolerance = kExact,
     .domains = kMapDomains,
-    .gate = {.space = Space::kEither, .shows = Shows::kScissor, .any_model = true},
+    .gate = {.space = Space::kEither,
+             .shows = Shows::kScissor,
+             .any_model = true,
+             .judges_clipped = true},
     .ask = Ask,
 };
 

@@ -33,7 +33,10 @@ constinit const Property kTriangleOrderKeepsCoverage{
     .required_by = kIndependentClauses,
     .tolerance = kExact,
     .domains = kMeshes,
-    .gate = {.space = Space::kEither, .any_model = true, .where = kTwoTriangles},
+    .gate = {.space = Space::kEither,
+             .any_model = true,
+             .judges_clipped = true,
+             .where = kTwoTriangles},
     .ask = Ask,
 };
 

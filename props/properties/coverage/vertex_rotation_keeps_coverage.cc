@@ -27,7 +27,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
 constinit const Property kVertexRotationKeepsCoverage{
     .name = "VertexRotationKeepsCoverage",
     .group = "coverage",
-    .clause = "A triangle is the same from whichever vertex it is told.",
+    .clause = "A triangle is the same whichever vertex the list starts with.",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither},

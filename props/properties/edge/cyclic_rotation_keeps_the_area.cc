@@ -77,7 +77,7 @@ Asked Ask(const Case& c, const Description& subject) {
 constinit const Property kCyclicRotationKeepsTheArea{
     .name = "CyclicRotationKeepsTheArea",
     .group = "edge",
-    .clause = "Twice the signed area is E(v0, v1; v2) from whichever vertex it is told.",
+    .clause = "E(v0, v1; v2) is twice the signed area, whichever vertex the list starts with.",
     .tolerance = kBothBounds,
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,

@@ -35,7 +35,10 @@ constinit const Property kThreadCountKeepsCoverage{
     .clause = "Sharing the work among threads is not observable.",
     .tolerance = kExact,
     .domains = kCoverage,
-    .gate = {.space = Space::kEither, .shows = Shows::kThreads, .any_model = true},
+    .gate = {.space = Space::kEither,
+             .shows = Shows::kThreads,
+             .any_model = true,
+             .judges_clipped = true},
     .ask = Ask,
 };
 

@@ -1,0 +1,16 @@
+// Parsing mesh files: what is done in a process of its own.
+#ifndef RASTERPROOF_IO_MESH_IMPORT_H_
+#define RASTERPROOF_IO_MESH_IMPORT_H_
+
+#include <string>
+
+#include "io/mesh.h"
+
+namespace rasterproof::io {
+
+/// As ReadMesh, in this process: the library that parses may crash, or take all time and memory.
+Mesh ImportMesh(const std::string& path);
+
+}  // namespace rasterproof::io
+
+#endif  // RASTERPROOF_IO_MESH_IMPORT_H_

@@ -63,6 +63,13 @@ class Truths {
   std::list<Truth> known_;  // references to the counts stay valid
 };
 
+// By what it states, not by its name.
+std::string_view ArithmeticOf(const SubjectInfo& info) {
+  if (!info.profile.snap.IsNone()) return "fixed point";
+  if (info.states_exact) return "exact";
+  return info.input == Precision::kFloat64 ? "float64" : "float32";
+}
+
 void BenchFamily(const Family& family, std::span<Subject* const> subjects,
                  const BenchOptions& options, std::vector<BenchRow>& rows) {
   std::vector<Subject*> takers;
@@ -91,6 +98,7 @@ void BenchFamily(const Family& family, std::span<Subject* const> subjects,
     BenchRow& row = found[k];
     row.family = family.name;
     row.subject = takers[k]->Info().name;
+    row.arithmetic = ArithmeticOf(takers[k]->Info());
     row.triangles = family.scene.triangles.size();
     row.box_pixels = BoxPixels(family.scene);
     row.median_seconds = Median(seconds[k]);

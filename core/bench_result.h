@@ -14,6 +14,7 @@ namespace rasterproof {
 struct BenchRow {
   std::string family;  ///< "medium", "large", "wide", "needles"
   std::string subject;
+  std::string arithmetic;  ///< "exact", "float32", "float64" or "fixed point", as it states
   std::uint64_t triangles = 0;
   std::uint64_t box_pixels = 0;  ///< pixels in the triangles' clipped bounding boxes
   double median_seconds = 0;     ///< thread CPU time of one draw of the family

@@ -31,6 +31,7 @@ Profile CanonicalModel() {
 Profile Direct3D11() {
   Profile profile = CanonicalModel();
   profile.freedom.snap_tolerance = 0.6;
+  profile.front_face = FrontFace::kUnstated;
   profile.guard_band = SomewhereAroundTarget{};
   profile.freedom.transform_error.reset();
   profile.nan_z = NanZ::kNothing;
@@ -40,7 +41,8 @@ Profile Direct3D11() {
 
 // No rounding is named, nor who of two neighbours owns a sample of their common edge; four subpixel
 // bits are the fewest. What is not finite or has no area is not spoken of. Divide and viewport are
-// formulas without an error, here and in the others. Centroid is in pixel and primitive, in all
+// formulas without an error, here and in the others, and which side is the front is state of the
+// pipeline. Centroid is in pixel and primitive, in all
 // three.
 Profile Vulkan() {
   Profile profile = CanonicalModel();
@@ -48,6 +50,7 @@ Profile Vulkan() {
                      .least_bits = 4,
                      .ties = TieOwnership::kPerEdge,
                      .transform_error = std::nullopt};
+  profile.front_face = FrontFace::kUnstated;
   profile.guard_band = SomewhereAroundTarget{};
   profile.nan_vertex = NanVertex::kUnspecified;
   profile.nan_z = NanZ::kUnspecified;
@@ -125,6 +128,7 @@ Profile FilledIn(const Profile& set, const Profile& device) {
   filled.pattern = device.pattern;
   filled.coordinate_limit = device.coordinate_limit;
   filled.guard_band = device.guard_band;
+  filled.front_face = device.front_face;
   if (set.freedom.least_bits && !device.snap.IsNone()) {
     filled.snap.bits = device.snap.bits;
     filled.freedom.least_bits = device.freedom.least_bits;
@@ -157,6 +161,7 @@ bool SameModel(const Profile& a, const Profile& b) {
   judged_alike.translation_invariant = b.translation_invariant;
   judged_alike.shares_edge_samples = b.shares_edge_samples;
   judged_alike.guard_band = b.guard_band;
+  judged_alike.front_face = b.front_face;
   judged_alike.sample_positions = b.sample_positions;
   judged_alike.centroid = b.centroid;
   return judged_alike == b;

@@ -25,6 +25,12 @@ namespace rasterproof {
 /// first.
 enum class YAxis : std::uint8_t { kDown, kUp };
 
+/// Which side of a triangle is its front.
+enum class FrontFace : std::uint8_t {
+  kPositiveArea,  ///< the one of positive area, as CoverageCounts has it
+  kUnstated       ///< either, one for all triangles of all calls: it is state of the pipeline
+};
+
 /// What a subject's coverage can be held to.
 enum class Contract : std::uint8_t {
   kSampleExact,   ///< equal to the model's at every sample
@@ -139,6 +145,8 @@ struct Profile {
   Centroid centroid = Centroid::kUnstated;
   YAxis y_axis = YAxis::kDown;
   TieRule tie_rule;
+  /// Domain:     kUnstated only with freedom: one model has one front.
+  FrontFace front_face = FrontFace::kPositiveArea;
   Contract contract = Contract::kSampleExact;
   Freedom freedom;
   /// The way from clip space, or from a map, to window space that the rasterizer computes itself.
@@ -191,8 +199,8 @@ inline constexpr std::array<std::string_view, 8> kPresetProfiles{
 /// rasterizer: a legal one may then differ from it.
 bool IsCanonicalPreset(std::string_view name);
 
-/// Returns the legal set with the numbers of one device: sample locations, coordinate limit, guard
-/// band, and where the set leaves the subpixel bits to the device, those.
+/// Returns the legal set with what is said of one device: sample locations, coordinate limit, guard
+/// band, the front face, and where the set leaves the subpixel bits to the device, those.
 Profile FilledIn(const Profile& set, const Profile& device);
 
 /// Returns whether the profile is its specification's legal set with the numbers of a device that

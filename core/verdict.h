@@ -52,6 +52,9 @@ struct Verdict {
   /// Samples that the property is about and that it does not judge, because a legal choice of the
   /// subject's could turn, flatten or fold a triangle there.
   std::uint64_t not_judged = 0;
+  /// The sign of the area of the side that the subject shows as the front, where the profile leaves
+  /// that open and the property sees it.
+  std::optional<int> front_sign = std::nullopt;
 
   static Verdict NotApplicable(std::string why) {
     return {Outcome::kNotApplicable, 0, 0, std::move(why), std::nullopt};

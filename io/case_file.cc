@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/quoted.h"
+#include "core/suggestion.h"
 #include "io/json_document.h"
 #include "io/json_members.h"
 #include "io/output.h"
@@ -125,8 +126,9 @@ Profile ReadProfile(const std::string& path_or_preset) {
   if (const std::optional<Profile> preset = PresetProfile(path_or_preset)) return *preset;
   std::error_code unknown;
   if (path_or_preset != "-" && !std::filesystem::exists(path_or_preset, unknown)) {
-    throw InputError("profile " + Quoted(path_or_preset), "is neither a preset nor a file",
-                     "the presets are" + PresetNames());
+    throw InputError(
+        "profile " + Quoted(path_or_preset), "is neither a preset nor a file",
+        Suggestion(path_or_preset, PresetNames()) + "the presets are" + ListedNames(PresetNames()));
   }
   return ParseProfile(ReadFile(path_or_preset), NameOfFile(path_or_preset));
 }

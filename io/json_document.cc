@@ -16,6 +16,7 @@
 
 #include "core/quoted.h"
 #include "core/renamed.h"
+#include "core/suggestion.h"
 
 namespace rasterproof::io {
 namespace {
@@ -202,9 +203,9 @@ void JsonValue::RequireObject(std::span<const std::string_view> allowed) const {
   for (std::uint32_t key = node_ + 1; key != end; key = document_->nodes_[key + 1].next) {
     const std::string_view name = document_->Text(key);
     if (std::ranges::find(allowed, name) != allowed.end()) continue;
-    std::string remedy = "known here are";
-    for (const std::string_view a : allowed) remedy += " \"" + std::string(a) + "\"";
-    throw Error("unknown key " + Quoted(name) + RenamedText(name), remedy);
+    const std::vector<std::string_view> known(allowed.begin(), allowed.end());
+    throw Error("unknown key " + Quoted(name) + RenamedText(name),
+                Suggestion(name, known) + "known here are" + ListedNames(known));
   }
 }
 

@@ -9,9 +9,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/quoted.h"
 #include "core/renamed.h"
+#include "core/suggestion.h"
 #include "io/json_document.h"
 
 namespace rasterproof::io {
@@ -28,12 +30,13 @@ std::string_view NameOf(E value, Names<E> names) {
 template <class E>
 E FromName(const JsonValue& value, Names<E> names) {
   const std::string_view text = value.RequireString();
-  std::string remedy = "known here are";
+  std::vector<std::string_view> all;
   for (const auto& [known, name] : names) {
     if (name == text) return known;
-    remedy += " \"" + std::string(name) + "\"";
+    all.push_back(name);
   }
-  throw value.Error(Quoted(text) + " is unknown" + RenamedText(text), remedy);
+  throw value.Error(Quoted(text) + " is unknown" + RenamedText(text),
+                    Suggestion(text, all) + "known here are" + ListedNames(all));
 }
 
 /// The member `key`, turned by `read`, if the object has it.

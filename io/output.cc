@@ -19,6 +19,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 
@@ -232,6 +233,20 @@ void MakeFolder(const std::string& path) {
     throw InputError(path, "can't be made a folder (" + error.message() + ")",
                      "choose another place");
   }
+}
+
+void RequireFolderCanBe(const std::string& path) {
+  std::error_code error;
+  std::vector<fs::path> made;  // what is not there yet, the innermost first
+  for (fs::path at = fs::absolute(path, error).lexically_normal();
+       !fs::exists(at, error) && at != at.parent_path(); at = at.parent_path()) {
+    made.push_back(at);
+  }
+  MakeFolder(path);
+  const bool is_ours = access(path.c_str(), W_OK | X_OK) == 0;
+  for (const fs::path& folder : made) fs::remove(folder, error);  // none that others filled since
+  if (is_ours) return;
+  throw InputError(path, "is a folder into which this user may not write", "choose another place");
 }
 
 }  // namespace rasterproof::io

@@ -22,6 +22,12 @@ void WriteStandardOutput(std::string_view content);
 /// Creates the folder and its parents; InputError if that fails.
 void MakeFolder(const std::string& path);
 
+/// Finds out, and leaves nothing behind, whether MakeFolder can make the folder and files can be
+/// made in it: for what writes there after long work.
+///
+/// Error:      InputError as MakeFolder, or that nothing may be written there.
+void RequireFolderCanBe(const std::string& path);
+
 }  // namespace rasterproof::io
 
 #endif  // RASTERPROOF_IO_OUTPUT_H_

@@ -14,6 +14,7 @@
 
 #include "core/quoted.h"
 #include "core/square_presets.h"
+#include "core/suggestion.h"
 #include "io/case_file.h"
 #include "io/freedom_json.h"
 #include "io/json_document.h"
@@ -37,6 +38,7 @@ constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
                                                                "sample_positions",
                                                                "centroid",
                                                                "y_axis",
+                                                               "front_face",
                                                                "tie_rule",
                                                                "coordinate_limit",
                                                                "contract",
@@ -72,6 +74,8 @@ constexpr std::array<std::pair<Precision, std::string_view>, 2> kPrecisions{
     {{Precision::kFloat32, "float32"}, {Precision::kFloat64, "float64"}}};
 constexpr std::array<std::pair<YAxis, std::string_view>, 2> kYAxes{
     {{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
+constexpr std::array<std::pair<FrontFace, std::string_view>, 2> kFrontFaces{
+    {{FrontFace::kPositiveArea, "positive-area"}, {FrontFace::kUnstated, "unstated"}}};
 constexpr std::array<std::pair<SamplePositions, std::string_view>, 3> kSamplePositions{
     {{SamplePositions::kStated, "stated"},
      {SamplePositions::kFixed, "fixed"},
@@ -361,6 +365,11 @@ std::string RareKeysToJson(const Profile& profile, const std::string& line) {
   if (profile.nan_z != NanZ::kIgnored) {
     json += line + "\"nan_z\": " + InQuotes(NameOf(profile.nan_z, Names<NanZ>(kNanZs)));
   }
+  // A specification's set begins with its own.
+  if (profile.front_face != FrontFace::kPositiveArea || !profile.specification.empty()) {
+    json += line + "\"front_face\": " +
+            InQuotes(NameOf(profile.front_face, Names<FrontFace>(kFrontFaces)));
+  }
   if (profile.sample_positions != SamplePositions::kStated) {
     json += line + "\"sample_positions\": " +
             InQuotes(NameOf(profile.sample_positions, Names<SamplePositions>(kSamplePositions)));
@@ -395,6 +404,8 @@ Profile ProfileFromObject(const JsonValue& value) {
   ReadIfThere(value, "sample_locations", profile.pattern, PatternFromJson);
   ReadIfThere(value, "y_axis", profile.y_axis,
               [](const JsonValue& v) { return FromName(v, Names<YAxis>(kYAxes)); });
+  ReadIfThere(value, "front_face", profile.front_face,
+              [](const JsonValue& v) { return FromName(v, Names<FrontFace>(kFrontFaces)); });
   ReadIfThere(value, "tie_rule", profile.tie_rule, TieRuleFromJson);
   ReadIfThere(value, "contract", profile.contract,
               [](const JsonValue& v) { return FromName(v, Names<Contract>(kContracts)); });
@@ -429,6 +440,10 @@ Profile ProfileFromObject(const JsonValue& value) {
     throw value.Error("has the key coverage or the contract squares, but not both",
                       "write both: \"contract\": \"squares\" is about what coverage states");
   }
+  if (profile.front_face == FrontFace::kUnstated && profile.freedom.IsNone()) {
+    throw value.Error("leaves front_face unstated and nothing else free",
+                      "write \"front_face\": \"positive-area\", and tell facings by that");
+  }
   // Last: an entry has of the profile what it leaves out.
   ReadIfThere(value, "by_target_size", profile.by_target_size,
               [&](const JsonValue& v) { return TargetsFromJson(v, profile); });
@@ -438,10 +453,9 @@ Profile ProfileFromObject(const JsonValue& value) {
 
 }  // namespace
 
-std::string PresetNames() {
-  std::string names;
-  for (const std::string_view name : kPresetProfiles) names += " " + std::string(name);
-  for (const SquarePresetInfo& preset : kSquarePresets) names += " " + std::string(preset.name);
+std::vector<std::string_view> PresetNames() {
+  std::vector<std::string_view> names(kPresetProfiles.begin(), kPresetProfiles.end());
+  for (const SquarePresetInfo& preset : kSquarePresets) names.push_back(preset.name);
   return names;
 }
 
@@ -454,7 +468,8 @@ Profile ProfileFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kString) {
     if (const std::optional<Profile> preset = PresetProfile(value.text())) return *preset;
     throw value.Error("the profile " + Quoted(value.text()) + " is unknown",
-                      "write an object, or one of the presets" + PresetNames());
+                      Suggestion(value.text(), PresetNames()) +
+                          "write an object, or one of the presets" + ListedNames(PresetNames()));
   }
   Profile profile = ProfileFromObject(value);
   if (ProfileName(profile) == profile.name) return profile;

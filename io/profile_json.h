@@ -3,6 +3,8 @@
 #define RASTERPROOF_IO_PROFILE_JSON_H_
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/profile.h"
 #include "io/json_document.h"
@@ -15,8 +17,7 @@ namespace rasterproof::io {
 /// Error:      InputError with place, reason and remedy.
 Profile ProfileFromJson(const JsonValue& value);
 
-/// The names of the presets, each after a space.
-std::string PresetNames();
+std::vector<std::string_view> PresetNames();
 
 }  // namespace rasterproof::io
 

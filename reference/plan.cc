@@ -253,13 +253,29 @@ Plan PlanWindowSpace(const Scene& scene, const Profile& profile, const DrawOptio
   return plan;
 }
 
-// What wraps or is dropped is so before any kernel, and the extent of the rest is not examined.
-Plan PlanPlaced(const Needs& needs) {
+// What places vertices or drops triangles before any kernel, each thing that the profile states.
+std::string PlacingText(const Scene& scene, const Profile& profile) {
+  std::string text;
+  const auto add = [&](const std::string& what) {
+    text += (text.empty() ? "the profile " : " and ") + what;
+  };
+  if (profile.fixed) {
+    const std::string bits = std::to_string(profile.fixed->integer_bits) + "." +
+                             std::to_string(profile.fixed->fraction_bits);
+    add(profile.fixed->wraps ? "wraps coordinates of " + bits + " bits"
+                             : "takes integers of " + bits + " bits");
+  }
+  if (profile.max_primitive_extent) add("drops large triangles");
+  if (TakesToWindow(profile, scene)) add("takes vertices to the window itself");
+  return text + ": not examined";
+}
+
+// What is placed or dropped is so before any kernel, and the extent of the rest is not examined.
+Plan PlanPlaced(const Scene& scene, const Profile& profile, const Needs& needs) {
   Plan plan;
   plan.arithmetic = "wide exact";
   plan.draw = &DrawWide<true>;
-  plan.reasons = {{"edge arithmetic", plan.arithmetic,
-                   "the profile wraps coordinates or drops large triangles: not examined"},
+  plan.reasons = {{"edge arithmetic", plan.arithmetic, PlacingText(scene, profile)},
                   {"snap", "kept", "coordinates are placed before they are drawn"},
                   {"clip", "kept", "boxes are clamped to the draw area"},
                   {"cull", "kept", "facings are those of the placed triangles"},
@@ -297,7 +313,7 @@ Plan MakePlan(const Scene& scene, const Profile& profile, const DrawOptions& opt
               const Needs& needs) {
   RequireKernelFor(scene, profile);
   const bool owns_transform = TakesToWindow(profile, scene);
-  if (!PlacesClipSpace(profile) || owns_transform) return PlanPlaced(needs);
+  if (!PlacesClipSpace(profile) || owns_transform) return PlanPlaced(scene, profile, needs);
   return scene.clip_space ? PlanClipSpace(scene, profile, options, needs)
                           : PlanWindowSpace(scene, profile, options, needs);
 }

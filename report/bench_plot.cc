@@ -53,13 +53,9 @@ bool IsOnFront(const BenchRow& row, const std::vector<const BenchRow*>& rivals) 
   });
 }
 
-// The arithmetic that a subject's name tells, for the colour of its point.
-std::string_view ArithmeticOf(std::string_view subject) {
-  if (subject == kNaive) return kNaive;
-  if (subject.find("exact") != std::string_view::npos) return "exact";
-  if (subject.starts_with("f32")) return "float32";
-  if (subject.starts_with("f64")) return "float64";
-  return subject.starts_with("i32") || subject.starts_with("i64") ? "fixed point" : "other";
+// What the colour of its point tells.
+std::string_view ArithmeticOf(const BenchRow& row) {
+  return row.subject == kNaive ? kNaive : std::string_view(row.arithmetic);
 }
 
 double MedianRatio(const BenchRow& row) {
@@ -82,7 +78,7 @@ void WriteDifference(JsonWriter& json, std::string_view key, const CoverageDiffe
 void WritePoint(JsonWriter& json, const BenchRow& row, const FamilyRows& family,
                 const BenchResult& result) {
   const bool front = IsOnFront(row, family.rows);
-  const std::string_view arithmetic = ArithmeticOf(row.subject);
+  const std::string_view arithmetic = ArithmeticOf(row);
   // Names of the points that the eye looks for; a name at every point would hide them.
   const bool named = front || row.subject == result.baseline || arithmetic == kNaive ||
                      arithmetic == "fixed point";

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,11 +14,12 @@
 
 #include "core/clauses/clauses.h"
 #include "core/error.h"
+#include "core/quoted.h"
 #include "core/renamed.h"
 #include "core/square_presets.h"
+#include "core/suggestion.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
-#include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "props/domains/domain.h"
 #include "props/domains/worlds.h"
@@ -102,36 +101,6 @@ void RequireLegalSet(const std::optional<Profile>& profile) {
                    "give --profile d3d11, vulkan, gl or webgpu");
 }
 
-// How many letters must be put in, taken out or exchanged (Levenshtein), capitals or not.
-std::size_t Distance(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (const char letter : a) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t k = 1; k < row.size(); ++k) {
-      const std::size_t exchanged = diagonal + (lower(letter) == lower(b[k - 1]) ? 0 : 1);
-      diagonal = row[k];
-      row[k] = std::min({exchanged, row[k] + 1, row[k - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-// "did you mean NAME? ", if one is near.
-std::string Suggestion(std::string_view wrong, const std::vector<std::string>& names) {
-  const auto distance = [&](const std::string& name) { return Distance(wrong, name); };
-  const auto nearest = std::ranges::min_element(names, {}, distance);
-  if (nearest == names.end() || distance(*nearest) > std::max<std::size_t>(wrong.size() / 3, 2)) {
-    return "";
-  }
-  return fmt::format("did you mean {}? ", *nearest);
-}
-
-bool IsOracle(std::string_view name) {
-  return std::ranges::find(kOracles, name, [](const auto& o) { return o.first; }) != kOracles.end();
-}
-
 // What makes the subject of that name, as often as it is called; nothing if there is none.
 SubjectMaker MakerOf(const std::string& name, const Profile& of_oracle) {
   SubjectMaker make;
@@ -152,6 +121,10 @@ SubjectMaker MakerOf(const std::string& name, const Profile& of_oracle) {
 }
 
 }  // namespace
+
+bool IsOracle(std::string_view name) {
+  return std::ranges::find(kOracles, name, [](const auto& o) { return o.first; }) != kOracles.end();
+}
 
 std::vector<std::string> SubjectNames() {
   std::vector<std::string> names = subjects::BuiltinNames();
@@ -209,8 +182,8 @@ AskedSubject ResolveSubject(const std::string& name, const std::string& profile,
   if (!make) {
     throw InputError(
         fmt::format("subject '{}'", name), "there is no such subject",
-        fmt::format("{}choose one of: {}; or plugin:PATH, exec:COMMAND, FILE.subject",
-                    Suggestion(name, SubjectNames()), fmt::join(SubjectNames(), ", ")));
+        fmt::format("{}give plugin:PATH, exec:COMMAND, FILE.subject, or choose one of{}",
+                    Suggestion(name, SubjectNames()), ListedNames(SubjectNames())));
   }
   if (!by || IsOracle(name)) return {name, std::move(make)};
   return {name, [make = std::move(make), profile = *by, device] {
@@ -231,6 +204,14 @@ const props::Property& RequireProperty(const std::string& name) {
   throw InputError(
       fmt::format("property '{}'", name), "there is no such property" + RenamedText(name),
       Suggestion(name, names) + "'rasterproof list properties' names all that there are");
+}
+
+const props::World& RequireWorld(const std::string& place, const std::string& name) {
+  if (const props::World* world = props::FindWorld(name)) return *world;
+  std::vector<std::string_view> names;
+  for (const props::World& world : props::Worlds()) names.push_back(world.name);
+  throw InputError(place, "there is no world " + Printable(name),
+                   Suggestion(name, names) + "'rasterproof list worlds' names all that there are");
 }
 
 props::CaseName RequireCaseName(const std::string& name) {

@@ -15,6 +15,7 @@
 #include "core/profile.h"
 #include "core/subject.h"
 #include "props/domains/case_name.h"
+#include "props/domains/worlds.h"
 #include "props/property.h"
 #include "tool/commands.h"
 #include "tool/outside.h"
@@ -57,11 +58,17 @@ void NotePreset(const Profile& profile);
 /// whole pixels.
 void RequireSamples(const SubjectInfo& info);
 
+/// True of the names of the oracle's deciders, and of no other.
+bool IsOracle(std::string_view name);
+
 /// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);
 
 /// Error:      InputError naming the properties there are.
 const props::Property& RequireProperty(const std::string& name);
+
+/// Error:      InputError at the place, with the world that may be meant.
+const props::World& RequireWorld(const std::string& place, const std::string& name);
 
 /// Reads the name of a drawn case, "near-edge:17@1".
 ///

@@ -60,15 +60,6 @@ std::string LimitOptions() {
   return text;
 }
 
-// FNV-1a: whether two files differ, not who made them.
-std::string HashText(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char byte : bytes) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  }
-  return fmt::format("{:016x}", hash);
-}
-
 std::map<std::string, std::string> DescribeEnvironment() {
   const exact::Environment environment = exact::InspectEnvironment();
   return {{"compiler", environment.compiler},

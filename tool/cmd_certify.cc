@@ -227,10 +227,7 @@ std::vector<AskedSubject> SubjectsOf(const CertifyOptions& options) {
 // Misspelt names are found before any work.
 void RequireWorlds(const std::vector<std::string>& worlds) {
   for (auto name = worlds.begin(); name != worlds.end(); ++name) {
-    if (props::FindWorld(*name) == nullptr) {
-      throw InputError("--exhaustive", "there is no world " + report::CleanText(*name),
-                       "'rasterproof list worlds' names all that there are");
-    }
+    RequireWorld("--exhaustive", *name);
     if (std::find(worlds.begin(), name, *name) != name) {
       throw InputError("--exhaustive", "the world " + *name + " is named twice", "name it once");
     }

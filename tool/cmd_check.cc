@@ -389,6 +389,7 @@ Told Check(const AskedSubject& subject, const CheckAsked& asked, const CheckOpti
 int RunCheck(const CheckOptions& options) {
   RequireHonestEnvironment();
   const CheckAsked asked = ResolveCheck(options);
+  if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   int status = kExitHolds;
   for (const AskedSubject& subject : asked.subjects) {
     if (Interrupted()) break;

@@ -70,7 +70,7 @@ Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& 
 
 int RunCoverage(const CoverageOptions& options) {
   RequireHonestEnvironment();
-  const bool oracle = options.subject.starts_with("exact");
+  const bool oracle = IsOracle(options.subject);
   const std::unique_ptr<Subject> subject =
       MakeSubject(options.subject, oracle ? options.profile : "");
   Scene scene = LoadScene(options.scene);

@@ -21,7 +21,7 @@ int RunDiff(const DiffOptions& options) {
   RequireTakes(*subject, scene, options.scene.path);
   // Against the oracle the subject is held to its own profile, unless another one is named.
   std::unique_ptr<Subject> against;
-  if (options.against.starts_with("exact") && options.profile.empty()) {
+  if (IsOracle(options.against) && options.profile.empty()) {
     against = MakeOracle(options.against, subject->Info().profile);
   } else {
     against = MakeSubject(options.against, options.profile);

@@ -15,6 +15,7 @@
 #include "tool/certify.h"
 #include "tool/commands.h"
 #include "tool/outside.h"
+#include "tool/part_check.h"
 #include "tool/part_file.h"
 #include "tool/session.h"
 #include "tool/shard.h"
@@ -160,9 +161,7 @@ std::string SubjectOf(const MergeOptions& options, const SubjectPart& part) {
 
 void RequireKnownWorlds(const SubjectPart& part) {
   for (const std::string& world : part.worlds) {
-    if (props::FindWorld(world) != nullptr) continue;
-    throw InputError(part.file, "there is no world " + report::CleanText(world),
-                     "run all parts and merge by one build of rasterproof");
+    RequireWorld(part.file, world);
   }
 }
 
@@ -188,6 +187,13 @@ void RequireSame(const SubjectPart& part, const SubjectPart& mine) {
           "run all parts and merge by one build of rasterproof");
 }
 
+// Last: whoever changed a number is told what is wrong with the number, where that can be seen.
+void RequireUnchanged(const SubjectPart& part) {
+  if (part.digest == DigestOf(part)) return;
+  throw InputError(part.file, "its content is not what it was written with (another digest)",
+                   "run the part again");
+}
+
 }  // namespace
 
 int RunMerge(const MergeOptions& options) {
@@ -199,7 +205,12 @@ int RunMerge(const MergeOptions& options) {
   RequireKnownWorlds(first);
   const SubjectInfo info = ResolveSubject(whole.subjects.front()).Make()->Info();
   const SubjectPart mine = DescribePart(info, first.worlds);
-  for (const SubjectPart& part : parts) RequireSame(part, mine);
+  // All of them, before anything of any is added.
+  for (const SubjectPart& part : parts) {
+    RequireSame(part, mine);
+    RequireSound(part, info);
+    RequireUnchanged(part);
+  }
   whole.scene_set = options.scene_set;
   whole.output = options.output;
   whole.campaign.seed = first.seed;

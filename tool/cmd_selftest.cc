@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/suggestion.h"
 #include "fmt/format.h"
 #include "io/output.h"
 #include "subjects/mutants/mutants.h"
@@ -33,8 +34,10 @@ std::vector<subjects::MutantInfo> Chosen(const std::vector<std::string>& only) {
   for (const std::string& name : only) {
     const auto found = std::ranges::find(subjects::Mutants(), name, &subjects::MutantInfo::name);
     if (found == subjects::Mutants().end()) {
+      std::vector<std::string> names;
+      for (const subjects::MutantInfo& one : subjects::Mutants()) names.emplace_back(one.name);
       throw InputError("--only " + name, "there is no such mutant or legal variant",
-                       "rasterproof list mutants names them");
+                       Suggestion(name, names) + "rasterproof list mutants names them");
     }
     chosen.push_back(*found);
   }

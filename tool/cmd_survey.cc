@@ -196,6 +196,7 @@ std::vector<DomainSurvey> SurveyAll(Crew& crew, const SurveyOptions& options,
 
 int RunSurvey(const SurveyOptions& options) {
   RequireHonestEnvironment();
+  if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   std::unique_ptr<Subject> first = MakeSubject(options.subject, options.profile);
   RequireSamples(first->Info());
   const SubjectInfo info = first->Info();

@@ -12,10 +12,12 @@
 #include <map>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "CLI/CLI.hpp"
 #include "core/error.h"
 #include "core/subject_errors.h"
+#include "core/suggestion.h"
 #include "fmt/format.h"
 #include "report/text.h"
 #include "tool/commands.h"
@@ -126,8 +128,10 @@ void AddList(CLI::App& app, Run& run) {
 
 void AddFailOn(CLI::App* verb, FailOn& fail_on) {
   verb->add_option("--fail-on", fail_on, "Violations that fail: of what is stated, or of quality")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, FailOn>{
-          {"stated", FailOn::kStated}, {"quality", FailOn::kQuality}}))
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, FailOn>{{"stated", FailOn::kStated},
+                                                                {"quality", FailOn::kQuality}})
+              .description("{stated,quality}"))
       ->default_str("stated");
 }
 
@@ -428,8 +432,10 @@ int Parse(int argc, char** argv, const std::string& own) {
                 .empty();
   };
   if (argc > 1 && argv[1][0] != '-' && !is_verb(argv[1])) {
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
     throw InputError(fmt::format("verb '{}'", argv[1]), "there is no such verb",
-                     "rasterproof --help lists them");
+                     Suggestion(argv[1], verbs) + "rasterproof --help lists them");
   }
   try {
     app.parse(argc, argv);

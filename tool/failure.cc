@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <compare>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/profile.h"
@@ -95,19 +100,69 @@ std::string SnappedLine(const Scene& given, const Scene& snapped, int triangle) 
   return line;
 }
 
-// Triangles whose box holds the view, the witness first: those are what the picture is about.
-std::vector<int> TrianglesInView(const Scene& scene, const PixelRect& view, int first) {
-  std::vector<int> found;
-  if (first >= 0) found.push_back(first);
-  for (std::size_t t = 0; t < scene.triangles.size() && found.size() < kMostTriangles; ++t) {
+exact::Rational EdgeAt(const Scene& scene, const Vertex& a, const Vertex& b, Point2 p) {
+  return scene.clip_space ? exact::HomogeneousEdgeValue(a, b, p)
+                          : exact::EdgeValue(WindowPoint(a), WindowPoint(b), p);
+}
+
+// How much a triangle has to do with a sample. Less is more.
+struct Concern {
+  bool is_beside = false;  // the sample lies neither inside nor on an edge
+  double least = 0;        // of |E| over its edges
+  int triangle = 0;
+
+  friend auto operator<=>(const Concern&, const Concern&) = default;
+};
+
+Concern ConcernOf(const Scene& scene, int triangle, Point2 p) {
+  const std::array<Vertex, 3> v =
+      Corners(scene, scene.triangles[static_cast<std::size_t>(triangle)]);
+  Concern concern{true, std::numeric_limits<double>::infinity(), triangle};
+  if (!std::ranges::all_of(v, [](const Vertex& corner) { return IsFinite(corner); })) {
+    return concern;
+  }
+  bool has_positive = false;
+  bool has_negative = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double e = EdgeAt(scene, v[(k + 1) % 3], v[(k + 2) % 3], p).ToDouble();
+    has_positive = has_positive || e > 0;
+    has_negative = has_negative || e < 0;
+    concern.least = std::min(concern.least, std::abs(e));
+  }
+  concern.is_beside = has_positive && has_negative;
+  return concern;
+}
+
+// Triangles whose box meets the view: the witness, then those that hold the sample, in them or on
+// an edge, then those whose edges pass nearest, until there are enough.
+std::vector<int> TrianglesInView(const Scene& scene, const PixelRect& view, int first,
+                                 std::optional<Point2> sample) {
+  std::vector<Concern> others;
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
     const auto x = std::minmax({v[0].x, v[1].x, v[2].x});
     const auto y = std::minmax({v[0].y, v[1].y, v[2].y});
     const bool apart = !scene.clip_space && (x.second < view.x0 || x.first > view.x1 ||
                                              y.second < view.y0 || y.first > view.y1);
-    if (!apart && static_cast<int>(t) != first) found.push_back(static_cast<int>(t));
+    const int triangle = static_cast<int>(t);
+    if (apart || triangle == first) continue;
+    others.push_back(sample ? ConcernOf(scene, triangle, *sample) : Concern{false, 0, triangle});
+  }
+  std::ranges::sort(others);
+  std::vector<int> found;
+  const bool is_there = first >= 0 && static_cast<std::size_t>(first) < scene.triangles.size();
+  if (is_there) found.push_back(first);
+  for (const Concern& other : others) {
+    if (found.size() == kMostTriangles) break;
+    found.push_back(other.triangle);
   }
   return found;
+}
+
+Point2 SampleAt(const Case& c, int x, int y, int number) {
+  const SamplePattern& pattern = c.profile.pattern;
+  const int row = c.profile.y_axis == YAxis::kUp ? c.scene.height - 1 - y : y;
+  return pattern.At(x, row, std::clamp(number, 0, pattern.samples() - 1));
 }
 
 std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
@@ -118,9 +173,7 @@ std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
   if (!IsFinite(a) || !IsFinite(b)) {
     return fmt::format("triangle {}, edge {}: not finite, covers nothing", triangle, edge);
   }
-  const exact::Rational value = scene.clip_space
-                                    ? exact::HomogeneousEdgeValue(a, b, p)
-                                    : exact::EdgeValue(WindowPoint(a), WindowPoint(b), p);
+  const exact::Rational value = EdgeAt(scene, a, b, p);
   std::string text = value.ToString();
   constexpr std::size_t kLongest = 60;  // beyond that the digits say nothing to a reader
   if (text.size() > kLongest) text = fmt::format("{:a} (rounded)", value.ToDouble());
@@ -155,20 +208,19 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   explanation.focus_x = witness ? verdict.witness->x : wrong_x;
   explanation.focus_y = witness ? verdict.witness->y : wrong_y;
   explanation.view = ViewAround(c.scene, explanation.focus_x, explanation.focus_y);
-  explanation.triangles = TrianglesInView(explanation.scene, explanation.view,
-                                          verdict.witness ? verdict.witness->triangle : -1);
+  std::optional<Point2> sample;
   if (explanation.focus_x >= 0) {
-    const SamplePattern& pattern = c.profile.pattern;
-    const int sample =
-        verdict.witness ? std::clamp(verdict.witness->sample, 0, pattern.samples() - 1) : 0;
-    const bool up = c.profile.y_axis == YAxis::kUp;
-    const int row = up ? c.scene.height - 1 - explanation.focus_y : explanation.focus_y;
-    const Point2 p = pattern.At(explanation.focus_x, row, sample);
+    const int number = verdict.witness ? verdict.witness->sample : 0;
+    sample = SampleAt(c, explanation.focus_x, explanation.focus_y, number);
+  }
+  explanation.triangles = TrianglesInView(explanation.scene, explanation.view,
+                                          verdict.witness ? verdict.witness->triangle : -1, sample);
+  if (sample) {
     for (const int triangle : explanation.triangles) {
       const std::string snapped = SnappedLine(c.scene, explanation.scene, triangle);
       if (!snapped.empty()) explanation.edge_values.push_back(snapped);
       for (int edge = 0; edge < 3; ++edge) {
-        explanation.edge_values.push_back(EdgeLine(explanation.scene, triangle, edge, p));
+        explanation.edge_values.push_back(EdgeLine(explanation.scene, triangle, edge, *sample));
       }
     }
   }

@@ -1,11 +1,13 @@
 #include "tool/part_file.h"
 
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "core/error.h"
@@ -25,7 +27,7 @@ namespace {
 using io::JsonValue;
 using report::JsonWriter;
 
-constexpr int kPartVersion = 1;
+constexpr int kPartVersion = 2;
 
 constexpr std::array<std::pair<props::End, std::string_view>, 4> kEnds{
     {{props::End::kAllRun, "all run"},
@@ -43,6 +45,8 @@ void VisitSums(Counts& sums, const Visit& visit) {
   visit("exercised", sums.exercised);
   visit("cases_refused", sums.cases_refused);
   visit("not_judged", sums.not_judged);
+  visit("positive_fronts", sums.positive_fronts);
+  visit("negative_fronts", sums.negative_fronts);
   visit("not_applicable", sums.not_applicable);
   visit("refused_within_limits", sums.refused_within_limits);
 }
@@ -232,18 +236,34 @@ void RequirePart(const JsonValue& root) {
 std::uint64_t SeedOf(const JsonValue& value) {
   const std::string text = TextOf(value);
   std::uint64_t seed = 0;
-  for (const char c : text) {
-    if (c < '0' || c > '9') throw value.Error("is no seed", "write the part again");
-    seed = seed * 10 + static_cast<std::uint64_t>(c - '0');
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, seed);
+  if (error == std::errc() && at == end && std::to_string(seed) == text) return seed;
+  throw value.Error("is no seed of 0 to 2^64 - 1", "write the part again");
+}
+
+// Numbers that arithmetic is done with before anything else is looked at.
+void ReadRange(const JsonValue& root, SubjectPart& part) {
+  const auto integer = [&](std::string_view key, std::uint64_t least, std::uint64_t most) {
+    return static_cast<std::uint64_t>(root.Get(key).RequireInteger(
+        static_cast<std::int64_t>(least), static_cast<std::int64_t>(most)));
+  };
+  if (root.Find("shard")) {
+    const std::uint64_t count = integer("shards", 1, kMostShards);
+    part.shard = Shard{integer("shard", 1, count), count};
+    part.cases = integer("cases", 1, kMostCases);
+  } else if (root.Find("shards") || root.Find("cases")) {
+    throw root.Error("it has no shard, and says of how many", "write the part again");
   }
-  return seed;
+  const std::uint64_t first = integer("first", 0, kMostCases);
+  part.range = {first, integer("end", part.shard ? first : first + 1, kMostCases)};
 }
 
 }  // namespace
 
-std::string PartToJson(const SubjectPart& part) {
-  JsonWriter json;
-  json.BeginObject();
+namespace {
+
+void WriteContent(JsonWriter& json, const SubjectPart& part) {
   json.Key("rasterproof_part").Integer(kPartVersion);
   json.Key("tool_version").Text(part.tool_version);
   json.Key("environment").BeginArray();
@@ -266,6 +286,31 @@ std::string PartToJson(const SubjectPart& part) {
   json.Key("tests").BeginArray();
   for (const TestPart& test : part.tests) WriteTest(json, test);
   json.EndArray();
+}
+
+}  // namespace
+
+std::string HashText(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char byte : bytes) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::string DigestOf(const SubjectPart& part) {
+  JsonWriter json;
+  json.BeginObject();
+  WriteContent(json, part);
+  json.EndObject();
+  return HashText(json.Finish());
+}
+
+std::string PartToJson(const SubjectPart& part) {
+  JsonWriter json;
+  json.BeginObject();
+  WriteContent(json, part);
+  json.Key("digest").Text(DigestOf(part));
   json.EndObject();
   return json.Finish();
 }
@@ -285,6 +330,7 @@ SubjectPart ReadPart(const std::string& path) {
       name = TextOf(word);
     }
   }
+  if (name) throw root.Get("environment").Error("its last name has no value", "run the part again");
   part.subject = TextOf(root.Get("subject"));
   part.stated = TextOf(root.Get("stated"));
   part.options = TextOf(root.Get("options"));
@@ -292,16 +338,9 @@ SubjectPart ReadPart(const std::string& path) {
     part.worlds.push_back(TextOf(world));
   }
   part.seed = SeedOf(root.Get("seed"));
-  part.range = {IntegerOf<std::uint64_t>(root.Get("first")),
-                IntegerOf<std::uint64_t>(root.Get("end"))};
-  if (root.Find("shard")) {
-    part.shard = Shard{IntegerOf<std::uint64_t>(root.Get("shard")),
-                       IntegerOf<std::uint64_t>(root.Get("shards"))};
-  }
-  if (const std::optional<JsonValue> cases = root.Find("cases")) {
-    part.cases = IntegerOf<std::uint64_t>(*cases);
-  }
+  ReadRange(root, part);
   for (const JsonValue test : root.Get("tests").RequireArray()) part.tests.push_back(TestOf(test));
+  part.digest = TextOf(root.Get("digest"));
   return part;
 }
 

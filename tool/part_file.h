@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "exact/edge.h"
@@ -36,12 +37,19 @@ struct SubjectPart {
   std::optional<Shard> shard;          ///< nothing: --cases A..B
   std::optional<std::uint64_t> cases;  ///< of the campaign, where that is known: with a shard
   std::vector<TestPart> tests;
+  std::string digest;  ///< as read: of all that it was written with
 };
+
+/// FNV-1a: whether two texts differ, not who made them.
+std::string HashText(std::string_view bytes);
+
+/// The part's digest: of its content, however a file spells it.
+std::string DigestOf(const SubjectPart& part);
 
 /// Reads back what PartToJson wrote. Of a counterexample all but `compared` is kept.
 std::string PartToJson(const SubjectPart& part);
 
-/// Error:      InputError if it can't be read, or is no part.
+/// Error:      InputError if it can't be read, is no part, or names no shard or range that can be.
 SubjectPart ReadPart(const std::string& path);
 
 }  // namespace rasterproof::tool

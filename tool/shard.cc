@@ -16,7 +16,6 @@
 namespace rasterproof::tool {
 namespace {
 
-constexpr std::uint64_t kMostCases = std::uint64_t{1} << 62;
 constexpr std::string_view kByHand = "say it yourself: --shard 1/3";
 
 std::optional<std::uint64_t> WholeNumber(std::string_view text) {

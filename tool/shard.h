@@ -12,6 +12,7 @@
 namespace rasterproof::tool {
 
 inline constexpr std::uint64_t kMostShards = 1'000'000;
+inline constexpr std::uint64_t kMostCases = std::uint64_t{1} << 62;
 
 /// Shard `number` of `count`, counted from 1 as they are typed.
 struct Shard {

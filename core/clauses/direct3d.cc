@@ -118,7 +118,9 @@ constexpr auto k11 = std::to_array<Clause>({
     {.id = "d3d11.cull-after-snap",
      .place = "3.4.1, 15.11",
      .sentence = "Culling is applied after vertices have been snapped.",
-     .reading = "Facing is the sign of the snapped area."},
+     .reading = "Facing is the sign of the snapped area. Which winding is the front is state "
+                "(FrontCounterClockwise): one for all.",
+     .keys = "front_face=unstated"},
     {.id = "d3d11.zero-area",
      .place = "15.11.1; 3.4.2",
      .sentence = "\"Zero area geometry is considered back facing.\"",

@@ -134,7 +134,9 @@ constexpr auto kOpenGl = std::to_array<Clause>({
      .place = "14.6.1",
      .sentence = "Facing is the sign of the area, \"clipped or unclipped\", in window coordinates.",
      .reading = "Near zero area, clipping and rounding may turn it: both facings are legal there; "
-                "zero area is back-facing, since front needs a positive sign."},
+                "zero area is back-facing, since front needs a positive sign. Which winding is the "
+                "front is state (FrontFace): one for all.",
+     .keys = "front_face=unstated"},
     {.id = "gl.zero-area",
      .place = "14.6.1",
      .force = kSilent,

@@ -128,7 +128,9 @@ constexpr auto kVulkan = std::to_array<Clause>({
      .place = "Basic Polygon Rasterization, VkFrontFace",
      .sentence = "Facing is the sign of the area, \"clipped or unclipped\"; what is not "
                  "front-facing is back-facing, \"including zero-area triangles\".",
-     .reading = "Near zero area, clipping and rounding may turn it: both facings are legal there."},
+     .reading = "Near zero area, clipping and rounding may turn it: both facings are legal there. "
+                "Which winding is the front is state of the pipeline: one for all.",
+     .keys = "front_face=unstated"},
     {.id = "vulkan.zero-area",
      .place = "Basic Polygon Rasterization",
      .force = kSilent,

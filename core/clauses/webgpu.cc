@@ -95,7 +95,10 @@ constexpr auto kWebGpu = std::to_array<Clause>({
      .place = "23.2.5.4, step 3",
      .sentence = "The sign of the area in framebuffer coordinates; zero is back-facing for both "
                  "windings.",
-     .reading = "Of the placed polygon; near zero area both facings are legal."},
+     .reading =
+         "Of the placed polygon; near zero area both facings are legal. Which winding is the "
+         "front is state of the pipeline: one for all.",
+     .keys = "front_face=unstated"},
     {.id = "webgpu.zero-area",
      .place = "23.2.5.4",
      .force = kSilent,

@@ -33,6 +33,8 @@ void Add(Sums& sums, const Sums& behind) {
   sums.exercised += behind.exercised;
   sums.cases_refused += behind.cases_refused;
   sums.not_judged += behind.not_judged;
+  sums.positive_fronts += behind.positive_fronts;
+  sums.negative_fronts += behind.negative_fronts;
   sums.worst_ratio = std::max(sums.worst_ratio, behind.worst_ratio);
   sums.drawn.resize(std::max(sums.drawn.size(), behind.drawn.size()));
   sums.near_edge.resize(sums.drawn.size());
@@ -78,6 +80,8 @@ void Tally::AddCase(std::uint64_t number, const Case& c, const Verdict& verdict)
   sums_.worst_ratio = std::max(sums_.worst_ratio, verdict.worst_ratio);
   if (!domains_.empty()) CountNearEdgesOf(c, number % domains_.size());
   sums_.not_judged += verdict.not_judged;
+  if (verdict.front_sign)
+    ++(*verdict.front_sign > 0 ? sums_.positive_fronts : sums_.negative_fronts);
   if (verdict.outcome == Outcome::kRefused) {
     ++sums_.cases_refused;
     if (WithinLimits(c.scene, c.profile) && sums_.refused_within_limits++ == 0) {
@@ -118,6 +122,12 @@ PropertyResult Tally::Concluded() const {
     AddSentence(result.message, left_out_);
     return result;
   }
+  if (sums_.positive_fronts != 0 && sums_.negative_fronts != 0) {
+    result.outcome = Outcome::kInconclusive;
+    AddSentence(result.message, FrontText());
+    AddSentence(result.message, left_out_);
+    return result;
+  }
   const std::string dead = DeadDomains();
   const bool holds = result.exercised != 0 && dead.empty();
   result.outcome = holds ? Outcome::kHolds : Outcome::kNotExercised;
@@ -126,6 +136,7 @@ PropertyResult Tally::Concluded() const {
   if (holds && result.cases_refused != 0) {
     AddSentence(result.message, "holds where it did not refuse: " + SoFar());
   }
+  if (holds) AddSentence(result.message, FrontText());
   AddSentence(result.message, left_out_);
   return result;
 }
@@ -165,6 +176,17 @@ std::string Tally::SoFar() const {
                      std::to_string(sums_.cases) + " cases";
   if (sums_.cases_refused != 0) text += ", " + std::to_string(sums_.cases_refused) + " refused";
   return text;
+}
+
+std::string Tally::FrontText() const {
+  const std::string positive = std::to_string(sums_.positive_fronts);
+  const std::string negative = std::to_string(sums_.negative_fronts);
+  if (sums_.positive_fronts != 0 && sums_.negative_fronts != 0) {
+    return "the subject changes its answer: the same triangle, of positive area, is front in " +
+           positive + " cases and back in " + negative;
+  }
+  if (sums_.negative_fronts != 0) return "front is the side of negative area, for all triangles";
+  return sums_.positive_fronts == 0 ? "" : "front is the side of positive area, for all triangles";
 }
 
 std::string Tally::DeadDomains() const {

@@ -29,6 +29,9 @@ struct Sums {
   std::uint64_t exercised = 0;
   std::uint64_t cases_refused = 0;
   std::uint64_t not_judged = 0;
+  // Cases in which the subject showed the side of this area as the front, where either is legal.
+  std::uint64_t positive_fronts = 0;
+  std::uint64_t negative_fronts = 0;
   double worst_ratio = 0;
   std::vector<std::uint64_t> drawn;       ///< cases of each domain; none of a world
   std::vector<NearEdgeCounts> near_edge;  ///< of each domain
@@ -65,7 +68,8 @@ class Tally {
   void AddSums(const Sums& behind) { Add(sums_, behind); }
 
   /// The result of a run in which nothing was violated. Not a pass if nothing was exercised, if a
-  /// near-edge domain gave nothing near an edge, or if the subject refused too much.
+  /// near-edge domain gave nothing near an edge, if the subject refused too much, or if it took
+  /// one side for the front in some cases and the other side in others.
   PropertyResult Concluded() const;
   /// The result of a run that does not begin.
   PropertyResult NotApplicable(const std::string& why) const;
@@ -80,6 +84,8 @@ class Tally {
   void CountNearEdgesOf(const Case& c, std::size_t domain);
   std::string SoFar() const;
   std::string DeadDomains() const;
+  /// Which side is the front, where that is left to the subject; else empty.
+  std::string FrontText() const;
 
   PropertyResult Counted() const;
 

@@ -33,7 +33,8 @@ std::vector<Row> MakeRows() {
         mutants::CrowdMutants, mutants::RealMutants, mutants::TransformMutants,
         mutants::ScanlineMutants, mutants::MapMutants, mutants::ShownValueMutants,
         mutants::ContractMutants, mutants::FreeMutants, mutants::SquareMutants, mutants::SetMutants,
-        mutants::SampleMutants, mutants::CentroidMutants, mutants::WidthMutants}) {
+        mutants::FacingMutants, mutants::SampleMutants, mutants::CentroidMutants,
+        mutants::WidthMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);

@@ -115,6 +115,7 @@ TEST(BenchTest, ASnappedSubjectIsRightForItsProfileAndWrongForRealGeometry) {
   snapped.info_.profile.snap.bits = 1;
   Draughtsman real("real");
   for (const BenchRow& row : RunOnce({&snapped, &real}).rows) {
+    EXPECT_EQ(row.arithmetic, row.subject == "snapped" ? "fixed point" : "float32");
     EXPECT_EQ(row.against_own.wrong, 0U) << row.family;
     EXPECT_EQ(row.against_real.wrong != 0, row.subject == "snapped") << row.family;
   }

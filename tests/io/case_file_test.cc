@@ -102,11 +102,12 @@ TEST(CaseFileTest, AnUnknownProfileNameIsToldThePresets) {
     ReadProfile("d3d12");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "profile \"d3d12\": is neither a preset nor a file; the presets are real "
-                 "d3d11-canonical vulkan-canonical gl-canonical d3d11 vulkan gl webgpu "
-                 "d3d12-conservative-1 d3d12-conservative-2 d3d12-conservative-3 d3d12-inner "
-                 "vulkan-overestimate vulkan-underestimate gdal-all-touched pdf-fill voxel");
+    const std::string told = error.what();
+    EXPECT_TRUE(told.starts_with(
+        "profile \"d3d12\": is neither a preset nor a file; did you mean d3d11? the presets are\n"
+        "  real, d3d11-canonical, vulkan-canonical, gl-canonical, d3d11, vulkan, gl,\n"))
+        << told;
+    EXPECT_TRUE(told.ends_with(", voxel")) << told;
   }
 }
 
@@ -136,7 +137,7 @@ TEST(CaseFileTest, BadCasesAreRefusedWithPlaceAndReason) {
       {message(R"(, "subject": 7)"), "subject: is a number, not a string"},
       {message(R"(, "options": [])"), "options: is an array, not an object"},
       {message(R"(, "options": {"cull": "both"})"),
-       "options.cull: \"both\" is unknown; known here are \"none\" \"front\" \"back\""},
+       "options.cull: \"both\" is unknown; known here are none, front, back"},
       {message(R"(, "options": {"scissor": [0, 0, 1]})"), "options.scissor: has 3 sides"},
       {message(R"(, "options": {"scissor": [0, 0, 1, 4294967296]})"), "options.scissor[3]"},
       {message(R"(, "options": {"tile": -1})"), "options.tile: the number -1 is out of range"},

@@ -188,6 +188,83 @@ class Refused(Parts):
         self.refused(self.merge(self.changed(one, "tests", []), two), "its properties are not")
         self.refused(self.merge(self.changed(one, "rasterproof_part", 9), two), "version 9")
 
+    def edited(self, path, edit):
+        """A copy of the part, edited in place."""
+        with open(os.path.join(self.folder, path), encoding="utf-8") as file:
+            part = json.load(file)
+        edit(part)
+        copy = path.replace(".json", "-edited.json")
+        with open(os.path.join(self.folder, copy), "w", encoding="utf-8") as file:
+            json.dump(part, file)
+        return copy
+
+    def test_a_part_is_checked_as_a_whole_before_anything_is_added(self):
+        part = self.part("--shard", "1/1", cases="10")
+        self.good(self.merge(self.edited(part, lambda part: None), out="spelt-otherwise"))
+
+        def of_test(**values):
+            def edit(part):
+                test = next(one for one in part["tests"] if one["end"] == "all run")
+                test.update(values)
+            return edit
+
+        def of_domain(**values):
+            def edit(part):
+                next(one for one in part["tests"] if one["domains"])["domains"][0].update(values)
+            return edit
+
+        for edit, words in (
+            (lambda part: part.update(shards=0), ("shards",)),
+            (lambda part: part.update(shard=0), ("shard",)),
+            (lambda part: part.update(shards=10**7), ("shards",)),
+            (lambda part: part.update(first=2**62 + 1, end=2**62 + 2), ("first",)),
+            (lambda part: part.update(end=2**62 + 1), ("end",)),
+            (lambda part: part.update(cases=0), ("cases",)),
+            (lambda part: part.update(seed=""), ("is no seed",)),
+            (lambda part: part.update(seed=str(2**64 + 1)), ("is no seed",)),
+            (lambda part: part.update(seed="01"), ("is no seed",)),
+            (lambda part: part["environment"].append("odd"), ("has no value",)),
+            (of_test(cases=0, cases_exercised=0, exercised=0), ("more cases than were run",)),
+            (of_test(cases=0, cases_exercised=0, exercised=0, domains=[]), ("domains are told",)),
+            (of_test(end="not applicable"), ("not applicable, with 10 cases run",)),
+            (of_test(end="failed"), ("found",)),
+            (of_test(cases_exercised=11), ("of 10 cases",)),
+            (of_test(exercised=2**62), ("no count that any run reaches",)),
+            (of_test(cases_refused=11), ("refused",)),
+            (of_test(refused_within_limits=1), ("refused",)),
+            (of_test(not_applicable=11), ("not applicable",)),
+            (of_test(worst_ratio="nan"), ("error",)),
+            (of_test(domains=[]), ("domains are told",)),
+            (of_domain(drawn=2**63 - 1), ("more cases than were run",)),
+            (of_domain(on_edge=2**40), ("more of its samples lie near edges",)),
+            # Nothing contradicts it; it is not what was written.
+            (of_test(seconds="0x1p+0"), ("another digest",)),
+            (lambda part: part.update(digest="0" * 16), ("another digest",)),
+        ):
+            with self.subTest(words=words):
+                done = self.merge(self.edited(part, edit))
+                self.assertTrue(any(word in done.stderr for word in words), done.stderr)
+                self.refused(done)
+
+    def test_a_failure_is_checked_too(self):
+        subject = ("--subject", WRONG)
+        part = self.part("--shard", "1/1", subject=subject, cases="10")
+
+        def found(part):
+            return next(one["found"] for one in part["tests"] if "witness" in one.get("found", {}))
+
+        for edit, words in (
+            (lambda part: found(part)["witness"].update(triangle=10**6), "its witness is triangle"),
+            (lambda part: found(part)["witness"].update(edge=3), "its witness is edge 3"),
+            (lambda part: found(part)["witness"].update(x=10**6), "its witness is pixel"),
+            (lambda part: found(part)["witness"].update(sample=-1), "its witness is sample"),
+            (lambda part: found(part).update(outcome="holds"), "the outcome is that it holds"),
+            (lambda part: found(part).update(said_outcome="holds"), "not that it is violated"),
+            (lambda part: found(part).update(message="fine"), "another digest"),
+        ):
+            with self.subTest(words=words):
+                self.refused(self.merge(self.edited(part, edit), subject=subject), words)
+
     def test_what_is_no_part(self):
         for name, text in (("cut.json", '{"rasterproof_part": 1, "tool_'), ("other.json", "{}")):
             with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:

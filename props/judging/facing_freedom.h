@@ -1,0 +1,71 @@
+// What the legal models of a profile leave open about facings.
+#ifndef RASTERPROOF_PROPS_JUDGING_FACING_FREEDOM_H_
+#define RASTERPROOF_PROPS_JUDGING_FACING_FREEDOM_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/case.h"
+#include "core/coverage.h"
+#include "core/scene.h"
+#include "props/judging/free_choices.h"
+
+namespace rasterproof::props {
+
+/// A triangle whose facing may be that of the polygon that clipping leaves inside the target is
+/// open where this polygon, grown by a grid step, is thinner than so many steps: its vertices snap
+/// too, less than a step on each axis, and a polygon broader than twice the diagonal of a step
+/// can't be turned by that.
+inline constexpr double kThinnestClippedSteps = 4;
+
+/// A triangle of a case, as legal models may face and place it.
+class LegalTriangle {
+ public:
+  /// Domain:     a window-space case within the profile's limits.
+  LegalTriangle(const Case& c, const Triangle& t);
+
+  /// The sign of its area in every legal model, +1 or -1, as CoverageCounts has it. 0: it is open,
+  /// because two models differ in it, because it has no area in one, or because clipping may turn
+  /// or move it.
+  int facing() const { return facing_; }
+  /// Returns whether every legal model covers the sample at `p`, wherever in its pixel it may lie.
+  ///
+  /// Domain:     a place of the window in the pixel that holds it.
+  bool CoversInEveryModel(Point2 p) const;
+  /// Returns whether some legal model may cover the sample at `p`. Cruder: by the box.
+  bool MayCover(Point2 p) const;
+
+ private:
+  bool has_places_ = false;
+  bool knows_samples_ = true;  ///< where in their pixels they lie
+  int facing_ = 0;
+  int turn_ = 0;  ///< of the places, in window axes
+  std::array<LegalPlaces, 3> places_{};
+};
+
+/// The triangle (0, 0), (2W, 0), (0, 2H) on a target W wide and H high: it covers every sample. By
+/// what it shows it is known which side the subject takes for the front.
+struct Reference {
+  Case value;
+  int facing = 0;  ///< that of every legal model: +1 or -1
+};
+inline constexpr const char* kReferenceWords = "the triangle (0, 0) (2 W, 0) (0, 2 H)";
+
+/// The reference on a target of 4 x 4, the same question in every case, so that all answers can be
+/// compared; then on the case's own. A limit may leave out either, and so may a grid that is coarse
+/// for the target. None where single samples are not stated.
+std::vector<Reference> ReferencesOf(const Case& c);
+
+/// The case's first triangles, so many, behind its last reference, if that is on the case's target.
+Case BehindItsReference(const Case& c, const std::vector<Reference>& references, std::size_t count);
+
+/// What a drawing of one triangle shows: +1 front counts alone, -1 back counts alone, 0 none or
+/// both.
+int ShownFacing(const CoverageCounts& counts);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_FACING_FREEDOM_H_

@@ -1,0 +1,94 @@
+// What a legal set leaves open about facings is let pass, and an exchange by triangle, call or
+// target is found.
+#include "props/judging/facing_freedom.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/profile.h"
+#include "props/properties/all.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+#include "subjects/mutants/mutants.h"
+
+namespace rasterproof::props {
+namespace {
+
+PropertyResult RunOn(const std::string& name, const Property& property, std::uint64_t seed) {
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
+  return RunCampaign(*subject, property, {.seed = seed, .cases = 200, .shrink_budget = 20});
+}
+
+LegalTriangle InVulkan(const Scene& scene) {
+  Case c;
+  c.scene = scene;
+  c.profile = *PresetProfile("vulkan");
+  return LegalTriangle(c, scene.triangles[0]);
+}
+
+Scene OnEight(Vertex a, Vertex b, Vertex c) {
+  Scene scene;
+  scene.width = scene.height = 8;
+  scene.vertices = {a, b, c};
+  scene.triangles = {{0, 1, 2}};
+  return scene;
+}
+
+TEST(LegalTriangle, IsOpenWhereLegalPlacesOrClippingMayTurnIt) {
+  const Vertex a{1, 1, 0, 1};
+  const Vertex b{7, 1, 0, 1};
+  EXPECT_NE(InVulkan(OnEight(a, b, {1, 7, 0, 1})).facing(), 0);
+  EXPECT_EQ(InVulkan(OnEight(a, b, {1, 7, 0, 1})).facing(),
+            -InVulkan(OnEight(b, a, {1, 7, 0, 1})).facing());
+  // All on the grid of four bits, which moves none of them; with finer grids, none either.
+  EXPECT_NE(InVulkan(OnEight(a, b, {4, 1.0625, 0, 1})).facing(), 0);
+  // Off it by a hair: less than a step up or down.
+  EXPECT_EQ(InVulkan(OnEight(a, b, {4, 1.03125, 0, 1})).facing(), 0);
+  // Broad, but a sliver of it is inside the target.
+  EXPECT_EQ(InVulkan(OnEight({7.9375, 0, 0, 1}, {20, 0, 0, 1}, {7.9375, 9, 0, 1})).facing(), 0);
+  EXPECT_NE(InVulkan(OnEight({7, 0, 0, 1}, {20, 0, 0, 1}, {7, 9, 0, 1})).facing(), 0);
+}
+
+TEST(LegalTriangle, CoversInEveryModelWhatNoStepUncovers) {
+  const LegalTriangle triangle =
+      InVulkan(OnEight({1.03, 1.03, 0, 1}, {7.03, 1.03, 0, 1}, {1.03, 7.03, 0, 1}));
+  EXPECT_TRUE(triangle.CoversInEveryModel({2.5, 2.5}));
+  EXPECT_FALSE(triangle.CoversInEveryModel({1.05, 2.5}));
+  EXPECT_TRUE(triangle.MayCover({1.0, 2.5}));
+  EXPECT_FALSE(triangle.MayCover({12.5, 2.5}));
+}
+
+TEST(Facings, OfLegalVariantsAreTaken) {
+  for (const char* name : {"legal:vulkan-facing-exchanged", "legal:d3d11-facing-exchanged",
+                           "legal:webgpu-facing-exchanged", "legal:vulkan-facing-4-bits",
+                           "legal:vulkan-facing-clipped", "legal:d3d11-facing-clipped"}) {
+    for (const Property* property : {&kFacingIsOneAtAllSamples, &kCullingRemovesOneFacing}) {
+      const PropertyResult result = RunOn(name, *property, 1);
+      EXPECT_EQ(result.outcome, Outcome::kHolds) << name << ": " << result.message;
+      const bool exchanged = std::string(name).ends_with("exchanged");
+      EXPECT_NE(result.message.find(exchanged ? "the side of negative area" : "of positive area"),
+                std::string::npos)
+          << name << ": " << result.message;
+    }
+  }
+}
+
+TEST(Facings, ExchangedByTriangleCallOrTargetAreFound) {
+  for (const char* name : {"mutant:vulkan-facing-by-hash", "mutant:d3d11-facing-by-hash",
+                           "mutant:vulkan-facing-by-place", "mutant:vulkan-facing-by-call",
+                           "mutant:vulkan-facing-by-target"}) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      EXPECT_EQ(RunOn(name, kFacingIsOneAtAllSamples, seed).outcome, Outcome::kViolated) << name;
+    }
+  }
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    EXPECT_EQ(RunOn("mutant:vulkan-culls-the-other", kCullingRemovesOneFacing, seed).outcome,
+              Outcome::kViolated);
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::props

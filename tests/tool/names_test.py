@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Names that nobody knows, and folders that can't be: told before any work, with what is meant.
+
+usage: names_test.py PROGRAM SOURCES
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SOURCES = (os.path.abspath(path) for path in sys.argv[1:3])
+SCENE = os.path.join(SOURCES, "scenes/drtk9.json")
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, cwd=SOURCES, timeout=300)  # fmt: skip
+
+
+class Names(unittest.TestCase):
+    def refused(self, *arguments):
+        done = run(*arguments)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual(done.stdout, "")
+        return done.stderr
+
+    def test_no_name_decides_by_its_beginning(self):
+        for name in ("exactt", "exact-", "exact:canonical", "exact-integer"):
+            for verb in (("diff", SCENE, "--subject", "f32-direct", "--against", name),
+                         ("coverage", SCENE, "--subject", name)):  # fmt: skip
+                with self.subTest(verb=verb):
+                    told = self.refused(*verb)
+                    self.assertIn(f"subject '{name}': there is no such subject", told)
+        self.assertIn("did you mean exact?", self.refused("coverage", SCENE, "--subject", "exactt"))
+        for name in ("exact", "exact-integers", "exact-cgal"):
+            done = run("diff", SCENE, "--subject", "spans-exact", "--against", name)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_what_may_be_meant_is_said(self):
+        for arguments, meant in (
+            (("chek",), "check"),
+            (("check", "--subject", "f32-dirct"), "f32-direct"),
+            (("check", "--profile", "vulcan"), "vulkan"),
+            (("check", "--property", "CoverageEqualTheModel"), "CoverageEqualsTheModel"),
+            (("check", "--case", "near-egde:1@1"), "near-edge"),
+            (("replay", "--subject", "f32-direct", "--case", "near-egde:1@1"), "near-edge"),
+            (("certify", "--exhaustive", "pears-3x3"), "pairs-3x3"),
+            (("selftest", "--only", "mutant:box-single-colum"), "mutant:box-single-column"),
+        ):
+            with self.subTest(arguments=arguments):
+                self.assertIn(f"did you mean {meant}? ", self.refused(*arguments))
+        self.assertNotIn("did you mean", self.refused("frobnicate"))
+
+    def test_keys_of_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "profile.json")
+            for profile, meant in (({"name": "x", "tie_rul": "top-left"}, "tie_rule"),
+                                   ({"name": "x", "contract": "watertigt"}, "watertight"),
+                                   ("vulcan", "vulkan")):  # fmt: skip
+                with open(path, "w", encoding="utf-8") as file:
+                    json.dump(profile, file)
+                told = self.refused("check", "--profile", path)
+                self.assertIn(f"did you mean {meant}? ", told)
+
+    def test_lists_of_names_are_no_wider_than_a_terminal(self):
+        for arguments in (("check", "--subject", "zzzzzzzz"), ("check", "--profile", "zzzzzzzz")):
+            lines = self.refused(*arguments).splitlines()
+            self.assertGreater(len(lines), 3)
+            for line in lines[1:]:
+                self.assertLessEqual(len(line), 80)
+
+    def test_help_names_what_fails_once(self):
+        for verb in ("check", "certify", "merge"):
+            told = run(verb, "--help").stdout
+            self.assertIn("{stated,quality}", " ".join(told.split()))
+            self.assertNotIn("->", told)
+
+    def test_a_folder_that_cannot_be_is_refused_before_the_campaign(self):
+        for verb in (("check", "--subject", "spans-exact", "--cases", "2000"),
+                     ("survey", "--subject", "spans-exact", "--cases", "2000")):  # fmt: skip
+            told = self.refused(*verb, "--save", "/proc/x")
+            self.assertIn("/proc/x: can't be made a folder", told)
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("check", "--subject", "spans-exact", "--cases", "2", "--save",
+                       os.path.join(folder, "a/b/c/"))  # fmt: skip
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertEqual(os.listdir(folder), [], "nothing failed, and nothing is left")
+
+
+class Pictures(unittest.TestCase):
+    def test_the_guilty_pair_stands_first(self):
+        done = run("explain", SCENE, "--subject", "f32-direct-fma")
+        lines = [line for line in done.stdout.splitlines() if ": E = " in line]
+        named = [line.split(",")[0] for line in lines]
+        self.assertEqual(named[:6], ["triangle 2"] * 3 + ["triangle 3"] * 3, done.stdout)
+        # The sample lies 2^-34 off the edge that they share.
+        self.assertIn("triangle 2, edge 1: E = -1/17179869184", lines)
+        self.assertIn("triangle 3, edge 2: E = 1/17179869184", lines)
+
+
+class Plan(unittest.TestCase):
+    def why(self, **profile):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "profile.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump({"name": "x", **profile}, file)
+            done = run("plan", os.path.join(SOURCES, "scenes/ties.json"), "--profile", path)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def test_it_says_only_what_the_profile_states(self):
+        fixed = {"integer_bits": 11, "fraction_bits": 4, "signed": True, "wrap": False}
+        told = self.why(fixed=fixed)
+        self.assertIn("takes integers of 11.4 bits", told)
+        self.assertNotIn("wraps", told)
+        self.assertNotIn("drops", told)
+        told = self.why(fixed={**fixed, "wrap": True})
+        self.assertIn("wraps coordinates of 11.4 bits", told)
+        self.assertNotIn("drops", told)
+        told = self.why(max_primitive_extent=[1023, 511])
+        self.assertIn("drops large triangles", told)
+        self.assertNotIn("wraps", told)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -1,8 +1,12 @@
 // rasterproof legal: whether one legal model of a profile explains a drawing.
+//
+// How many samples are open is counted only of a drawing that is not legal: one family of models
+// explains a legal one, while the count looks at all of them.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -142,8 +146,8 @@ std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t sa
   return text;
 }
 
-std::string Text(const legal::JointVerdict& verdict, std::uint64_t open, const Profile& profile,
-                 const Scene& scene) {
+std::string Text(const legal::JointVerdict& verdict, std::optional<std::uint64_t> open,
+                 const Profile& profile, const Scene& scene) {
   std::string text = fmt::format("{}: profile {}; ", LegalityName(verdict.legality), profile.name);
   const std::string family = FamilyText(verdict.family, profile);
   if (verdict.legality == legal::Legality::kLegal) {
@@ -157,7 +161,8 @@ std::string Text(const legal::JointVerdict& verdict, std::uint64_t open, const P
                             ? "one grid and tie rule was"
                             : fmt::format("{} grids and tie rules were", verdict.families));
   }
-  text += fmt::format("{} samples are open: legal models cover them differently often\n", open);
+  if (open)
+    text += fmt::format("{} samples are open: legal models cover them differently often\n", *open);
   if (verdict.components != 0) {
     text += fmt::format(
         "with {}: {} components, the largest of {} triangles; {} samples are not judged\n", family,
@@ -168,7 +173,8 @@ std::string Text(const legal::JointVerdict& verdict, std::uint64_t open, const P
   return text;
 }
 
-std::string ToJson(const legal::JointVerdict& verdict, std::uint64_t open, const Profile& profile) {
+std::string ToJson(const legal::JointVerdict& verdict, std::optional<std::uint64_t> open,
+                   const Profile& profile) {
   report::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_legal").Integer(1);
@@ -178,7 +184,7 @@ std::string ToJson(const legal::JointVerdict& verdict, std::uint64_t open, const
   json.Key("model").Text(FamilyText(verdict.family, profile));
   json.Key("models_tried").Integer(verdict.families);
   json.Key("samples").Integer(verdict.samples);
-  json.Key("open").Integer(open);
+  if (open) json.Key("open").Integer(*open);
   json.Key("not_judged").Integer(verdict.not_judged);
   json.Key("components").Integer(verdict.components);
   json.Key("largest_component").Integer(verdict.largest_component);
@@ -276,7 +282,9 @@ int RunLegal(const LegalOptions& options) {
   }
   const Drawn drawn = subject ? DrawnBy(*subject, scene) : Read(options, scene, profile);
   const legal::JointVerdict verdict = legal::JudgeJointly(scene, profile, drawn.Observed());
-  const std::uint64_t open = legal::DecidedSamples(scene, profile).NumberOpen();
+  std::optional<std::uint64_t> open;
+  if (verdict.legality != legal::Legality::kLegal)
+    open = legal::DecidedSamples(scene, profile).NumberOpen();
   if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, open, profile));
   if (!options.save.empty() && verdict.core) Save(options, scene, profile, *verdict.core);
   if (options.json != "-") {

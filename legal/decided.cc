@@ -150,4 +150,18 @@ Decided DecidedSamples(const Scene& scene, const Profile& profile, const std::ve
   return decided;
 }
 
+std::vector<bool> OpenOfSomeTriangle(const Scene& scene, const Profile& profile) {
+  std::vector<TriangleDecided> triangles;
+  const std::vector<Family> families = FamiliesOf(profile, scene);
+  for (std::size_t f = 0; f < families.size(); ++f)
+    AddTriangles(FamilySamples(FamilyView(scene, profile, families[f])), f == 0, triangles);
+  std::vector<bool> open(
+      CoverageCounts::Size(scene.width, scene.height, profile.pattern.samples()));
+  for (const TriangleDecided& triangle : triangles) {
+    if (triangle.is_anything) open.assign(open.size(), true);
+    for (const std::size_t s : triangle.may) open[s] = true;
+  }
+  return open;
+}
+
 }  // namespace rasterproof::legal

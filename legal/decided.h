@@ -60,8 +60,18 @@ struct Decided {
 /// Returns:    exactly the counts that some legal model has, where `bounded` does not count the
 ///             sample; there, all between the least and the most. Where `only` says which samples
 ///             (shape as counts), nothing of the others.
+/// Cost:       a scan of each triangle's box for every family, and the solver for each sample that
+///             two open triangles share: many times what JudgeJointly takes for a legal drawing.
 Decided DecidedSamples(const Scene& scene, const Profile& profile,
                        const std::vector<bool>* only = nullptr);
+
+/// Returns at which samples legal models decide some triangle of the scene differently; everywhere
+/// if nothing is stated of one.
+///
+/// Domain:     as JudgeJointly.
+/// Shape:      as counts of the target.
+/// Cost:       a scan of each triangle's box for every family.
+std::vector<bool> OpenOfSomeTriangle(const Scene& scene, const Profile& profile);
 
 }  // namespace rasterproof::legal
 

@@ -32,6 +32,13 @@ FixedStages Snapping(std::string_view preset, std::function<double(double)> snap
   return stages;
 }
 
+// On a grid of so many bits, finer than that of most.
+FixedStages Finer(int bits, std::function<double(double)> snap) {
+  FixedStages stages = Snapping("vulkan", std::move(snap));
+  stages.bits = bits;
+  return stages;
+}
+
 using Owns = std::function<bool(const GridEdge&, const GridTriangle&, const Sample&)>;
 
 FixedStages Owning(std::string_view preset, Owns owns) {
@@ -231,6 +238,10 @@ std::vector<Mutant> SetVariants() {
        Farthest("vulkan", 6, 1, CoverageKind::kMask)},
       {"vulkan-farthest-ids", "each vertex takes the farther grid point, shown as ids", "",
        Farthest("vulkan", 5, 1, CoverageKind::kPrimitiveIds)},
+      {"vulkan-17-bits", "17 subpixel bits, and the snap rounds down", "",
+       Finer(17, [](double x) { return Floor(x, 17); })},
+      {"vulkan-23-bits", "23 subpixel bits", "",
+       Finer(23, [](double x) { return Nearest(x, 23); })},
       {"gl-4-bits-floor", "four subpixel bits, and the snap rounds down", "",
        Snapping("gl", [](double x) { return Floor(x, 4); })},
       {"gl-owner-by-direction", "an edge's direction decides who owns it", "",
@@ -302,6 +313,8 @@ std::vector<Mutant> SetMutants() {
        Clipping("vulkan", 0, -0x3p-4)},
       {"vulkan-clipped-twice", "both neighbours own samples up to two steps beside such edges", "",
        Clipping("vulkan", 0, 0x1p-3)},
+      {"vulkan-17-bits-some-3", "of 17 subpixel bits some coordinates keep three, by their bits",
+       "", Finer(17, [](double x) { return RoundByHash(x) < x ? Floor(x, 3) : Floor(x, 17); })},
       {"gl-rounds-by-hash", "off the grid the bits of a coordinate say whether it rounds up", "",
        Snapping("gl", RoundByHash)},
       {"gl-owner-by-sample", "each sample of an edge has an owner of its own", "",

@@ -87,10 +87,10 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForCounts) {
   EXPECT_GT(illegal, 60);
 }
 
-// A vertex whose place two samples pin between two lines, where no grid of 18 bits has a point, and
-// an edge beside a sample, which covers it once its end is rounded down.
-Scene PinnedScene(double beside) {
-  const double e = std::ldexp(1.0, -19);
+// A vertex whose place two samples pin between two lines, where no grid of fewer bits has a point,
+// and an edge beside a sample, which covers it once its end is rounded down.
+Scene PinnedScene(int bits, double beside) {
+  const double e = std::ldexp(1.0, -bits);
   Scene scene;
   scene.width = 8;
   scene.height = 8;
@@ -115,8 +115,8 @@ Legality OfVulkan(const Scene& scene, const Scene& drawn) {
 }
 
 TEST(JointVerdict, GridsOfMoreThanSixteenBitsAreLegal) {
-  const Scene scene = PinnedScene(0x1p-22);
-  for (int bits = 19; bits <= 23; ++bits) {
+  for (int bits = 17; bits <= 23; ++bits) {
+    const Scene scene = PinnedScene(bits, 0x1p-24);
     Scene drawn = scene;
     for (Vertex& v : drawn.vertices) {
       v.x = std::ldexp(std::floor(std::ldexp(v.x, bits)), -bits);
@@ -127,7 +127,7 @@ TEST(JointVerdict, GridsOfMoreThanSixteenBitsAreLegal) {
 }
 
 TEST(JointVerdict, NothingIsSaidBeyondTheCoordinateLimit) {
-  Scene scene = PinnedScene(0);
+  Scene scene = PinnedScene(19, 0);
   scene.vertices[2].x = 32768.5;
   EXPECT_TRUE(WhyNotJoint(scene, *PresetProfile("vulkan")).has_value());
   scene.vertices[2].x = 32768;

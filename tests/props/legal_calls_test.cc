@@ -88,5 +88,11 @@ TEST(LegalRange, EndsAtWhatSixteenPointEightHolds) {
   ExpectLegal("legal:d3d11-clamps-to-range", kOneLegalModelExplainsTheMesh);
 }
 
+TEST(LegalGrids, AreOfAnyNumberOfBitsFromTheFewest) {
+  ExpectLegal("legal:vulkan-17-bits", kOneLegalModelExplainsTheMesh);
+  ExpectLegal("legal:vulkan-23-bits", kOneLegalModelExplainsTheMesh);
+  ExpectFound("mutant:vulkan-17-bits-some-3", kOneLegalModelExplainsTheMesh);
+}
+
 }  // namespace
 }  // namespace rasterproof::props

@@ -26,43 +26,11 @@
 #include "report/json_writer.h"
 #include "tool/asked.h"
 #include "tool/commands.h"
+#include "tool/legality.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
-
-// What is judged, and what it is of.
-struct Drawn {
-  Drawing drawing;
-  bool is_mask = false;
-  bool has_counts = true;
-  bool last_is_visible = true;
-
-  legal::Observed Observed() const {
-    legal::Observed observed;
-    observed.last_is_visible = last_is_visible;
-    if (has_counts) {
-      observed.together = &drawing.counts;
-      observed.is_mask = is_mask;
-    } else {
-      observed.primitive_ids = &drawing.primitive_ids;
-    }
-    return observed;
-  }
-};
-
-Drawn DrawnBy(Subject& subject, const Scene& scene) {
-  const SubjectInfo& info = subject.Info();
-  DrawJob job(scene, {}, info.profile.pattern.samples());
-  job.wants = kCoverageAndPrimitiveIds;
-  Drawn drawn{subject.Show(job)};
-  const bool counts =
-      info.coverage == CoverageKind::kFacingCounts || info.coverage == CoverageKind::kCounts;
-  drawn.has_counts = counts || drawn.drawing.primitive_ids.empty();
-  drawn.is_mask = !counts;
-  drawn.last_is_visible = info.fragments.visible == Visible::kLastDrawn;
-  return drawn;
-}
 
 std::string GridText(const Snap& grid) {
   return grid.IsNone() ? "no grid" : fmt::format("{} subpixel bits", grid.bits);
@@ -86,64 +54,6 @@ std::string LegalityName(legal::Legality legality) {
       break;
   }
   return "not judged";
-}
-
-// "2", "1 or more", "1 to 2".
-std::string SeenOf(const legal::Requirement& seen) {
-  return seen.least == seen.most ? fmt::format("{}", seen.least)
-                                 : fmt::format("{} or more", seen.least);
-}
-
-std::string RequirementText(const legal::Requirement& seen) {
-  if (seen.triangles.empty()) return "no legal model lets any triangle cover it\n";
-  const std::string of = fmt::format("{}", fmt::join(seen.triangles, ", "));
-  std::string text = !seen.visible ? fmt::format("{} of triangles {} cover it", SeenOf(seen), of)
-                     : *seen.visible == kNoPrimitive
-                         ? fmt::format("none of triangles {} is visible", of)
-                         : fmt::format("of triangles {} number {} is visible", of, *seen.visible);
-  if (seen.legal_least == seen.legal_most)
-    text += fmt::format("; in every legal model {} do", seen.legal_most);
-  return text + "\n";
-}
-
-std::string HeadOf(const legal::Core& core) {
-  const std::size_t samples = core.requirements.size();
-  if (core.wrong_by_themselves > 1) {
-    return fmt::format(
-        "the values of {} samples contradict every legal model, each by itself; "
-        "the first:\n",
-        core.wrong_by_themselves);
-  }
-  if (core.wrong_by_themselves == 1)
-    return "the value of one sample contradicts every legal model by itself:\n";
-  if (!core.is_minimal)
-    return fmt::format("a set of {} samples that no legal model explains together:\n", samples);
-  return fmt::format(
-      "a minimal set of {} samples that no legal model explains together; without "
-      "any of them one does:\n",
-      samples);
-}
-
-std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples) {
-  constexpr std::size_t kMostTold = 8;
-  std::string text = HeadOf(core);
-  for (std::size_t k = 0; k < core.requirements.size() && k < kMostTold; ++k) {
-    const legal::Requirement& seen = core.requirements[k];
-    const std::size_t pixel = seen.sample / samples;
-    text += fmt::format("  column {} row {}: {}", pixel % static_cast<std::size_t>(scene.width),
-                        pixel / static_cast<std::size_t>(scene.width), RequirementText(seen));
-  }
-  if (core.requirements.size() > kMostTold)
-    text += fmt::format("  and {} more\n", core.requirements.size() - kMostTold);
-  if (!core.vertices.empty()) text += "they are decided by where these vertices lie:\n";
-  for (std::size_t k = 0; k < core.vertices.size() && k < kMostTold; ++k) {
-    const Vertex& v = scene.vertices[core.vertices[k]];
-    text += fmt::format("  vertex {} at ({}, {})\n", core.vertices[k], props::HexText(v.x),
-                        props::HexText(v.y));
-  }
-  if (core.vertices.size() > kMostTold)
-    text += fmt::format("  and {} more\n", core.vertices.size() - kMostTold);
-  return text;
 }
 
 std::string Text(const legal::JointVerdict& verdict, std::optional<std::uint64_t> open,
@@ -247,11 +157,11 @@ void Save(const LegalOptions& options, const Scene& scene, const Profile& profil
                                               is_drawn ? "OneLegalModelExplainsTheMesh" : ""}));
 }
 
-Drawn Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
+OneCall Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
   io::CountsFile file = io::ReadCounts(
       options.image, scene.width, scene.height,
       ForTarget(profile, scene.width, scene.height).pattern.samples(), options.background);
-  Drawn drawn;
+  OneCall drawn;
   drawn.drawing.counts = std::move(file.counts);
   drawn.is_mask = file.is_mask;
   return drawn;
@@ -280,7 +190,7 @@ int RunLegal(const LegalOptions& options) {
     throw InputError("profile " + profile.name, *why,
                      "give a profile whose models state single samples of this scene");
   }
-  const Drawn drawn = subject ? DrawnBy(*subject, scene) : Read(options, scene, profile);
+  const OneCall drawn = subject ? DrawInOneCall(*subject, scene) : Read(options, scene, profile);
   const legal::JointVerdict verdict = legal::JudgeJointly(scene, profile, drawn.Observed());
   std::optional<std::uint64_t> open;
   if (verdict.legality != legal::Legality::kLegal)

@@ -121,6 +121,33 @@ class LegalTest(unittest.TestCase):
         shown = run("explain", self.path("core.json"))
         self.assertEqual(shown.returncode, 0, shown.stdout + shown.stderr)
 
+    def test_certify_judges_each_scene_of_a_legal_set(self):
+        scenes = self.write("set.json", json.dumps({
+            "rasterproof_scene_set": 1,
+            "scenes": [{"name": name, "path": f"{SOURCES}/scenes/{name}.json"}
+                       for name in ("ties", "duplicates")]}))
+        for name, outcome, status in (("legal:vulkan-4-bits", "holds", 0),
+                                      ("mutant:vulkan-two-owners", "violated", 1)):
+            out = self.path(outcome)
+            done = run("certify", "--subject", name, "--cases", "10", "--scenes", scenes, "--out",
+                       out)
+            self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+            (folder,) = [entry.path for entry in os.scandir(out)
+                         if os.path.exists(entry.path + "/certificate.json")]
+            with open(folder + "/certificate.json") as file:
+                rows = {row["property"]: row for row in json.load(file)["tested"]}
+            row = rows["OneLegalModelExplainsTheMesh on ties"]
+            self.assertEqual(row["outcome"], outcome, row["message"])
+            self.assertGreater(row["exercised"], 0)
+            for file_name in ("junit.xml", "report.html"):
+                with open(f"{folder}/{file_name}") as file:
+                    text = file.read().replace("<wbr>", "")
+                self.assertIn("OneLegalModelExplainsTheMesh on ties", text)
+            if outcome == "holds":
+                self.assertIn("2 of 2 scenes have a legal model", done.stdout)
+            else:
+                self.assertIn("contradict", row["message"])
+
     def test_a_picture_says_where_and_not_how_often(self):
         rows = self.drawn("vulkan-canonical")
         image = self.write("image.png", png([[255 * bool(n) for n in row] for row in rows]))

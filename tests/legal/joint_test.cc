@@ -87,22 +87,27 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForCounts) {
   EXPECT_GT(illegal, 60);
 }
 
-// A vertex whose place two samples pin between two lines, where no grid of fewer bits has a point,
-// and an edge beside a sample, which covers it once its end is rounded down.
-Scene PinnedScene(int bits, double beside) {
-  const double e = std::ldexp(1.0, -bits);
+// Two edges pass closely by the samples (2.5, 4.5) and (3.5, 3.5) to a vertex beside (17/6, 41/6), a
+// grid point of so many bits: none of the grid points of 4 to 16 bits around it leaves both samples
+// on their sides. A third lies beside (0.5, 6.5) and covers it once its ends are rounded down, which
+// no grid of 24 bits does, nor none.
+Scene PinnedScene(int bits) {
+  const double to_right = bits % 2;
+  const double up = bits == 17 ? 2 : 3;
+  const double x = std::ldexp(std::floor(std::ldexp(17.0 / 6, bits)) + to_right, -bits);
+  const double y = std::ldexp(std::floor(std::ldexp(41.0 / 6, bits)) - up, -bits);
   Scene scene;
   scene.width = 8;
   scene.height = 8;
   scene.precision = Precision::kFloat64;
-  scene.vertices = {{3, 1, 0, 1},
-                    {4 + e, 4 + 4 * e, 0, 1},
-                    {8, 1, 0, 1},
-                    {3, -1, 0, 1},
-                    {8, -1, 0, 1},
-                    {1.5 + beside, 6, 0, 1},
-                    {1.5 + beside, 8, 0, 1},
-                    {6, 7, 0, 1}};
+  scene.vertices = {{2, 1, 0, 1},
+                    {x, y, 0, 1},
+                    {8, 4, 0, 1},
+                    {4, 1, 0, 1},
+                    {7, 3, 0, 1},
+                    {0.5 + 0x1p-24, 5, 0, 1},
+                    {0.5 + 0x1p-24, 8, 0, 1},
+                    {2, 6.5, 0, 1}};
   scene.triangles = {{0, 1, 2}, {3, 1, 4}, {5, 6, 7}};
   return scene;
 }
@@ -116,18 +121,20 @@ Legality OfVulkan(const Scene& scene, const Scene& drawn) {
 
 TEST(JointVerdict, GridsOfMoreThanSixteenBitsAreLegal) {
   for (int bits = 17; bits <= 23; ++bits) {
-    const Scene scene = PinnedScene(bits, 0x1p-24);
+    const Scene scene = PinnedScene(bits);
     Scene drawn = scene;
     for (Vertex& v : drawn.vertices) {
       v.x = std::ldexp(std::floor(std::ldexp(v.x, bits)), -bits);
       v.y = std::ldexp(std::floor(std::ldexp(v.y, bits)), -bits);
     }
     EXPECT_EQ(OfVulkan(scene, drawn), Legality::kLegal) << bits;
+    drawn.vertices[1].x += 1;  // beyond every legal place
+    EXPECT_EQ(OfVulkan(scene, drawn), Legality::kNotLegal) << bits;
   }
 }
 
 TEST(JointVerdict, NothingIsSaidBeyondTheCoordinateLimit) {
-  Scene scene = PinnedScene(19, 0);
+  Scene scene = PinnedScene(19);
   scene.vertices[2].x = 32768.5;
   EXPECT_TRUE(WhyNotJoint(scene, *PresetProfile("vulkan")).has_value());
   scene.vertices[2].x = 32768;

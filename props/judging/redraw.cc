@@ -70,7 +70,8 @@ Check CheckAgainstBase(
   return check;
 }
 
-Asked CompareVariations(const Case& c, const std::vector<Variation>& variations) {
+Asked CompareVariations(const Case& c, const std::vector<Variation>& variations,
+                        const OpenByCall& open) {
   Asked asked;
   for (const Variation& variation : variations) {
     Check check;
@@ -81,9 +82,10 @@ Asked CompareVariations(const Case& c, const std::vector<Variation>& variations)
       check.bases = {0};
     }
     check.questions.draws.push_back(WholeCallOf(variation.scene, c.profile, WholeTarget(c)));
-    check.judge = [&c, property = variation.property](const Answers& answers) {
-      return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c),
-                        property);
+    check.judge = [&c, open, property = variation.property](const Answers& answers) {
+      const CoverageCounts& observed = answers.draws[1]->counts;
+      return SameCounts(observed, open.Expected(observed, answers.draws[0]->counts),
+                        open.Judged(DecisionsOf(c)), property);
     };
     asked.checks.push_back(std::move(check));
   }

@@ -34,7 +34,7 @@ class FixedPoint final : public Subject {
     info_.summary = summary;
     info_.profile = stages_.profile;
     info_.takes_threads = true;
-    bits_ = std::max(8, stages_.profile.snap.bits);
+    bits_ = std::max(stages_.bits, stages_.profile.snap.bits);
     if (info_.profile.fixed) bits_ = std::max(bits_, info_.profile.fixed->fraction_bits);
     for (const TargetModel& model : info_.profile.by_target_size)
       bits_ = std::max(bits_, model.snap.bits);

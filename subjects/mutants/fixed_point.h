@@ -80,6 +80,7 @@ struct FixedStages {
   /// What the subject states, and what the sound stages do.
   Profile profile = FixedPointProfile();
   int tile = 8;  ///< where the options leave it to the subject
+  int bits = 8;  ///< of the grid that holds vertices and samples, if the profile's are fewer
 
   std::function<void(DrawOptions&, const Scene&)> options = {};
   std::function<Profile(const Profile&, const Scene&)> target_model = {};

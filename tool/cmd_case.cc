@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/quoted.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
@@ -98,7 +99,7 @@ const props::Property& PropertyOf(const LoadedCase& loaded) {
 }
 
 Verdict Judge(const LoadedCase& loaded) {
-  RequireTakes(*loaded.subject, loaded.value.scene, loaded.value.scene.name);
+  RequireTakes(*loaded.subject, loaded.value.scene, ShownName(loaded.value.scene.name));
   return props::RunCase(*loaded.subject, PropertyOf(loaded), loaded.value);
 }
 
@@ -203,7 +204,7 @@ int RunExplain(const ExplainOptions& options) {
 int RunShrink(const ShrinkOptions& options) {
   RequireHonestEnvironment();
   const LoadedCase loaded = LoadCase(options.choice, "shrink");
-  RequireTakes(*loaded.subject, loaded.value.scene, loaded.value.scene.name);
+  RequireTakes(*loaded.subject, loaded.value.scene, ShownName(loaded.value.scene.name));
   Progress progress;
   props::CampaignOptions campaign;
   campaign.shrink_budget = options.budget;

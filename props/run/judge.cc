@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/quoted.h"
 #include "exact/coverage.h"
 
 namespace rasterproof::props {
@@ -21,7 +22,8 @@ std::string PlaceOfFault(const Property& property, std::span<const Case> cases) 
   const std::string among =
       cases.size() == 1 ? "" : " or one of the " + std::to_string(cases.size() - 1) + " behind it";
   return std::string(property.name) + " on " +
-         (first.origin.empty() ? "scene " + first.scene.name : first.origin) + among + ": ";
+         (first.origin.empty() ? "scene " + ShownName(first.scene.name) : first.origin) + among +
+         ": ";
 }
 
 CaseJudge::CaseJudge(const Property& property, const Case& c, const Description& subject)

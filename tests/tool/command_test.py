@@ -57,6 +57,16 @@ class TemporaryFolder(unittest.TestCase):
 
 
 class InferTest(TemporaryFolder):
+    def test_where_no_model_fits_the_draw_that_refuted_the_last_is_told_and_replays(self):
+        subject = ("--subject", "mutant:overflow-int16-deltas")
+        told = run("infer", *subject).stdout.decode()
+        self.assertIn("no model fits", told)
+        self.assertIn(" 0 of 307200 samples, 0 of 1200 draws wrong, where nothing is aimed", told)
+        case, _, replay = told.partition("a case that it draws in another way:\n")[2].partition(
+            "replay: save it as case.json, then: rasterproof ")
+        self.assertEqual(run("replay", self.write(case, "case.json"), *subject).returncode, 1, case)
+        self.assertEqual(replay, "replay case.json " + " ".join(subject) + "\n")
+
     def test_a_subject_is_found_as_it_declares_itself(self):
         result = run("infer", "--subject", "i32-snap4")
         self.assertEqual(result.returncode, 0, result.stdout)

@@ -134,6 +134,12 @@ void RaceModels(Observer& observer, const Location& location, const InferOptions
   inference.message = location.complaint.empty()
                           ? "each model draws some triangle in another way than the subject"
                           : location.complaint;
+  constexpr int kFinest = 256;
+  if (location.per_pixel < kFinest) {
+    inference.message += "; places of samples were looked for on multiples of 1/" +
+                         std::to_string(location.per_pixel) +
+                         " pixel, as the stated ranges leave no room for finer ones";
+  }
   NameNearest(observer, location, race.experiments(), options, inference);
 }
 

@@ -78,6 +78,7 @@ class CaseJudge {
 
  private:
   void Conclude(Trial trial);
+  std::shared_ptr<const DrawnScene> DrawnBy(const Check& check, std::size_t k) const;
   void StopBy(const Answers& answers);
 
   const Property& property_;

@@ -246,6 +246,9 @@ class Refused(Parts):
                 self.assertTrue(any(word in done.stderr for word in words), done.stderr)
                 self.refused(done)
 
+    def test_of_one_that_fails_where_the_property_changed_the_scene(self):
+        self.compare("mutant:target-odd-width", 1, cuts=(2,))
+
     def test_a_failure_is_checked_too(self):
         subject = ("--subject", WRONG)
         part = self.part("--shard", "1/1", subject=subject, cases="10")

@@ -76,8 +76,8 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
     questions.draws.push_back(WholeCallOf(scene, c.profile, WholeTarget(c)));
   }
   return OneCheck(std::move(questions), [decisions = DecisionsOf(good)](const Answers& answers) {
-    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, decisions,
-                      "that without the bad triangles");
+    return OfDraw(1, SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, decisions,
+                                "that without the bad triangles"));
   });
 }
 

@@ -138,7 +138,7 @@ Verdict Judged(const Answers& answers, const CoverageCounts& first,
     if (!is_the_case) of += successors[d - 1].change + ",";
     Verdict verdict = SameCounts(answers.draws[d]->counts,
                                  is_the_case ? first : successors[d - 1].expected, changed, of);
-    if (verdict.outcome == Outcome::kViolated) return verdict;
+    if (verdict.outcome == Outcome::kViolated) return OfDraw(d, std::move(verdict));
   }
   return Verdict::Held(changed);
 }

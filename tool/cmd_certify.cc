@@ -119,8 +119,9 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
   io::WriteFile(folder + "/junit.xml", report::JUnitXml(certificate));
   for (const PropertyResult& result : certificate.tested) {
     if (!result.counterexample) continue;
-    io::WriteFile(folder + "/" + FileStemOf(result) + ".json",
-                  io::CaseToJson({*result.counterexample, result.subject, result.property}));
+    io::WriteFile(
+        folder + "/" + FileStemOf(result) + ".json",
+        io::CaseToJson({*result.counterexample, result.subject, result.property, result.Drawn()}));
   }
 }
 

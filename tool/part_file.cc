@@ -117,7 +117,7 @@ void WriteFound(JsonWriter& json, const TestPart& test) {
   json.Key("as_case").Text(test.run.failing_case);
   json.Key("outcome").Text(OutcomeName(found.outcome));
   json.Key("message").Text(found.message);
-  json.Key("case").Text(io::CaseToJson({found.value, "", test.property}));
+  json.Key("case").Text(io::CaseToJson({found.value, "", test.property, found.verdict.drawn}));
   json.Key("said_outcome").Text(OutcomeName(found.verdict.outcome));
   json.Key("said").Text(found.verdict.message);
   if (found.verdict.witness) {
@@ -205,7 +205,9 @@ props::Counterexample FoundOf(const JsonValue& object) {
   found.outcome = OutcomeOf(object.Get("outcome"));
   found.message = TextOf(object.Get("message"));
   const JsonValue file = object.Get("case");
-  found.value = io::ParseCase(file.RequireString(), file.Place()).value;
+  io::CaseFile parsed = io::ParseCase(file.RequireString(), file.Place());
+  found.value = std::move(parsed.value);
+  found.verdict.drawn = std::move(parsed.drawn);
   found.verdict.outcome = OutcomeOf(object.Get("said_outcome"));
   found.verdict.message = TextOf(object.Get("said"));
   if (const std::optional<JsonValue> there = object.Find("witness")) {

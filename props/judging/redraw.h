@@ -66,6 +66,9 @@ CoverageCounts CoverageUnder(const Case& c, const TieRule& rule, const DrawOptio
 /// The counts within the rectangle, and zero elsewhere.
 CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole);
 
+/// The verdict, with the draw that failed, if one did.
+Verdict OfDraw(std::size_t draw, Verdict verdict);
+
 /// Holds if the counts are equal; else violated, with the first sample that differs.
 ///
 /// `property` completes the sentence of the message: "coverage differs from ...".

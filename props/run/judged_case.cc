@@ -64,7 +64,7 @@ JudgedCase Judged(const Case& given, const Description& subject, bool judges_deg
 
 Verdict RenumberWitness(const JudgedCase& judged, Verdict verdict) {
   if (!judged.numbers) return verdict;
-  if (verdict.witness && verdict.witness->triangle >= 0) {
+  if (verdict.witness && verdict.witness->triangle >= 0 && verdict.drawn == nullptr) {
     const auto among_kept = static_cast<std::size_t>(verdict.witness->triangle);
     verdict.witness->triangle = static_cast<int>((*judged.numbers)[among_kept]);
   }

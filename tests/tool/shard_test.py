@@ -104,6 +104,9 @@ class TheSameBytes(Parts):
         for one in failed:
             self.assertLess(one["cases"], 30)
 
+    def test_of_one_that_fails_where_the_property_changed_the_scene(self):
+        self.compare(("--subject", "mutant:target-odd-width"), 1, cuts=(2,))
+
     def test_of_a_plugin(self):
         self.compare(("--plugin", PLUGIN), 0, cuts=(3,))
 

@@ -105,7 +105,7 @@ Asked Ask(const Case& c, const Description& subject) {
       if (k == 1) {
         verdict.message += " (behind " + std::to_string(kBefore) + " repetitions of the first)";
       }
-      return verdict;
+      return OfDraw(k, std::move(verdict));
     }
     return Verdict::Held(2 * decisions);
   });

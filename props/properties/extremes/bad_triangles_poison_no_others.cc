@@ -99,8 +99,8 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return OneCheck(std::move(questions), [decisions = open->Judged(DecisionsOf(good)),
                                          open = *open](const Answers& answers) {
     const CoverageCounts& observed = answers.draws[1]->counts;
-    return SameCounts(observed, open.Expected(observed, answers.draws[0]->counts), decisions,
-                      "that without the bad triangles");
+    return OfDraw(1, SameCounts(observed, open.Expected(observed, answers.draws[0]->counts),
+                                decisions, "that without the bad triangles"));
   });
 }
 

@@ -139,7 +139,7 @@ Verdict Judged(const Answers& answers, bool counts, const LegalCounts& first,
     if (!is_the_case) of += successors[d - 1].change + ",";
     const LegalCounts& expected = is_the_case ? first : successors[d - 1].expected;
     Verdict verdict = expected.VerdictOn(answers.draws[d]->counts, counts, changed, of);
-    if (verdict.outcome == Outcome::kViolated) return verdict;
+    if (verdict.outcome == Outcome::kViolated) return OfDraw(d, std::move(verdict));
   }
   return Verdict::Held(changed);
 }

@@ -87,10 +87,10 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForCounts) {
   EXPECT_GT(illegal, 60);
 }
 
-// Two edges pass closely by the samples (2.5, 4.5) and (3.5, 3.5) to a vertex beside (17/6, 41/6), a
-// grid point of so many bits: none of the grid points of 4 to 16 bits around it leaves both samples
-// on their sides. A third lies beside (0.5, 6.5) and covers it once its ends are rounded down, which
-// no grid of 24 bits does, nor none.
+// Two edges pass closely by the samples (2.5, 4.5) and (3.5, 3.5) to a vertex beside
+// (17/6, 41/6), a grid point of so many bits: none of the grid points of 4 to 16 bits around it
+// leaves both samples on their sides. A third lies beside (0.5, 6.5) and covers it once its ends
+// are rounded down, which no grid of 24 bits does, nor none.
 Scene PinnedScene(int bits) {
   const double to_right = bits % 2;
   const double up = bits == 17 ? 2 : 3;

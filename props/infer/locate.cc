@@ -162,7 +162,7 @@ std::vector<PatternCandidate> CandidatesFor(const std::vector<SampleReading>& se
 
 // Why the stated profile has no room for probes of this size; empty if it has.
 std::string ComplaintAgainst(const ProbeSize& size, const Profile& stated) {
-  const Profile small = ForTarget(stated, kShort, kShort);
+  Profile small = ForTarget(stated, kShort, kShort);
   const int side = size.Long();
   for (const auto& [width, height] : {std::pair{side, kShort}, {kShort, side}, {32, 32}}) {
     if (ForTarget(stated, width, height) != small) {
@@ -170,6 +170,7 @@ std::string ComplaintAgainst(const ProbeSize& size, const Profile& stated) {
              " pixels a side";
     }
   }
+  if (!StatesGuardBand(small)) small.guard_band.reset();
   const int farthest = size.Farthest();
   for (const bool along_y : {false, true}) {
     const Scene probe = OneTriangle(side, side, size.Corners(along_y));

@@ -69,7 +69,9 @@ std::shared_ptr<const DrawnScene> DrawnFromJson(const JsonValue& value) {
   return std::make_shared<const DrawnScene>(std::move(drawn));
 }
 
-std::string TextFromJson(const JsonValue& value) { return value.RequireName(); }
+std::string NameFromJson(const JsonValue& value) { return value.RequireName(); }
+// As it is: a program's command is run, and whoever shows it quotes it.
+std::string TextFromJson(const JsonValue& value) { return std::string(value.RequireString()); }
 
 void RequireVersion(const JsonValue& object) {
   const JsonValue version = object.Get("rasterproof_case");
@@ -92,9 +94,9 @@ CaseFile CaseFromJson(const JsonValue& object) {
   ReadIfThere(object, "profile", file.value.profile, ProfileFromJson);
   file.states_profile = object.Find("profile").has_value();
   ReadIfThere(object, "options", file.value.options, OptionsFromJson);
-  ReadIfThere(object, "origin", file.value.origin, TextFromJson);
+  ReadIfThere(object, "origin", file.value.origin, NameFromJson);
   ReadIfThere(object, "subject", file.subject, TextFromJson);
-  ReadIfThere(object, "property", file.property, TextFromJson);
+  ReadIfThere(object, "property", file.property, NameFromJson);
   ReadIfThere(object, "drawn", file.drawn, DrawnFromJson);
   return file;
 }

@@ -32,6 +32,12 @@ FixedStages Snapping(std::string_view preset, std::function<double(double)> snap
   return stages;
 }
 
+// It states that it clips nothing: what lies left of the target is judged as all else.
+FixedStages Unclipped(FixedStages stages) {
+  stages.profile.guard_band.reset();
+  return stages;
+}
+
 // On a grid of so many bits, finer than that of most.
 FixedStages Finer(int bits, std::function<double(double)> snap) {
   FixedStages stages = Snapping("vulkan", std::move(snap));
@@ -344,7 +350,8 @@ std::vector<Mutant> SetMutants() {
                 return OwnedBy(edge, Coin(edge, sample.x * 31 + sample.row));
               })},
       {"gl-truncates", "the snap truncates to four bits, which zero divides in two", "",
-       Snapping("gl", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 4)), -4); })},
+       Unclipped(
+           Snapping("gl", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 4)), -4); }))},
       {"d3d11-rounds-above-0.39", "the snap rounds up above 0.39 of a step, where 0.4 is legal", "",
        Snapping("d3d11", [](double x) { return RoundAbove(x, 8, 0.39); })},
       {"d3d11-floor", "the snap rounds down", "Direct3D 10",

@@ -12,6 +12,8 @@ CallEnd EndOf(const std::function<void()>& call) {
   try {
     call();
     return {};
+  } catch (const SubjectDoesNotRun&) {
+    throw;
   } catch (const SubjectRefusal& refusal) {
     return {Stop::kRefused, refusal.what()};
   } catch (const InputError& input) {

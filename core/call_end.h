@@ -17,7 +17,7 @@ struct CallEnd {
 /// Makes a subject's own call. Whatever it throws is how it ended: a type of somebody else's may
 /// throw anything, and what is no word of Subject's is its fault.
 ///
-/// Error:      std::bad_alloc: memory that ran out is nobody's finding.
+/// Error:      std::bad_alloc: memory that ran out is nobody's finding. SubjectDoesNotRun.
 CallEnd EndOf(const std::function<void()>& call);
 
 }  // namespace rasterproof

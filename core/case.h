@@ -21,6 +21,14 @@ struct Case {
   friend bool operator==(const Case&, const Case&) = default;
 };
 
+/// What was drawn of a case by a property that changes its scene.
+struct DrawnScene {
+  Scene scene;
+  DrawOptions options;
+
+  friend bool operator==(const DrawnScene&, const DrawnScene&) = default;
+};
+
 }  // namespace rasterproof
 
 #endif  // RASTERPROOF_CORE_CASE_H_

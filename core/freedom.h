@@ -32,8 +32,8 @@ struct Freedom {
   /// The rounding is not stated: a vertex may take any grid point less than one step away, on each
   /// axis.
   bool any_rounding = false;
-  /// The grid has so many subpixel bits or more, up to kMaxSubpixelBits, one number for everything;
-  /// or there is none, and vertices stay where they are.
+  /// The grid has so many subpixel bits or more, one number for everything; or there is none, and
+  /// vertices stay where they are.
   /// Nothing: as many as the profile's snap has.
   std::optional<int> least_bits = {};
   TieOwnership ties = TieOwnership::kStated;

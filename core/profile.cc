@@ -31,6 +31,7 @@ Profile CanonicalModel() {
 Profile Direct3D11() {
   Profile profile = CanonicalModel();
   profile.freedom.snap_tolerance = 0.6;
+  profile.coordinate_limit = 0x1p15 - 0x1p-8;  // 16.8: the upper end of its range
   profile.front_face = FrontFace::kUnstated;
   profile.guard_band = SomewhereAroundTarget{};
   profile.freedom.transform_error.reset();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,8 @@ struct Answers {
   std::vector<std::array<double, 3>> distances;
   Stop stop = Stop::kNone;
   std::string why;  ///< in words, if there was a stop
+  /// Which draw of the question it was, counted from 0, where that is known.
+  std::optional<std::size_t> stopped_at = std::nullopt;
 };
 
 }  // namespace rasterproof

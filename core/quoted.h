@@ -12,7 +12,11 @@ namespace rasterproof {
 /// written `\xNN`; behind `most` bytes it is cut, and `...` says so.
 std::string Printable(std::string_view text, std::size_t most = 160);
 
-/// The same in quotes.
+/// A name that somebody else gave, as it is shown: unchanged, or Printable() if it has control
+/// characters, so that no file speaks to the reader's terminal.
+std::string ShownName(std::string_view name);
+
+/// The text of Printable() in quotes.
 std::string Quoted(std::string_view text, std::size_t most = 160);
 
 }  // namespace rasterproof

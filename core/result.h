@@ -3,6 +3,7 @@
 #define RASTERPROOF_CORE_RESULT_H_
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,8 @@ struct PropertyResult {
   /// The first counterexample, shrunken, with what was said of it.
   std::optional<Case> counterexample;
   std::optional<Verdict> verdict;
+  /// What was drawn of it, if that is another scene.
+  std::shared_ptr<const DrawnScene> Drawn() const { return verdict ? verdict->drawn : nullptr; }
   /// Name of the case that failed first, before it was shrunk, "near-edge:17@1"; "" if it has none.
   std::string failing_case;
 };

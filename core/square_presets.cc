@@ -23,6 +23,13 @@ SquareRule Conservative(double half_width, FlatSquares flat) {
   return {Meets(kOpen, kOpen, kGiven), Meets(kClosed, kClosed, kPlaced, half_width), flat};
 }
 
+// "Any part of a primitive" is said of it as it is given: a clip that moves its edges is no excuse.
+Profile UnclippedDirect3D() {
+  Profile profile = *PresetProfile("d3d11");
+  profile.guard_band.reset();
+  return profile;
+}
+
 // 0.01 pixel, rounded up to a step.
 constexpr double kGdalEpsilon = 10486 * kSquareStep;
 
@@ -34,14 +41,14 @@ std::optional<Profile> WithRule(std::string_view name) {
     return profile;
   };
   if (name == "d3d12-conservative-1")
-    return with(*PresetProfile("d3d11"), Conservative(0.5, FlatSquares::kFree));
+    return with(UnclippedDirect3D(), Conservative(0.5, FlatSquares::kFree));
   if (name == "d3d12-conservative-2" || name == "d3d12-conservative-3") {
-    return with(*PresetProfile("d3d11"), Conservative(0x1p-8, FlatSquares::kDrawn));
+    return with(UnclippedDirect3D(), Conservative(0x1p-8, FlatSquares::kDrawn));
   }
   // Figure consras7: a pixel that a side touches from within is not inside.
   if (name == "d3d12-inner") {
-    return with(*PresetProfile("d3d11"), {Holds(kClosed, kOpen, kPlaced, 0x1p-8),
-                                          Holds(kClosed, kOpen, kGiven), FlatSquares::kNothing});
+    return with(UnclippedDirect3D(), {Holds(kClosed, kOpen, kPlaced, 0x1p-8),
+                                      Holds(kClosed, kOpen, kGiven), FlatSquares::kNothing});
   }
   // "Any part of the primitive, including its edges, covers any part of the rectangular pixel area,
   // including its sides"; what it is grown by has no bound.

@@ -32,6 +32,13 @@ class SubjectDeadline : public SubjectTooSlow {
   using SubjectTooSlow::SubjectTooSlow;
 };
 
+/// A program that ends by itself over whatever it is asked, before any answer: it does not run, and
+/// nothing is found out about it. No case is judged by that: it ends the command.
+class SubjectDoesNotRun : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// A subject that says that it does not draw this scene.
 class SubjectRefusal : public InputError {
  public:

@@ -2,12 +2,14 @@
 #ifndef RASTERPROOF_CORE_VERDICT_H_
 #define RASTERPROOF_CORE_VERDICT_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/case.h"
 #include "core/coverage.h"
 
 namespace rasterproof {
@@ -49,6 +51,11 @@ struct Verdict {
   std::optional<Witness> witness;
   /// What differs, where the property is about whole drawings; they need not be those of the case.
   std::shared_ptr<const ComparedCounts> compared = nullptr;
+  /// Which of its check's draws failed, those of its `bases` first; nothing: the case's own.
+  std::optional<std::size_t> failed_draw = std::nullopt;
+  /// The scene that failed as it was drawn, where the property had changed the case's: the witness
+  /// is then of this scene.
+  std::shared_ptr<const DrawnScene> drawn = nullptr;
   /// Samples that the property is about and that it does not judge, because a legal choice of the
   /// subject's could turn, flatten or fold a triangle there.
   std::uint64_t not_judged = 0;

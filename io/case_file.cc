@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,8 +26,9 @@ constexpr int kVersion = 2;
 constexpr int kMaxTile = kMaxTargetSide;
 constexpr int kMaxThreads = 4096;
 
-constexpr std::array<std::string_view, 7> kCaseKeys{
-    "rasterproof_case", "scene", "profile", "options", "subject", "property", "origin"};
+constexpr std::array<std::string_view, 8> kCaseKeys{
+    "rasterproof_case", "scene", "profile", "options", "subject", "property", "origin", "drawn"};
+constexpr std::array<std::string_view, 2> kDrawnKeys{"options", "scene"};
 constexpr std::array<std::string_view, 4> kOptionKeys{"cull", "scissor", "tile", "threads"};
 
 constexpr std::array<std::pair<Cull, std::string_view>, 3> kCulls{
@@ -59,7 +61,17 @@ DrawOptions OptionsFromJson(const JsonValue& value) {
   return options;
 }
 
-std::string TextFromJson(const JsonValue& value) { return value.RequireName(); }
+std::shared_ptr<const DrawnScene> DrawnFromJson(const JsonValue& value) {
+  value.RequireObject(kDrawnKeys);
+  DrawnScene drawn;
+  drawn.scene = SceneFromJson(value.Get("scene"));
+  ReadIfThere(value, "options", drawn.options, OptionsFromJson);
+  return std::make_shared<const DrawnScene>(std::move(drawn));
+}
+
+std::string NameFromJson(const JsonValue& value) { return value.RequireName(); }
+// As it is: a program's command is run, and whoever shows it quotes it.
+std::string TextFromJson(const JsonValue& value) { return std::string(value.RequireString()); }
 
 void RequireVersion(const JsonValue& object) {
   const JsonValue version = object.Get("rasterproof_case");
@@ -82,9 +94,10 @@ CaseFile CaseFromJson(const JsonValue& object) {
   ReadIfThere(object, "profile", file.value.profile, ProfileFromJson);
   file.states_profile = object.Find("profile").has_value();
   ReadIfThere(object, "options", file.value.options, OptionsFromJson);
-  ReadIfThere(object, "origin", file.value.origin, TextFromJson);
+  ReadIfThere(object, "origin", file.value.origin, NameFromJson);
   ReadIfThere(object, "subject", file.subject, TextFromJson);
-  ReadIfThere(object, "property", file.property, TextFromJson);
+  ReadIfThere(object, "property", file.property, NameFromJson);
+  ReadIfThere(object, "drawn", file.drawn, DrawnFromJson);
   return file;
 }
 
@@ -119,6 +132,12 @@ std::string CaseToJson(const CaseFile& file) {
   json += line + "\"options\": " + OptionsToJson(file.value.options);
   json += line + "\"scene\": ";
   AppendSceneJson(file.value.scene, "  ", json);
+  if (file.drawn != nullptr) {
+    json += line + "\"drawn\": {\n    \"options\": " + OptionsToJson(file.drawn->options);
+    json += ",\n    \"scene\": ";
+    AppendSceneJson(file.drawn->scene, "    ", json);
+    json += "\n  }";
+  }
   return json + "\n}\n";
 }
 

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_IO_CASE_FILE_H_
 #define RASTERPROOF_IO_CASE_FILE_H_
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -14,12 +15,14 @@ struct CaseFile {
   Case value;
   std::string subject;
   std::string property;
+  /// What the property drew of it, for the reader: the property makes it again of the case.
+  std::shared_ptr<const DrawnScene> drawn = nullptr;
   bool states_profile = false;  ///< else value.profile is "real"
 };
 
 /// Reads {"rasterproof_case": 2, "scene": {...}, "profile": "real" | {...}, "options": {...},
-/// "subject", "property", "origin"}, or a bare scene file (then the profile is "real" and the
-/// options are the defaults). "-": standard input.
+/// "subject", "property", "origin", "drawn": {"scene", "options"}}, or a bare scene file (then the
+/// profile is "real" and the options are the defaults). "-": standard input.
 CaseFile ReadCase(const std::string& path);
 CaseFile ParseCase(std::string_view text, const std::string& place);
 std::string CaseToJson(const CaseFile& file);

@@ -245,17 +245,7 @@ std::string_view JsonValue::RequireString() const {
   return text();
 }
 
-std::string JsonValue::RequireName() const {
-  const std::string_view name = RequireString();
-  bool has_control = false;
-  for (std::size_t k = 0; k < name.size(); ++k) {
-    const auto byte = static_cast<unsigned char>(name[k]);
-    // U+0080 to U+009F, which are two bytes, begin sequences, too.
-    const bool after_c2 = k > 0 && static_cast<unsigned char>(name[k - 1]) == 0xC2;
-    has_control |= byte < 0x20 || byte == 0x7F || (after_c2 && byte < 0xA0);
-  }
-  return has_control ? Printable(name) : std::string(name);
-}
+std::string JsonValue::RequireName() const { return ShownName(RequireString()); }
 
 std::int64_t JsonValue::RequireInteger(std::int64_t least, std::int64_t greatest) const {
   const std::string range =

@@ -105,8 +105,7 @@ class JsonValue {
 
   /// The content of a string; InputError if it is none.
   std::string_view RequireString() const;
-  /// The same of a text that is shown: one with control characters is made Printable(), so that no
-  /// file speaks to the reader's terminal.
+  /// The same of a text that is shown: its ShownName().
   std::string RequireName() const;
   /// An integer written without fraction and exponent, within [least, greatest]; else InputError.
   std::int64_t RequireInteger(std::int64_t least, std::int64_t greatest) const;

@@ -14,7 +14,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <new>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -22,6 +24,7 @@
 
 #include "core/error.h"
 #include "core/quoted.h"
+#include "io/mesh_source.h"
 
 namespace rasterproof::io {
 namespace {
@@ -137,6 +140,40 @@ void RequireEndOfPlyHeader(const std::string& path) {
                    "check that the file is complete and of the format that its ending names");
 }
 
+// A line with a word on it, comments and empty lines passed over; none at the end of the file.
+std::istringstream NextLine(std::istream& file) {
+  for (std::string line; std::getline(file, line);) {
+    line.resize(std::min(line.find('#'), line.size()));
+    if (line.find_first_not_of(" \t\r") != line.npos) return std::istringstream(line);
+  }
+  return {};
+}
+
+// The importer takes the digits of a vertex's number: with a sign it reads 0, and 2^32 is 0, too.
+void RequireIndicesOfOff(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::istringstream counts = NextLine(file);
+  std::string format;
+  if (!(counts >> format >> std::ws) || counts.eof()) counts = NextLine(file);
+  std::uint64_t vertices = 0;
+  counts >> vertices;
+  for (std::uint64_t k = 0; k < vertices && file; ++k) NextLine(file);
+  constexpr std::size_t kMostDigits = 9;
+  while (file) {
+    std::istringstream face = NextLine(file);
+    std::uint64_t corners = 0;
+    face >> corners;
+    for (std::string corner; corners > 0 && face >> corner; --corners) {
+      const bool is_index =
+          corner.size() <= kMostDigits && corner.find_first_not_of("0123456789") == corner.npos;
+      if (is_index) continue;
+      throw InputError(
+          path, "has a face that names vertex " + Quoted(corner, 40) + ", which is not there",
+          "repair the mesh");
+    }
+  }
+}
+
 // The importer takes another vertex for one that is not there, or drops the face, and only logs it.
 class IndexComplaints {
  public:
@@ -172,16 +209,20 @@ class IndexComplaints {
 
 Mesh ImportMesh(const std::string& path) {
   if (path.ends_with(".ply") || path.ends_with(".PLY")) RequireEndOfPlyHeader(path);
+  if (path.ends_with(".off") || path.ends_with(".OFF")) RequireIndicesOfOff(path);
   IndexComplaints complaints;
   Assimp::Importer importer;
+  importer.SetIOHandler(new MeshSource);  // the importer deletes it
   // None of the importer's own steps: joining moves vertices by up to 1e-5, and triangulation
   // aborts the program on files that are cut short. With nothing asked of it, it only parses.
   const aiScene* scene = importer.ReadFile(path, 0);
+  // The importer turns every exception into its message.
+  if (std::string_view(importer.GetErrorString()) == "std::bad_alloc") throw std::bad_alloc();
+  complaints.RequireNone(path);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw InputError(path, "can't be read as a mesh (" + Printable(importer.GetErrorString()) + ")",
                      "check that the file is complete and of the format that its ending names");
   }
-  complaints.RequireNone(path);
   Mesh mesh;
   Welder(path, mesh).AddNode(*scene, *scene->mRootNode, Transform{});
   if (mesh.triangles.empty()) {

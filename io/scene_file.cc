@@ -145,7 +145,8 @@ void AppendVertex(const Vertex& vertex, bool clip_space, std::string& json) {
 }  // namespace
 
 std::string JsonString(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const bool to_ascii = ShownName(text) != text;  // a terminal obeys U+007F to U+009F, too
+  return nlohmann::json(text).dump(-1, ' ', to_ascii, nlohmann::json::error_handler_t::replace);
 }
 
 double CoordinateFromJson(const JsonValue& value, Precision precision) {

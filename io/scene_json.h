@@ -19,7 +19,8 @@ void AppendSceneJson(const Scene& scene, std::string_view indent, std::string& j
 /// A coordinate: a JSON number, rounded once, or a string that is exact.
 double CoordinateFromJson(const JsonValue& value, Precision precision);
 
-/// The text as a JSON string, quotes included; what is not UTF-8 in it is replaced.
+/// The text as a JSON string, quotes included; what is not UTF-8 in it is replaced, and no
+/// control character is left in it.
 std::string JsonString(std::string_view text);
 
 }  // namespace rasterproof::io

@@ -79,11 +79,49 @@ std::vector<Point2> PlacesOf(const Vertex& v, bool clip_space, const Profile& pr
                profile.y_axis);
 }
 
+// Beyond this many bits grids are not told from none.
+constexpr int kFinestGrid = 40;
+
+// The least number of bits at which the coordinate is a grid point.
+int BitsOf(double x) {
+  int bits = 0;
+  while (bits < kFinestGrid && std::isfinite(x) &&
+         std::ldexp(x, bits) != std::rint(std::ldexp(x, bits)))
+    ++bits;
+  return bits;
+}
+
+// At so many bits every coordinate lies on the grid: finer ones are as none.
+int FinestGridOf(const Scene& scene) {
+  int bits = 0;
+  for (const Vertex& v : scene.vertices) bits = std::max({bits, BitsOf(v.x), BitsOf(v.y)});
+  return bits;
+}
+
+// The grids that may differ on the scene, coarsest first and none last.
+std::vector<Snap> GridsOf(const Profile& model, const Scene& scene) {
+  std::vector<Snap> grids = LegalGrids(model.snap, model.freedom);
+  if (scene.clip_space || model.fixed || grids.size() == 1) return grids;
+  const Snap none = grids.back();
+  grids.pop_back();
+  const int finest = FinestGridOf(scene);
+  for (int bits = grids.back().bits + 1; bits <= finest; ++bits) {
+    grids.push_back(model.snap);
+    grids.back().bits = bits;
+  }
+  if (model.snap.form == SnapForm::kCoordinate) {
+    std::erase_if(grids,
+                  [&](const Snap& grid) { return grid.bits > std::max(finest, model.snap.bits); });
+  }
+  grids.push_back(none);
+  return grids;
+}
+
 }  // namespace
 
 std::vector<Family> FamiliesOf(const Profile& profile, const Scene& scene) {
   const Profile model = ForTarget(profile, scene.width, scene.height);
-  std::vector<Snap> grids = LegalGrids(model.snap, model.freedom);
+  std::vector<Snap> grids = GridsOf(model, scene);
   if (scene.clip_space) std::erase_if(grids, [](const Snap& grid) { return grid.IsNone(); });
   const auto own = std::ranges::find(grids, model.snap);
   if (own != grids.end()) std::rotate(grids.begin(), own, own + 1);

@@ -97,8 +97,9 @@ void AddTriangles(const FamilySamples& all, bool is_first,
   }
 }
 
-void AddFamily(const FamilyView& view, bool is_first, Decided& decided) {
-  const FamilySamples all(view);
+void AddFamily(const FamilyView& view, const std::vector<bool>* only, bool is_first,
+               Decided& decided) {
+  const FamilySamples all(view, only);
   const std::size_t samples = decided.counts.size();
   const std::vector<int> covered = all.CoveredTimes(samples);
   const std::vector<std::vector<std::size_t>> open = all.OpenBySample(samples);
@@ -106,6 +107,7 @@ void AddFamily(const FamilyView& view, bool is_first, Decided& decided) {
   for (const CommonEdgeSample& edge : all.common_edges) edges[edge.first->sample].push_back(&edge);
   const int anything = all.Anything();
   for (std::size_t s = 0; s < samples; ++s) {
+    if (only != nullptr && !(*only)[s]) continue;
     const auto n = static_cast<int>(open[s].size());
     if (n == 0 || anything != 0 || open[s].size() > kMostSearched) {
       decided.counts[s] |= BitsBetween(covered[s], covered[s] + n + anything);
@@ -125,7 +127,13 @@ void AddFamily(const FamilyView& view, bool is_first, Decided& decided) {
 int Decided::Least(std::size_t sample) const { return std::countr_zero(counts[sample]); }
 int Decided::Most(std::size_t sample) const { return 63 - std::countl_zero(counts[sample]); }
 
-Decided DecidedSamples(const Scene& scene, const Profile& profile) {
+std::uint64_t Decided::NumberOpen() const {
+  std::uint64_t open = 0;
+  for (std::size_t s = 0; s < counts.size(); ++s) open += IsDecided(s) ? 0 : 1;
+  return open;
+}
+
+Decided DecidedSamples(const Scene& scene, const Profile& profile, const std::vector<bool>* only) {
   const Profile model = ForTarget(profile, scene.width, scene.height);
   Decided decided{scene.width, scene.height, model.pattern.samples(), {}, {}, {}, 0, 0};
   decided.counts.assign(CoverageCounts::Size(scene.width, scene.height, decided.samples), 0);
@@ -133,13 +141,27 @@ Decided DecidedSamples(const Scene& scene, const Profile& profile) {
     decided.step = std::ldexp(1.0, -LegalGrids(model.snap, model.freedom).front().bits);
   const std::vector<Family> families = FamiliesOf(profile, scene);
   for (std::size_t f = 0; f < families.size(); ++f)
-    AddFamily(FamilyView(scene, profile, families[f]), f == 0, decided);
+    AddFamily(FamilyView(scene, profile, families[f]), only, f == 0, decided);
   const FamilyView canonical(scene, profile, families.front());
   for (std::size_t t = 0; t < decided.triangles.size(); ++t) {
     for (const std::size_t s : decided.triangles[t].may)
       decided.open.push_back(WhyOpen(canonical, scene.width, t, s));
   }
   return decided;
+}
+
+std::vector<bool> OpenOfSomeTriangle(const Scene& scene, const Profile& profile) {
+  std::vector<TriangleDecided> triangles;
+  const std::vector<Family> families = FamiliesOf(profile, scene);
+  for (std::size_t f = 0; f < families.size(); ++f)
+    AddTriangles(FamilySamples(FamilyView(scene, profile, families[f])), f == 0, triangles);
+  std::vector<bool> open(
+      CoverageCounts::Size(scene.width, scene.height, profile.pattern.samples()));
+  for (const TriangleDecided& triangle : triangles) {
+    if (triangle.is_anything) open.assign(open.size(), true);
+    for (const std::size_t s : triangle.may) open[s] = true;
+  }
+  return open;
 }
 
 }  // namespace rasterproof::legal

@@ -50,14 +50,28 @@ struct Decided {
   bool IsDecided(std::size_t sample) const { return (counts[sample] & (counts[sample] - 1)) == 0; }
   int Least(std::size_t sample) const;
   int Most(std::size_t sample) const;
+  /// How many samples are open: two legal models of the whole scene cover them differently often.
+  std::uint64_t NumberOpen() const;
 };
 
 /// Returns how often legal models of the profile cover each sample of the scene.
 ///
 /// Domain:     as JudgeJointly.
 /// Returns:    exactly the counts that some legal model has, where `bounded` does not count the
-///             sample; there, all between the least and the most.
-Decided DecidedSamples(const Scene& scene, const Profile& profile);
+///             sample; there, all between the least and the most. Where `only` says which samples
+///             (shape as counts), nothing of the others.
+/// Cost:       a scan of each triangle's box for every family, and the solver for each sample that
+///             two open triangles share: many times what JudgeJointly takes for a legal drawing.
+Decided DecidedSamples(const Scene& scene, const Profile& profile,
+                       const std::vector<bool>* only = nullptr);
+
+/// Returns at which samples legal models decide some triangle of the scene differently; everywhere
+/// if nothing is stated of one.
+///
+/// Domain:     as JudgeJointly.
+/// Shape:      as counts of the target.
+/// Cost:       a scan of each triangle's box for every family.
+std::vector<bool> OpenOfSomeTriangle(const Scene& scene, const Profile& profile);
 
 }  // namespace rasterproof::legal
 

@@ -8,9 +8,9 @@
 
 namespace rasterproof::legal {
 
-FamilySamples::FamilySamples(const FamilyView& view) {
+FamilySamples::FamilySamples(const FamilyView& view, const std::vector<bool>* only) {
   for (std::size_t t = 0; t < view.triangles(); ++t) {
-    TriangleSamples samples = view.Of(t);
+    TriangleSamples samples = view.Of(t, only);
     first_open.push_back(open.size());
     std::ranges::move(samples.open, std::back_inserter(open));
     covered.push_back(std::move(samples.covered));

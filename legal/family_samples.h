@@ -10,9 +10,10 @@
 
 namespace rasterproof::legal {
 
-/// Domain:     neither copied nor moved once made: `common_edges` points into `open`.
+/// Domain:     neither copied nor moved once made: `common_edges` points into `open`. With `only`
+///             no more than those samples.
 struct FamilySamples {
-  explicit FamilySamples(const FamilyView& view);
+  explicit FamilySamples(const FamilyView& view, const std::vector<bool>* only = nullptr);
   FamilySamples(const FamilySamples&) = delete;
   FamilySamples& operator=(const FamilySamples&) = delete;
 

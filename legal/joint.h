@@ -40,30 +40,39 @@ enum class Legality : std::uint8_t {
 struct Requirement {
   std::size_t sample = 0;  ///< index in counts of the target
   Point2 at;               ///< in screen axes
-  /// Those that may cover it: all of them together so often.
+  /// Those that some legal model lets cover it: all of them together were seen to, so often.
   std::vector<std::size_t> triangles;
   int least = 0;
-  int most = 0;
+  int most = 0;  ///< more than `least` of a picture, which does not say how often
+  /// The triangle that was seen there instead of a number; kNoPrimitive: none of them.
+  std::optional<std::int32_t> visible;
+  /// How often legal models let them cover it.
+  int legal_least = 0;
+  int legal_most = 0;
 };
 
-/// Why no legal model of one family explains what was drawn: nothing of it can be left out.
+/// Why no legal model explains what was drawn: a sample whose value no model has, or samples that
+/// none explains together.
 struct Core {
   std::vector<Requirement> requirements;
-  std::vector<std::size_t> vertices;  ///< of the scene, whose places decide them
-  bool is_minimal = true;             ///< false: the search for a smaller one was cut short
+  /// Samples whose value no model has; of these the first is the only requirement.
+  std::size_t wrong_by_themselves = 0;
+  std::vector<std::size_t> vertices;  ///< of the scene, whose places decide several requirements
+  /// Whether some model explains the others, whichever is left out. False: the search for fewer
+  /// was cut short.
+  bool is_minimal = true;
 };
 
 struct JointVerdict {
   Legality legality = Legality::kLegal;
-  /// The family that explains everything; else the first of the profile's, in which `core` stands.
+  /// The family that explains everything; else the first of the profile's.
   Family family;
   std::optional<Core> core;  ///< if not legal
 
   // Of that family.
-  std::uint64_t samples = 0;     ///< of the target
-  std::uint64_t open = 0;        ///< samples that legal models of the family decide differently
-  std::uint64_t not_judged = 0;  ///< of these: in components that were given up
-  std::size_t components = 0;    ///< parts of the scene that can be judged by themselves
+  std::uint64_t samples = 0;          ///< of the target
+  std::uint64_t not_judged = 0;       ///< of these: in components that were given up
+  std::size_t components = 0;         ///< parts of the scene that can be judged by themselves
   std::size_t largest_component = 0;  ///< its triangles
   std::size_t largest_given_up = 0;   ///< triangles of the largest that was given up
   std::size_t families = 0;           ///< tried

@@ -276,7 +276,7 @@ Point2 FamilyView::OnScreen(const Vertex& v) const {
   return {unwrapped(v.x), profile_.y_axis == YAxis::kUp ? -y : y};
 }
 
-TriangleSamples FamilyView::Of(std::size_t triangle) const {
+TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* only) const {
   TriangleSamples samples;
   const std::array<Vertex, 3> given = Corners(scene_, scene_.triangles[triangle]);
   Corners3 places{};
@@ -308,12 +308,13 @@ TriangleSamples FamilyView::Of(std::size_t triangle) const {
   for (int row = box.y0; row < box.y1; ++row) {
     for (int x = box.x0; x < box.x1; ++x) {
       for (std::size_t s = 0; s < frame_.offsets.size(); ++s) {
-        const Point2 p = frame_.At(x, row, s);
         const std::size_t index =
             (static_cast<std::size_t>(row) * static_cast<std::size_t>(scene_.width) +
              static_cast<std::size_t>(x)) *
                 frame_.offsets.size() +
             s;
+        if (only != nullptr && !(*only)[index]) continue;
+        const Point2 p = frame_.At(x, row, s);
         OpenSample open{triangle, index, p, {}, {}, clipped.MayDecide(p)};
         if (open.is_clipped) {
           if (over.IsOutIfClipped(clipped, p)) continue;

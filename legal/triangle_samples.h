@@ -48,8 +48,15 @@ class FamilyView {
   /// Domain:     as ChoicesOf; the scene and the profile outlive the view.
   FamilyView(const Scene& scene, const Profile& profile, const Family& family);
 
-  TriangleSamples Of(std::size_t triangle) const;
+  /// What the family's models say of the triangle at every sample, or, where `only` says which, at
+  /// those alone.
+  ///
+  /// Shape:      `only` as counts of the target.
+  TriangleSamples Of(std::size_t triangle, const std::vector<bool>* only = nullptr) const;
   const Choices& choices() const { return choices_; }
+  std::size_t VertexOf(std::size_t triangle, std::size_t corner) const {
+    return static_cast<std::size_t>(scene_.triangles[triangle][corner]);
+  }
   const std::vector<Point2>& PlacesOf(std::size_t triangle, std::size_t corner) const {
     return choices_.Of(VertexOf(triangle, corner));
   }
@@ -65,10 +72,6 @@ class FamilyView {
   Point2 At(int x, int row, std::size_t s) const { return frame_.At(x, row, s); }
 
  private:
-  std::size_t VertexOf(std::size_t triangle, std::size_t corner) const {
-    return static_cast<std::size_t>(scene_.triangles[triangle][corner]);
-  }
-
   Point2 OnScreen(const Vertex& v) const;
 
   const Scene& scene_;

@@ -26,8 +26,9 @@ double SnapCoordinate(double x, const Snap& snap);
 ///             |x| >= 2^36.
 std::vector<double> GridPointsWithin(double x, const Snap& snap, double tolerance);
 
-/// Returns the grids that the freedom leaves to choose from, coarsest first and no grid last;
-/// `snap` alone, unless a least number of bits is stated.
+/// Returns the grids of up to kMaxSubpixelBits that the freedom leaves to choose from, coarsest
+/// first and no grid last; `snap` alone, unless a least number of bits is stated. Finer ones lie
+/// between these, coordinate by coordinate.
 std::vector<Snap> LegalGrids(const Snap& snap, const Freedom& freedom);
 
 /// Returns the points of one grid that a coordinate may take, in ascending order.

@@ -56,7 +56,8 @@ void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
     if (result.verdict->witness) WriteWitness(json, *result.verdict->witness);
   }
   json.Key("replay").Text(ReplayCommand(certificate, result));
-  std::string file = io::CaseToJson({*result.counterexample, result.subject, result.property});
+  std::string file =
+      io::CaseToJson({*result.counterexample, result.subject, result.property, result.Drawn()});
   while (file.ends_with('\n')) file.pop_back();
   json.Key("case").Value(file);
   json.EndObject();

@@ -78,8 +78,11 @@ using MeasuredScenes = std::vector<std::unique_ptr<MeasuredScene>>;
 MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress);
 
 /// Draws a scene of the set; what the subject breaks down over, refuses, or takes too long over
-/// goes to the certificate too.
+/// goes to the certificate too. Of a profile that leaves something free a row says whether one
+/// legal model explains what was drawn.
 void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate);
+/// Whether it is such a row.
+bool IsOfAScene(const PropertyResult& result);
 
 /// Where results of properties come from: every case is run, or those of a shard or a range, or
 /// parts that were run elsewhere are put together.

@@ -16,13 +16,16 @@
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "io/scene_set.h"
+#include "legal/joint.h"
 #include "model/snap_scene.h"
 #include "props/authority.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/flat_triangles.h"
+#include "props/judging/gate.h"
 #include "props/property.h"
 #include "tool/certify.h"
 #include "tool/interrupt.h"
+#include "tool/legality.h"
 #include "tool/session.h"
 #include "tool/shared_files.h"
 #include "tool/shell.h"
@@ -45,6 +48,7 @@ std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
 // What came of drawing a scene: counts, or why there are none.
 struct Attempt {
   std::optional<CoverageCounts> counts;
+  std::optional<OneCall> call;                ///< of a profile that leaves something free
   Outcome outcome = Outcome::kNotApplicable;  ///< of no counts; kViolated or kInconclusive are told
   std::string reason;
   double seconds = 0;
@@ -61,6 +65,7 @@ Attempt TryToDraw(Subject& subject, const Scene& scene) {
   const auto start = Clock::now();
   try {
     attempt.counts = Draw(subject, scene);
+    if (!subject.Info().profile.freedom.IsNone()) attempt.call = DrawInOneCall(subject, scene);
   } catch (const SubjectRefusal& refusal) {
     attempt.outcome = Outcome::kRefused;
     attempt.reason = std::string("the subject refused it: ") + refusal.what();
@@ -101,22 +106,68 @@ SceneResult Measure(const SubjectInfo& info, MeasuredScene& measured, const Prof
   return result;
 }
 
-// A breakdown over a given scene, or a draw that took too long, as a result of the property that a
-// draw comes back.
-PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
-                        const Attempt& attempt) {
-  const props::Property& property = *props::FindProperty("DrawStaysInsideItsTarget");
+// The property's result on one scene, of which nothing is said yet.
+PropertyResult ResultOn(const MeasuredScene& measured, const SubjectInfo& info,
+                        const props::Property& property) {
   PropertyResult result;
   result.property = fmt::format("{} on {}", property.name, measured.name());
   result.subject = info.name;
   result.clause = property.clause;
   props::SetGrounds(props::AuthorityOf(property, info.profile), result);
   result.tolerance = property.tolerance;
-  result.outcome = attempt.outcome;
   result.cases = 1;
+  return result;
+}
+
+// A breakdown over a given scene, or a draw that took too long, as a result of the property that a
+// draw comes back.
+PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
+                        const Attempt& attempt) {
+  PropertyResult result =
+      ResultOn(measured, info, *props::FindProperty("DrawStaysInsideItsTarget"));
+  result.outcome = attempt.outcome;
   if (attempt.outcome == Outcome::kViolated) result.cases_exercised = result.exercised = 1;
   result.message = attempt.reason;
   result.seconds = attempt.seconds;
+  return result;
+}
+
+constexpr const char* kJointProperty = "OneLegalModelExplainsTheMesh";
+
+// Whether one legal model explains what one call shows of the scene.
+PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measured,
+                            const OneCall& call) {
+  const props::Property& property = *props::FindProperty(kJointProperty);
+  const Scene& scene = measured.scene();
+  PropertyResult result = ResultOn(measured, info, property);
+  result.outcome = Outcome::kNotApplicable;
+  if (const auto why = props::DoesNotApply(property.gate, {info})) {
+    result.message = *why;
+  } else if (const auto no_models = legal::WhyNotJoint(scene, info.profile)) {
+    result.message = *no_models;
+  } else {
+    const auto start = Clock::now();
+    const legal::JointVerdict verdict = legal::JudgeJointly(scene, info.profile, call.Observed());
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    result.not_judged = verdict.not_judged;
+    result.exercised = verdict.samples - verdict.not_judged;
+    result.cases_exercised = 1;
+    switch (verdict.legality) {
+      case legal::Legality::kLegal:
+        result.outcome = Outcome::kHolds;
+        break;
+      case legal::Legality::kNotLegal:
+        result.outcome = Outcome::kViolated;
+        result.message = CoreLine(*verdict.core, scene,
+                                  static_cast<std::size_t>(info.profile.pattern.samples()));
+        break;
+      case legal::Legality::kNotJudged:
+        result.outcome = Outcome::kNotExercised;
+        result.message = fmt::format("a component of {} triangles is too large to be judged",
+                                     verdict.largest_given_up);
+        break;
+    }
+  }
   return result;
 }
 
@@ -202,6 +253,10 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
   return scenes;
 }
 
+bool IsOfAScene(const PropertyResult& result) {
+  return result.property.starts_with(std::string(kJointProperty) + " on ");
+}
+
 void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate) {
   const Profile real = *PresetProfile("real");
   const SubjectInfo& info = subject.Info();
@@ -211,6 +266,11 @@ void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& 
   if (attempt.outcome == Outcome::kViolated || attempt.outcome == Outcome::kInconclusive) {
     certificate.tested.push_back(AsResult(info, measured, attempt));
     certificate.replay[certificate.tested.back().property] = measured.CommandThatShows(info.name);
+  }
+  if (attempt.call) {
+    certificate.tested.push_back(JudgeJointly(info, measured, *attempt.call));
+    certificate.replay[certificate.tested.back().property] =
+        fmt::format("{} --subject {}", measured.CommandOf("legal"), ShellWord(info.name));
   }
   certificate.measured.push_back(Measure(info, measured, info.profile, attempt));
   if (!SameModel(info.profile, real) && info.profile.pattern == real.pattern) {

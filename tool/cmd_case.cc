@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/quoted.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
@@ -98,7 +99,7 @@ const props::Property& PropertyOf(const LoadedCase& loaded) {
 }
 
 Verdict Judge(const LoadedCase& loaded) {
-  RequireTakes(*loaded.subject, loaded.value.scene, loaded.value.scene.name);
+  RequireTakes(*loaded.subject, loaded.value.scene, ShownName(loaded.value.scene.name));
   return props::RunCase(*loaded.subject, PropertyOf(loaded), loaded.value);
 }
 
@@ -167,8 +168,8 @@ int RunExplain(const ExplainOptions& options) {
   RequireHonestEnvironment();
   const LoadedCase loaded = LoadCase(options.choice, "explain");
   const bool chosen = options.x >= 0 || options.y >= 0;
-  if (chosen) RequirePixel(options, loaded.value.scene);
   const Verdict verdict = Judge(loaded);
+  if (chosen) RequirePixel(options, AsDrawn(loaded.value, verdict).scene);
   Verdict shown = verdict;
   if (chosen) {
     shown.witness.emplace();  // what was said of the failing place is not so of this one
@@ -181,7 +182,7 @@ int RunExplain(const ExplainOptions& options) {
   if (verdict.outcome == Outcome::kRefused || verdict.outcome == Outcome::kInconclusive) {
     io::WriteStandardOutput(
         report::CleanText(FailureLine(PropertyName(loaded), loaded.value, verdict)) + "\n" +
-        SceneLine(loaded.value) + "\n");
+        SceneLine(loaded.value) + "\n" + DrawnLine(loaded.value, verdict));
     return StatusOf(verdict.outcome);
   }
   report::Explanation explanation = Explain(*loaded.subject, loaded.value, shown, again);
@@ -193,7 +194,8 @@ int RunExplain(const ExplainOptions& options) {
   if (!options.png.empty()) {
     io::WriteFile(options.png, io::EncodePng(report::ExplanationToImage(explanation)));
   }
-  std::string text = FailureLine(PropertyName(loaded), loaded.value, verdict) + "\n";
+  std::string text = FailureLine(PropertyName(loaded), loaded.value, verdict) + "\n" +
+                     DrawnLine(loaded.value, verdict);
   if (chosen) text += PixelLine(explanation, options.x, options.y) + "\n";
   io::WriteStandardOutput(report::CleanText(text) +
                           report::ExplanationToText(explanation, options.colour));
@@ -203,7 +205,7 @@ int RunExplain(const ExplainOptions& options) {
 int RunShrink(const ShrinkOptions& options) {
   RequireHonestEnvironment();
   const LoadedCase loaded = LoadCase(options.choice, "shrink");
-  RequireTakes(*loaded.subject, loaded.value.scene, loaded.value.scene.name);
+  RequireTakes(*loaded.subject, loaded.value.scene, ShownName(loaded.value.scene.name));
   Progress progress;
   props::CampaignOptions campaign;
   campaign.shrink_budget = options.budget;
@@ -225,8 +227,8 @@ int RunShrink(const ShrinkOptions& options) {
                      "give a case that 'rasterproof replay' reports as violated");
   }
   const Scene& scene = shrunk.value.scene;
-  WriteOutput(options.output,
-              io::CaseToJson({shrunk.value, loaded.subject->Info().name, PropertyName(loaded)}));
+  WriteOutput(options.output, io::CaseToJson({shrunk.value, loaded.subject->Info().name,
+                                              PropertyName(loaded), shrunk.verdict.drawn}));
   progress.Say(fmt::format("{} triangles in {}x{}, after {} evaluations (from {} in {}x{}); {}",
                            scene.triangles.size(), scene.width, scene.height, shrunk.evaluations,
                            loaded.value.scene.triangles.size(), loaded.value.scene.width,

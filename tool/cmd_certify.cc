@@ -119,8 +119,9 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
   io::WriteFile(folder + "/junit.xml", report::JUnitXml(certificate));
   for (const PropertyResult& result : certificate.tested) {
     if (!result.counterexample) continue;
-    io::WriteFile(folder + "/" + FileStemOf(result) + ".json",
-                  io::CaseToJson({*result.counterexample, result.subject, result.property}));
+    io::WriteFile(
+        folder + "/" + FileStemOf(result) + ".json",
+        io::CaseToJson({*result.counterexample, result.subject, result.property, result.Drawn()}));
   }
 }
 
@@ -140,6 +141,18 @@ std::string WritePages(const std::string& output, const report::Page& page) {
   return path;
 }
 
+// How many scenes the joint verdict judged, and acquitted. Empty if none.
+std::string LegalScenes(const report::Certificate& certificate) {
+  std::uint64_t judged = 0;
+  std::uint64_t legal = 0;
+  for (const PropertyResult& result : certificate.tested) {
+    if (!IsOfAScene(result)) continue;
+    if (result.outcome == Outcome::kHolds) ++legal;
+    if (result.outcome == Outcome::kHolds || result.outcome == Outcome::kViolated) ++judged;
+  }
+  return judged == 0 ? "" : fmt::format("{} of {} scenes have a legal model", legal, judged);
+}
+
 // Wrong samples over the scenes that the subject's own profile judges.
 std::string WrongSamples(const report::Certificate& certificate) {
   std::uint64_t wrong = 0;
@@ -149,7 +162,10 @@ std::string WrongSamples(const report::Certificate& certificate) {
     wrong += result.difference.wrong;
     samples += result.difference.samples;
   }
-  if (samples == 0) return "no scene judged";
+  if (samples == 0) {
+    const std::string legal = LegalScenes(certificate);
+    return legal.empty() ? "no scene judged" : legal;
+  }
   return fmt::format("{:>9} of {} samples wrong", wrong, samples);
 }
 

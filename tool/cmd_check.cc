@@ -150,7 +150,8 @@ void SaveCounterexample(const std::string& folder, const PropertyResult& result)
       fmt::format("{}/{}-{}", folder, FileNameOf(result.subject), result.property);
   std::string path = stem + ".json";
   for (int n = 2; std::filesystem::exists(path); ++n) path = fmt::format("{}-{}.json", stem, n);
-  io::WriteFile(path, io::CaseToJson({*result.counterexample, result.subject, result.property}));
+  io::WriteFile(path, io::CaseToJson({*result.counterexample, result.subject, result.property,
+                                      result.Drawn()}));
 }
 
 // What came of one property, and what is printed of it. Nothing of one that was not begun.

@@ -33,12 +33,6 @@ std::string Letters(const legal::Decided& decided) {
   return text;
 }
 
-std::uint64_t NumberOpen(const legal::Decided& decided) {
-  std::uint64_t open = 0;
-  for (std::size_t s = 0; s < decided.counts.size(); ++s) open += decided.IsDecided(s) ? 0 : 1;
-  return open;
-}
-
 std::string Range(int least, int most) {
   return least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
 }
@@ -87,7 +81,7 @@ std::string ToJson(const legal::Decided& decided, const Profile& profile) {
   json.Key("width").Integer(decided.width);
   json.Key("height").Integer(decided.height);
   json.Key("samples_per_pixel").Integer(decided.samples);
-  json.Key("open").Integer(NumberOpen(decided));
+  json.Key("open").Integer(decided.NumberOpen());
   json.Key("bounded").Integer(decided.bounded);
   json.Key("least").BeginArray();
   for (std::size_t s = 0; s < decided.counts.size(); ++s) json.Integer(decided.Least(s));
@@ -161,7 +155,7 @@ int RunDecided(const DecidedOptions& options) {
   if (!options.png.empty())
     io::WriteFile(options.png, io::EncodePng(Picture(decided, scene, profile, options)));
   if (options.json != "-") io::WriteStandardOutput(Letters(decided));
-  const std::uint64_t open = NumberOpen(decided);
+  const std::uint64_t open = decided.NumberOpen();
   Tell(fmt::format(
       "{} of {} samples have one count in every legal model of profile {}; {} have "
       "several{}\n",

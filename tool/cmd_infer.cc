@@ -52,9 +52,12 @@ std::string NoFitText(const props::Inference& inference) {
   std::string text = fmt::format("no model fits: {}\n", inference.message);
   if (const auto& nearest = inference.nearest) {
     text += fmt::format(
-        "nearest          {}\nits error rate   {} of {} samples, {} of {} draws wrong\n",
+        "nearest          {}\nits error rate   {} of {} samples, {} of {} draws wrong{}\n",
         props::ModelText(nearest->profile), nearest->wrong_samples, nearest->samples,
-        nearest->wrong_experiments, nearest->experiments);
+        nearest->wrong_experiments, nearest->experiments,
+        nearest->wrong_samples == 0 && inference.witness
+            ? ", where nothing is aimed; one that was aimed is, below"
+            : "");
   }
   return text;
 }
@@ -68,7 +71,9 @@ std::string PlacesText(const props::Inference& inference) {
 }
 
 std::string CaseText(const std::string& what, const Case& c, const std::string& subject) {
-  return what + "\n" + io::CaseToJson({c, subject, "CoverageEqualsTheModel"});
+  return what + "\n" + io::CaseToJson({c, subject, "CoverageEqualsTheModel"}) +
+         "replay: save it as case.json, then: rasterproof replay case.json " +
+         SubjectOption(subject) + "\n";
 }
 
 std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {

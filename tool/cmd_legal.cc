@@ -1,7 +1,12 @@
 // rasterproof legal: whether one legal model of a profile explains a drawing.
+//
+// How many samples are open is counted only of a drawing that is not legal: one family of models
+// explains a legal one, while the count looks at all of them.
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +18,7 @@
 #include "io/case_file.h"
 #include "io/counts_file.h"
 #include "io/output.h"
+#include "legal/decided.h"
 #include "legal/joint.h"
 #include "model/target_model.h"
 #include "props/judging/witness.h"
@@ -20,43 +26,11 @@
 #include "report/json_writer.h"
 #include "tool/asked.h"
 #include "tool/commands.h"
+#include "tool/legality.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
-
-// What is judged, and what it is of.
-struct Drawn {
-  Drawing drawing;
-  bool is_mask = false;
-  bool has_counts = true;
-  bool last_is_visible = true;
-
-  legal::Observed Observed() const {
-    legal::Observed observed;
-    observed.last_is_visible = last_is_visible;
-    if (has_counts) {
-      observed.together = &drawing.counts;
-      observed.is_mask = is_mask;
-    } else {
-      observed.primitive_ids = &drawing.primitive_ids;
-    }
-    return observed;
-  }
-};
-
-Drawn DrawnBy(Subject& subject, const Scene& scene) {
-  const SubjectInfo& info = subject.Info();
-  DrawJob job(scene, {}, info.profile.pattern.samples());
-  job.wants = kCoverageAndPrimitiveIds;
-  Drawn drawn{subject.Show(job)};
-  const bool counts =
-      info.coverage == CoverageKind::kFacingCounts || info.coverage == CoverageKind::kCounts;
-  drawn.has_counts = counts || drawn.drawing.primitive_ids.empty();
-  drawn.is_mask = !counts;
-  drawn.last_is_visible = info.fragments.visible == Visible::kLastDrawn;
-  return drawn;
-}
 
 std::string GridText(const Snap& grid) {
   return grid.IsNone() ? "no grid" : fmt::format("{} subpixel bits", grid.bits);
@@ -82,40 +56,8 @@ std::string LegalityName(legal::Legality legality) {
   return "not judged";
 }
 
-std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples) {
-  constexpr std::size_t kMostTold = 8;
-  std::string text =
-      fmt::format("no choice explains these {} samples together{}:\n", core.requirements.size(),
-                  core.is_minimal ? ", and without any of them one does" : "");
-  for (std::size_t k = 0; k < core.requirements.size() && k < kMostTold; ++k) {
-    const legal::Requirement& seen = core.requirements[k];
-    const std::size_t pixel = seen.sample / samples;
-    text += fmt::format("  column {} row {}: ", pixel % static_cast<std::size_t>(scene.width),
-                        pixel / static_cast<std::size_t>(scene.width));
-    if (seen.triangles.empty()) {
-      text += "no legal model of any triangle covers it so\n";
-      continue;
-    }
-    text +=
-        fmt::format("{} of triangles {} cover it\n",
-                    seen.least == seen.most ? fmt::format("{}", seen.most)
-                                            : fmt::format("{} or more", std::max(seen.least, 0)),
-                    fmt::join(seen.triangles, ", "));
-  }
-  if (core.requirements.size() > kMostTold)
-    text += fmt::format("  and {} more\n", core.requirements.size() - kMostTold);
-  if (!core.vertices.empty()) text += "they are decided by where these vertices lie:\n";
-  for (std::size_t k = 0; k < core.vertices.size() && k < kMostTold; ++k) {
-    const Vertex& v = scene.vertices[core.vertices[k]];
-    text += fmt::format("  vertex {} at ({}, {})\n", core.vertices[k], props::HexText(v.x),
-                        props::HexText(v.y));
-  }
-  if (core.vertices.size() > kMostTold)
-    text += fmt::format("  and {} more\n", core.vertices.size() - kMostTold);
-  return text;
-}
-
-std::string Text(const legal::JointVerdict& verdict, const Profile& profile, const Scene& scene) {
+std::string Text(const legal::JointVerdict& verdict, std::optional<std::uint64_t> open,
+                 const Profile& profile, const Scene& scene) {
   std::string text = fmt::format("{}: profile {}; ", LegalityName(verdict.legality), profile.name);
   const std::string family = FamilyText(verdict.family, profile);
   if (verdict.legality == legal::Legality::kLegal) {
@@ -129,17 +71,20 @@ std::string Text(const legal::JointVerdict& verdict, const Profile& profile, con
                             ? "one grid and tie rule was"
                             : fmt::format("{} grids and tie rules were", verdict.families));
   }
-  text += fmt::format(
-      "with {}: {} samples depend on choices, in {} components, the largest of {} triangles; {} "
-      "are "
-      "not judged\n",
-      family, verdict.open, verdict.components, verdict.largest_component, verdict.not_judged);
+  if (open)
+    text += fmt::format("{} samples are open: legal models cover them differently often\n", *open);
+  if (verdict.components != 0) {
+    text += fmt::format(
+        "with {}: {} components, the largest of {} triangles; {} samples are not judged\n", family,
+        verdict.components, verdict.largest_component, verdict.not_judged);
+  }
   if (verdict.core)
     text += CoreText(*verdict.core, scene, static_cast<std::size_t>(profile.pattern.samples()));
   return text;
 }
 
-std::string ToJson(const legal::JointVerdict& verdict, const Profile& profile) {
+std::string ToJson(const legal::JointVerdict& verdict, std::optional<std::uint64_t> open,
+                   const Profile& profile) {
   report::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_legal").Integer(1);
@@ -149,13 +94,14 @@ std::string ToJson(const legal::JointVerdict& verdict, const Profile& profile) {
   json.Key("model").Text(FamilyText(verdict.family, profile));
   json.Key("models_tried").Integer(verdict.families);
   json.Key("samples").Integer(verdict.samples);
-  json.Key("open").Integer(verdict.open);
+  if (open) json.Key("open").Integer(*open);
   json.Key("not_judged").Integer(verdict.not_judged);
   json.Key("components").Integer(verdict.components);
   json.Key("largest_component").Integer(verdict.largest_component);
   if (verdict.core) {
     json.Key("core").BeginObject();
     json.Key("is_minimal").Bool(verdict.core->is_minimal);
+    json.Key("wrong_by_themselves").Integer(verdict.core->wrong_by_themselves);
     json.Key("samples").BeginArray();
     for (const legal::Requirement& seen : verdict.core->requirements) {
       json.BeginObject();
@@ -164,6 +110,9 @@ std::string ToJson(const legal::JointVerdict& verdict, const Profile& profile) {
       json.Key("y").Exact(seen.at.y);
       json.Key("least").Integer(seen.least);
       json.Key("most").Integer(seen.most);
+      if (seen.visible) json.Key("visible").Integer(*seen.visible);
+      json.Key("legal_least").Integer(seen.legal_least);
+      json.Key("legal_most").Integer(seen.legal_most);
       json.Key("triangles").BeginArray();
       for (const std::size_t t : seen.triangles) json.Integer(t);
       json.EndArray();
@@ -193,11 +142,26 @@ Scene CoreScene(const Scene& scene, const legal::Core& core) {
   return part;
 }
 
-Drawn Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
+// A subject is judged again. A picture can't be drawn again: its case shows what the canonical
+// model has there, and its origin says what was seen.
+void Save(const LegalOptions& options, const Scene& scene, const Profile& profile,
+          const legal::Core& core) {
+  const bool is_drawn = !options.subject.empty();
+  const std::string origin =
+      "core of " + options.scene.path +
+      (is_drawn ? ""
+                : " as " + options.image + " shows it; " +
+                      CoreText(core, scene, static_cast<std::size_t>(profile.pattern.samples())));
+  const Case part{CoreScene(scene, core), profile, {}, origin};
+  io::WriteFile(options.save, io::CaseToJson({part, is_drawn ? options.subject : "exact",
+                                              is_drawn ? "OneLegalModelExplainsTheMesh" : ""}));
+}
+
+OneCall Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
   io::CountsFile file = io::ReadCounts(
       options.image, scene.width, scene.height,
       ForTarget(profile, scene.width, scene.height).pattern.samples(), options.background);
-  Drawn drawn;
+  OneCall drawn;
   drawn.drawing.counts = std::move(file.counts);
   drawn.is_mask = file.is_mask;
   return drawn;
@@ -226,16 +190,15 @@ int RunLegal(const LegalOptions& options) {
     throw InputError("profile " + profile.name, *why,
                      "give a profile whose models state single samples of this scene");
   }
-  const Drawn drawn = subject ? DrawnBy(*subject, scene) : Read(options, scene, profile);
+  const OneCall drawn = subject ? DrawInOneCall(*subject, scene) : Read(options, scene, profile);
   const legal::JointVerdict verdict = legal::JudgeJointly(scene, profile, drawn.Observed());
-  if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, profile));
-  if (!options.save.empty() && verdict.core) {
-    const Case part{CoreScene(scene, *verdict.core), profile, {}, "core of " + options.scene.path};
-    io::WriteFile(options.save,
-                  io::CaseToJson({part, options.subject, "OneLegalModelExplainsTheMesh"}));
-  }
+  std::optional<std::uint64_t> open;
+  if (verdict.legality != legal::Legality::kLegal)
+    open = legal::DecidedSamples(scene, profile).NumberOpen();
+  if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, open, profile));
+  if (!options.save.empty() && verdict.core) Save(options, scene, profile, *verdict.core);
   if (options.json != "-") {
-    io::WriteStandardOutput(Text(verdict, profile, scene) + report::AssumptionLines(profile));
+    io::WriteStandardOutput(Text(verdict, open, profile, scene) + report::AssumptionLines(profile));
   }
   switch (verdict.legality) {
     case legal::Legality::kLegal:

@@ -7,6 +7,7 @@
 #include "bench/clock.h"
 #include "core/coverage.h"
 #include "core/error.h"
+#include "core/quoted.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
@@ -96,8 +97,8 @@ int RunPlan(const PlanOptions& options) {
   const reference::Needs needs{options.barycentrics, options.depth, options.wireframe};
   const reference::Plan plan = reference::MakePlan(scene, profile, {}, needs);
   std::string text = fmt::format("scene       {}\nprofile     {}\narithmetic  {}\n",
-                                 scene.name.empty() ? options.scene.path : scene.name, profile.name,
-                                 plan.arithmetic);
+                                 scene.name.empty() ? options.scene.path : ShownName(scene.name),
+                                 profile.name, plan.arithmetic);
   for (const reference::PlanReason& reason : plan.reasons) {
     text += fmt::format("  {:<16} {:<28} {}\n", reason.stage, reason.choice, reason.why);
   }

@@ -182,10 +182,18 @@ std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
 
 }  // namespace
 
+Case AsDrawn(const Case& c, const Verdict& verdict) {
+  Case drawn = c;
+  if (verdict.drawn == nullptr) return drawn;
+  drawn.scene = verdict.drawn->scene;
+  drawn.options = verdict.drawn->options;
+  return drawn;
+}
+
 report::Explanation Explain(Subject& subject, const Case& given, const Verdict& verdict,
                             const std::string& replay) {
-  Case c = given;
-  c.profile = ForTarget(given.profile, given.scene.width, given.scene.height);
+  Case c = AsDrawn(given, verdict);
+  c.profile = ForTarget(given.profile, c.scene.width, c.scene.height);
   report::Explanation explanation;
   // A triangle that is dropped for its extent is shown where it lies.
   Profile all_sizes = c.profile;
@@ -229,7 +237,8 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   return explanation;
 }
 
-std::string FailureLine(const std::string& property, const Case& c, const Verdict& verdict) {
+std::string FailureLine(const std::string& property, const Case& given, const Verdict& verdict) {
+  const Case c = AsDrawn(given, verdict);
   std::string line = property.empty() ? "coverage" : property;
   line += ": ";
   if (verdict.witness) {
@@ -261,6 +270,11 @@ std::string SceneLine(const Case& c) {
   return "scene: " + InOneLine(io::SceneToJson(scene)) + options;
 }
 
+std::string DrawnLine(const Case& c, const Verdict& verdict) {
+  if (verdict.drawn == nullptr) return "";
+  return "drawn by the property, " + SceneLine(AsDrawn(c, verdict)) + "\n";
+}
+
 namespace {
 
 // A breakdown has no place; a scene that the oracle does not decide has no picture, and there is
@@ -286,6 +300,7 @@ std::string PictureText(Subject& subject, const Case& c, const Verdict& verdict,
 std::string FailureText(Subject& subject, const std::string& property, const Case& c,
                         const Verdict& verdict, const std::string& replay, bool colour) {
   std::string text = FailureLine(property, c, verdict) + "\n" + SceneLine(c) + "\n";
+  text += DrawnLine(c, verdict);
   text += PictureText(subject, c, verdict, replay, colour);
   if (!text.ends_with('\n')) text += '\n';
   return text;

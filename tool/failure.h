@@ -12,7 +12,12 @@
 
 namespace rasterproof::tool {
 
-/// Expected and observed coverage of the case around the witness, with the exact edge values there.
+/// The case with the scene and the options that were drawn, if the verdict is of others than its
+/// own.
+Case AsDrawn(const Case& c, const Verdict& verdict);
+
+/// Expected and observed coverage of what was drawn, around the witness, with the exact edge values
+/// there.
 ///
 /// Domain:     a case that the subject takes.
 report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verdict,
@@ -27,7 +32,11 @@ std::string FailureLine(const std::string& property, const Case& c, const Verdic
 /// more than anybody reads.
 std::string SceneLine(const Case& c);
 
-/// The line, the scene, the picture if there is a place to show, and the replay command.
+/// The same of what the property made of the case, on a line of its own; empty if it is the case.
+std::string DrawnLine(const Case& c, const Verdict& verdict);
+
+/// The line, the scene, what was drawn, the picture if there is a place to show, and the replay
+/// command.
 std::string FailureText(Subject& subject, const std::string& property, const Case& c,
                         const Verdict& verdict, const std::string& replay, bool colour);
 

@@ -31,14 +31,17 @@ Makers& OwnMakers() {
 
 std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
+using Program = subjects::ProcessSubject::Program;
+
 // Every subject outside is made here, whatever described it. That a method is exact, and what is
 // proved of its arithmetic, only reference/ and exact/ may state: a subject from outside states
 // neither, whatever it is called.
-SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo info) {
+SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo info, Program program) {
   info.states_exact = false;
   info.proofs.clear();
-  return [command = std::move(command), info = std::move(info)]() -> std::unique_ptr<Subject> {
-    return std::make_unique<subjects::ProcessSubject>(command, info, OutsideLimits());
+  return [command = std::move(command), info = std::move(info),
+          program]() -> std::unique_ptr<Subject> {
+    return std::make_unique<subjects::ProcessSubject>(command, info, OutsideLimits(), program);
   };
 }
 
@@ -51,7 +54,7 @@ SubjectMaker Hosted(const std::string& name) {
   info.summary = info.name + (info.summary.empty() ? "" : ": ") + info.summary;
   info.name = name;
   info.protocol = subjects::kProtocol;
-  return InAProcess({ThisProgram(), "host", name}, info);
+  return InAProcess({ThisProgram(), "host", name}, info, Program::kOurs);
 }
 
 // A program that is not there is the caller's to mend, and told before anything is run. The shell
@@ -80,7 +83,7 @@ SubjectMaker Executed(const Description& description, const std::string& name) {
   RequireProgram(description.command, name);
   SubjectInfo info = description.info;
   info.name = name;
-  return InAProcess({"/bin/sh", "-c", "exec " + description.command}, info);
+  return InAProcess({"/bin/sh", "-c", "exec " + description.command}, info, Program::kTheUsers);
 }
 
 // A subject in this very process, and its profile as text.

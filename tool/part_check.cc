@@ -29,6 +29,7 @@ class TestCheck {
     RequireCounts();
     RequireDomains();
     RequireEnd();
+    RequirePlaces();
     if (test_.run.found) RequireFound(*test_.run.found);
   }
 
@@ -73,6 +74,16 @@ class TestCheck {
     return props::DomainsFor(info_, *props::FindProperty(test_.property)).size();
   }
 
+  void RequirePlaces() const {
+    const props::Sums& sums = test_.run.sums;
+    for (const auto& [asked, refused] : sums.places) {
+      Require(refused <= asked && refused <= sums.refused_within_limits &&
+                  asked - refused <= sums.cases_exercised,
+              fmt::format("{} of {} cases with one kind of place refused, of {} in all", refused,
+                          asked, sums.refused_within_limits));
+    }
+  }
+
   void RequireDomains() const {
     const props::Sums& sums = test_.run.sums;
     Require(sums.drawn.size() == Domains(),
@@ -103,7 +114,10 @@ class TestCheck {
       case props::End::kNotApplicable:
         Require(run == 0, fmt::format("not applicable, with {} cases run", run));
         break;
-      default:  // with a case, of which an inconclusive one is not counted
+      case props::End::kFailed:
+      case props::End::kTimeUp:
+      case props::End::kInterrupted:
+      case props::End::kInconclusive:  // with a case, which is not counted
         Require(run <= given, fmt::format("{} cases run of {}", run, given));
     }
     Require(test_.run.end == props::End::kFailed || !test_.run.found,
@@ -116,7 +130,8 @@ class TestCheck {
             "it failed, and what was said of the case is not that it is violated");
     if (!found.verdict.witness) return;
     const Witness& w = *found.verdict.witness;
-    const Scene& scene = found.value.scene;
+    const DrawnScene* drawn = found.verdict.drawn.get();
+    const Scene& scene = drawn != nullptr ? drawn->scene : found.value.scene;
     const int samples = std::max(1, found.value.profile.pattern.samples());
     const auto triangles = static_cast<std::int64_t>(scene.triangles.size());
     Require(w.triangle >= -1 && w.triangle < triangles,

@@ -27,7 +27,7 @@ namespace {
 using io::JsonValue;
 using report::JsonWriter;
 
-constexpr int kPartVersion = 2;
+constexpr int kPartVersion = 3;
 
 constexpr std::array<std::pair<props::End, std::string_view>, 4> kEnds{
     {{props::End::kAllRun, "all run"},
@@ -58,6 +58,12 @@ void VisitNearEdge(Counts& counts, const Visit& visit) {
   visit("within_1", counts.within_1);
   visit("within_16", counts.within_16);
   visit("within_256", counts.within_256);
+}
+
+template <class Counts, class Visit>
+void VisitPlace(Counts& counts, const Visit& visit) {
+  visit("asked", counts.asked);
+  visit("refused", counts.refused);
 }
 
 template <class Counts, class Visit>
@@ -96,6 +102,13 @@ void WriteSums(JsonWriter& json, const props::Sums& sums) {
     json.EndObject();
   }
   json.EndArray();
+  json.Key("places").BeginArray();
+  for (const props::PlaceCounts& counts : sums.places) {
+    json.BeginObject();
+    VisitPlace(counts, IntegersTo(json));
+    json.EndObject();
+  }
+  json.EndArray();
 }
 
 void WriteFound(JsonWriter& json, const TestPart& test) {
@@ -104,7 +117,7 @@ void WriteFound(JsonWriter& json, const TestPart& test) {
   json.Key("as_case").Text(test.run.failing_case);
   json.Key("outcome").Text(OutcomeName(found.outcome));
   json.Key("message").Text(found.message);
-  json.Key("case").Text(io::CaseToJson({found.value, "", test.property}));
+  json.Key("case").Text(io::CaseToJson({found.value, "", test.property, found.verdict.drawn}));
   json.Key("said_outcome").Text(OutcomeName(found.verdict.outcome));
   json.Key("said").Text(found.verdict.message);
   if (found.verdict.witness) {
@@ -171,6 +184,12 @@ props::Sums SumsOf(const JsonValue& object) {
     sums.drawn.push_back(IntegerOf<std::uint64_t>(domain.Get("drawn")));
     VisitNearEdge(sums.near_edge.emplace_back(), IntegersFrom(domain));
   }
+  const JsonValue places = object.Get("places");
+  if (places.RequireArray().size() != sums.places.size()) {
+    throw places.Error("has no entry for every place, or more", "write the part again");
+  }
+  auto counts = sums.places.begin();
+  for (const JsonValue place : places.RequireArray()) VisitPlace(*counts++, IntegersFrom(place));
   return sums;
 }
 
@@ -186,7 +205,9 @@ props::Counterexample FoundOf(const JsonValue& object) {
   found.outcome = OutcomeOf(object.Get("outcome"));
   found.message = TextOf(object.Get("message"));
   const JsonValue file = object.Get("case");
-  found.value = io::ParseCase(file.RequireString(), file.Place()).value;
+  io::CaseFile parsed = io::ParseCase(file.RequireString(), file.Place());
+  found.value = std::move(parsed.value);
+  found.verdict.drawn = std::move(parsed.drawn);
   found.verdict.outcome = OutcomeOf(object.Get("said_outcome"));
   found.verdict.message = TextOf(object.Get("said"));
   if (const std::optional<JsonValue> there = object.Find("witness")) {

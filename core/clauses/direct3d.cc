@@ -59,8 +59,9 @@ constexpr auto k11 = std::to_array<Clause>({
     {.id = "d3d11.range",
      .place = "3.2.4.1, 15.6.1, 15.16",
      .sentence = "16.8 fixed point: values beyond [-32768, 32767 + 255/256] go to the nearest end.",
-     .reading = "Coordinates are judged up to 32768; beyond it an implementation may clip first.",
-     .keys = "coordinate_limit=32768"},
+     .reading = "Coordinates are judged up to 32767 + 255/256 on either side of zero; beyond it a "
+                "vertex goes to the nearest end, or an implementation clips first.",
+     .keys = "coordinate_limit=32767.99609375"},
     {.id = "d3d11.one-position",
      .place = "3.4.1",
      .force = kSilent,

@@ -49,9 +49,10 @@ Case Shrunken(Observer& observer, const Case& c) {
   return differs(c) ? Shrink(c, differs, kBudget).minimal : c;
 }
 
-// By triangles that aim at no pair of models, which near ones would lose by chance.
-void NameNearest(Observer& observer, const Location& location, const InferOptions& options,
-                 Inference& inference) {
+// By triangles that aim at no pair of models, which near ones would lose by chance. Its witness may
+// be one of the aimed ones, where none of the others tells it from the subject.
+void NameNearest(Observer& observer, const Location& location, std::span<const Experiment> aimed,
+                 const InferOptions& options, Inference& inference) {
   const ModelSpace space(location.y_axis,
                          WithUsualPatterns(location.patterns, observer.stated().pattern),
                          observer.stated());
@@ -62,7 +63,9 @@ void NameNearest(Observer& observer, const Location& location, const InferOption
   inference.nearest = Nearest(observer, space, experiments, &nearest);
   // The profile's limit is the subject's own: what is beyond it is no witness.
   inference.nearest->profile.coordinate_limit = observer.info().profile.coordinate_limit;
-  if (const Experiment* against = FirstAgainst(nearest, observer, space, experiments)) {
+  const Experiment* against = FirstAgainst(nearest, observer, space, experiments);
+  if (against == nullptr) against = FirstAgainst(nearest, observer, space, aimed);
+  if (against != nullptr) {
     inference.witness = Shrunken(observer, CaseOf(against->scene, space.ProfileOf(nearest)));
   }
 }
@@ -131,7 +134,13 @@ void RaceModels(Observer& observer, const Location& location, const InferOptions
   inference.message = location.complaint.empty()
                           ? "each model draws some triangle in another way than the subject"
                           : location.complaint;
-  NameNearest(observer, location, options, inference);
+  constexpr int kFinest = 256;
+  if (location.per_pixel < kFinest) {
+    inference.message += "; places of samples were looked for on multiples of 1/" +
+                         std::to_string(location.per_pixel) +
+                         " pixel, as the stated ranges leave no room for finer ones";
+  }
+  NameNearest(observer, location, race.experiments(), options, inference);
 }
 
 void FindModels(Observer& observer, const InferOptions& options, Inference& inference) {

@@ -73,11 +73,13 @@ struct Inference {
 /// forms about 1/2 or a sample's own place, eight tie rules, `inclusive` and `exclusive`, any
 /// sample locations on multiples of 2^-8, y down or up, facings as on screen or reversed.
 ///
-/// Domain:     a subject that draws float32 scenes and takes coordinates up to 1026 (its profile's
-///             limit bounds what is drawn beside); a fixed-point input is given its integers, in
-///             range. Nothing that it states is believed but the number of samples, the kind of
-///             its counts, its limits (coordinates, largest extent, guard-band rectangle) and what
-///             it leaves open. Of `by_target_size` the model of the smallest is found.
+/// Domain:     a subject that draws float32 scenes and takes coordinates up to 1026; up to 514,
+///             258, 130 or 66 the samples' locations are looked for on multiples of 2^-7, 2^-6,
+///             2^-5 or 2^-4 (its profile's limit bounds what is drawn beside); a fixed-point input
+///             is given its integers, in range. Nothing that it states is believed but the number
+///             of samples, the kind of its counts, its limits (coordinates, largest extent,
+///             guard-band rectangle) and what it leaves open. Of `by_target_size` the model of the
+///             smallest is found.
 /// Error:      none: a subject that throws fits no model, and says why. A scene that it refuses is
 ///             no experiment, unless it is one of the first, which show where the samples lie.
 Inference Infer(Subject& subject, const InferOptions& options = {});

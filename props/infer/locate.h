@@ -15,6 +15,9 @@ namespace rasterproof::props {
 struct Location {
   YAxis y_axis = YAxis::kDown;
   std::vector<PatternCandidate> patterns;
+  /// Its places are multiples of 1 / per_pixel: of 1/256, or coarser where the stated range of
+  /// coordinates, sizes or targets is too small for that.
+  int per_pixel = 256;
   /// Empty, or why no model can fit; then the rest is a guess.
   std::string complaint;
   Scene complaint_scene;

@@ -17,7 +17,11 @@ namespace rasterproof::props {
 Observer::Observer(Subject& subject)
     : subject_(subject),
       judged_{{}, DescriptionOf(subject), subject.Info().profile, {}, {}, {}},
-      stated_(ForTarget(subject.Info().profile, kSmallTarget, kSmallTarget)) {}
+      stated_(ForTarget(subject.Info().profile, kSmallTarget, kSmallTarget)) {
+  // Where it is not stated what is clipped, experiments reach beyond the target all the same: what
+  // a model explains of the answers is believed.
+  if (!StatesGuardBand(stated_)) stated_.guard_band.reset();
+}
 
 Scene Observer::AsGiven(const Scene& scene) const {
   Scene given = scene;

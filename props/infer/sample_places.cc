@@ -11,8 +11,8 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr double kFarSide = 1000;
-constexpr int kNever = -1;  // so many steps beyond a place are not there
+constexpr double kFarSide = 32;  // beyond the target from every place
+constexpr int kNever = -1;       // so many steps beyond a place are not there
 
 // Covers what lies beyond the edge, right of it or with greater y.
 Scene HalfPlane(int steps, bool along_y) {

@@ -12,6 +12,7 @@
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "model/snap_scene.h"
+#include "props/judging/free_choices.h"
 #include "props/judging/gate.h"
 #include "props/judging/precision_units.h"
 #include "props/judging/redraw.h"
@@ -92,20 +93,25 @@ class Depths {
   int bits_;
 };
 
-double DepthTolerance(const SubjectInfo& info, const Fragment& f) {
+// `size`: the sum of the exact barycentrics' magnitudes, at most.
+double DepthTolerance(const SubjectInfo& info, const Fragment& f, double size) {
   if (info.fragments.depth_error > 0) return info.fragments.depth_error;
   const double u = UnitRoundoff(info.input);
-  const std::array<exact::Rational, 3> barycentrics = ExactBarycentrics(f.query);
   // Barycentrics that are off by t_i move the depth by at most sum t_i max |z|, by barycentrics or,
   // z being of one sign, by deltas.
   double barycentric_error = 0;
-  double size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    barycentric_error += f.barycentric_tolerances[i];
-    size += std::fabs(barycentrics[i].ToDouble()) + f.barycentric_tolerances[i];
-  }
+  for (const double tolerance : f.barycentric_tolerances) barycentric_error += tolerance;
   const double largest = std::max({std::fabs(f.z[0]), std::fabs(f.z[1]), std::fabs(f.z[2])});
-  return kSecondOrderFactor * (barycentric_error + kDepthErrorMultiplier * u * size) * largest;
+  return kSecondOrderFactor *
+         (barycentric_error + kDepthErrorMultiplier * u * (size + barycentric_error)) * largest;
+}
+
+double SizeOfBarycentrics(const BarycentricQuery& q) {
+  double size = 0;
+  for (const exact::Rational& barycentric : ExactBarycentrics(q)) {
+    size += std::fabs(barycentric.ToDouble());
+  }
+  return size;
 }
 
 // What a triangle's edge values can be off at a sample, for the ways to turn them into
@@ -178,6 +184,61 @@ std::array<double, 3> TolerancesOf(const EdgeErrors& errors, Precision precision
   return tolerances;
 }
 
+// What holds of a fragment wherever the profile lets its triangle's corners lie.
+struct AnyOwners {
+  EdgeErrors errors;
+  bool inside = true;
+  bool overflows = false;
+};
+
+// Edge values and the area are affine in each coordinate of the corners: over rectangles their
+// signs are those at the rectangles' corners if all agree there, and their magnitudes and the sums
+// of products, being convex, are greatest there. Nothing if the triangle may be flat, or clipped.
+std::optional<AnyOwners> OverLegalPlaces(const Case& c, const Triangle& t, Point2 p,
+                                         Precision precision) {
+  const auto places = LegalPlacesOf(c, t);
+  if (!places) return std::nullopt;
+  std::optional<AnyOwners> all;
+  int facing = 0;
+  for (unsigned ends = 0; ends < 64; ++ends) {
+    Points3 v;
+    for (unsigned k = 0; k < 3; ++k) {
+      const auto& [low, high] = (*places)[k];
+      v[k] = {(ends >> 2 * k & 1U) != 0 ? high.x : low.x,
+              (ends >> (2 * k + 1) & 1U) != 0 ? high.y : low.y};
+    }
+    const int here = exact::Facing(v);
+    if (here == 0 || (all && here != facing)) return std::nullopt;
+    facing = here;
+    const EdgeErrors errors = EdgeErrorsAt(v, p, precision);
+    if (!all) all = AnyOwners{errors};
+    all->errors = Worst(all->errors, errors);
+    all->inside = all->inside && InClosedTriangle(v, p);
+    all->overflows = all->overflows || Overflows(v, p, precision);
+  }
+  return all;
+}
+
+// Fills in the fragment's tolerances; false if nothing holds of it.
+bool TolerateAnyOwners(const Case& c, const SubjectInfo& info, Fragment& f) {
+  const Triangle& t = c.scene.triangles[static_cast<std::size_t>(f.query.triangle)];
+  const auto any = OverLegalPlaces(c, t, f.query.place.at, info.input);
+  if (!any) return false;
+  f.query.inside = any->inside;
+  const double stated = info.fragments.barycentric_error;
+  f.barycentric_tolerances = stated > 0       ? std::array<double, 3>{stated, stated, stated}
+                             : any->overflows ? kNothingIsStated
+                                              : TolerancesOf(any->errors, info.input);
+  // Inside the exact ones sum to one in magnitude as well.
+  double size = 1;
+  if (!any->inside) {
+    size = (any->errors.value[0] + any->errors.value[1] + any->errors.value[2]) /
+           std::max(any->errors.area, 0.0);
+  }
+  f.depth_tolerance = DepthTolerance(info, f, size);
+  return true;
+}
+
 // What the drawing shows at its k-th sample. Nothing if the visible triangle has no area.
 std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const Scene& owners,
                                    const Case& c, const SubjectInfo& info) {
@@ -194,11 +255,14 @@ std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const 
   }
   const Witness at = WitnessAtIndex(drawing.counts, k);
   f.query.place = PlaceOf(c, at.x, at.y, at.sample);
-  f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
   f.barycentrics = drawing.barycentrics[k];
   f.depth = drawing.depths[k];
+  if (LeavesBarycentricsOpen(info, c.profile)) {
+    return TolerateAnyOwners(c, info, f) ? std::optional(f) : std::nullopt;
+  }
+  f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
   f.barycentric_tolerances = BarycentricTolerances(info, f.query);
-  f.depth_tolerance = DepthTolerance(info, f);
+  f.depth_tolerance = DepthTolerance(info, f, SizeOfBarycentrics(f.query));
   return f;
 }
 

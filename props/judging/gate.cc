@@ -125,22 +125,13 @@ bool MayBeClipped(const Gate& gate) {
          gate.space == Space::kClip;
 }
 
-// Barycentrics belong to the vertices as given or to their grid points, which a profile may leave
-// free.
-bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile) {
-  const bool chooses_points = profile.freedom.MovesVertices() ||
-                              profile.contract == Contract::kWatertight ||
-                              profile.contract == Contract::kClosed;
-  return info.fragments.barycentrics_of == BarycentricsOf::kSnapped && chooses_points;
-}
-
 std::optional<std::string> ProfileDoesNotState(const Gate& gate, const SubjectInfo& info,
                                                const Profile& profile) {
   for (const ProfileRule& rule : gate.rules) {
     if (!rule.holds(profile)) return std::string(rule.why_not);
   }
   const bool is_of_fragments = gate.shows == Shows::kFragments || gate.shows == Shows::kCentroids;
-  if (is_of_fragments && LeavesBarycentricsOpen(info, profile)) {
+  if (is_of_fragments && !gate.any_owners && LeavesBarycentricsOpen(info, profile)) {
     return "the profile leaves the grid points free that the barycentrics belong to";
   }
   return ContractDoesNotState(profile, gate);
@@ -249,6 +240,13 @@ std::string_view ContractWords(ContractNeeded contract) {
 }
 
 }  // namespace
+
+bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile) {
+  const bool chooses_points = profile.freedom.MovesVertices() ||
+                              profile.contract == Contract::kWatertight ||
+                              profile.contract == Contract::kClosed;
+  return info.fragments.barycentrics_of == BarycentricsOf::kSnapped && chooses_points;
+}
 
 std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject) {
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) return why;

@@ -67,6 +67,9 @@ struct Gate {
   ContractNeeded contract = ContractNeeded::kSampleExact;
   /// True for what every model has, whichever one the subject chose among the legal ones.
   bool any_model = false;
+  /// True for what holds of fragments whichever of the legal grid points their barycentrics belong
+  /// to.
+  bool any_owners = false;
   /// True if samples that the profile's edge_samples leaves open are told from the others.
   bool judges_shared_edge_samples = false;
   /// True for what holds though clipping has moved the edges of triangles that leave the profile's
@@ -95,6 +98,9 @@ constexpr Gate Where(Gate gate, std::string_view where) {
   gate.where = where;
   return gate;
 }
+
+/// Whether the barycentrics of fragments belong to grid points, and the profile leaves these free.
+bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile);
 
 /// Returns why the property does not apply to the subject, whatever the case, or nothing if it may.
 ///

@@ -65,12 +65,13 @@ Check CheckAgainstBase(
   check.questions.draws.push_back(std::move(question));
   check.bases = {0};
   check.judge = [judge = std::move(judge)](const Answers& answers) {
-    return judge(answers.draws[1]->counts, answers.draws[0]->counts);
+    return OfDraw(1, judge(answers.draws[1]->counts, answers.draws[0]->counts));
   };
   return check;
 }
 
-Asked CompareVariations(const Case& c, const std::vector<Variation>& variations) {
+Asked CompareVariations(const Case& c, const std::vector<Variation>& variations,
+                        const OpenByCall& open) {
   Asked asked;
   for (const Variation& variation : variations) {
     Check check;
@@ -81,9 +82,10 @@ Asked CompareVariations(const Case& c, const std::vector<Variation>& variations)
       check.bases = {0};
     }
     check.questions.draws.push_back(WholeCallOf(variation.scene, c.profile, WholeTarget(c)));
-    check.judge = [&c, property = variation.property](const Answers& answers) {
-      return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, DecisionsOf(c),
-                        property);
+    check.judge = [&c, open, property = variation.property](const Answers& answers) {
+      const CoverageCounts& observed = answers.draws[1]->counts;
+      return OfDraw(1, SameCounts(observed, open.Expected(observed, answers.draws[0]->counts),
+                                  open.Judged(DecisionsOf(c)), property));
     };
     asked.checks.push_back(std::move(check));
   }
@@ -150,6 +152,11 @@ CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole) {
     }
   }
   return part;
+}
+
+Verdict OfDraw(std::size_t draw, Verdict verdict) {
+  if (verdict.outcome == Outcome::kViolated) verdict.failed_draw = draw;
+  return verdict;
 }
 
 Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,

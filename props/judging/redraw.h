@@ -13,6 +13,7 @@
 #include "core/coverage.h"
 #include "core/question.h"
 #include "core/verdict.h"
+#include "props/judging/open_by_call.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -41,10 +42,11 @@ struct Variation {
 };
 
 /// Asks for the case and its variations, culling and scissor off, each in one call, and holds if
-/// what they show is the same.
+/// what they show is the same but where calls may differ.
 ///
 /// Domain:     a case that outlives what is returned.
-Asked CompareVariations(const Case& c, const std::vector<Variation>& variations);
+Asked CompareVariations(const Case& c, const std::vector<Variation>& variations,
+                        const OpenByCall& open = {});
 
 /// Whether a target of this size is one that subjects are asked for, and the profile places
 /// vertices on it as on the case's own: a profile can state another model for other sizes.
@@ -63,6 +65,9 @@ CoverageCounts CoverageUnder(const Case& c, const TieRule& rule, const DrawOptio
 
 /// The counts within the rectangle, and zero elsewhere.
 CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole);
+
+/// The verdict, with the draw that failed, if one did.
+Verdict OfDraw(std::size_t draw, Verdict verdict);
 
 /// Holds if the counts are equal; else violated, with the first sample that differs.
 ///

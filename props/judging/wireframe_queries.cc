@@ -25,6 +25,7 @@ using exact::Rational;
 // contains already (so: twice). What remains is the length and the products. Edge components: one
 // rounding each, u. Squares: 2u + u. Their sum: u more. Root: half of that and u: 3u. Quotient and
 // product: 2u. Second-order terms are below u. 16 u leaves room for forms that add a step or two.
+// Where the larger square is a normal number, the other adds u at most if it underflows.
 constexpr double kWireframeErrorMultiplier = 16;
 
 // Compares by squares: |observed - sqrt(square)| <= bound.
@@ -32,6 +33,15 @@ bool IsWithin(double observed, const Rational& square, double bound) {
   const Rational low = Rational(observed) - Rational(bound);
   const Rational high = Rational(observed) + Rational(bound);
   return high.Sign() >= 0 && high * high >= square && (low.Sign() <= 0 || low * low <= square);
+}
+
+// Whether the squares of a side's components are of the precision: nothing is stated of others.
+bool HasSquares(Point2 from, Point2 to, Precision precision) {
+  const bool single = precision == Precision::kFloat32;
+  const double least = single ? 0x1p-63 : 0x1p-511;  // its square is the smallest normal number
+  const double most = single ? 0x1p63 : 0x1p511;     // two of its squares do not overflow
+  const double largest = std::max(std::fabs(to.x - from.x), std::fabs(to.y - from.y));
+  return largest >= least && largest <= most;
 }
 
 // What one edge's distance should be at a query.
@@ -85,6 +95,10 @@ Asked AskDistances(const Case& c, const Description& subject, WireframeForm form
         subject.barycentrics->BarycentricErrorBounds(BarycentricForm::kVertexArea, q.v, q.place.at);
     for (int i = 0; i < 3; ++i) {
       const double barycentric_bound = barycentric_bounds[static_cast<std::size_t>(i)];
+      if (form == WireframeForm::kHeight &&
+          !HasSquares(EdgeStart(q.v, i), EdgeEnd(q.v, i), subject.info.input)) {
+        continue;
+      }
       const std::optional<WireframeScale> exact = meaning(q, i);
       if (!exact || !IsStated(barycentric_bound)) continue;
       const double rounded = RoundedRoot(exact->exact_square);

@@ -73,8 +73,8 @@ struct CampaignOptions {
 ///                and named in the message. Also if the subject can't be given the world.
 /// kInconclusive  a case was too slow to judge; the counterexample does not fail again, and then
 ///                the message has both answers; the subject refused more than kMostRefusedShare of
-///                the cases; or the run was stopped. The message says which, and what was
-///                exercised so far.
+///                the cases, or all that were drawn for one place (case_places.h); or the run was
+///                stopped. The message says which, and what was exercised so far.
 ///
 /// Error:      JudgingFault.
 PropertyResult RunCampaign(Subject& subject, const Property& property,

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "core/drawing.h"
+#include "core/quoted.h"
 #include "exact/coverage.h"
+#include "props/codec/codec.h"
 
 namespace rasterproof::props {
 namespace {
@@ -21,7 +26,8 @@ std::string PlaceOfFault(const Property& property, std::span<const Case> cases) 
   const std::string among =
       cases.size() == 1 ? "" : " or one of the " + std::to_string(cases.size() - 1) + " behind it";
   return std::string(property.name) + " on " +
-         (first.origin.empty() ? "scene " + first.scene.name : first.origin) + among + ": ";
+         (first.origin.empty() ? "scene " + ShownName(first.scene.name) : first.origin) + among +
+         ": ";
 }
 
 CaseJudge::CaseJudge(const Property& property, const Case& c, const Description& subject)
@@ -44,6 +50,20 @@ void CaseJudge::Conclude(Trial trial) {
 
 Request CaseJudge::Next() const { return {&judged_, &asked_.checks[next_], &drawn_}; }
 
+// What draw k of the check's own drew, as the subject was given it; nothing if that is the case.
+std::shared_ptr<const DrawnScene> CaseJudge::DrawnBy(const Check& check, std::size_t k) const {
+  const DrawJob& job = check.questions.draws[k].job;
+  Case drawn = judged_.value;
+  drawn.scene = SceneOf(job);
+  if (SameCase(drawn, judged_.value)) return nullptr;
+  if (judged_.places) {
+    std::optional<Scene> given = judged_.places->AsGiven(drawn.scene);
+    if (!given) return nullptr;
+    drawn.scene = *std::move(given);
+  }
+  return std::make_shared<DrawnScene>(std::move(drawn.scene), job.options);
+}
+
 void CaseJudge::StopBy(const Answers& answers) {
   switch (answers.stop) {
     case Stop::kNone:
@@ -56,6 +76,9 @@ void CaseJudge::StopBy(const Answers& answers) {
     case Stop::kHung: {
       Trial trial{Verdict::Violated(1, "the subject failed: " + answers.why, Witness{}), true};
       trial.hung = answers.stop == Stop::kHung;
+      if (answers.stopped_at) {
+        trial.verdict.drawn = DrawnBy(asked_.checks[next_], *answers.stopped_at);
+      }
       trial_ = std::move(trial);
       return;
     }
@@ -84,6 +107,10 @@ void CaseJudge::Take(Answers answers) {
   if (verdict.outcome == Outcome::kViolated) {
     verdict.exercised = sum_.exercised;
     verdict.not_judged = sum_.not_judged;
+    const std::size_t bases = check.bases.size();
+    if (verdict.failed_draw && *verdict.failed_draw >= bases) {
+      verdict.drawn = DrawnBy(check, *verdict.failed_draw - bases);
+    }
     violation_ = verdict;
     return Conclude({std::move(verdict)});
   }
@@ -111,6 +138,7 @@ void CaseJudge::Blame(Subject& subject) {
     const Verdict blamed = WorkedOut(place_, [&] { return check.judge(answers); });
     if (blamed.outcome != Outcome::kViolated) continue;
     violation_.witness = blamed.witness;
+    violation_.drawn = nullptr;  // its triangle is one of the case's
     return Conclude({violation_});
   }
 }

@@ -13,6 +13,7 @@
 #include "core/case.h"
 #include "core/question.h"
 #include "core/subject.h"
+#include "core/subject_errors.h"
 #include "core/verdict.h"
 #include "props/property.h"
 #include "props/run/judged_case.h"
@@ -29,12 +30,14 @@ std::string PlaceOfFault(const Property& property, std::span<const Case> cases);
 /// Works out what properties and the oracle do: whatever they throw is a fault of ours. What the
 /// oracle does not decide is told by the gate, before it is asked.
 ///
-/// Error:      JudgingFault, which names the place.
+/// Error:      JudgingFault, which names the place. SubjectDoesNotRun.
 template <class Work>
 auto WorkedOut(const std::string& place, const Work& work) {
   try {
     return work();
   } catch (const JudgingFault&) {
+    throw;
+  } catch (const SubjectDoesNotRun&) {
     throw;
   } catch (const std::exception& error) {
     throw JudgingFault(place + error.what());
@@ -78,6 +81,7 @@ class CaseJudge {
 
  private:
   void Conclude(Trial trial);
+  std::shared_ptr<const DrawnScene> DrawnBy(const Check& check, std::size_t k) const;
   void StopBy(const Answers& answers);
 
   const Property& property_;

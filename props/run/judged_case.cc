@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/profile.h"
+#include "core/square_rule.h"
 #include "exact/snap_clip.h"
 #include "model/target_model.h"
 #include "props/judging/flat_triangles.h"
@@ -25,6 +26,16 @@ Description AsJudged(Description subject) {
   return subject;
 }
 
+namespace {
+
+// Whether the profile says what triangles of zero area cover, be it by its rule of squares.
+bool StatesFlatTriangles(const Profile& profile) {
+  return profile.degenerate_triangles == DegenerateTriangles::kNothing ||
+         (profile.squares && profile.squares->flat != FlatSquares::kFree);
+}
+
+}  // namespace
+
 JudgedCase Judged(const Case& given, const Description& subject, bool judges_degenerates) {
   JudgedCase judged{given, subject, subject.info.profile, {}, {}, {}};
   Case& c = judged.value;
@@ -34,8 +45,7 @@ JudgedCase Judged(const Case& given, const Description& subject, bool judges_deg
     judged.places.emplace(given.scene, c.scene);
   }
   c.profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  if (c.profile.degenerate_triangles == DegenerateTriangles::kNothing || judges_degenerates)
-    return judged;
+  if (StatesFlatTriangles(c.profile) || judges_degenerates) return judged;
   const bool is_snapped_clip = c.scene.clip_space && !c.profile.snap.IsNone();
   if (is_snapped_clip && exact::SnapClipError(c.scene, c.profile)) {
     judged.instead = {Outcome::kNotExercised, 0, 0,
@@ -54,7 +64,7 @@ JudgedCase Judged(const Case& given, const Description& subject, bool judges_deg
 
 Verdict RenumberWitness(const JudgedCase& judged, Verdict verdict) {
   if (!judged.numbers) return verdict;
-  if (verdict.witness && verdict.witness->triangle >= 0) {
+  if (verdict.witness && verdict.witness->triangle >= 0 && verdict.drawn == nullptr) {
     const auto among_kept = static_cast<std::size_t>(verdict.witness->triangle);
     verdict.witness->triangle = static_cast<int>((*judged.numbers)[among_kept]);
   }

@@ -42,7 +42,8 @@ struct JudgedCase {
 /// Domain:     a description that outlives the result.
 JudgedCase Judged(const Case& given, const Description& subject, bool judges_degenerates);
 
-/// The verdict on the case as given: its witness names the triangle by its place there.
+/// The verdict on the case as given: its witness names the triangle by its place there, or in
+/// the scene that was drawn instead.
 Verdict RenumberWitness(const JudgedCase& judged, Verdict verdict);
 
 }  // namespace rasterproof::props

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
+#include <vector>
 
 #include "core/snap.h"
 #include "exact/edge.h"
@@ -14,6 +14,7 @@
 #include "model/target_model.h"
 #include "model/wrap.h"
 #include "props/domains/input_lattice.h"
+#include "props/run/case_places.h"
 
 namespace rasterproof::props {
 namespace {
@@ -54,6 +55,19 @@ bool PutIntoWindow(Vertex& v, bool clip_space, const Profile& profile) {
   return std::isfinite(v.x) && std::isfinite(v.y);
 }
 
+// An edge by its ends, whichever way it runs, to find the triangle that shares it.
+struct EdgeSeen {
+  std::array<double, 8> ends;
+  bool has_tie = false;
+};
+
+EdgeSeen SeenOf(const ProjectedEdge& edge) {
+  const auto words = [](const Vertex& v) { return std::array<double, 4>{v.x, v.y, v.z, v.w}; };
+  const auto a = std::min(words(edge.exact_a), words(edge.exact_b));
+  const auto b = std::max(words(edge.exact_a), words(edge.exact_b));
+  return {{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]}};
+}
+
 LongPoint Projected(const Vertex& v) {
   return {static_cast<long double>(v.x) / v.w, static_cast<long double>(v.y) / v.w};
 }
@@ -65,25 +79,80 @@ class Counter {
         profile_(ForTarget(c.profile, c.scene.width, c.scene.height)),
         lattice_(profile_, c.scene.precision) {}
 
-  NearEdgeCounts Count() {
+  CaseEvidence Count() {
     const std::vector<Triangle>& triangles = case_.scene.triangles;
     for (std::size_t t = 0; t < std::min(kMostTriangles, triangles.size()); ++t) {
       CountTriangle(Corners(case_.scene, triangles[t]));
     }
-    return counts_;
+    if (SharedEdgeHasTie()) Note(CasePlace::kTieOnSharedEdge);
+    return {counts_, places_};
   }
 
  private:
+  void Note(CasePlace place) { places_.set(IndexOf(place)); }
+
+  bool SharedEdgeHasTie() {
+    std::ranges::sort(edges_, {}, &EdgeSeen::ends);
+    for (std::size_t k = 1; k < edges_.size(); ++k) {
+      // Its samples are the same ones seen from either side.
+      if (edges_[k].ends == edges_[k - 1].ends && edges_[k].has_tie) return true;
+    }
+    return false;
+  }
+
+  void NotePlacesOf(const std::array<LongPoint, 3>& v) {
+    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+    if (right < 0 || bottom < 0 || left > case_.scene.width || top > case_.scene.height) {
+      Note(CasePlace::kOffTarget);
+    }
+    for (const LongPoint& p : v) {
+      for (int s = 0; s < profile_.pattern.samples(); ++s) NoteIfOnASample(p, s);
+    }
+  }
+
+  void NoteIfOnASample(LongPoint p, int s) {
+    const Point2 location = profile_.pattern.locations[static_cast<std::size_t>(s)];
+    const long double column = p.x - location.x;
+    const long double row = p.y - location.y;
+    const bool is_there = column == std::floor(column) && row == std::floor(row) && column >= 0 &&
+                          row >= 0 && column < case_.scene.width && row < case_.scene.height;
+    if (is_there) Note(CasePlace::kVertexOnASample);
+  }
+
+  static bool IsFlat(const std::array<Vertex, 3>& v, bool projected) {
+    if (!projected)
+      return exact::EdgeSign(WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])) == 0;
+    const LongPoint a = Projected(v[0]);
+    const LongPoint b = Projected(v[1]);
+    const LongPoint c = Projected(v[2]);
+    return (b.x - a.x) * (c.y - a.y) == (b.y - a.y) * (c.x - a.x);
+  }
+
+  void NoteTie(const ProjectedEdge& edge) {
+    edges_.back().has_tie = true;
+    if (edge.a.y == edge.b.y) {
+      Note(CasePlace::kTieOnHorizontalEdge);
+    } else if (edge.a.x == edge.b.x) {
+      Note(CasePlace::kTieOnVerticalEdge);
+    } else {
+      Note(CasePlace::kTieOnSlantedEdge);
+    }
+  }
+
   void CountTriangle(std::array<Vertex, 3> v) {
     const bool clip_space = case_.scene.clip_space;
     for (Vertex& vertex : v) {
       if (!PutIntoWindow(vertex, clip_space, profile_)) return;
     }
     const bool projected = clip_space && profile_.snap.IsNone();
+    NotePlacesOf({Projected(v[0]), Projected(v[1]), Projected(v[2])});
+    if (IsFlat(v, projected)) Note(CasePlace::kFlatTriangle);
     for (std::size_t e = 0; e < 3; ++e) {
       const Vertex& a = v[(e + 1) % 3];
       const Vertex& b = v[(e + 2) % 3];
       const ProjectedEdge edge{Projected(a), Projected(b), a, b, projected};
+      edges_.push_back(SeenOf(edge));
       for (int s = 0; s < profile_.pattern.samples(); ++s) CountEdge(edge, s);
     }
   }
@@ -135,6 +204,7 @@ class Counter {
     ++counts_.samples;
     if (distance <= error && edge.Through(p)) {
       ++counts_.on_edge;
+      NoteTie(edge);
       return;
     }
     // To the nearest whole step: a sample one step off is within 1 whatever the last bit says.
@@ -148,11 +218,15 @@ class Counter {
   Profile profile_;
   InputLattice lattice_;
   NearEdgeCounts counts_;
+  CasePlaces places_;
+  std::vector<EdgeSeen> edges_;  ///< of every triangle, in order
 };
 
 }  // namespace
 
-NearEdgeCounts CountNearEdges(const Case& c) { return Counter(c).Count(); }
+CaseEvidence EvidenceOfCase(const Case& c) { return Counter(c).Count(); }
+
+NearEdgeCounts CountNearEdges(const Case& c) { return EvidenceOfCase(c).near_edge; }
 
 void Add(NearEdgeCounts& counts, const NearEdgeCounts& more) {
   counts.samples += more.samples;

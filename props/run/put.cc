@@ -56,7 +56,8 @@ CoverageCounts Filled(std::uint32_t fill, const DrawJob& job) {
 // Where the outcome of one job of a call goes.
 struct Share {
   std::size_t request = 0;
-  std::size_t draw = 0;  ///< among the request's own
+  std::size_t draw = 0;      ///< among the drawings
+  std::size_t question = 0;  ///< among the request's own
   Part part;
   bool is_whole = false;  ///< all that is shown is taken over; else the counts are added
 };
@@ -110,6 +111,7 @@ class Putting {
     Answers& answers = answers_[r];
     std::shared_ptr<const Drawing> last;
     for (const DrawQuestion& question : questions.draws) {
+      answers.stopped_at = static_cast<std::size_t>(&question - questions.draws.data());
       const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, question.job, answers);
       if (!job) return true;
       auto drawing = std::make_shared<Drawing>();
@@ -119,6 +121,7 @@ class Putting {
       last = drawing;
       answers.draws.push_back(std::move(drawing));
     }
+    answers.stopped_at.reset();
     return true;
   }
 
@@ -146,7 +149,7 @@ class Putting {
       const bool is_added = draws[d].parts == Parts::kFacings || draws[d].fill != 0;
       if (is_added) drawings_.back()->counts = Filled(draws[d].fill, *job);
       for (Part& part : PartsOf(r, draws[d], *job)) {
-        shares_.push_back({r, drawings_.size() - 1, std::move(part), !is_added});
+        shares_.push_back({r, drawings_.size() - 1, d, std::move(part), !is_added});
       }
       owners_.push_back(r);
     }
@@ -193,7 +196,9 @@ class Putting {
     std::vector<DrawJob> jobs;
     for (std::size_t n = first; n < last; ++n) jobs.push_back(shares_[n].part.job);
     std::vector<DrawOutcome> outcomes;
-    Guarded(answers_[shares_[first].request], [&] { outcomes = subject_.DrawMany(jobs); });
+    Answers& blamed = answers_[shares_[first].request];
+    Guarded(blamed, [&] { outcomes = subject_.DrawMany(jobs); });
+    if (blamed.stop != Stop::kNone && jobs.size() == 1) blamed.stopped_at = shares_[first].question;
     for (std::size_t n = 0; n < outcomes.size(); ++n) Take(shares_[first + n], outcomes[n]);
     return outcomes.size();
   }
@@ -203,6 +208,7 @@ class Putting {
     if (answers.stop != Stop::kNone) return;
     if (outcome.error != nullptr) {
       Guarded(answers, [&] { outcome.Get(); });
+      if (answers.stop != Stop::kNone) answers.stopped_at = share.question;
       return;
     }
     Drawing& drawing = *drawings_[share.draw];

@@ -46,6 +46,7 @@ void Add(Sums& sums, const Sums& behind) {
   if (sums.why_not.empty()) sums.why_not = behind.why_not;
   if (sums.refused_within_limits == 0) sums.why_refused = behind.why_refused;
   sums.refused_within_limits += behind.refused_within_limits;
+  Add(sums.places, behind.places);
 }
 
 Tally::Tally(const Subject& subject, const Property& property, std::uint64_t seed,
@@ -68,9 +69,12 @@ Tally::Tally(const Subject& subject, const Property& property, std::uint64_t see
   }
 }
 
-void Tally::CountNearEdgesOf(const Case& c, std::size_t domain) {
-  ++sums_.drawn[domain];
-  Add(sums_.near_edge[domain], CountNearEdges(SeenCase(c)));
+void Tally::CountPlacesOf(const CasePlaces& places, bool is_refused) {
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    if (!places[p]) continue;
+    ++sums_.places[p].asked;
+    if (is_refused) ++sums_.places[p].refused;
+  }
 }
 
 void Tally::AddCase(std::uint64_t number, const Case& c, const Verdict& verdict) {
@@ -78,16 +82,19 @@ void Tally::AddCase(std::uint64_t number, const Case& c, const Verdict& verdict)
   sums_.exercised += verdict.exercised;
   if (verdict.exercised != 0) ++sums_.cases_exercised;
   sums_.worst_ratio = std::max(sums_.worst_ratio, verdict.worst_ratio);
-  if (!domains_.empty()) CountNearEdgesOf(c, number % domains_.size());
+  const CaseEvidence evidence = EvidenceOfCase(SeenCase(c));
+  if (!domains_.empty()) {
+    const std::size_t domain = number % domains_.size();
+    ++sums_.drawn[domain];
+    Add(sums_.near_edge[domain], evidence.near_edge);
+  }
   sums_.not_judged += verdict.not_judged;
   if (verdict.front_sign)
     ++(*verdict.front_sign > 0 ? sums_.positive_fronts : sums_.negative_fronts);
-  if (verdict.outcome == Outcome::kRefused) {
-    ++sums_.cases_refused;
-    if (WithinLimits(c.scene, c.profile) && sums_.refused_within_limits++ == 0) {
-      sums_.why_refused = verdict.message;
-    }
-  }
+  if (verdict.outcome == Outcome::kRefused) ++sums_.cases_refused;
+  const bool is_refused = verdict.outcome == Outcome::kRefused && WithinLimits(c.scene, c.profile);
+  if (is_refused && sums_.refused_within_limits++ == 0) sums_.why_refused = verdict.message;
+  if (is_refused || verdict.exercised != 0) CountPlacesOf(evidence.places, is_refused);
   if (verdict.outcome != Outcome::kNotApplicable) return;
   ++sums_.not_applicable;
   if (sums_.why_not.empty()) sums_.why_not = verdict.message;
@@ -125,6 +132,14 @@ PropertyResult Tally::Concluded() const {
   if (sums_.positive_fronts != 0 && sums_.negative_fronts != 0) {
     result.outcome = Outcome::kInconclusive;
     AddSentence(result.message, FrontText());
+    AddSentence(result.message, left_out_);
+    return result;
+  }
+  const std::string unasked = RefusedThroughout(sums_.places);
+  if (!unasked.empty()) {
+    result.outcome = Outcome::kInconclusive;
+    AddSentence(result.message, "the subject refuses " + unasked + ": " + SoFar() +
+                                    "; the first refusal: " + sums_.why_refused);
     AddSentence(result.message, left_out_);
     return result;
   }

@@ -13,6 +13,7 @@
 #include "props/domains/domain.h"
 #include "props/domains/worlds.h"
 #include "props/property.h"
+#include "props/run/case_places.h"
 #include "props/run/counterexample.h"
 
 namespace rasterproof::props {
@@ -39,6 +40,7 @@ struct Sums {
   std::string why_not;                    ///< the first reason
   std::uint64_t refused_within_limits = 0;
   std::string why_refused;  ///< the first of those refusals
+  CountsOfPlaces places{};  ///< of cases within the limits
 };
 
 /// Adds the sums of the cases that follow.
@@ -81,7 +83,7 @@ class Tally {
   PropertyResult Failed(Counterexample found, std::string failing_case) const;
 
  private:
-  void CountNearEdgesOf(const Case& c, std::size_t domain);
+  void CountPlacesOf(const CasePlaces& places, bool is_refused);
   std::string SoFar() const;
   std::string DeadDomains() const;
   /// Which side is the front, where that is left to the subject; else empty.

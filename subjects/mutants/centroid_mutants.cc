@@ -38,6 +38,15 @@ CentroidStages EvaluatingSnapped(Centroid rule, Evaluates centroid) {
   return stages;
 }
 
+// Barycentrics of a grid that the profile leaves free.
+CentroidStages ShowingSnapped(
+    std::function<void(std::array<double, 3>& barycentrics, double& depth)> shown) {
+  CentroidStages stages{.base = StagesOfPreset("vulkan"),
+                        .barycentrics_of = BarycentricsOf::kSnapped};
+  stages.shown = std::move(shown);
+  return stages;
+}
+
 Point2 Centre(const CentroidQuestion& q) { return q.Centre(); }
 
 Point2 FirstCovered(const CentroidQuestion& q) {
@@ -170,6 +179,12 @@ std::vector<Mutant> CentroidMutants() {
                   [](const CentroidQuestion& q) { return MeanOf({q.v[0], q.v[1], q.v[2]}); })},
       {"centroid-subpixel-outside", "centroid lies a 256th of a pixel beyond the triangle's edge",
        "", EvaluatingSnapped(Centroid::kInside, SubpixelBeyondTheEdge)},
+      {"vulkan-fragments-sum-off", "a barycentric at a snapped triangle's sample is off by 2^-10",
+       "", ShowingSnapped([](std::array<double, 3>& barycentrics, double&) {
+         barycentrics[2] += 0x1p-10;
+       })},
+      {"vulkan-depth-off", "a depth of a snapped triangle is off by a quarter", "",
+       ShowingSnapped([](std::array<double, 3>&, double& depth) { depth *= 1.25; })},
       {"centroid-beside-the-only-sample", "centroid of one sample is not the centre", "",
        Evaluating("gl", MiddleOfTheCommonPart)},
   };
@@ -185,6 +200,8 @@ std::vector<Mutant> CentroidVariants() {
        "Direct3D 11.3, 3.5.5", Evaluating("d3d11-8x", {})},
       {"centroid-direct3d-snapped", "centroid is told by the snapped vertices", "",
        EvaluatingSnapped(Centroid::kDirect3D, {})},
+      {"vulkan-fragments-snapped", "barycentrics belong to corners on a grid of its own choice", "",
+       ShowingSnapped({})},
       {"centroid-inside-1x", "centroid of one sample is the centre", "Vulkan",
        Evaluating("vulkan", Centre)},
       {"centroid-inside-snapped",

@@ -118,13 +118,14 @@ class Centroids final : public Subject {
     }
   }
 
-  static void Win(const std::array<Vertex, 3>& corners, const std::array<Point2, 3>& owners,
-                  std::size_t t, std::size_t k, Point2 at, Drawing& drawing) {
+  void Win(const std::array<Vertex, 3>& corners, const std::array<Point2, 3>& owners, std::size_t t,
+           std::size_t k, Point2 at, Drawing& drawing) const {
     const Barycentric3 l = BarycentricsAt(owners, at);
     drawing.counts.front[k] = 1;
     drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
     drawing.barycentrics[k] = l;
     drawing.depths[k] = l[0] * corners[0].z + l[1] * corners[1].z + l[2] * corners[2].z;
+    if (stages_.shown) stages_.shown(drawing.barycentrics[k], drawing.depths[k]);
   }
 
   CentroidStages stages_;

@@ -39,6 +39,8 @@ struct CentroidStages {
   BarycentricsOf barycentrics_of = BarycentricsOf::kGiven;
   /// Where it evaluates; empty: by Direct3D's rule.
   std::function<Point2(const CentroidQuestion&)> centroid = {};
+  /// What it shows at a sample, changed.
+  std::function<void(std::array<double, 3>& barycentrics, double& depth)> shown = {};
 };
 
 /// A fixed-point rasterizer of eight subpixel bits that shows fragments and their centroids,

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -31,7 +34,7 @@ class FixedPoint final : public Subject {
     info_.summary = summary;
     info_.profile = stages_.profile;
     info_.takes_threads = true;
-    bits_ = std::max(8, stages_.profile.snap.bits);
+    bits_ = std::max(stages_.bits, stages_.profile.snap.bits);
     if (info_.profile.fixed) bits_ = std::max(bits_, info_.profile.fixed->fraction_bits);
     for (const TargetModel& model : info_.profile.by_target_size)
       bits_ = std::max(bits_, model.snap.bits);
@@ -41,6 +44,10 @@ class FixedPoint final : public Subject {
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
 
  private:
+  static constexpr std::size_t kMostKept = 64;
+
+  void DrawAnew(const Scene& scene, const DrawOptions& options, CoverageCounts& counts);
+
   // What one draw sees of its target.
   struct Target {
     const Scene& scene;
@@ -78,6 +85,7 @@ class FixedPoint final : public Subject {
   FixedStages stages_;
   SubjectInfo info_;
   Profile model_;  ///< on the target of this draw
+  std::map<std::vector<std::int64_t>, CoverageCounts> kept_;
   int bits_ = 8;
 };
 
@@ -264,6 +272,22 @@ void FixedPoint::DrawTriangle(const GridTriangle& triangle, Target& target) cons
 }
 
 void FixedPoint::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+  if (!stages_.kept_by) return DrawAnew(scene, options, counts);
+  std::vector<std::int64_t> key = stages_.kept_by(scene);
+  for (const int word : {scene.width, scene.height, static_cast<int>(options.cull)}) {
+    key.push_back(word);
+  }
+  if (const auto& cut = options.scissor) {
+    key.insert(key.end(), {cut->x0, cut->y0, cut->x1, cut->y1});
+  }
+  if (kept_.size() >= kMostKept) kept_.clear();
+  const auto [entry, is_new] =
+      kept_.try_emplace(key, scene.width, scene.height, info_.profile.pattern.samples());
+  if (is_new) DrawAnew(scene, options, entry->second);
+  counts += entry->second;
+}
+
+void FixedPoint::DrawAnew(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
   model_ = ModelOf(scene);
   const CoverageCounts before = stages_.after ? counts : CoverageCounts();
   Target target = Prepare(scene, options, counts);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
@@ -79,6 +80,7 @@ struct FixedStages {
   /// What the subject states, and what the sound stages do.
   Profile profile = FixedPointProfile();
   int tile = 8;  ///< where the options leave it to the subject
+  int bits = 8;  ///< of the grid that holds vertices and samples, if the profile's are fewer
 
   std::function<void(DrawOptions&, const Scene&)> options = {};
   std::function<Profile(const Profile&, const Scene&)> target_model = {};
@@ -104,6 +106,9 @@ struct FixedStages {
   std::function<std::uint32_t(const Sample&, const GridTriangle&)> times = {};
   std::function<std::size_t(const CoverageCounts&, const Sample&)> index = {};
   std::function<void(CoverageCounts&, const CoverageCounts& before)> after = {};
+  /// By what images of whole draws are kept and found again, beside target, culling and scissor;
+  /// each subject keeps its own. Empty: none is kept.
+  std::function<std::vector<std::int64_t>(const Scene&)> kept_by = {};
 };
 
 /// The rasterizer with the given stages.

@@ -144,10 +144,10 @@ std::vector<Mutant> OtherBases() {
 
 std::vector<Mutant> LegalVariants() {
   std::vector<Mutant> table = TieRules();
-  for (const auto more : {Snaps, Samples, Freedoms, OtherBases, TransformVariants, MapVariants,
-                          ScanlineVariants, SquareVariants, ContractVariants, FreeVariants,
-                          SetVariants, FacingVariants, SampleVariants, CentroidVariants,
-                          WidthVariants}) {
+  for (const auto more :
+       {Snaps, Samples, Freedoms, OtherBases, TransformVariants, MapVariants, ScanlineVariants,
+        SquareVariants, ContractVariants, FreeVariants, SetVariants, FacingVariants, SampleVariants,
+        CentroidVariants, WidthVariants}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;

@@ -28,13 +28,13 @@ std::vector<Row> MakeRows() {
     }
   };
   for (const auto table :
-       {mutants::TieRuleMutants, mutants::PositionMutants, mutants::SetUpMutants,
-        mutants::TraversalMutants, mutants::TargetMutants, mutants::SceneMutants,
-        mutants::CrowdMutants, mutants::RealMutants, mutants::TransformMutants,
-        mutants::ScanlineMutants, mutants::MapMutants, mutants::ShownValueMutants,
-        mutants::ContractMutants, mutants::FreeMutants, mutants::SquareMutants, mutants::SetMutants,
-        mutants::FacingMutants, mutants::SampleMutants, mutants::CentroidMutants,
-        mutants::WidthMutants}) {
+       {mutants::TieRuleMutants,   mutants::PositionMutants, mutants::SetUpMutants,
+        mutants::TraversalMutants, mutants::TargetMutants,   mutants::SceneMutants,
+        mutants::CrowdMutants,     mutants::RealMutants,     mutants::TransformMutants,
+        mutants::ScanlineMutants,  mutants::MapMutants,      mutants::ShownValueMutants,
+        mutants::ContractMutants,  mutants::FreeMutants,     mutants::SquareMutants,
+        mutants::SetMutants,       mutants::FacingMutants,   mutants::SampleMutants,
+        mutants::CentroidMutants,  mutants::WidthMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);

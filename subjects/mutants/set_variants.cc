@@ -32,6 +32,19 @@ FixedStages Snapping(std::string_view preset, std::function<double(double)> snap
   return stages;
 }
 
+// It states that it clips nothing: what lies left of the target is judged as all else.
+FixedStages Unclipped(FixedStages stages) {
+  stages.profile.guard_band.reset();
+  return stages;
+}
+
+// On a grid of so many bits, finer than that of most.
+FixedStages Finer(int bits, std::function<double(double)> snap) {
+  FixedStages stages = Snapping("vulkan", std::move(snap));
+  stages.bits = bits;
+  return stages;
+}
+
 using Owns = std::function<bool(const GridEdge&, const GridTriangle&, const Sample&)>;
 
 FixedStages Owning(std::string_view preset, Owns owns) {
@@ -62,6 +75,32 @@ FixedStages Clamping(std::string_view preset) {
       if (std::isinf(corner.x)) corner.x = std::copysign(0x1p14, corner.x);
       if (std::isinf(corner.y)) corner.y = std::copysign(0x1p14, corner.y);
     }
+  };
+  return stages;
+}
+
+// The ends of a range, to which coordinates beyond it go.
+FixedStages ClampingTo(double low, double high) {
+  FixedStages stages = Of("d3d11");
+  stages.vertices = [first = stages.vertices, low, high](std::array<Vertex, 3>& v) {
+    if (first) first(v);
+    for (Vertex& corner : v) {
+      if (std::isfinite(corner.x)) corner.x = std::clamp(corner.x, low, high);
+      if (std::isfinite(corner.y)) corner.y = std::clamp(corner.y, low, high);
+    }
+  };
+  return stages;
+}
+
+// Two ways to place vertices, of which the first triangle's indices choose one for the whole call.
+FixedStages PlacingByCall(std::string_view preset, const Snap& even, const Snap& odd) {
+  FixedStages stages = Of(preset);
+  stages.target_model = [even, odd](const Profile& stated, const Scene& scene) {
+    Profile model = stated;
+    if (scene.triangles.empty()) return model;
+    const Triangle& first = scene.triangles.front();
+    model.snap = (first[0] + first[1] + first[2]) % 2 == 0 ? even : odd;
+    return model;
   };
   return stages;
 }
@@ -103,6 +142,25 @@ double RoundByHash(double x) {
   return (mixed >> 60 & 1U) != 0 ? Floor(x, 8) : -Floor(-x, 8);
 }
 
+// The images of draws, kept by the vertices in the steps of a grid and the indices.
+FixedStages Keeping(std::string_view preset, std::function<std::int64_t(double)> word) {
+  FixedStages stages = Of(preset);
+  stages.kept_by = [word = std::move(word)](const Scene& scene) {
+    std::vector<std::int64_t> key;
+    for (const Vertex& v : scene.vertices) key.insert(key.end(), {word(v.x), word(v.y)});
+    key.push_back(-1);  // of lists as long, one has the more vertices
+    for (const Triangle& t : scene.triangles) key.insert(key.end(), t.begin(), t.end());
+    return key;
+  };
+  return stages;
+}
+
+FixedStages KeepingByGrid(std::string_view preset, int bits) {
+  return Keeping(preset, [bits](double x) {
+    return static_cast<std::int64_t>(std::clamp(std::ldexp(Floor(x, bits), bits), -0x1p60, 0x1p60));
+  });
+}
+
 FreeStages Farthest(std::string_view preset, int bits, double tolerance, CoverageKind coverage) {
   FreeStages stages;
   stages.profile = *PresetProfile(preset);
@@ -113,6 +171,23 @@ FreeStages Farthest(std::string_view preset, int bits, double tolerance, Coverag
            (at.y - grid_point.y) * (at.y - grid_point.y);
   };
   stages.coverage = coverage;
+  return stages;
+}
+
+// Each triangle takes the legal grid point that is nearer to its middle.
+FreeStages SnapByTriangle() {
+  FreeStages stages = Farthest("d3d11", 8, 0.6, CoverageKind::kFacingCounts);
+  stages.instead = [](const FreeCorner& corner, Point2 legal) {
+    const auto toward = [](double at, double middle, double own) {
+      const double down = Floor(at, 8);
+      const double off = std::ldexp(at - down, 8);
+      if (off < 0.4 || off > 0.6) return own;
+      return middle > at ? down + 0x1p-8 : down;
+    };
+    const auto& [a, b, c] = corner.triangle;
+    return Point2{toward(corner.at.x, (a.x + b.x + c.x) / 3, legal.x),
+                  toward(corner.at.y, (a.y + b.y + c.y) / 3, legal.y)};
+  };
   return stages;
 }
 
@@ -188,6 +263,12 @@ std::vector<Mutant> SetVariants() {
        Farthest("vulkan", 6, 1, CoverageKind::kMask)},
       {"vulkan-farthest-ids", "each vertex takes the farther grid point, shown as ids", "",
        Farthest("vulkan", 5, 1, CoverageKind::kPrimitiveIds)},
+      {"vulkan-kept-by-all", "images are kept, and found again by every bit of the scene", "",
+       Keeping("vulkan", [](double x) { return std::bit_cast<std::int64_t>(x); })},
+      {"vulkan-17-bits", "17 subpixel bits, and the snap rounds down", "",
+       Finer(17, [](double x) { return Floor(x, 17); })},
+      {"vulkan-23-bits", "23 subpixel bits", "",
+       Finer(23, [](double x) { return Nearest(x, 23); })},
       {"gl-4-bits-floor", "four subpixel bits, and the snap rounds down", "",
        Snapping("gl", [](double x) { return Floor(x, 4); })},
       {"gl-owner-by-direction", "an edge's direction decides who owns it", "",
@@ -208,6 +289,15 @@ std::vector<Mutant> SetVariants() {
        Farthest("d3d11", 8, 0.6, CoverageKind::kFacingCounts)},
       {"d3d11-infinite-clamped", "an infinite coordinate is drawn as a far one", "",
        Clamping("d3d11")},
+      {"d3d11-clamps-to-range", "coordinates beyond 16.8 go to the nearest end", "",
+       ClampingTo(-0x1p15, 0x1p15 - 0x1p-8)},
+      {"d3d11-snap-by-call", "which way ties of the snap go changes from call to call", "",
+       PlacingByCall("d3d11", {8, SnapRule::kNearestEven}, {8, SnapRule::kNearestAway})},
+      {"webgpu-grid-by-call", "the grid has four subpixel bits in some calls, eight in others", "",
+       PlacingByCall("webgpu", {4, SnapRule::kFloor}, {8, SnapRule::kNearestEven})},
+      {"webgpu-owner-by-number", "every other triangle of a call owns the samples on its edges", "",
+       Owning("webgpu", [](const GridEdge&, const GridTriangle& triangle,
+                           const Sample&) { return triangle.number % 2 == 0; })},
       {"webgpu-inclusive", "every edge owns its samples", "",
        Owning("webgpu", [](const GridEdge&, const GridTriangle&, const Sample&) { return true; })},
       {"webgpu-exclusive", "no edge owns its samples", "",
@@ -250,6 +340,8 @@ std::vector<Mutant> SetMutants() {
        Clipping("vulkan", 0, -0x3p-4)},
       {"vulkan-clipped-twice", "both neighbours own samples up to two steps beside such edges", "",
        Clipping("vulkan", 0, 0x1p-3)},
+      {"vulkan-17-bits-some-3", "of 17 subpixel bits some coordinates keep three, by their bits",
+       "", Finer(17, [](double x) { return RoundByHash(x) < x ? Floor(x, 3) : Floor(x, 17); })},
       {"gl-rounds-by-hash", "off the grid the bits of a coordinate say whether it rounds up", "",
        Snapping("gl", RoundByHash)},
       {"gl-owner-by-sample", "each sample of an edge has an owner of its own", "",
@@ -258,17 +350,36 @@ std::vector<Mutant> SetMutants() {
                 return OwnedBy(edge, Coin(edge, sample.x * 31 + sample.row));
               })},
       {"gl-truncates", "the snap truncates to four bits, which zero divides in two", "",
-       Snapping("gl", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 4)), -4); })},
+       Unclipped(
+           Snapping("gl", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 4)), -4); }))},
       {"d3d11-rounds-above-0.39", "the snap rounds up above 0.39 of a step, where 0.4 is legal", "",
        Snapping("d3d11", [](double x) { return RoundAbove(x, 8, 0.39); })},
       {"d3d11-floor", "the snap rounds down", "Direct3D 10",
        Snapping("d3d11", [](double x) { return Floor(x, 8); })},
       {"d3d11-7-bits", "the grid has seven subpixel bits", "",
        Snapping("d3d11", [](double x) { return Nearest(x, 7); })},
+      {"vulkan-kept-by-pixels", "images are kept, and found again by the vertices' pixels", "",
+       KeepingByGrid("vulkan", 0)},
+      {"vulkan-kept-by-indices", "images are kept, and found again by the indices alone", "",
+       Keeping("vulkan", [](double) { return std::int64_t{0}; })},
+      {"d3d11-kept-by-sixteenths", "images are kept, and found again by sixteenths of a pixel", "",
+       KeepingByGrid("d3d11", 4)},
       {"d3d11-bottom-right", "ties fall to the right and the bottom", "",
        Owning("d3d11",
               [](const GridEdge& edge, const GridTriangle&, const Sample&) { return !edge.owns; })},
+      {"d3d11-clamps-to-half-range", "coordinates beyond 2^14 go there", "",
+       ClampingTo(-0x1p14, 0x1p14)},
+      {"d3d11-snap-by-triangle", "each triangle of a call takes the grid points on its side", "",
+       SnapByTriangle()},
       {"d3d11-nan-drawn", "a NaN is drawn as zero", "", DrawingNan("d3d11")},
+      {"webgpu-lost-by-number", "every other triangle of a call loses every third column", "",
+       [] {
+         FixedStages stages = Of("webgpu");
+         stages.times = [](const Sample& sample, const GridTriangle& triangle) {
+           return triangle.number % 2 == 1 && sample.x % 3 == 1 ? 0U : 1U;
+         };
+         return stages;
+       }()},
       {"webgpu-edge-twice", "a triangle has the samples on its left edges twice", "",
        [] {
          FixedStages stages = Of("webgpu");

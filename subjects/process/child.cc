@@ -53,10 +53,11 @@ void LimitMemory(std::uint64_t bytes) {
 }
 
 // The child's side of the fork: nothing here may allocate or throw.
-[[noreturn]] void Become(char* const* argv, const Pipe& in, const Pipe& out, int report,
+[[noreturn]] void Become(char* const* argv, const Pipe& in, const Pipe& out, int report, int errors,
                          std::uint64_t most_bytes) {
   dup2(in.read, STDIN_FILENO);
   dup2(out.write, STDOUT_FILENO);
+  if (errors >= 0) dup2(errors, STDERR_FILENO);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   if (fcntl(STDERR_FILENO, F_GETFD) < 0) open("/dev/null", O_WRONLY);  // the one free number
@@ -69,7 +70,8 @@ void LimitMemory(std::uint64_t bytes) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes) {
+ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes,
+                           int errors) {
   if (Interrupted()) throw SubjectTooSlow(kInterruptedText);
   const std::string& program = command.front();
   std::vector<char*> argv;
@@ -80,7 +82,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_
   const Pipe report = MakePipe(program);  // closed by a good exec, else tells why it failed
   pid_ = ForkGroup();
   const int fork_error = errno;
-  if (pid_ == 0) Become(argv.data(), in, out, report.write, most_bytes);
+  if (pid_ == 0) Become(argv.data(), in, out, report.write, errors, most_bytes);
   close(in.read);
   close(out.write);
   close(report.write);
@@ -233,7 +235,7 @@ std::string ChildProcess::End(int looks) {
     return "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
            strsignal(WTERMSIG(status)) + ")";
   }
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
+  return kEnded + std::to_string(WEXITSTATUS(status));
 }
 
 }  // namespace rasterproof::subjects

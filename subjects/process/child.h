@@ -30,6 +30,8 @@ inline constexpr const char* kInterruptedText = "the command was interrupted bef
 
 /// What Ending() says of a child that had to be killed.
 inline constexpr const char* kStillRan = "still ran";
+/// How it begins of one that ended by itself.
+inline constexpr const char* kEnded = "ended with status ";
 
 /// How long a child may take: of its own time, and until when.
 struct Patience {
@@ -43,9 +45,11 @@ class ChildProcess {
  public:
   using Clock = OwnTime::Clock;
 
+  /// `errors`: the file that it has for its standard error; -1: this program's own.
+  ///
   /// Error:      InputError if the program can't be started; SubjectTooSlow if the command was
   ///             interrupted.
-  ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes);
+  ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes, int errors = -1);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

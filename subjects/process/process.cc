@@ -34,6 +34,12 @@ class ProcessSubject::OutOfTime : public SubjectTooSlow {
 
 namespace {
 
+// The program ended by itself before its answer was whole.
+class EndedByItself : public SubjectFault {
+ public:
+  using SubjectFault::SubjectFault;
+};
+
 // How many times the limit a draw gets that is to show whether it hangs.
 constexpr double kHangFactor = 10;
 // How often in a subject's life that is tried.
@@ -126,8 +132,10 @@ class ProcessSubject::Child {
         break;
     }
     const std::string ending = process_.Ending();
-    throw SubjectFault("it " + (ending == kStillRan ? "closed its output" : ending) +
-                       " before its answer was whole");
+    const std::string what = "it " + (ending == kStillRan ? "closed its output" : ending) +
+                             " before its answer was whole";
+    if (ending.starts_with(kEnded)) throw EndedByItself(what);
+    throw SubjectFault(what);
   }
 
   // Whoever says more than it was asked would be taken for an answer to what comes next.
@@ -175,11 +183,12 @@ class ProcessSubject::ShownEdges final : public StatedEdges {
 };
 
 ProcessSubject::ProcessSubject(std::vector<std::string> command, SubjectInfo info,
-                               ProcessLimits limits)
+                               ProcessLimits limits, Program program)
     : command_(std::move(command)),
       info_(std::move(info)),
       limits_(limits),
-      tries_left_(kMostTries) {
+      tries_left_(kMostTries),
+      may_not_run_(program == Program::kTheUsers) {
   if (info_.edges.shows_values) edges_ = std::make_unique<ShownEdges>(*this);
 }
 
@@ -262,6 +271,7 @@ std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest
       Patience patience = child->Wait(seconds, deadline_);
       answers.push_back(ReadValues(request, info_.name,
                                    [&](std::size_t most) { return child->Line(patience, most); }));
+      may_not_run_ = false;
       counted = patience.time.Counted();
     }
     child->RequireSilence();
@@ -272,6 +282,9 @@ std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest
     const std::size_t count = std::min(most, requests.size() - answers.size());
     try {
       ask(count, limits_.seconds);
+    } catch (const EndedByItself&) {
+      RequireThatItRuns();
+      throw;
     } catch (const OutOfTime& slow) {
       most = 1;
       if (count == 1) TryLonger(slow, [&](double seconds) { return ask(1, seconds); });
@@ -287,6 +300,12 @@ std::unique_ptr<ProcessSubject::Child> ProcessSubject::TakeChild() {
   std::unique_ptr<Child> child = std::move(child_);
   child->RequireSilence();
   return child;
+}
+
+// It ended by itself. If it never answered, it may be no program that runs: a module is missing, or
+// an argument. Or it ended over this scene, which is a finding.
+void ProcessSubject::RequireThatItRuns() {
+  if (std::exchange(may_not_run_, false)) RequireThatItAnswers(command_, info_, limits_);
 }
 
 // One call. `counted`: the own time that the last answer took.
@@ -306,10 +325,16 @@ std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, doub
       Patience patience = child->Wait(seconds, deadline_);
       outcome.drawing = ReadAnswer(first_id + k, jobs[k], info_,
                                    [&](std::size_t most) { return child->Line(patience, most); });
+      may_not_run_ = false;
       if (counted != nullptr) *counted = patience.time.Counted();
       if (k + 1 == jobs.size()) child->RequireSilence();
     } catch (const SubjectRefusal&) {
+      may_not_run_ = false;
       outcome.error = std::current_exception();
+    } catch (const EndedByItself&) {
+      RequireThatItRuns();
+      outcome.error = std::current_exception();
+      return outcomes;
     } catch (const SubjectFault&) {
       outcome.error = std::current_exception();
       return outcomes;

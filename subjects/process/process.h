@@ -39,15 +39,23 @@ class ProcessSubject final : public Subject {
  public:
   using Clock = std::chrono::steady_clock;
 
+  /// Who wrote the program.
+  enum class Program : std::uint8_t {
+    kOurs,     ///< it runs, and hosts what may end it
+    kTheUsers  ///< it may not run at all: SubjectDoesNotRun
+  };
+
   /// `command` is a program and its arguments; a name without a slash is looked up in PATH.
-  ProcessSubject(std::vector<std::string> command, SubjectInfo info, ProcessLimits limits = {});
+  ProcessSubject(std::vector<std::string> command, SubjectInfo info, ProcessLimits limits = {},
+                 Program program = Program::kOurs);
   ~ProcessSubject() override;
 
   const SubjectInfo& OwnInfo() const override;
   /// Error:      SubjectFault if it died (the signal or status is told), hangs, or answered
   ///             something else; SubjectTooSlow if it took too long, the deadline came or the
   ///             command was interrupted; SubjectRefusal if it refused the scene; InputError if it
-  ///             can't be started.
+  ///             can't be started; SubjectDoesNotRun if the user's program ends by itself before
+  ///             its first answer, and once more where it is asked for one plain triangle alone.
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
   Drawing Show(const DrawJob& job) override;
   /// Sends all requests before it waits for the first answer.
@@ -67,6 +75,7 @@ class ProcessSubject final : public Subject {
   class ShownEdges;
   static bool IsOutOfTime(const DrawOutcome& outcome);
   std::unique_ptr<Child> TakeChild();
+  void RequireThatItRuns();
   std::vector<std::vector<double>> AskValues(std::span<EdgeRequest> requests);
   std::string CallText(std::uint64_t first_id, std::span<const DrawJob> jobs) const;
   std::vector<DrawOutcome> Ask(std::span<const DrawJob> jobs, double seconds,
@@ -86,11 +95,19 @@ class ProcessSubject final : public Subject {
   std::uint64_t next_id_ = 1;
   Clock::time_point deadline_ = Clock::time_point::max();
   int tries_left_;
+  bool may_not_run_;    ///< it has given no answer yet
   bool hangs_ = false;  ///< has been seen to
   std::size_t most_in_a_batch_ = static_cast<std::size_t>(-1);
   std::unique_ptr<Child> child_;
   std::unique_ptr<ShownEdges> edges_;
 };
+
+/// Asks a fresh process of the program for one plain triangle.
+///
+/// Error:      SubjectDoesNotRun, with its last words on standard error, if it ends by itself
+///             before it says anything.
+void RequireThatItAnswers(const std::vector<std::string>& command, const SubjectInfo& info,
+                          const ProcessLimits& limits);
 
 /// What a program prints, all of it: at most 1 MiB, within the limits but at least 10 s.
 ///

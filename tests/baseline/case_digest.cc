@@ -90,9 +90,9 @@ void Add(const SquareRule& rule, Digest& digest) {
 
 void Add(const Profile& profile, Digest& digest) {
   const auto& [name, specification, snap, crossing, lattice, sample_positions, centroid, y_axis,
-               tie_rule, contract, freedom, transform, coordinate_limit, degenerate_triangles,
-               infinite_vertex, nan_vertex, nan_z, translation_invariant, edge_samples, targets,
-               fixed, max_primitive_extent, guard_band, squares] = profile;
+               tie_rule, front_face, contract, freedom, transform, coordinate_limit,
+               degenerate_triangles, infinite_vertex, nan_vertex, nan_z, translation_invariant,
+               edge_samples, targets, fixed, max_primitive_extent, guard_band, squares] = profile;
   static_cast<void>(name);
   static_cast<void>(specification);
   Add(snap, digest);
@@ -119,6 +119,7 @@ void Add(const Profile& profile, Digest& digest) {
   if (is_stated) Add(*guard_band, digest);
   digest.Integer(static_cast<int>(sample_positions));
   AddIfAny(squares, digest);
+  if (front_face != FrontFace::kPositiveArea) digest.Integer(static_cast<int>(front_face));
   if (centroid != Centroid::kUnstated) digest.Integer(static_cast<int>(centroid));
 }
 

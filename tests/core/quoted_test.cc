@@ -19,5 +19,17 @@ TEST(Quoted, CutsBehindTheMostBytesAndSaysSo) {
   EXPECT_EQ(Quoted("abcd", 3), "\"abc...\"");
 }
 
+TEST(Quoted, ANameIsShownAsItIsUnlessItHasControlCharacters) {
+  for (const std::string name : {"", "bunny 2", "W\xc3\xbcrfel", "\xe2\x82\xac"}) {
+    EXPECT_EQ(ShownName(name), name);
+  }
+  EXPECT_EQ(ShownName("a\x1b[31m"), "a\\x1b[31m");
+  EXPECT_EQ(ShownName("a\nb"), "a\\x0ab");
+  EXPECT_EQ(ShownName("\x7f"), "\\x7f");
+  EXPECT_EQ(ShownName("\xc2\x9b"
+                      "1m"),
+            "\\xc2\\x9b1m");
+}
+
 }  // namespace
 }  // namespace rasterproof

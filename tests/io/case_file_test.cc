@@ -1,5 +1,6 @@
 #include "io/case_file.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ void ExpectReadsBack(const CaseFile& file) {
   EXPECT_EQ(back.value, file.value) << text;
   EXPECT_EQ(back.subject, file.subject);
   EXPECT_EQ(back.property, file.property);
+  ASSERT_EQ(back.drawn == nullptr, file.drawn == nullptr);
+  if (file.drawn != nullptr) {
+    EXPECT_EQ(*back.drawn, *file.drawn);
+  }
 }
 
 TEST(CaseFileTest, CasesReadBack) {
@@ -40,6 +45,10 @@ TEST(CaseFileTest, CasesReadBack) {
               std::string::npos);
   }
   file.value.options = {Cull::kBack, PixelRect{-1, 0, 5, 2147483647}, 16, 4};
+  ExpectReadsBack(file);
+  Scene wider = OneTriangle();
+  wider.width = 9;
+  file.drawn = std::make_shared<const DrawnScene>(wider, DrawOptions{.scissor = {{0, 0, 8, 4}}});
   ExpectReadsBack(file);
 }
 

@@ -80,6 +80,21 @@ TEST(SceneFileTest, ExtremesReadBackBitForBit) {
   }
 }
 
+TEST(SceneFileTest, ANameIsWrittenWithoutControlCharacters) {
+  Scene scene;
+  scene.width = scene.height = 1;
+  for (const std::string name : {"W\xc3\xbcrfel",
+                                 "a\x1b[31m\x7f\xc2\x9b"
+                                 "1m"}) {
+    scene.name = name;
+    const std::string json = SceneToJson(scene);
+    EXPECT_EQ(json.find('\x1b'), json.npos);
+    EXPECT_EQ(json.find('\x7f'), json.npos);
+    EXPECT_EQ(json.find("\xc2\x9b"), json.npos);
+    EXPECT_EQ(ParseScene(json, "test").name, name);
+  }
+}
+
 TEST(SceneFileTest, ASceneWithoutTrianglesIsAScene) {
   const Scene empty;
   ExpectSameBits(ParseScene(SceneToJson(empty), "written"), empty);

@@ -196,5 +196,21 @@ TEST(Samples, ThatAreNotJudgedAreAddedUp) {
   EXPECT_EQ(RunCampaign(subject, property, {.cases = 20}).not_judged, 60U);
 }
 
+// A length is the root of squares: of a side that is too short or too long for its precision they
+// are no numbers, and the bound says nothing.
+TEST(HeightDistances, AreJudgedWhereTheSquaresOfASideAreNumbers) {
+  const Property& property = *FindProperty("HeightDistanceIsTheDistanceInPixels");
+  const std::unique_ptr<Subject> subject = subjects::MakeBuiltin("f64-direct");
+  Case c = OneTriangle();
+  c.scene.precision = Precision::kFloat64;
+  const std::uint64_t of_all = RunCase(*subject, property, c).exercised;
+  c.scene.height = 13;
+  c.scene.vertices = {{0, 0}, {-0x0.0000000000004p-1022, -0x0.0000000000006p-1022}, {15, 1}};
+  const Verdict of_short_side = RunCase(*subject, property, c);
+  EXPECT_NE(of_short_side.outcome, Outcome::kViolated) << of_short_side.message;
+  EXPECT_GT(of_all, 0U);
+  EXPECT_EQ(of_all % 3, 0U) << "all three sides";
+}
+
 }  // namespace
 }  // namespace rasterproof::props

@@ -12,6 +12,7 @@
 #include "props/domains/bit_source.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
+#include "props/run/case_places.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
 #include "tests/props/planted_subjects.h"
@@ -197,6 +198,59 @@ TEST(Campaign, WithADeadNearEdgeDomainIsNoPass) {
   far.scene.vertices[0].x = far.scene.vertices[1].x = 0.5;
   tally.AddCase(0, far, Verdict::Held(1));
   EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);
+}
+
+Case HalfOnSamples() {
+  Case c;
+  c.scene.width = c.scene.height = 4;
+  c.scene.vertices = {{0.5, 0.5}, {3.25, 0.5}, {0.75, 3.25}};
+  c.scene.triangles = {{0, 1, 2}};
+  return c;
+}
+
+TEST(CasePlaces, AreSeenInTheScene) {
+  const auto of = [](std::vector<Vertex> vertices) {
+    Case c = HalfOnSamples();
+    c.scene.vertices = std::move(vertices);
+    std::string seen;
+    const CasePlaces places = EvidenceOfCase(c).places;
+    for (std::size_t p = 0; p < places.size(); ++p) seen += places[p] ? '1' : '0';
+    return seen;
+  };
+  EXPECT_EQ(of({{0.25, 0.5}, {3.25, 0.5}, {0.75, 3.25}}), "1000000");
+  EXPECT_EQ(of({{0.5, 0.25}, {0.5, 3.25}, {3.25, 0.75}}), "0100000");
+  EXPECT_EQ(of({{0.25, 0.25}, {3.25, 3.25}, {3.25, 0.75}}), "0010000");
+  EXPECT_EQ(of({{0.5, 0.5}, {3.25, 0.75}, {0.75, 3.25}}), "0010100");  // the corner is on edges
+  EXPECT_EQ(of({{0.25, 0.375}, {2.25, 0.375}, {3.25, 0.375}}), "0000010");
+  EXPECT_EQ(of({{-3, -1}, {-1, -3}, {-1.25, -1}}), "0000001");
+  Case shared = HalfOnSamples();
+  shared.scene.vertices = {{0.25, 0.5}, {3.25, 0.5}, {0.75, 3.25}, {0.75, -1.25}};
+  shared.scene.triangles = {{0, 1, 2}, {1, 0, 3}};
+  const CasePlaces places = EvidenceOfCase(shared).places;
+  EXPECT_TRUE(places[IndexOf(CasePlace::kTieOnSharedEdge)]);
+  EXPECT_FALSE(places[IndexOf(CasePlace::kFlatTriangle)]);
+}
+
+TEST(CasePlaces, ThatWereRefusedThroughoutAreInconclusive) {
+  auto subject = testing::Sound(RealInfo());
+  Tally tally(subject, ModelProperty(kDomains), 1);
+  Case elsewhere = HalfOnSamples();
+  for (Vertex& v : elsewhere.scene.vertices) v.y += 0.125;
+  for (int i = 0; i < 100; ++i) tally.AddCase(0, elsewhere, Verdict::Held(1));
+  for (std::uint64_t i = 1; i < kFewestCasesAtAPlace; ++i) {
+    tally.AddCase(0, HalfOnSamples(), Verdict::Refused("odd"));
+  }
+  EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);  // few
+  Tally behind(subject, ModelProperty(kDomains), 1);
+  behind.AddCase(0, HalfOnSamples(), Verdict::Refused("odd"));
+  tally.AddSums(behind.sums());
+  EXPECT_EQ(tally.Concluded().outcome, Outcome::kInconclusive);
+  EXPECT_NE(
+      tally.Concluded().message.find("refuses all 16 cases with a sample on a horizontal edge"),
+      std::string::npos)
+      << tally.Concluded().message;
+  tally.AddCase(0, HalfOnSamples(), Verdict::Held(1));
+  EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);  // one of them was drawn
 }
 
 TEST(Campaign, LeavesOutDomainsThatTheSubjectCannotTakeAndSaysSo) {

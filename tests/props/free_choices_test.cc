@@ -324,7 +324,7 @@ TEST(FreeChoices, FoldsHaveTrianglesThatTurnAndOthers) {
   }
 }
 
-TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotJudgedWhereTheGridPointsAreFree) {
+TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotComparedWhereTheGridPointsAreFree) {
   SubjectInfo info = FreeInfo(8, 0.6);
   info.coverage = CoverageKind::kFragments;
   info.fragments.barycentrics_of = BarycentricsOf::kSnapped;
@@ -336,7 +336,7 @@ TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotJudgedWhereTheGridPointsAreFre
   for (const Freedom& freedom : {by_tolerance, by_rounding, by_bits}) {
     info.profile.freedom = freedom;
     Placing subject(info, UpFrom42Of(0x1p-8));
-    EXPECT_EQ(Judged("FragmentBarycentricsSumToOne", subject, FoldedRow()).outcome,
+    EXPECT_EQ(Judged("FragmentBarycentricsStayWithinTheirError", subject, FoldedRow()).outcome,
               Outcome::kNotApplicable);
   }
 }

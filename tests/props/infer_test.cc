@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -376,6 +377,54 @@ TEST(Infer, IsInconclusiveWhereTheSubjectIsTooSlow) {
   EXPECT_TRUE(inference.is_inconclusive);
   EXPECT_NE(inference.message.find("it takes a minute"), std::string::npos) << inference.message;
   EXPECT_FALSE(inference.witness.has_value());
+}
+
+// 28.4 in 32 bits: products of differences hold where coordinates stay below 1024.
+TEST(Infer, FindsTheModelOfASubjectThatTakesLittleRoom) {
+  for (const double limit : {1023.9375, 600.0, 300.0, 140.0, 66.0}) {
+    Profile planted = Snapped(4, SnapRule::kHalfUp);
+    planted.coordinate_limit = limit;
+    planted.tie_rule = *TieRuleFromName("bottom-right");
+    planted.pattern.locations = {{0.5625, 0.25}};
+    double farthest = 0;
+    PlantedSubject subject(
+        Follows(planted, planted).Info(),
+        [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+          for (const Vertex& v : scene.vertices)
+            farthest = std::max({farthest, std::abs(v.x), std::abs(v.y)});
+          AddTo(counts, exact::Coverage(scene, planted, options));
+        });
+    const Inference inference = Infer(subject);
+    ASSERT_TRUE(inference.Fits()) << limit << ": " << inference.message;
+    EXPECT_TRUE(inference.Agrees()) << limit;
+    EXPECT_LE(farthest, limit);
+    const auto is_planted = [&](const Profile& p) { return ModelPart(p) == ModelPart(planted); };
+    EXPECT_EQ(std::ranges::count_if(inference.remaining, is_planted), 1) << limit;
+  }
+}
+
+TEST(Infer, SaysWhatItLookedForWhereFinerPlacesHaveNoRoom) {
+  Profile planted = Snapped(8, SnapRule::kNearestEven);
+  planted.coordinate_limit = 140;
+  planted.pattern.locations = {{0.5 + 1.0 / 256, 0.5}};
+  PlantedSubject as_stated = Follows(planted, planted);
+  EXPECT_TRUE(Infer(as_stated).Fits());
+  Profile centred = planted;
+  centred.pattern.locations = {{0.5, 0.5}};
+  PlantedSubject subject = Follows(planted, centred);
+  const Inference inference = Infer(subject);
+  EXPECT_FALSE(inference.Fits());
+  EXPECT_NE(inference.message.find("multiples of 1/32 pixel"), std::string::npos)
+      << inference.message;
+}
+
+TEST(Infer, IsInconclusiveWhereThereIsNoRoomForTheCoarsestPlaces) {
+  Profile planted = Snapped(4, SnapRule::kHalfUp);
+  planted.coordinate_limit = 65;
+  PlantedSubject subject = Follows(planted, planted);
+  const Inference inference = Infer(subject);
+  EXPECT_TRUE(inference.is_inconclusive);
+  EXPECT_NE(inference.message.find("up to 66"), std::string::npos) << inference.message;
 }
 
 TEST(Infer, IsInconclusiveWhereAViewportTakesNoVertexToThePlacesOfItsProbes) {

@@ -393,12 +393,12 @@ TEST(Infer, NamesTheExclusiveRule) {
 }
 
 TEST(Infer, IsInconclusiveWhereThereIsTooLittleRoom) {
-  std::vector<SubjectInfo> infos{FixedInfo({11, 4, true, false}), SnappedInfo(8), SnappedInfo(8),
+  std::vector<SubjectInfo> infos{FixedInfo({7, 4, true, false}), SnappedInfo(8), SnappedInfo(8),
                                  SnappedInfo(8), SnappedInfo(8)};
-  infos[1].profile.coordinate_limit = 1000;
-  infos[2].profile.max_primitive_extent = MaxPrimitiveExtent{1023, 511};
-  infos[3].profile.guard_band = WindowBox{-512, -512, 512, 512};
-  infos[4].profile.by_target_size = {{.max_width = 320, .max_height = 200, .snap = {4}}};
+  infos[1].profile.coordinate_limit = 65;
+  infos[2].profile.max_primitive_extent = MaxPrimitiveExtent{63, 31};
+  infos[3].profile.guard_band = WindowBox{-512, -512, 65, 512};
+  infos[4].profile.by_target_size = {{.max_width = 40, .max_height = 20, .snap = {4}}};
   for (const SubjectInfo& info : infos) {
     Recording subject(info, info.profile);
     const Inference inference = Infer(subject, {});

@@ -59,8 +59,9 @@ TEST(Grounds, TheCertificateNamesAuthorityAndClauses) {
   EXPECT_EQ(json["tested"][1]["authority"], "clause");
   EXPECT_EQ(json["tested"][1]["required_by"][0], "vulkan.common-edge");
   EXPECT_EQ(json["quality_fails"], false);
-  ASSERT_EQ(json["assumed"].size(), 1U);
+  ASSERT_EQ(json["assumed"].size(), 2U);
   EXPECT_EQ(json["assumed"][0]["statement"], "vulkan.one-position");
+  EXPECT_EQ(json["assumed"][1]["statement"], "vulkan.clip-point");
 }
 
 TEST(Grounds, AModelAssumesNothing) {

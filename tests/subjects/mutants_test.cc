@@ -12,6 +12,8 @@
 
 #include "core/coverage.h"
 #include "core/error.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
 #include "tests/share.h"
 #include "tests/subjects/conformance_baseline.h"
 #include "tool/asked.h"
@@ -48,6 +50,38 @@ TEST(Mutants, AreFoundByTheCatalogueInASample) {
     const std::unique_ptr<Subject> subject = tool::MakeSubject(mutant.name);
     const tool::Hunt hunt = tool::HuntBug(*subject, {.cases = 600, .shrink_budget = 50});
     EXPECT_TRUE(hunt.violation.has_value()) << mutant.name << " survives " << hunt.cases;
+  }
+}
+
+struct Twins {
+  const char* property;
+  const char* mutant;
+  const char* variant;  ///< that the law allows
+};
+
+// Under legal sets, where no single model says what is drawn.
+TEST(Mutants, OfLegalSetsAreFoundByTheirPropertyAndTheirTwinsHold) {
+  constexpr const char* kNew = "NewVerticesGiveNewCoverage";
+  for (const auto& [name, mutant, variant] : {
+           Twins{kNew, "mutant:vulkan-kept-by-pixels", "legal:vulkan-kept-by-all"},
+           Twins{kNew, "mutant:vulkan-kept-by-indices", "legal:vulkan-farthest-mask"},
+           Twins{kNew, "mutant:d3d11-kept-by-sixteenths", "legal:d3d11-farthest"},
+           Twins{"FragmentBarycentricsSumToOne", "mutant:vulkan-fragments-sum-off",
+                 "legal:vulkan-fragments-snapped"},
+           Twins{"FragmentDepthStaysInTheHull", "mutant:vulkan-depth-off",
+                 "legal:vulkan-fragments-snapped"},
+           Twins{"FragmentDepthFollowsItsBarycentrics", "mutant:vulkan-depth-off",
+                 "legal:vulkan-fragments-snapped"},
+       }) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      const auto outcome_of = [&, property = props::FindProperty(name)](const char* subject) {
+        const PropertyResult result = props::RunCampaign(*subjects::MakeMutant(subject), *property,
+                                                         {.seed = seed, .cases = 300});
+        return result.outcome;
+      };
+      EXPECT_EQ(outcome_of(mutant), Outcome::kViolated) << name << ", " << mutant << ", " << seed;
+      EXPECT_EQ(outcome_of(variant), Outcome::kHolds) << name << ", " << variant << ", " << seed;
+    }
   }
 }
 

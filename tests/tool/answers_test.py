@@ -118,6 +118,25 @@ class Refusals(unittest.TestCase):
         status, text = self.check("--plugin", buggy("REFUSES"), cases="9")
         self.assertEqual(status, 4, text)
 
+    def test_of_all_that_was_drawn_for_one_place_are_inconclusive(self):
+        def checked(which):
+            with tempfile.NamedTemporaryFile("w", suffix=".subject") as file:
+                print(f"command {sys.executable} {SOURCES}/tests/tool/refuses_ties.py {which} "
+                      f"{PROGRAM} host plugin:{EXAMPLES}/example_plugin.so\n"
+                      "profile gl-canonical\ncoverage facing-counts\ninput float32",
+                      file=file, flush=True)  # fmt: skip
+                return run("check", "--subject", file.name, "--property", MODEL, "--cases", "600")
+
+        done = checked("horizontal")
+        text = done.stdout.decode()
+        self.assertEqual(done.returncode, 4, text)
+        self.assertRegex(text, r"refuses all \d+ cases with a sample on a horizontal edge: "
+                         r"exercised in \d+ of 600 cases, \d+ refused")  # fmt: skip
+        self.assertNotIn("refuses too much", text)
+        done = checked("tenth")
+        self.assertEqual(done.returncode, 0, done.stdout.decode())
+        self.assertIn(b"holds where it did not refuse", done.stdout)
+
     def test_of_a_given_scene_are_inconclusive(self):
         done = run("check", SCENE, "--plugin", buggy("REFUSES"), "--property", MODEL)
         self.assertEqual(done.returncode, 4, done.stdout)

@@ -57,6 +57,16 @@ class TemporaryFolder(unittest.TestCase):
 
 
 class InferTest(TemporaryFolder):
+    def test_where_no_model_fits_the_draw_that_refuted_the_last_is_told_and_replays(self):
+        subject = ("--subject", "mutant:overflow-int16-deltas")
+        told = run("infer", *subject).stdout.decode()
+        self.assertIn("no model fits", told)
+        self.assertIn(" 0 of 307200 samples, 0 of 1200 draws wrong, where nothing is aimed", told)
+        case, _, replay = told.partition("a case that it draws in another way:\n")[2].partition(
+            "replay: save it as case.json, then: rasterproof ")
+        self.assertEqual(run("replay", self.write(case, "case.json"), *subject).returncode, 1, case)
+        self.assertEqual(replay, "replay case.json " + " ".join(subject) + "\n")
+
     def test_a_subject_is_found_as_it_declares_itself(self):
         result = run("infer", "--subject", "i32-snap4")
         self.assertEqual(result.returncode, 0, result.stdout)
@@ -401,6 +411,27 @@ class VerdictTest(TemporaryFolder):
                      "BadTrianglesPoisonNoOthers")  # fmt: skip
         self.assertEqual(result.returncode, 1, result.stdout)
         self.assertIn(b"[-]", result.stdout)
+
+    def test_what_was_drawn_is_told_and_saved_where_it_is_not_the_case(self):
+        folder = os.path.join(self.folder.name, "saved")
+        result = run("check", "--subject", "mutant:nan-poisons", "--property",
+                     "BadTrianglesPoisonNoOthers", "--save", folder)  # fmt: skip
+        drawn = next(line for line in result.stdout.decode().splitlines()
+                     if line.startswith("drawn by the property, scene: "))  # fmt: skip
+        self.assertIn('"nan"', drawn)
+        path = os.path.join(folder, os.listdir(folder)[0])
+        with open(path, encoding="utf-8") as file:
+            saved = json.load(file)
+        self.assertNotIn("nan", json.dumps(saved["scene"]))
+        self.assertIn("nan", json.dumps(saved["drawn"]["scene"]))
+        for verb in ("replay", "explain"):
+            again = run(verb, path)
+            self.assertEqual(again.returncode, 1, again.stderr)
+            self.assertIn(drawn, again.stdout.decode())
+        # A witness beside the case's own target is one of the wider target.
+        wide = run("check", "--subject", "mutant:target-last-column", "--property",
+                   "TargetWidthKeepsCoverage")  # fmt: skip
+        self.assertIn(b"drawn by the property, scene: ", wide.stdout)
 
     def test_a_name_that_is_nearly_right_is_suggested(self):
         for given, meant in (("coverageEqualsTheModel", MODEL), ("EdgeIsZeroAtItsEnd", "Ends?")):

@@ -5,6 +5,8 @@ usage: jobs_test.py PROGRAM SOURCES PLUGINS
 import json
 import os
 import re
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -28,6 +30,12 @@ def content(path):
 
 def plugin(name):
     return ("--plugin", os.path.join(PLUGINS, f"{name}.so"))
+
+
+def forbid_files():
+    """Writing to files fails, as on a full disk."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
 
 
 class Check(unittest.TestCase):
@@ -120,15 +128,18 @@ class Check(unittest.TestCase):
                 self.assertIn(f"give an integer of 1 to {most}", done.stderr.decode())
 
     def test_what_was_found_before_an_error_is_told(self):
-        # No folder can be made there: the first violation that is to be saved ends the run.
-        for n in JOBS:
-            done = run("check", "--subject", "textbook", "--cases", "24", "--save",
-                       "README.md/cases", "--jobs", str(n))  # fmt: skip
-            self.assertEqual(done.returncode, 2, done.stderr)
-            if n == 1:
-                first = done.stdout
-                self.assertIn(b"violated ", first)
-            self.assertEqual(done.stdout, first)
+        # The folder takes no byte: the first violation that is to be saved ends the run.
+        with tempfile.TemporaryDirectory() as folder:
+            for n in JOBS:
+                done = subprocess.run(
+                    [PROGRAM, "check", "--subject", "textbook", "--cases", "24", "--save", folder,
+                     "--jobs", str(n)], cwd=SOURCES, timeout=300, stdout=subprocess.PIPE,
+                    stderr=subprocess.PIPE, preexec_fn=forbid_files)  # fmt: skip
+                self.assertEqual(done.returncode, 2, done.stderr)
+                if n == 1:
+                    first = done.stdout
+                    self.assertIn(b"holds ", first)
+                self.assertEqual(done.stdout, first)
 
 
 class Certify(unittest.TestCase):

@@ -91,8 +91,62 @@ class LegalTest(unittest.TestCase):
         self.assertEqual(twice.returncode, 1, twice.stderr)
         self.assertIn("column 1 row 1: 2 of triangles 0, 1 cover it", twice.stdout)
         with open(self.path("core.json")) as file:
-            self.assertEqual(json.load(file)["property"], "OneLegalModelExplainsTheMesh")
+            self.assertEqual(json.load(file)["scene"]["triangles"], SQUARE["triangles"])
         self.assertEqual(self.legal(self.as_text(rows), "webgpu").returncode, 0)
+
+    def test_an_inner_sample_that_is_lost_is_named_though_its_owner_depends_on_the_grid(self):
+        square = {"rasterproof_scene": 1, "name": "square", "width": 64, "height": 64,
+                  "vertices": [[3.21, 2.17], [60.83, 4.71], [58.39, 61.13], [2.57, 59.91]],
+                  "triangles": [[0, 1, 2], [0, 2, 3]]}
+        self.scene = self.write("square.json", json.dumps(square))
+        drawn = run("coverage", self.scene, "--subject", "i32-snap4")
+        rows = [[int(n) for n in line.split()] for line in drawn.stdout.splitlines()]
+        legal = self.legal(self.as_text(rows), "vulkan")
+        self.assertEqual(legal.returncode, 0, legal.stdout)
+        self.assertNotIn("samples are open", legal.stdout)  # counted of what is not legal
+        self.assertEqual(rows[30][30], 1)
+        rows[30][30] = 0
+        lost = self.legal(self.as_text(rows), "vulkan", "--save", self.path("core.json"))
+        self.assertEqual(lost.returncode, 1)
+        self.assertIn("the value of one sample contradicts every legal model", lost.stdout)
+        self.assertIn("column 30 row 30: 0 of triangles", lost.stdout)
+        told = run("decided", self.scene, "--profile", "vulkan").stderr
+        number = told.split("; ")[1].split()[0]
+        self.assertIn(f"{number} samples are open", lost.stdout)
+        self.assertIn("in every legal model 1 do", lost.stdout)
+        with open(self.path("core.json")) as file:
+            case = json.load(file)
+        self.assertGreaterEqual(len(case["scene"]["triangles"]), 1)
+        self.assertEqual(case["scene"]["width"], 64)
+        shown = run("explain", self.path("core.json"))
+        self.assertEqual(shown.returncode, 0, shown.stdout + shown.stderr)
+
+    def test_certify_judges_each_scene_of_a_legal_set(self):
+        scenes = self.write("set.json", json.dumps({
+            "rasterproof_scene_set": 1,
+            "scenes": [{"name": name, "path": f"{SOURCES}/scenes/{name}.json"}
+                       for name in ("ties", "duplicates")]}))
+        for name, outcome, status in (("legal:vulkan-4-bits", "holds", 0),
+                                      ("mutant:vulkan-two-owners", "violated", 1)):
+            out = self.path(outcome)
+            done = run("certify", "--subject", name, "--cases", "10", "--scenes", scenes, "--out",
+                       out)
+            self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+            (folder,) = [entry.path for entry in os.scandir(out)
+                         if os.path.exists(entry.path + "/certificate.json")]
+            with open(folder + "/certificate.json") as file:
+                rows = {row["property"]: row for row in json.load(file)["tested"]}
+            row = rows["OneLegalModelExplainsTheMesh on ties"]
+            self.assertEqual(row["outcome"], outcome, row["message"])
+            self.assertGreater(row["exercised"], 0)
+            for file_name in ("junit.xml", "report.html"):
+                with open(f"{folder}/{file_name}") as file:
+                    text = file.read().replace("<wbr>", "")
+                self.assertIn("OneLegalModelExplainsTheMesh on ties", text)
+            if outcome == "holds":
+                self.assertIn("2 of 2 scenes have a legal model", done.stdout)
+            else:
+                self.assertIn("contradict", row["message"])
 
     def test_a_picture_says_where_and_not_how_often(self):
         rows = self.drawn("vulkan-canonical")

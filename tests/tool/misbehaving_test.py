@@ -109,14 +109,14 @@ class Misbehaving(unittest.TestCase):
         self.assertIn("it hangs: alone, on a fresh process", text)
 
     def test_a_line_without_an_end_is_told_as_such(self):
-        self.expect("floods-a-line", 1, "more than any right answer")
+        self.expect("floods-a-line", 1, "the most that a correct answer")
         run = Run([PROGRAM, "check", "--exec", "cat /dev/zero", "--property", DEGENERATE,
                    "--cases", "8", "--memory-limit", "0"],
                   preexec_fn=lambda: limit_memory(1 << 30))  # fmt: skip
         status, text = run.end()
         self.assertEqual(status, 1, text)
         # Whether it has begun to speak when it is first asked is a matter of time.
-        self.assertRegex(text, r"more than any right answer|before it was asked: \"(\\x00)+")
+        self.assertRegex(text, r"the most that a correct answer|before it was asked: \"(\\x00)+")
 
     def test_who_speaks_before_it_was_asked_is_told_what_it_said(self):
         # Whether it has begun to speak when it is first asked is a matter of time.
@@ -231,6 +231,57 @@ class Ending(unittest.TestCase):
                 status, text = run.end()
                 self.assertEqual(status, 0, text)
                 self.assertEqual(run.left(), [])
+
+
+class DoesNotRun(unittest.TestCase):
+    """A program that ends by itself before its first answer, and those that end otherwise."""
+
+    def ends(self, begin, at_each, *more):
+        """Checks a program that covers nothing, runs `begin` first and `at_each` at each scene."""
+        program = (f"import os, signal, sys\n{begin}\n"
+                   "for number, line in enumerate(sys.stdin):\n"
+                   "    word, number_of, w, h, s, space, vs, ts = line.split()[:8]\n"
+                   "    w, h = int(w), int(h)\n"
+                   "    for _ in range(int(vs) + int(ts)):\n"
+                   "        sys.stdin.readline()\n"
+                   f"    {at_each}\n"
+                   "    rows = ' '.join(['0'] * w) + '\\n'\n"
+                   "    sys.stdout.write('counts ' + number_of + '\\n' + rows * h)\n"
+                   "    sys.stdout.flush()\n")  # fmt: skip
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "ends.py")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(program)
+            return subprocess.run([PROGRAM, "check", "--exec", f"{PYTHON} {path}", "--cases", "3",
+                                   *more],
+                                  capture_output=True, timeout=ENOUGH, check=False)  # fmt: skip
+
+    def test_a_program_that_does_not_run_is_told_once_with_its_last_words(self):
+        for begin, at_each, words in (
+            ("sys.exit('there is no module seen')", "pass", b"there is no module seen"),
+            ("pass", "raise ValueError('no such word')", b"ValueError: no such word"),
+            ("sys.exit(0)", "pass", b"without a word"),
+        ):
+            for more in (("--property", DEGENERATE), ()):
+                with self.subTest(begin=begin, more=more):
+                    done = self.ends(begin, at_each, *more)
+                    self.assertEqual(done.returncode, 2, done.stdout)
+                    self.assertNotIn(b"violated", done.stdout)
+                    self.assertEqual(done.stderr.count(b"before its first answer"), 1, done.stderr)
+                    last = done.stderr[done.stderr.index(b"before its first answer"):]
+                    self.assertIn(words, last)
+                    self.assertIn(b"reads requests from standard input", last)
+
+    def test_a_program_that_ends_over_a_scene_or_by_a_signal_is_a_finding(self):
+        for begin, at_each, words in (
+            ("pass", "number == 1 and sys.exit(3)", b"ended with status 3"),
+            ("pass", "w * h > 16 and sys.exit(3)", b"ended with status 3"),
+            ("pass", "os.kill(os.getpid(), signal.SIGSEGV)", b"killed by signal 11"),
+        ):
+            with self.subTest(at_each=at_each):
+                done = self.ends(begin, at_each, "--property", "DrawStaysInsideItsTarget")
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn(words, done.stdout)
 
 
 class Start(unittest.TestCase):

@@ -104,6 +104,9 @@ class TheSameBytes(Parts):
         for one in failed:
             self.assertLess(one["cases"], 30)
 
+    def test_of_one_that_fails_where_the_property_changed_the_scene(self):
+        self.compare(("--subject", "mutant:target-odd-width"), 1, cuts=(2,))
+
     def test_of_a_plugin(self):
         self.compare(("--plugin", PLUGIN), 0, cuts=(3,))
 
@@ -233,6 +236,8 @@ class Refused(Parts):
             (of_test(cases_refused=11), ("refused",)),
             (of_test(refused_within_limits=1), ("refused",)),
             (of_test(not_applicable=11), ("not applicable",)),
+            (of_test(places=[]), ("every place",)),
+            (of_test(places=[{"asked": 1, "refused": 2}] * 7), ("kind of place",)),
             (of_test(worst_ratio="nan"), ("error",)),
             (of_test(domains=[]), ("domains are told",)),
             (of_domain(drawn=2**63 - 1), ("more cases than were run",)),

@@ -51,7 +51,9 @@ class WrongTestsTest(unittest.TestCase):
         still_open = {key for key, value in is_open.items() if value}
         self.assertEqual(still_open, {
             ("", "six_bits.json"), ("", "six_bits_any.json"), ("", "vulkan"), ("", "webgpu"),
-            ("_mended", "six_bits_any.json"), ("_mended", "vulkan"), ("_mended", "webgpu")})
+            ("_mended", "six_bits_any.json"), ("_mended", "vulkan"), ("_mended", "webgpu"),
+            # Its corners leave the target: a clip may move its edges by less than a pixel.
+            ("_any", "webgpu")})
 
     def test_the_samples_that_the_vulkan_issue_names_are_open(self):
         first = decided("vk_gl_cts_165_first.json", "vulkan")
@@ -81,7 +83,7 @@ class WrongTestsTest(unittest.TestCase):
         self.assertLessEqual(126, 256 * 256 * 0.2 / 100)
         narrow = run("legal", "offload_441.json", "offload_441_narrow.png", "--profile", "vulkan")
         self.assertEqual(narrow.returncode, 1, narrow.stderr)
-        self.assertIn("0 samples depend on choices", narrow.stdout)
+        self.assertIn("0 samples are open", narrow.stdout)
 
 
 if __name__ == "__main__":

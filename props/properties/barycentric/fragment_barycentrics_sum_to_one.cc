@@ -51,6 +51,7 @@ constinit const Property kFragmentBarycentricsSumToOne{
     .domains = kBarycentrics,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
+             .any_owners = true,
              .unwrapped = true,
              .where = kAreaNotZero},
     .ask = Ask,

@@ -60,6 +60,7 @@ constinit const Property kFragmentDepthFollowsItsBarycentrics{
     .domains = kBarycentrics,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
+             .any_owners = true,
              .unwrapped = true,
              .where = kAreaNotZero},
     .ask = Ask,

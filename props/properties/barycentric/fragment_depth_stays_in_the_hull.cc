@@ -43,6 +43,7 @@ constinit const Property kFragmentDepthStaysInTheHull{
     .domains = kBarycentrics,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
+             .any_owners = true,
              .unwrapped = true,
              .where = "samples in the closed triangle of the vertices that it names"},
     .ask = Ask,

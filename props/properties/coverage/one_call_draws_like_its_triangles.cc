@@ -1,6 +1,8 @@
 // A call with a mesh gives what the calls with each of its triangles alone add up to.
 //
-// The sum of counts, the union of masks, the visible triangle by the stated order.
+// The sum of counts, the union of masks, the visible triangle by the stated order. Where the owners
+// of samples on edges are open they may be others in every call: samples are compared that all
+// legal models decide alike.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -13,7 +15,9 @@
 
 #include "core/coverage.h"
 #include "core/drawing.h"
+#include "core/freedom.h"
 #include "core/subject_info.h"
+#include "props/judging/open_by_call.h"
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
@@ -65,42 +69,46 @@ void AddAlone(const CoverageCounts& alone, bool is_mask, CoverageCounts& sum) {
 // Whether a drawing in one call is what its triangles' own add up to.
 Verdict LikeItsTriangles(const SubjectInfo& info, const Drawing& mesh, const CallOrder& order,
                          std::span<const std::shared_ptr<const Drawing>> alone,
-                         std::uint64_t decisions) {
+                         const OpenByCall& open, std::uint64_t decisions) {
   if (ShowsPrimitiveIds(info)) {
     std::vector<std::vector<bool>> covered;
     for (const std::size_t t : order) covered.push_back(CoveredSamples(alone[t]->counts));
-    return SamePrimitiveIds(mesh, PrimitiveIdsOf(covered, info.fragments.visible), alone.size(),
-                            decisions, "drawn alone");
+    return SamePrimitiveIds(
+        mesh, open.Expected(mesh.primitive_ids, PrimitiveIdsOf(covered, info.fragments.visible)),
+        alone.size(), decisions, "drawn alone");
   }
   CoverageCounts sum(mesh.counts.width, mesh.counts.height, mesh.counts.samples);
   for (const std::size_t t : order) {
     AddAlone(alone[t]->counts, info.coverage == CoverageKind::kMask, sum);
   }
-  return SameCounts(mesh.counts, sum, decisions, "that of its triangles drawn alone");
+  return SameCounts(mesh.counts, open.Expected(mesh.counts, std::move(sum)), decisions,
+                    "that of its triangles drawn alone");
 }
 
 Asked Ask(const Case& c, const Description& subject) {
   if (c.scene.triangles.size() < 2) return NothingAsked("a mesh of one triangle");
+  const auto open = WhereCallsMayDiffer(c, c.profile.freedom.ties == TieOwnership::kOpen);
+  if (!open) return NothingAsked(kPlacesNotKnown);
   // PrimitiveIds: twice, so that something always lies on top.
   const std::size_t times = ShowsPrimitiveIds(subject.info) ? 2 : 1;
   const auto count = std::min(c.scene.triangles.size(), kMostTriangles);
   std::array<CallOrder, 2> orders = OrdersOf(count, times);
   Questions questions = WholesAndSingles(c, orders, count);
-  return OneCheck(
-      std::move(questions), [&c, &subject, orders = std::move(orders)](const Answers& answers) {
-        const auto alone = std::span(answers.draws).subspan(orders.size());
-        const std::uint64_t decisions = DecisionsOf(c);
-        for (std::size_t k = 0; k < orders.size(); ++k) {
-          Verdict verdict =
-              LikeItsTriangles(subject.info, *answers.draws[k], orders[k], alone, decisions);
-          if (verdict.outcome != Outcome::kViolated) continue;
-          if (k == 1) {
-            verdict.message += " (behind " + std::to_string(kBefore) + " repetitions of the first)";
-          }
-          return verdict;
-        }
-        return Verdict::Held(2 * decisions);
-      });
+  return OneCheck(std::move(questions), [&c, &subject, open = *open,
+                                         orders = std::move(orders)](const Answers& answers) {
+    const auto alone = std::span(answers.draws).subspan(orders.size());
+    const std::uint64_t decisions = open.Judged(DecisionsOf(c));
+    for (std::size_t k = 0; k < orders.size(); ++k) {
+      Verdict verdict =
+          LikeItsTriangles(subject.info, *answers.draws[k], orders[k], alone, open, decisions);
+      if (verdict.outcome != Outcome::kViolated) continue;
+      if (k == 1) {
+        verdict.message += " (behind " + std::to_string(kBefore) + " repetitions of the first)";
+      }
+      return OfDraw(k, std::move(verdict));
+    }
+    return Verdict::Held(2 * decisions);
+  });
 }
 
 }  // namespace

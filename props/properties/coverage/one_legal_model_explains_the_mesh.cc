@@ -2,7 +2,8 @@
 // samples on edges.
 //
 // One explains every sample of every triangle, each drawn alone, and one all that a call with them
-// together shows. Of many triangles the call alone is judged.
+// together shows. Of many triangles the call alone is judged. Where no clause says that equal draws
+// are equal, every call may have a model of its own.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -21,6 +22,7 @@
 #include "exact/coverage.h"
 #include "legal/joint.h"
 #include "props/judging/as_shown.h"
+#include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
@@ -59,15 +61,22 @@ std::vector<std::size_t> TrianglesOf(const legal::Core& core) {
 std::string SeenText(const legal::Requirement& requirement) {
   const std::string place = HexText(requirement.at);
   if (requirement.triangles.empty()) return place + " as no legal model of any triangle has it";
+  const std::string names = Names(requirement.triangles);
+  if (requirement.visible) {
+    return "of triangles " + names + " " +
+           (*requirement.visible == kNoPrimitive
+                ? "none"
+                : "number " + std::to_string(*requirement.visible)) +
+           " is visible at " + place;
+  }
   if (requirement.triangles.size() == 1) {
-    const std::string triangle = "triangle " + std::to_string(requirement.triangles[0]);
-    if (requirement.most > 1) {
-      return triangle + " covers " + place + " " + std::to_string(requirement.most) + " times";
+    const std::string triangle = "triangle " + names;
+    if (requirement.least > 1) {
+      return triangle + " covers " + place + " " + std::to_string(requirement.least) + " times";
     }
     return triangle + (requirement.most == 0 ? " does not cover " : " covers ") + place;
   }
-  return "triangles " + Names(requirement.triangles) + " cover " + place + " " +
-         std::to_string(std::max(requirement.least, 0)) +
+  return "triangles " + names + " cover " + place + " " + std::to_string(requirement.least) +
          (requirement.least == requirement.most ? "" : " or more") + " times together";
 }
 
@@ -119,6 +128,30 @@ Verdict VerdictOf(const Case& c, const CoverageCounts& shape, std::uint64_t exer
   return verdict;
 }
 
+// Violated if no model explains what was drawn for triangle t alone.
+Verdict HasAModel(const Case& c, std::size_t t, const CoverageCounts& counts) {
+  Scene one = c.scene;
+  one.triangles = {c.scene.triangles[t]};
+  legal::Observed observed;
+  observed.alone = {&counts};
+  legal::JointVerdict joint = legal::JudgeJointly(one, c.profile, observed);
+  if (joint.core) {
+    for (legal::Requirement& requirement : joint.core->requirements) {
+      for (std::size_t& triangle : requirement.triangles) triangle = t;
+    }
+  }
+  return VerdictOf(c, counts, DecisionsOf(c), joint);
+}
+
+// Violated if some triangle, drawn alone, has no model.
+Verdict HaveModels(const Case& c, const Answers& alone) {
+  for (std::size_t t = 0; t < alone.draws.size(); ++t) {
+    Verdict verdict = HasAModel(c, t, alone.draws[t]->counts);
+    if (verdict.outcome == Outcome::kViolated) return verdict;
+  }
+  return Verdict::Held(0);  // the other check counts
+}
+
 // Violated if no model explains what was drawn for each triangle alone.
 Verdict HaveOneModel(const Case& c, const Answers& alone) {
   legal::Observed observed;
@@ -135,7 +168,9 @@ Check OfEachAlone(const Case& c) {
   for (std::size_t t = 0; t < scene->triangles.size(); ++t) {
     check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
   }
-  check.judge = [&c](const Answers& answers) { return HaveOneModel(c, answers); };
+  check.judge = [&c](const Answers& answers) {
+    return MayChooseByCall(c.profile) ? HaveModels(c, answers) : HaveOneModel(c, answers);
+  };
   return check;
 }
 

@@ -22,8 +22,8 @@ Asked Ask(const Case& c, const Description& subject) {
                   [&c, swaps = TellsFacings(subject)](const Answers& answers) {
                     CoverageCounts expected = answers.draws[0]->counts;
                     if (swaps) std::swap(expected.front, expected.back);
-                    return SameCounts(answers.draws[1]->counts, expected, DecisionsOf(c),
-                                      "the unreversed triangles', facing swapped,");
+                    return OfDraw(1, SameCounts(answers.draws[1]->counts, expected, DecisionsOf(c),
+                                                "the unreversed triangles', facing swapped,"));
                   });
 }
 

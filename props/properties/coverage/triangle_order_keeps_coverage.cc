@@ -1,8 +1,13 @@
 // The order of the triangles changes no count.
+//
+// Where the owners of samples on edges are open they may be others in every call: samples are
+// compared that all legal models decide alike.
 #include <algorithm>
 #include <cstddef>
 
+#include "core/freedom.h"
 #include "core/scene.h"
+#include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
@@ -14,6 +19,8 @@ namespace {
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
   if (c.scene.triangles.size() < 2) return NothingAsked("one triangle has one order");
+  const auto open = WhereCallsMayDiffer(c, c.profile.freedom.ties == TieOwnership::kOpen);
+  if (!open) return NothingAsked(kPlacesNotKnown);
   constexpr const char* kInTheOrderGiven = "that in the order given";
   Scene reversed = c.scene;
   std::ranges::reverse(reversed.triangles);
@@ -21,7 +28,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   Scene turned = reversed;
   const auto half = static_cast<std::ptrdiff_t>(turned.triangles.size() / 2);
   std::ranges::rotate(turned.triangles, turned.triangles.begin() + half);
-  return CompareVariations(c, {{reversed, kInTheOrderGiven}, {turned, kInTheOrderGiven}});
+  return CompareVariations(c, {{reversed, kInTheOrderGiven}, {turned, kInTheOrderGiven}}, *open);
 }
 
 }  // namespace

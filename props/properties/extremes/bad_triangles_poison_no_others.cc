@@ -1,4 +1,7 @@
 // Drawing triangles that are not finite or have no area among the others changes no count.
+//
+// Where every call may choose another legal model, samples are compared that all of them decide
+// alike.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,9 +9,12 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
@@ -26,6 +32,18 @@ bool IsGood(const Case& c, const Triangle& t) {
     return IsFinite(v) && std::fabs(v.x) <= c.profile.coordinate_limit &&
            std::fabs(v.y) <= c.profile.coordinate_limit;
   });
+}
+
+// The case, its vertices that no triangle uses in one ordinary place.
+Case WithoutUnused(Case c) {
+  std::vector<bool> is_used(c.scene.vertices.size());
+  for (const Triangle& t : c.scene.triangles) {
+    for (const std::int32_t v : t) is_used[static_cast<std::size_t>(v)] = true;
+  }
+  for (std::size_t v = 0; v < is_used.size(); ++v) {
+    if (!is_used[v]) c.scene.vertices[v] = {0, 0, 0, 1};
+  }
+  return c;
 }
 
 // Puts a bad triangle before and after every good one: with one vertex NaN, one infinite, two of
@@ -71,13 +89,18 @@ constexpr std::array kRules{
 Asked Ask(const Case& c, const Description& /*subject*/) {
   Case good = c;
   std::erase_if(good.scene.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
+  const bool they_may = c.profile.freedom.ties == TieOwnership::kOpen || MayChooseByCall(c.profile);
+  const auto open = WhereCallsMayDiffer(WithoutUnused(good), they_may);
+  if (!open) return NothingAsked(kPlacesNotKnown);
   Questions questions;
   for (const Scene& scene : {good.scene, Poisoned(good.scene, c.profile)}) {
     questions.draws.push_back(WholeCallOf(scene, c.profile, WholeTarget(c)));
   }
-  return OneCheck(std::move(questions), [decisions = DecisionsOf(good)](const Answers& answers) {
-    return SameCounts(answers.draws[1]->counts, answers.draws[0]->counts, decisions,
-                      "that without the bad triangles");
+  return OneCheck(std::move(questions), [decisions = open->Judged(DecisionsOf(good)),
+                                         open = *open](const Answers& answers) {
+    const CoverageCounts& observed = answers.draws[1]->counts;
+    return OfDraw(1, SameCounts(observed, open.Expected(observed, answers.draws[0]->counts),
+                                decisions, "that without the bad triangles"));
   });
 }
 

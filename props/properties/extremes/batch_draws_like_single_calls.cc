@@ -96,7 +96,7 @@ Check InItsOwnCall(const Case& c, DrawQuestion draw, std::size_t k, std::size_t 
       same.message = "scene " + std::to_string(k + 1) + " of a batch of " + std::to_string(count) +
                      ": " + same.message;
     }
-    return same;
+    return OfDraw(1, std::move(same));
   };
   return check;
 }

@@ -74,7 +74,7 @@ Check GuardedDraw(const Case& c, const Scene& scene, const PixelRect& rect) {
     CoverageCounts before(whole.x1, whole.y1, c.profile.pattern.samples());
     std::ranges::fill(before.front, kGuard);
     std::ranges::fill(before.back, kGuard);
-    return LookAround(answers.draws[0]->counts, before, rect);
+    return OfDraw(0, LookAround(answers.draws[0]->counts, before, rect));
   };
   return check;
 }

@@ -1,7 +1,8 @@
 // A scene covers what its own vertices say, though one that differs in a vertex alone came before.
 //
 // What is kept of a call (set-up, tiles, a whole image) and found again by less than all that it
-// was made of shows where a small move changes what is covered.
+// was made of shows where a small move changes what is covered: in the model, or, where the profile
+// leaves a choice, in every legal model.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -16,9 +17,10 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "exact/coverage.h"
+#include "model/snap.h"
 #include "model/snap_scene.h"
-#include "props/judging/as_shown.h"
-#include "props/judging/redraw.h"
+#include "props/judging/gate.h"
+#include "props/judging/legal_counts.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -32,7 +34,7 @@ constexpr std::size_t kMostTriangles = 16;
 
 struct Successor {
   Scene scene;
-  CoverageCounts expected;
+  LegalCounts expected;
   std::string change;  // completes "drawn after the case, with ..."
 };
 
@@ -43,6 +45,12 @@ struct Distance {
 };
 
 std::array<Distance, 3> DistancesOf(const Profile& profile) {
+  if (profile.freedom.MovesVertices() && !profile.snap.IsNone()) {
+    const int coarsest = LegalGrids(profile.snap, profile.freedom).front().bits;
+    return {{{std::ldexp(1.0, 1 - coarsest), "two steps of the coarsest legal grid"},
+             {std::ldexp(1.0, 3 - coarsest), "eight steps of the coarsest legal grid"},
+             {1, "a pixel"}}};
+  }
   int bits = profile.snap.IsNone() ? 8 : profile.snap.bits;
   if (profile.fixed) bits = profile.fixed->fraction_bits;
   return {{{0, "an ulp"}, {std::ldexp(1.0, -bits), "a subpixel step"}, {1, "a pixel"}}};
@@ -64,10 +72,9 @@ bool IsStated(const Scene& scene, const Profile& profile) {
 
 class Successors {
  public:
-  Successors(const Case& c, bool as_shown)
-      : c_(c), as_shown_(as_shown), expected_(Expected(c.scene)) {}
+  explicit Successors(const Case& c) : c_(c), expected_(c.scene, c) {}
 
-  const CoverageCounts& expected() const { return expected_; }
+  const LegalCounts& expected() const { return expected_; }
 
   // The first move of one vertex by the distance that changes what is covered, if any does.
   std::optional<Successor> MovedOneVertex(const Distance& distance) const {
@@ -100,45 +107,39 @@ class Successors {
   }
 
  private:
-  CoverageCounts Expected(const Scene& scene) const {
-    CoverageCounts counts = exact::Coverage(scene, c_.profile, WholeTarget(c_));
-    return as_shown_ ? AsShown(std::move(counts)) : counts;
-  }
-
   std::optional<Successor> IfItDiffers(Scene scene, const std::string& change) const {
     if (!IsStated(scene, c_.profile)) return std::nullopt;
-    CoverageCounts expected = Expected(scene);
-    if (Compare(expected, expected_).wrong == 0) return std::nullopt;
+    LegalCounts expected(scene, c_);
+    if (expected.Apart(expected_) == 0) return std::nullopt;
     return Successor{std::move(scene), std::move(expected), change};
   }
 
   const Case& c_;
-  bool as_shown_;
-  CoverageCounts expected_;
+  LegalCounts expected_;
 };
 
 // The case, each successor behind it, and the case again.
 std::vector<DrawQuestion> DrawsOf(const Case& c, const std::vector<Successor>& successors) {
-  std::vector<DrawQuestion> draws{CountsOf(c.scene, c.profile, WholeTarget(c))};
+  std::vector<DrawQuestion> draws{LegalCounts::QuestionOf(c.scene, c)};
   for (const Successor& successor : successors) {
-    draws.push_back(CountsOf(successor.scene, c.profile, WholeTarget(c)));
+    draws.push_back(LegalCounts::QuestionOf(successor.scene, c));
   }
   draws.push_back(draws.front());
   return draws;
 }
 
-Verdict Judged(const Answers& answers, const CoverageCounts& first,
+Verdict Judged(const Answers& answers, bool counts, const LegalCounts& first,
                const std::vector<Successor>& successors) {
   std::uint64_t changed = 0;
-  for (const Successor& s : successors) changed += Compare(s.expected, first).wrong;
+  for (const Successor& s : successors) changed += s.expected.Apart(first);
   for (std::size_t d = 0; d < answers.draws.size(); ++d) {
     const bool is_the_case = d == 0 || d > successors.size();
-    std::string of = "the model's";
+    std::string of;
     if (d != 0) of += is_the_case ? ", drawn once more" : ", drawn after the case, with ";
     if (!is_the_case) of += successors[d - 1].change + ",";
-    Verdict verdict = SameCounts(answers.draws[d]->counts,
-                                 is_the_case ? first : successors[d - 1].expected, changed, of);
-    if (verdict.outcome == Outcome::kViolated) return verdict;
+    const LegalCounts& expected = is_the_case ? first : successors[d - 1].expected;
+    Verdict verdict = expected.VerdictOn(answers.draws[d]->counts, counts, changed, of);
+    if (verdict.outcome == Outcome::kViolated) return OfDraw(d, std::move(verdict));
   }
   return Verdict::Held(changed);
 }
@@ -149,7 +150,8 @@ Asked Ask(const Case& c, const Description& subject) {
           kMostSamples) {
     return NothingAsked("the case has no triangle, or is large");
   }
-  const Successors of(c, IsJudgedAsShown(subject, c));
+  if (auto why = WhyNoLegalCounts(c.scene, c.profile)) return NothingAsked(*why);
+  const Successors of(c);
   std::vector<Successor> successors;
   for (const Distance& distance : DistancesOf(c.profile)) {
     if (auto moved = of.MovedOneVertex(distance)) successors.push_back(*std::move(moved));
@@ -159,10 +161,16 @@ Asked Ask(const Case& c, const Description& subject) {
   Questions questions;
   questions.company = Company::kInOrderAlone;
   questions.draws = DrawsOf(c, successors);
-  return OneCheck(std::move(questions),
-                  [first = of.expected(), successors = std::move(successors)](
-                      const Answers& answers) { return Judged(answers, first, successors); });
+  const CoverageKind kind = subject.info.coverage;
+  const bool counts = kind == CoverageKind::kFacingCounts || kind == CoverageKind::kCounts;
+  return OneCheck(
+      std::move(questions),
+      [counts, first = of.expected(), successors = std::move(successors)](const Answers& answers) {
+        return Judged(answers, counts, first, successors);
+      });
 }
+
+constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
 }  // namespace
 
@@ -173,7 +181,7 @@ constinit const Property kNewVerticesGiveNewCoverage{
     .tolerance = kExact,
     .domains = kNearEdges,
     .is_about_sequence = true,
-    .gate = Where({.asks_oracle = true},
+    .gate = Where({.any_model = true, .rules = kRules, .asks_oracle = true},
                   "a vertex of its first triangle that can move and change what is covered"),
     .ask = Ask,
 };

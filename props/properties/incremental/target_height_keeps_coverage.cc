@@ -34,9 +34,13 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
     asked.checks.push_back(CheckAgainstBase(
         WholeCallOf(higher, c.profile, WholeTarget(c)),
         [&c, height](const CoverageCounts& observed, const CoverageCounts& base) {
-          return SameCounts(RowsFromZero(observed, c.scene.height, c.profile.y_axis), base,
-                            DecisionsOf(c),
-                            "the lower target's when " + std::to_string(height) + " pixels high");
+          Verdict verdict = SameCounts(
+              RowsFromZero(observed, c.scene.height, c.profile.y_axis), base, DecisionsOf(c),
+              "the lower target's when " + std::to_string(height) + " pixels high");
+          // Row 0 of the higher target lies above those that both have.
+          const bool is_below = c.profile.y_axis == YAxis::kUp;
+          if (verdict.witness && is_below) verdict.witness->y += height - c.scene.height;
+          return verdict;
         }));
   }
   return asked;

@@ -1,0 +1,253 @@
+#include "legal/minimal_set.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <ranges>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/coverage.h"
+#include "legal/decided.h"
+#include "legal/family_samples.h"
+#include "legal/model_clauses.h"
+#include "legal/triangle_samples.h"
+
+namespace rasterproof::legal {
+namespace {
+
+using SeenSet = std::set<Seen>;
+
+// The models of one family at some samples, asked again and again which parts they explain.
+class FamilyAtSamples {
+ public:
+  FamilyAtSamples(const Scene& scene, const Profile& profile, const Family& family,
+                  const Observed& observed, const std::vector<bool>* only)
+      : view_(scene, profile, family), all_(view_, only), clauses_(view_) {
+    for (const Need& need : NeedsOf(all_, observed)) {
+      if (only != nullptr && !(*only)[need.seen.sample]) continue;
+      if (need.IsImpossible()) impossible_.insert(need.seen);
+      if (need.IsImpossible() || need.IsEmpty()) continue;
+      std::vector<Literal> covers;
+      Asked& asked = asked_[need.seen];
+      for (const std::size_t o : need.open) {
+        covers.push_back(clauses_.Covers(all_.open[o]));
+        for (const std::size_t corner : all_.open[o].corner)
+          asked.vertices.push_back(view_.VertexOf(all_.open[o].triangle, corner));
+      }
+      asked.literals.push_back(clauses_.Between(covers, need.least, need.most));
+    }
+    for (const CommonEdgeSample& edge : all_.common_edges) clauses_.AddOwner(edge);
+  }
+
+  // Whatever no choice meets or may be missed by one, and so may contradict all.
+  std::vector<Seen> MayBeWrong() const {
+    SeenSet seen = impossible_;
+    for (const auto& [one, asked] : asked_) seen.insert(one);
+    return {seen.begin(), seen.end()};
+  }
+
+  Answer Explains(const SeenSet& set, std::uint64_t most_propagations) {
+    rests_on_.clear();
+    const auto wrong = std::ranges::find_if(set, [&](Seen s) { return impossible_.contains(s); });
+    if (wrong != set.end()) {
+      rests_on_.insert(*wrong);
+      return Answer::kUnsatisfiable;
+    }
+    std::vector<Literal> assumptions;
+    for (const Seen& one : set) {
+      const auto asked = asked_.find(one);
+      if (asked == asked_.end()) continue;
+      assumptions.insert(assumptions.end(), asked->second.literals.begin(),
+                         asked->second.literals.end());
+    }
+    const Answer answer = clauses_.solver().Solve(assumptions, most_propagations);
+    if (answer != Answer::kUnsatisfiable) return answer;
+    for (const Seen& one : set) {
+      const auto asked = asked_.find(one);
+      if (asked == asked_.end()) continue;
+      const auto rests = [&](Literal literal) { return clauses_.solver().RestsOn(literal); };
+      if (std::ranges::any_of(asked->second.literals, rests)) rests_on_.insert(one);
+    }
+    return answer;
+  }
+
+  // Those of the last set that its answer, kUnsatisfiable, rests on.
+  const SeenSet& RestsOn() const { return rests_on_; }
+
+  // The vertices whose places decide it.
+  std::vector<std::size_t> VerticesOf(const Seen& seen) const {
+    const auto asked = asked_.find(seen);
+    return asked == asked_.end() ? std::vector<std::size_t>() : asked->second.vertices;
+  }
+
+ private:
+  struct Asked {
+    std::vector<Literal> literals;
+    std::vector<std::size_t> vertices;
+  };
+
+  FamilyView view_;
+  FamilySamples all_;
+  ModelClauses clauses_;
+  SeenSet impossible_;
+  std::map<Seen, Asked> asked_;
+  SeenSet rests_on_;
+};
+
+std::vector<bool> SamplesOf(const std::ranges::range auto& seen, std::size_t samples) {
+  std::vector<bool> only(samples);
+  for (const Seen& one : seen) only[one.sample] = true;
+  return only;
+}
+
+// What was seen, and what a search for a smaller part of it may cost.
+struct Search {
+  const Scene& scene;
+  const Profile& profile;
+  const Observed& observed;
+  std::uint64_t most_propagations;
+
+  std::size_t Samples() const {
+    return CoverageCounts::Size(scene.width, scene.height, profile.pattern.samples());
+  }
+  std::unique_ptr<FamilyAtSamples> At(const Family& family, const std::vector<bool>* only) const {
+    return std::make_unique<FamilyAtSamples>(scene, profile, family, observed, only);
+  }
+};
+
+// All that no model of any family explains by itself. The finest grid leaves least open, and comes
+// first: what it explains need not be asked of the others.
+std::vector<Seen> WrongByThemselves(const Search& search, const std::vector<Family>& families) {
+  std::vector<Seen> wrong;
+  for (std::size_t f = families.size(); f-- > 0;) {
+    const bool is_first = f + 1 == families.size();
+    const std::vector<bool> only = SamplesOf(wrong, search.Samples());
+    const auto family = search.At(families[f], is_first ? nullptr : &only);
+    if (is_first) wrong = family->MayBeWrong();
+    std::erase_if(wrong, [&](const Seen& one) {
+      return family->Explains({one}, search.most_propagations) != Answer::kUnsatisfiable;
+    });
+    if (wrong.empty()) break;
+  }
+  return wrong;
+}
+
+using Families = std::vector<std::unique_ptr<FamilyAtSamples>>;
+
+// What every family's refutation of the set rests on; nothing if one has a model, or gave up.
+std::optional<SeenSet> Refuted(const Families& families, const SeenSet& set,
+                               std::uint64_t most_propagations, bool& gave_up) {
+  SeenSet rests_on;
+  for (const auto& family : families) {
+    const Answer answer = family->Explains(set, most_propagations);
+    gave_up = gave_up || answer == Answer::kGaveUp;
+    if (answer != Answer::kUnsatisfiable) return std::nullopt;
+    rests_on.insert(family->RestsOn().begin(), family->RestsOn().end());
+  }
+  return rests_on;
+}
+
+// Leaves out one after the other, as long as no family has a model of the others. Returns whether
+// the end is minimal.
+bool Minimize(const Families& families, std::uint64_t most_propagations, SeenSet& set) {
+  bool gave_up = false;
+  if (const auto fewer = Refuted(families, set, most_propagations, gave_up)) set = *fewer;
+  constexpr std::size_t kMostTried = 400;
+  if (set.size() > kMostTried) return false;
+  for (auto one = set.begin(); one != set.end();) {
+    const Seen here = *one;
+    SeenSet others = set;
+    others.erase(here);
+    if (const auto fewer = Refuted(families, others, most_propagations, gave_up)) set = *fewer;
+    one = set.upper_bound(here);
+  }
+  return !gave_up;
+}
+
+// The samples with all that may cover them, and how often legal models do.
+void AddRequirements(const Search& search, const SeenSet& set, Core& core) {
+  const std::vector<bool> only = SamplesOf(set, search.Samples());
+  const Decided decided = DecidedSamples(search.scene, search.profile, &only);
+  const auto samples = static_cast<std::size_t>(decided.samples);
+  const auto width = static_cast<std::size_t>(search.scene.width);
+  const auto families = FamiliesOf(search.profile, search.scene);
+  const FamilyView view(search.scene, search.profile, families.front());
+  for (const Seen& seen : set) {
+    const std::size_t pixel = seen.sample / samples;
+    Requirement requirement;
+    requirement.sample = seen.sample;
+    requirement.at = view.At(static_cast<int>(pixel % width), static_cast<int>(pixel / width),
+                             seen.sample % samples);
+    const auto covers = [&](std::size_t t) {
+      const TriangleDecided& of = decided.triangles[t];
+      if (std::ranges::binary_search(of.must, seen.sample)) return std::pair{1, 1};
+      const bool may = of.is_anything || std::ranges::binary_search(of.may, seen.sample);
+      return std::pair{0, may ? 1 : 0};
+    };
+    if (seen.triangle != Seen::kTogether) {
+      requirement.triangles = {seen.triangle};
+      std::tie(requirement.legal_least, requirement.legal_most) = covers(seen.triangle);
+      const auto count = search.observed.alone[seen.triangle]->Count(seen.sample);
+      requirement.least = requirement.most = static_cast<int>(count);
+    } else {
+      for (std::size_t t = 0; t < decided.triangles.size(); ++t) {
+        if (covers(t).second != 0) requirement.triangles.push_back(t);
+      }
+      requirement.legal_least = decided.Least(seen.sample);
+      requirement.legal_most = decided.Most(seen.sample);
+      if (search.observed.primitive_ids != nullptr)
+        requirement.visible = (*search.observed.primitive_ids)[seen.sample];
+      if (search.observed.together != nullptr) {
+        const auto count = static_cast<int>(search.observed.together->Count(seen.sample));
+        const auto all = static_cast<int>(search.scene.triangles.size());
+        requirement.least = count;
+        requirement.most = search.observed.is_mask && count != 0 ? std::max(count, all) : count;
+      }
+    }
+    core.requirements.push_back(std::move(requirement));
+  }
+}
+
+void SortOnce(std::vector<std::size_t>& numbers) {
+  std::ranges::sort(numbers);
+  const auto repeated = std::ranges::unique(numbers);
+  numbers.erase(repeated.begin(), repeated.end());
+}
+
+}  // namespace
+
+Core MinimalSet(const Scene& scene, const Profile& profile, const Observed& observed,
+                std::span<const std::vector<Seen>> refutations, const Effort& effort) {
+  const Search search{scene, profile, observed, effort.most_propagations};
+  const std::vector<Family> of_profile = FamiliesOf(profile, scene);
+  Core core;
+  const std::vector<Seen> wrong = WrongByThemselves(search, of_profile);
+  if (!wrong.empty()) {
+    core.wrong_by_themselves = wrong.size();
+    AddRequirements(search, {wrong.front()}, core);
+    return core;
+  }
+  SeenSet set;
+  for (const std::vector<Seen>& refutation : refutations)
+    set.insert(refutation.begin(), refutation.end());
+  const std::vector<bool> only = SamplesOf(set, search.Samples());
+  Families families;
+  for (const Family& family : of_profile) families.push_back(search.At(family, &only));
+  core.is_minimal = Minimize(families, effort.most_propagations, set);
+  for (const Seen& seen : set) {
+    for (const auto& family : families) {
+      const std::vector<std::size_t> vertices = family->VerticesOf(seen);
+      core.vertices.insert(core.vertices.end(), vertices.begin(), vertices.end());
+    }
+  }
+  SortOnce(core.vertices);
+  AddRequirements(search, set, core);
+  return core;
+}
+
+}  // namespace rasterproof::legal

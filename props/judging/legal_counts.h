@@ -1,0 +1,50 @@
+// How often the legal models of a profile cover the samples of a scene.
+#ifndef RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_
+#define RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/coverage.h"
+#include "core/question.h"
+#include "core/scene.h"
+#include "core/verdict.h"
+
+namespace rasterproof::props {
+
+/// Returns why the counts of legal models are not known, or nothing if they are.
+std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const Profile& profile);
+
+/// Where the profile leaves one model, its coverage by facing. Else for every sample the numbers of
+/// times that some legal model covers it; facings are not looked at.
+class LegalCounts {
+ public:
+  /// Of another scene on the case's target, under its profile, culling and scissor off.
+  ///
+  /// Domain:     window space; no WhyNoLegalCounts.
+  LegalCounts(const Scene& scene, const Case& c);
+
+  /// The samples that no legal model of the one covers as some legal model of the other does.
+  std::uint64_t Apart(const LegalCounts& other) const;
+
+  /// Asks for the scene: by facing where one model is legal, else for what one call shows.
+  static DrawQuestion QuestionOf(const Scene& scene, const Case& c);
+  /// Violated if no legal model covers some sample as it was drawn. `counts`: whether the subject
+  /// counts; else 1 stands for any number but 0.
+  Verdict VerdictOn(const CoverageCounts& drawn, bool counts, std::uint64_t exercised,
+                    const std::string& of) const;
+
+ private:
+  Verdict JudgeBySample(const CoverageCounts& drawn, bool counts, std::uint64_t exercised,
+                        const std::string& of) const;
+
+  std::optional<CoverageCounts> only_;
+  std::vector<std::uint64_t> numbers_;  ///< as legal::Decided::counts
+};
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_

@@ -1,0 +1,69 @@
+// What a case was drawn for, as its scene shows it: the places where rasterizers differ.
+#ifndef RASTERPROOF_PROPS_RUN_CASE_PLACES_H_
+#define RASTERPROOF_PROPS_RUN_CASE_PLACES_H_
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/case.h"
+#include "core/result.h"
+
+namespace rasterproof::props {
+
+enum class CasePlace : std::uint8_t {
+  kTieOnHorizontalEdge,
+  kTieOnVerticalEdge,
+  kTieOnSlantedEdge,
+  kTieOnSharedEdge,
+  kVertexOnASample,
+  kFlatTriangle,
+  kOffTarget
+};
+
+/// Their words, in the order of CasePlace: they complete "cases with ...".
+inline constexpr std::array<std::string_view, 7> kCasePlaces{
+    "a sample on a horizontal edge", "a sample on a vertical edge", "a sample on a slanted edge",
+    "a sample on a shared edge",     "a vertex on a sample",        "a triangle of zero area",
+    "a triangle off the target"};
+
+using CasePlaces = std::bitset<kCasePlaces.size()>;
+
+constexpr std::size_t IndexOf(CasePlace place) { return static_cast<std::size_t>(place); }
+
+/// What is seen of a case without drawing it.
+struct CaseEvidence {
+  NearEdgeCounts near_edge;
+  CasePlaces places;
+};
+
+/// As CountNearEdges of near_edge.h, with the places. Samples count as on an edge between its ends,
+/// and on the target; an edge is shared if another triangle of the case has it by its whole length.
+/// In clip space without a snap vertices and areas are taken from quotients in long double.
+CaseEvidence EvidenceOfCase(const Case& c);
+
+/// Cases that put a property to the test, or would have if they had not been refused.
+struct PlaceCounts {
+  std::uint64_t asked = 0;
+  std::uint64_t refused = 0;
+};
+
+/// One of each place.
+using CountsOfPlaces = std::array<PlaceCounts, kCasePlaces.size()>;
+
+/// Of fewer cases at a place it says nothing that all were refused: a subject that refuses any half
+/// of all cases refuses 16 given ones once in 65,536 times.
+inline constexpr std::uint64_t kFewestCasesAtAPlace = 16;
+
+void Add(CountsOfPlaces& counts, const CountsOfPlaces& more);
+
+/// The places whose cases were all refused, at least kFewestCasesAtAPlace of each, with their
+/// numbers: "all 31 cases with a sample on a horizontal edge". Empty: there is none.
+std::string RefusedThroughout(const CountsOfPlaces& counts);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_RUN_CASE_PLACES_H_

@@ -1,0 +1,98 @@
+// What a specification leaves open from call to call is let pass; what it leaves open within its
+// range and on its grids too. What lies just outside is found.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/profile.h"
+#include "props/judging/open_by_call.h"
+#include "props/properties/all.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+#include "subjects/mutants/mutants.h"
+
+namespace rasterproof::props {
+namespace {
+
+PropertyResult CampaignOn(const std::string& name, const Property& property, std::uint64_t seed) {
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
+  return RunCampaign(*subject, property, {.seed = seed, .cases = 200, .shrink_budget = 20});
+}
+
+void ExpectLegal(const std::string& name, const Property& property) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const PropertyResult result = CampaignOn(name, property, seed);
+    EXPECT_EQ(result.outcome, Outcome::kHolds)
+        << name << ", " << property.name << ", seed " << seed << ": " << result.message;
+  }
+}
+
+void ExpectFound(const std::string& name, const Property& property) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    EXPECT_EQ(CampaignOn(name, property, seed).outcome, Outcome::kViolated)
+        << name << ", " << property.name << ", seed " << seed;
+  }
+}
+
+TEST(MayChooseByCall, WhereNoClauseSaysThatEqualDrawsAreEqual) {
+  for (const char* name : {"d3d11", "d3d11-4x", "webgpu"})
+    EXPECT_TRUE(MayChooseByCall(*PresetProfile(name))) << name;
+  for (const char* name : {"vulkan", "gl", "real", "d3d11-canonical"})
+    EXPECT_FALSE(MayChooseByCall(*PresetProfile(name))) << name;
+}
+
+TEST(LegalCalls, AnotherLegalModelInAnotherCallIsTaken) {
+  for (const char* name : {"legal:d3d11-snap-by-call", "legal:webgpu-grid-by-call"}) {
+    ExpectLegal(name, kOneLegalModelExplainsTheMesh);
+  }
+  ExpectLegal("legal:webgpu-grid-by-call", kTriangleOrderKeepsCoverage);
+  ExpectLegal("legal:webgpu-grid-by-call", kOneCallDrawsLikeItsTriangles);
+  ExpectLegal("legal:d3d11-snap-by-call", kBadTrianglesPoisonNoOthers);
+}
+
+TEST(LegalCalls, AnotherModelForAnotherTriangleIsFound) {
+  ExpectFound("mutant:d3d11-snap-by-triangle", kOneLegalModelExplainsTheMesh);
+}
+
+TEST(LegalCalls, OwnersThatChangeFromCallToCallAreTakenWhereTheyAreOpen) {
+  ExpectLegal("legal:webgpu-owner-by-number", kTriangleOrderKeepsCoverage);
+  ExpectLegal("legal:webgpu-owner-by-number", kOneCallDrawsLikeItsTriangles);
+}
+
+TEST(LegalCalls, SamplesOffEdgesThatChangeFromCallToCallAreFound) {
+  ExpectFound("mutant:webgpu-lost-by-number", kTriangleOrderKeepsCoverage);
+  ExpectFound("mutant:webgpu-lost-by-number", kOneCallDrawsLikeItsTriangles);
+}
+
+// An edge through samples, to a vertex at the far end; what lies on it is not covered.
+Verdict OfEdgeTo(double far, const std::string& name) {
+  Case c;
+  c.scene.width = 64;
+  c.scene.height = 64;
+  c.scene.vertices = {{0.5, 0.5, 0, 1}, {far, 0.5 + (far - 0.5) / 2, 0, 1}, {0.5, 90, 0, 1}};
+  c.scene.triangles = {{0, 1, 2}, {0, 2, 1}};
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
+  c.profile = subject->Info().profile;
+  return RunCase(*subject, kOneLegalModelExplainsTheMesh, c);
+}
+
+TEST(LegalRange, EndsAtWhatSixteenPointEightHolds) {
+  // A clamped vertex bends the edge, and no legal model does, if its place is said to be legal.
+  constexpr double kEnd = 0x1p15 - 0x1p-7;
+  EXPECT_EQ(OfEdgeTo(kEnd, "legal:d3d11-clamps-to-range").outcome, Outcome::kHolds);
+  EXPECT_EQ(OfEdgeTo(0x1p15 + 0.5, "legal:d3d11-clamps-to-range").outcome, Outcome::kNotExercised);
+  EXPECT_EQ(OfEdgeTo(0x1p15, "legal:d3d11-clamps-to-range").outcome, Outcome::kNotExercised);
+  EXPECT_EQ(OfEdgeTo(kEnd, "mutant:d3d11-clamps-to-half-range").outcome, Outcome::kViolated);
+  ExpectLegal("legal:d3d11-clamps-to-range", kOneLegalModelExplainsTheMesh);
+}
+
+TEST(LegalGrids, AreOfAnyNumberOfBitsFromTheFewest) {
+  ExpectLegal("legal:vulkan-17-bits", kOneLegalModelExplainsTheMesh);
+  ExpectLegal("legal:vulkan-23-bits", kOneLegalModelExplainsTheMesh);
+  ExpectFound("mutant:vulkan-17-bits-some-3", kOneLegalModelExplainsTheMesh);
+}
+
+}  // namespace
+}  // namespace rasterproof::props

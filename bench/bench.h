@@ -38,8 +38,10 @@ struct BenchOptions {
 
 /// Which of the built-in methods and kernels are drawn.
 enum class ContenderChoice : std::uint8_t {
-  kQuick,  ///< every method; kernels by AVX2 and the widest vectors into counts, masks by the widest
-  kFull    ///< every method; kernels by every instruction set into every sink
+  /// Every method; kernels by AVX2 and the widest vectors into counts, by the widest into masks.
+  kQuick,
+  /// Every method; kernels by every instruction set into every sink.
+  kFull
 };
 
 /// The project's own: every method of the table, every kernel; the baselines and their twins first.

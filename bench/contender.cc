@@ -35,7 +35,7 @@ DrawTime Timed(const Call& call) {
   return {.seconds = end - start, .wall_seconds = WallSeconds() - wall};
 }
 
-// The kind of a method, by what it computes in and whether it states to be exact.
+// The kind of a method, by what it computes in and whether 0 wrong samples are stated of it.
 std::string KindOf(const SubjectInfo& info) {
   if (!info.profile.snap.IsNone()) return "fixed point";
   if (info.states_exact) return "exact";

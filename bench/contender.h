@@ -50,8 +50,8 @@ class Contender {
   virtual std::optional<CoverageCounts> Drawn() = 0;
   /// Whether triangles can be drawn alone, so that its decisions are judged one by one.
   virtual bool DrawsAlone() const { return true; }
-  /// Draws one triangle of the loaded family alone onto the cleared target; `box` becomes 1 where it
-  /// is covered. The target is cleared again within the box.
+  /// Draws one triangle of the loaded family alone onto the cleared target; `box` becomes 1 where
+  /// it is covered. The target is cleared again within the box.
   ///
   /// Shape:      row-major, area.x1 - area.x0 bytes a row.
   virtual void DrawAlone(std::size_t triangle, const PixelRect& area,
@@ -76,8 +76,8 @@ std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod 
                                                reference::kernels::Target target,
                                                reference::kernels::Sink sink);
 
-/// A subject in this process, into the counts that it shows. Its time is that of a draw less that of
-/// a draw of the same vertices without triangles, which is what it converts; the latter is told
+/// A subject in this process, into the counts that it shows. Its time is that of a draw less that
+/// of a draw of the same vertices without triangles, which is what it converts; the latter is told
 /// apart. Its decisions are not judged pair by pair: one call for each triangle takes too long.
 ///
 /// Domain:     one sample a pixel, in its centre; the subject outlives the contender.

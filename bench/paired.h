@@ -13,7 +13,7 @@ namespace rasterproof::bench {
 /// Returns the order in which round `round` draws `count` methods: a row of a Williams design.
 ///
 /// Properties: over 2 `count` rounds every method stands at every place equally often, and follows
-///             every other one equally often: what a method leaves in the caches falls on all alike.
+///             every other one equally often: what a method leaves in the caches falls on all.
 /// Source:     Williams, Australian Journal of Scientific Research A 2 (1949).
 std::vector<std::size_t> RoundOrder(std::size_t count, std::size_t round);
 

@@ -63,7 +63,8 @@ double YOf(const BenchResult& result, const BenchRow& row) {
       return kTop + kRateHeight + 1.5 * lane;
     case ErrorLane::kNone:
       return kTop + kRateHeight + 0.5 * lane;
-    default:
+    case ErrorLane::kRate:
+    case ErrorLane::kNotJudged:
       break;
   }
   const double share = std::clamp(WrongShare(result, row), kLeastRate, 1.0);

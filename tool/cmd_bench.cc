@@ -140,8 +140,8 @@ int RunBench(const BenchOptions& options) {
     Progress progress;
     progress.Stage("bench");
     bench::BenchOptions bench_options;
-    // Rounds take half: samples and errors are counted besides, and the least rounds take as long as
-    // they take.
+    // Rounds take half: samples and errors are counted besides, and the least rounds take as long
+    // as they take.
     bench_options.seconds_per_family = 0.5 * options.budget / static_cast<double>(families.size());
     bench_options.judged_pixels = options.budget < kFullFrom ? 500'000 : 4'000'000;
     bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };

@@ -40,6 +40,8 @@ inline constexpr auto kFacingClauses = std::to_array<std::string_view>(
     {"gl.facing", "vulkan.facing", "d3d11.cull-after-snap", "webgpu.facing"});
 inline constexpr auto kCentroidClauses = std::to_array<std::string_view>(
     {"gl.centroid", "vulkan.centroid", "d3d11.centroid", "webgpu.centroid"});
+inline constexpr auto kBarycentricClauses =
+    std::to_array<std::string_view>({"gl.barycentric", "vulkan.barycentric"});
 // Pixels as squares: what is met must be covered, what is held may be.
 inline constexpr auto kSquaresMetClauses =
     std::to_array<std::string_view>({"gl.nv-conservative", "vulkan.overestimate",

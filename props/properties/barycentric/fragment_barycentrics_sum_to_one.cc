@@ -9,6 +9,7 @@
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -47,6 +48,7 @@ constinit const Property kFragmentBarycentricsSumToOne{
     .group = "barycentric",
     .clause =
         "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
+    .required_by = kBarycentricClauses,
     .tolerance = "the sum of the three tolerances of FragmentBarycentricsStayWithinTheirError",
     .domains = kBarycentrics,
     .gate = {.shows = Shows::kFragments,

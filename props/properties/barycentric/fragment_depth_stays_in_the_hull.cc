@@ -8,6 +8,7 @@
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -39,6 +40,7 @@ constinit const Property kFragmentDepthStaysInTheHull{
     .name = "FragmentDepthStaysInTheHull",
     .group = "barycentric",
     .clause = "Inside, a depth is a convex combination of the vertices' depths.",
+    .required_by = kBarycentricClauses,
     .tolerance = kDepthTolerance,
     .domains = kBarycentrics,
     .gate = {.shows = Shows::kFragments,

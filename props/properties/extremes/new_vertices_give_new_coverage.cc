@@ -19,9 +19,12 @@
 #include "exact/coverage.h"
 #include "model/snap.h"
 #include "model/snap_scene.h"
+#include "props/judging/flat_triangles.h"
 #include "props/judging/gate.h"
 #include "props/judging/legal_counts.h"
+#include "props/judging/redraw.h"
 #include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
@@ -65,9 +68,14 @@ double MovedBy(double x, double distance, double sign, Precision precision) {
   return distance == 0 ? std::nextafter(narrow, static_cast<float>(sign) * HUGE_VALF) : narrow;
 }
 
-bool IsStated(const Scene& scene, const Profile& profile) {
-  return WithinLimits(scene, profile) && CanBeGiven(scene, profile) &&
-         IsUnclipped(scene, profile) && !exact::WhyNotDecided(scene, profile);
+// Whether the profile says what the case's scene covers, triangles without area included.
+bool IsStated(const Case& c) {
+  if (!WithinLimits(c.scene, c.profile) || !CanBeGiven(c.scene, c.profile) ||
+      !IsUnclipped(c.scene, c.profile) || exact::WhyNotDecided(c.scene, c.profile)) {
+    return false;
+  }
+  return c.profile.degenerate_triangles == DegenerateTriangles::kNothing ||
+         FlatTriangles(c).empty();
 }
 
 class Successors {
@@ -108,7 +116,7 @@ class Successors {
 
  private:
   std::optional<Successor> IfItDiffers(Scene scene, const std::string& change) const {
-    if (!IsStated(scene, c_.profile)) return std::nullopt;
+    if (!IsStated({scene, c_.profile, c_.options, {}})) return std::nullopt;
     LegalCounts expected(scene, c_);
     if (expected.Apart(expected_) == 0) return std::nullopt;
     return Successor{std::move(scene), std::move(expected), change};
@@ -178,6 +186,7 @@ constinit const Property kNewVerticesGiveNewCoverage{
     .name = "NewVerticesGiveNewCoverage",
     .group = "extremes",
     .clause = "What a scene covers follows from its own vertices, not from what was drawn before.",
+    .required_by = kLegalModelClauses,
     .tolerance = kExact,
     .domains = kNearEdges,
     .is_about_sequence = true,

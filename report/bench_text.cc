@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "fmt/format.h"
@@ -39,8 +40,8 @@ std::vector<const BenchRow*> RowsOf(const BenchResult& result, std::size_t famil
   const auto place = [&](const BenchRow* row) {
     return std::ranges::find(sinks, result.methods[row->method].sink) - sinks.begin();
   };
-  std::ranges::stable_sort(rows, [&](const BenchRow* a, const BenchRow* b) {
-    return std::pair(place(a), a->time.median) < std::pair(place(b), b->time.median);
+  std::ranges::sort(rows, {}, [&](const BenchRow* row) {
+    return std::tuple(place(row), row->time.median, row->method);
   });
   return rows;
 }

@@ -80,11 +80,11 @@ TEST(Facings, ExchangedByTriangleCallOrTargetAreFound) {
   for (const char* name : {"mutant:vulkan-facing-by-hash", "mutant:d3d11-facing-by-hash",
                            "mutant:vulkan-facing-by-place", "mutant:vulkan-facing-by-call",
                            "mutant:vulkan-facing-by-target"}) {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
       EXPECT_EQ(RunOn(name, kFacingIsOneAtAllSamples, seed).outcome, Outcome::kViolated) << name;
     }
   }
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     EXPECT_EQ(RunOn("mutant:vulkan-culls-the-other", kCullingRemovesOneFacing, seed).outcome,
               Outcome::kViolated);
   }

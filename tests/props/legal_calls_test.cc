@@ -22,7 +22,7 @@ PropertyResult CampaignOn(const std::string& name, const Property& property, std
 }
 
 void ExpectLegal(const std::string& name, const Property& property) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const PropertyResult result = CampaignOn(name, property, seed);
     EXPECT_EQ(result.outcome, Outcome::kHolds)
         << name << ", " << property.name << ", seed " << seed << ": " << result.message;
@@ -30,7 +30,7 @@ void ExpectLegal(const std::string& name, const Property& property) {
 }
 
 void ExpectFound(const std::string& name, const Property& property) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     EXPECT_EQ(CampaignOn(name, property, seed).outcome, Outcome::kViolated)
         << name << ", " << property.name << ", seed " << seed;
   }

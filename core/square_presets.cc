@@ -24,8 +24,8 @@ SquareRule Conservative(double half_width, FlatSquares flat) {
 }
 
 // "Any part of a primitive" is said of it as it is given: a clip that moves its edges is no excuse.
-Profile UnclippedDirect3D() {
-  Profile profile = *PresetProfile("d3d11");
+Profile Unclipped(std::string_view preset) {
+  Profile profile = *PresetProfile(preset);
   profile.guard_band.reset();
   return profile;
 }
@@ -41,24 +41,24 @@ std::optional<Profile> WithRule(std::string_view name) {
     return profile;
   };
   if (name == "d3d12-conservative-1")
-    return with(UnclippedDirect3D(), Conservative(0.5, FlatSquares::kFree));
+    return with(Unclipped("d3d11"), Conservative(0.5, FlatSquares::kFree));
   if (name == "d3d12-conservative-2" || name == "d3d12-conservative-3") {
-    return with(UnclippedDirect3D(), Conservative(0x1p-8, FlatSquares::kDrawn));
+    return with(Unclipped("d3d11"), Conservative(0x1p-8, FlatSquares::kDrawn));
   }
   // Figure consras7: a pixel that a side touches from within is not inside.
   if (name == "d3d12-inner") {
-    return with(UnclippedDirect3D(), {Holds(kClosed, kOpen, kPlaced, 0x1p-8),
-                                      Holds(kClosed, kOpen, kGiven), FlatSquares::kNothing});
+    return with(Unclipped("d3d11"), {Holds(kClosed, kOpen, kPlaced, 0x1p-8),
+                                     Holds(kClosed, kOpen, kGiven), FlatSquares::kNothing});
   }
   // "Any part of the primitive, including its edges, covers any part of the rectangular pixel area,
   // including its sides"; what it is grown by has no bound.
   if (name == "vulkan-overestimate") {
-    return with(*PresetProfile("vulkan"),
+    return with(Unclipped("vulkan"),
                 {Meets(kClosed, kClosed, kPlaced), std::nullopt, FlatSquares::kFree});
   }
   // "Only generated if the rectangular pixel area is fully covered".
   if (name == "vulkan-underestimate") {
-    return with(*PresetProfile("vulkan"),
+    return with(Unclipped("vulkan"),
                 {std::nullopt, Holds(kClosed, kClosed, kPlaced), FlatSquares::kNothing});
   }
   if (name == "gdal-all-touched") {

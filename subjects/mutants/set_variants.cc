@@ -316,7 +316,7 @@ std::vector<Mutant> SetVariants() {
 std::vector<Mutant> SetMutants() {
   return {
       {"vulkan-3-bits", "the grid has three subpixel bits, where four are the fewest", "",
-       Snapping("vulkan", [](double x) { return Nearest(x, 3); })},
+       Unclipped(Snapping("vulkan", [](double x) { return Nearest(x, 3); }))},
       {"vulkan-two-owners", "every edge owns its samples", "",
        Owning("vulkan", [](const GridEdge&, const GridTriangle&, const Sample&) { return true; })},
       {"vulkan-no-owner", "no edge owns its samples", "",

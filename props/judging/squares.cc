@@ -33,7 +33,7 @@ std::uint64_t TouchedSquares(Case c) {
 }
 
 // A triangle of which no square may be covered was put to the test at the squares that it touches.
-Verdict ComparedToNone(Verdict verdict, MayBe allowed, const Case& one) {
+Verdict ComparedToNone(const Verdict& verdict, MayBe allowed, const Case& one) {
   const bool is_none = allowed == MayBe::kLess && verdict.outcome == Outcome::kNotExercised;
   return is_none ? Verdict::Held(TouchedSquares(one)) : verdict;
 }
@@ -66,7 +66,7 @@ Asked CompareEachAndAll(const Case& c, const Description& subject, MayBe allowed
       const Case one = OnlyTriangles(c, {t});
       Verdict verdict =
           ComparedTo(answers.draws[0]->counts, expected(one, WholeTarget(c)), allowed, message);
-      verdict = ComparedToNone(std::move(verdict), allowed, one);
+      verdict = ComparedToNone(verdict, allowed, one);
       if (verdict.witness) verdict.witness->triangle = static_cast<int>(t);
       return verdict;
     };

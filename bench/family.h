@@ -16,8 +16,8 @@ namespace rasterproof::bench {
 /// How much of a family is drawn: enough to see which method leads, or all of it.
 enum class FamilySize : std::uint8_t { kQuick, kFull };
 
-/// A family, or a scene of the user's, in the formats that methods read: nothing is converted while
-/// a method is timed.
+/// A family, or a scene of the user's, in the two formats that methods read, both made before
+/// anything is timed.
 struct FamilyInput {
   std::string name;
   std::string summary;

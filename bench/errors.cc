@@ -91,7 +91,7 @@ class ErrorCount {
     distances_.push_back(distance);
     if (errors_.worst && distance <= errors_.displacement) return;
     errors_.displacement = distance;
-    errors_.worst = BenchWitness{triangle, x, y, distance};
+    errors_.worst = BenchWitness{triangle, {}, x, y, distance};
   }
 
   const ExactTriangles& exact_;
@@ -260,6 +260,11 @@ const Judgement& CoverageJudge::Of(Contender& contender) {
   judgement.leaks = Leaks(&own != &real ? against_own : against_real, judged_);
   judgement.real = against_real.Errors();
   judgement.own = &own != &real ? against_own.Errors() : judgement.real;
+  for (BenchErrors* errors : {&judgement.real, &judgement.own}) {
+    if (!errors->worst) continue;
+    const Triangle& triangle = family_.scene.triangles[errors->worst->triangle];
+    errors->worst->corners = Corners(family_.scene, triangle);
+  }
   return judgement;
 }
 

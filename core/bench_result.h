@@ -10,6 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "core/scene.h"
+#include "core/vertex.h"
+
 namespace rasterproof {
 
 /// A median with its interval.
@@ -88,9 +91,10 @@ struct BenchFamily {
   std::uint64_t rounds = 0;
 };
 
-/// A wrong decision, to be seen again.
+/// A wrong decision, to be seen again: the family's triangle alone on the family's target.
 struct BenchWitness {
   std::uint64_t triangle = 0;
+  std::array<Vertex, 3> corners{};
   int x = 0;
   int y = 0;
   double distance = 0;  ///< of the sample from the triangle's boundary, pixels
@@ -160,6 +164,67 @@ struct BenchLeftOut {
   std::string why;
 };
 
+/// A number that makes triangles harder, or more costly, as it grows.
+struct BenchParameter {
+  std::string name;     ///< "aspect", "distance", "steps", "pixels", ...
+  std::string summary;  ///< a sentence: what is varied and what is kept
+  std::string unit;     ///< "pixels", "1"
+  /// Its points have times; else errors.
+  bool is_cost = false;
+};
+
+/// What a method does at one value of a parameter.
+struct BenchPoint {
+  double value = 0;
+  std::uint64_t asked = 0;  ///< decisions
+  std::uint64_t wrong = 0;  ///< of them, by the method's own model
+  double displacement = 0;  ///< largest of a wrong one, pixels
+  /// Largest |error of E| over its proven bound; NaN: it shows no E.
+  double share_of_bound = std::numeric_limits<double>::quiet_NaN();
+  Interval time;  ///< seconds a triangle; of costs alone
+};
+
+/// One method over one parameter.
+struct BenchCurve {
+  std::uint32_t method = 0;     ///< index in BenchResult::methods
+  std::uint32_t parameter = 0;  ///< index in BenchResult::parameters
+  std::vector<BenchPoint> points;
+};
+
+/// Up to which value of a parameter a method is right. Failing is not monotone: between what is
+/// proved and what is first seen failing nothing is stated.
+struct BenchCliff {
+  std::uint32_t method = 0;
+  std::uint32_t parameter = 0;
+  /// 0 wrong is proved up to here; NaN: nothing is.
+  double proved_to = std::numeric_limits<double>::quiet_NaN();
+  /// The largest value below the first failing one that was tried and held; NaN: none held.
+  double held_to = std::numeric_limits<double>::quiet_NaN();
+  /// The least value that was seen failing; NaN: none was.
+  double first_failing = std::numeric_limits<double>::quiet_NaN();
+  /// The failing case: a scene, and the sample that is wrong in it.
+  std::optional<Scene> scene;
+  int x = 0;
+  int y = 0;
+};
+
+/// What one stage of the pipeline moves when it alone is inexact.
+struct BenchStage {
+  std::string name;         ///< "transform", "clip", "divide", "snap", "coverage"
+  std::string summary;      ///< a sentence: in which arithmetic it is done
+  std::uint64_t wrong = 0;  ///< pairs that differ from those of the exact pipeline
+  std::uint64_t asked = 0;  ///< pairs at most a pixel from an edge
+  double displacement = 0;  ///< largest, pixels
+};
+
+/// What a method says of one vertex in 256 x 256 places.
+struct BenchFingerprint {
+  std::uint32_t method = 0;
+  std::string step;         ///< between neighbouring places: "1 ulp", "2^-12", "1/256", "1/16"
+  std::uint64_t wrong = 0;  ///< places at which it is not as exact
+  std::string png;          ///< base64: the picture, exact beside it
+};
+
 /// Where and how it was measured.
 struct BenchSetting {
   std::string processor;
@@ -179,6 +244,11 @@ struct BenchResult {
   std::vector<BenchFamily> families;
   std::vector<BenchRow> rows;
   std::vector<BenchLeftOut> left_out;
+  std::vector<BenchParameter> parameters;
+  std::vector<BenchCurve> curves;
+  std::vector<BenchCliff> cliffs;
+  std::vector<BenchStage> stages;
+  std::vector<BenchFingerprint> fingerprints;
 };
 
 }  // namespace rasterproof

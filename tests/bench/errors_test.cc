@@ -95,7 +95,7 @@ TEST(CoverageJudge, TellsHowFarAWrongSampleLiesFromTheBoundary) {
   EXPECT_EQ(found.real.unexpected, 0U);
   EXPECT_DOUBLE_EQ(found.real.displacement, 2.5);
   ASSERT_TRUE(found.real.worst);
-  EXPECT_EQ(*found.real.worst, (BenchWitness{0, 15, 5, 2.5}));
+  EXPECT_EQ(*found.real.worst, (BenchWitness{0, {{{2, 2}, {18, 18}, {18, 2}}}, 15, 5, 2.5}));
   EXPECT_TRUE(std::isnan(found.real.displacement_999));
 }
 

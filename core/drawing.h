@@ -51,6 +51,8 @@ struct DrawJob {
   DrawOptions options;
   int samples = 1;  ///< per pixel
   Outputs wants;
+  /// It is drawn so many times, and what comes back is of once: for clocks alone.
+  int repeats = 1;
 
   /// Those that are drawn.
   std::span<const Triangle> Triangles() const { return triangles ? *triangles : scene->triangles; }

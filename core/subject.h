@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/drawing.h"
@@ -47,6 +48,13 @@ class Subject {
   /// Returns:    one outcome for each job; fewer if the subject broke down, and then the last one
   ///             holds what it threw. A scene that it refuses is no breakdown.
   virtual std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs);
+  /// Draws the job so many times, and tells what that took: all that the subject does over them,
+  /// and nothing of what is done here to ask for it, where the two can be told apart.
+  ///
+  /// Domain:     a job that Takes() accepts; 1 and more repeats.
+  /// Returns:    nothing if it can't tell.
+  /// Error:      as Draw.
+  virtual std::optional<DrawTime> TimeDraws(const DrawJob& /*job*/, int /*repeats*/) { return {}; }
   /// True if many draws in one call cost less than each in a call of its own: of a process.
   virtual bool SharesCalls() const { return false; }
   /// Draws that are not done by then may end with SubjectTooSlow. What runs in this process can't

@@ -82,6 +82,10 @@ struct SubjectInfo {
   CoverageKind coverage = CoverageKind::kFacingCounts;
   /// True if it draws several scenes in one call.
   bool takes_batches = false;
+  /// True if DrawJob::repeats is obeyed.
+  bool takes_repeats = false;
+  /// True if another processor draws, which this machine's processor time says nothing of.
+  bool draws_elsewhere = false;
   /// The version of the protocol that it speaks, on a pipe (subjects/process/protocol.h).
   int protocol = 1;
   /// For the kinds kPrimitiveIds and kFragments.

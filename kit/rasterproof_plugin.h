@@ -62,6 +62,8 @@ enum rasterproof_input {
 #define RASTERPROOF_TAKES_WANTS 64u
 /* rasterproof_target.centroids is read, and written where it is not NULL. Of FRAGMENTS. */
 #define RASTERPROOF_SHOWS_CENTROIDS 128u
+/* Another processor draws: elapsed time alone tells how long. */
+#define RASTERPROOF_DRAWS_ELSEWHERE 256u
 
 /* What is looked at of a draw beside its primitive ids, as bits of rasterproof_target.wants. */
 #define RASTERPROOF_WANTS_BARYCENTRICS 1u

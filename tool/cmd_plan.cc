@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/clock.h"
+#include "core/clock.h"
 #include "core/coverage.h"
 #include "core/error.h"
 #include "core/quoted.h"
@@ -38,12 +38,12 @@ struct Timed {
 double TimeOne(const reference::PlanDraw draw, const Scene& scene, const Profile& profile,
                CoverageCounts& counts) {
   constexpr double kEnough = 2e-3;
-  const double begun = bench::ProcessSeconds();
+  const double begun = ProcessSeconds();
   double spent = 0;
   int draws = 0;
   for (; spent < kEnough; ++draws) {
     draw(scene, profile, {}, counts);
-    spent = bench::ProcessSeconds() - begun;
+    spent = ProcessSeconds() - begun;
   }
   return spent / draws * 1e9;
 }

@@ -29,6 +29,7 @@ constexpr Names<CoverageKind, 5> kCoverages{{{"facing-counts", CoverageKind::kFa
                                              {"mask", CoverageKind::kMask},
                                              {"primitive-id", CoverageKind::kPrimitiveIds},
                                              {"fragments", CoverageKind::kFragments}}};
+constexpr Names<bool, 2> kClocks{{{"processor", false}, {"elapsed", true}}};
 constexpr Names<Precision, 2> kInputs{
     {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
 constexpr Names<Visible, 2> kOrders{
@@ -36,13 +37,14 @@ constexpr Names<Visible, 2> kOrders{
 constexpr Names<BarycentricsOf, 2> kBarycentricsOf{
     {{"given", BarycentricsOf::kGiven}, {"snapped", BarycentricsOf::kSnapped}}};
 
-constexpr Names<bool SubjectInfo::*, 7> kTakes{{{"window", &SubjectInfo::takes_window},
+constexpr Names<bool SubjectInfo::*, 8> kTakes{{{"window", &SubjectInfo::takes_window},
                                                 {"clip", &SubjectInfo::takes_clip},
                                                 {"culling", &SubjectInfo::takes_culling},
                                                 {"scissor", &SubjectInfo::takes_scissor},
                                                 {"tiles", &SubjectInfo::takes_tiles},
                                                 {"threads", &SubjectInfo::takes_threads},
-                                                {"batches", &SubjectInfo::takes_batches}}};
+                                                {"batches", &SubjectInfo::takes_batches},
+                                                {"repeats", &SubjectInfo::takes_repeats}}};
 
 using Flag = bool& (*)(SubjectInfo&);
 constexpr Names<Flag, 3> kShows{
@@ -189,6 +191,8 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     info.edges.value_error = EdgeErrorOf(value, place);
   } else if (key == "stepping-error") {
     info.edges.stepping_error = EdgeErrorOf(value, place);
+  } else if (key == "clock") {
+    info.draws_elsewhere = Chosen(kClocks, value, place);
   } else if (key == "protocol") {
     info.protocol = ProtocolOf(value, place);
   } else if (key == "shows") {
@@ -202,7 +206,7 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     throw InputError(
         place, fmt::format("there is no key '{}'{}", key, RenamedText(key)),
         "use name, summary, command, input, coverage, visible, barycentrics-of, barycentric-error, "
-        "depth-error, shows, edge-error, stepping-error, takes, protocol or profile");
+        "depth-error, shows, edge-error, stepping-error, takes, clock, protocol or profile");
   }
 }
 
@@ -298,6 +302,7 @@ std::string DescriptionText(const SubjectInfo& info, const std::string& profile)
   std::string text = fmt::format(
       "name {}\nsummary {}\ninput {}\ncoverage {}\ntakes{}\nprofile {}\n", info.name, info.summary,
       InputText(info), NameOf(kCoverages, info.coverage), takes, one_line);
+  if (info.draws_elsewhere) text += "clock elapsed\n";
   text += EdgeLines(info.edges);
   if (!ShowsPrimitiveIds(info)) return text;
   const FragmentInfo& properties = info.fragments;

@@ -164,7 +164,9 @@ int HostSubject(const std::string& name, bool describe) {
   const int answers = TakeStandardOutput();
   const subjects::LoadedPlugin here = MakeHere(name);
   if (describe) {
-    SayAll(answers, DescriptionText(here.subject->Info(), here.profile));
+    SubjectInfo info = here.subject->Info();
+    info.takes_repeats = true;  // whatever it draws: Serve does it
+    SayAll(answers, DescriptionText(info, here.profile));
     return kExitHolds;
   }
   std::ios::sync_with_stdio(false);  // character by character otherwise

@@ -55,6 +55,7 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   info.takes_tiles = Has(plugin, RASTERPROOF_TAKES_TILES);
   info.takes_threads = Has(plugin, RASTERPROOF_TAKES_THREADS);
   info.takes_batches = plugin.draw_many != nullptr;
+  info.draws_elsewhere = Has(plugin, RASTERPROOF_DRAWS_ELSEWHERE);
   info.fragments = {static_cast<Visible>(plugin.visible),
                     static_cast<BarycentricsOf>(plugin.barycentrics_of), plugin.barycentric_error,
                     plugin.depth_error, Has(plugin, RASTERPROOF_SHOWS_CENTROIDS)};
@@ -304,11 +305,26 @@ class PluginSubject final : public Subject {
         InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
     indices_ = given.TakeIndices();
     Drawing drawing = target.Drawn();
-    if (refused != 0) {
-      throw InputError("subject " + info_.name, "draw returned " + std::to_string(refused),
-                       "give it another scene");
-    }
+    RequireDrawn(refused);
     return drawing;
+  }
+
+  // The library's draws alone, onto one target, which is cleared in between: a draw adds.
+  std::optional<DrawTime> TimeDraws(const DrawJob& job, int repeats) override {
+    Reset();
+    const PluginScene given(job, VerticesOf(job));
+    DrawTime sum;
+    for (int k = 0; k < repeats; ++k) {
+      const PluginTarget target(job, info_, needs_all_);
+      std::int32_t refused = 0;
+      const DrawTime one = Timed([&] {
+        refused = InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
+      });
+      RequireDrawn(refused);
+      sum.seconds += one.seconds;
+      sum.wall_seconds += one.wall_seconds;
+    }
+    return sum;
   }
 
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
@@ -360,6 +376,11 @@ class PluginSubject final : public Subject {
   std::int32_t InLibrary(const Call& call) {
     const LibraryEnvironment::Within library(environment_);
     return call();
+  }
+  void RequireDrawn(std::int32_t refused) const {
+    if (refused == 0) return;
+    throw InputError("subject " + info_.name, "draw returned " + std::to_string(refused),
+                     "give it another scene");
   }
   void Reset() {
     const LibraryEnvironment::Within library(environment_);

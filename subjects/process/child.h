@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,8 @@ class ChildProcess {
   Patience Wait(double seconds, Clock::time_point deadline = Clock::time_point::max()) const {
     return {OwnTime(pid_, seconds), deadline};
   }
+  /// Processor time of it and its group since they began. Nothing: the system does not tell.
+  std::optional<double> Used() const { return ProcessorSeconds(pid_); }
   /// What the child is told next; it leaves while answers are read, so that neither side waits for
   /// the other's full pipe.
   void Say(std::string text);

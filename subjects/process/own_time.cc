@@ -8,7 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
 #include <system_error>
+
+#include "core/clock.h"
 
 namespace rasterproof::subjects {
 namespace {
@@ -20,7 +23,8 @@ struct Stat {
   char state = 0;
   pid_t group = 0;
   unsigned flags = 0;
-  double seconds = 0;  // of a processor, that of ended children included
+  double seconds = 0;           // of a processor, that of ended children included
+  double children_seconds = 0;  // of ended children alone
   long threads = 0;
 };
 
@@ -38,15 +42,13 @@ std::optional<Stat> ReadStat(const fs::path& path) {
   for (int n = 6; n <= 8; ++n) fields >> skipped;
   fields >> stat.flags;
   for (int n = 10; n <= 13; ++n) fields >> skipped;
-  double ticks = 0;
-  for (int n = 14; n <= 17; ++n) {
-    double part = 0;
-    fields >> part;
-    ticks += part;
-  }
+  std::array<double, 4> ticks{};  // fields 14 to 17: its own, its ended children's
+  for (double& part : ticks) fields >> part;
   fields >> skipped >> skipped >> stat.threads;
   if (!fields) return std::nullopt;
-  stat.seconds = ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+  const auto a_second = static_cast<double>(sysconf(_SC_CLK_TCK));
+  stat.children_seconds = (ticks[2] + ticks[3]) / a_second;
+  stat.seconds = (ticks[0] + ticks[1]) / a_second + stat.children_seconds;
   return stat;
 }
 
@@ -67,20 +69,26 @@ struct GroupState {
   bool busy = false;
 };
 
-// Nothing if /proc shows no process of the group.
-std::optional<GroupState> StateOf(pid_t group) {
-  std::optional<GroupState> state;
+// Calls `look` with the number, the stat and the folder of every process of the group.
+template <class Look>
+void LookAtGroup(pid_t group, const Look& look) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator("/proc", none)) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
     const std::optional<Stat> stat = ReadStat(entry.path() / "stat");
-    if (!stat || stat->group != group) continue;
-    if (!state) state.emplace();
-    state->seconds += stat->seconds;
-    state->busy =
-        state->busy || IsBusy(stat->state) || (stat->threads > 1 && HasBusyThread(entry.path()));
+    if (stat && stat->group == group) look(std::stoi(name), *stat, entry.path());
   }
+}
+
+// Nothing if /proc shows no process of the group.
+std::optional<GroupState> StateOf(pid_t group) {
+  std::optional<GroupState> state;
+  LookAtGroup(group, [&](pid_t, const Stat& stat, const fs::path& process) {
+    if (!state) state.emplace();
+    state->seconds += stat.seconds;
+    state->busy = state->busy || IsBusy(stat.state) || (stat.threads > 1 && HasBusyThread(process));
+  });
   return state;
 }
 
@@ -135,6 +143,17 @@ std::string OwnTime::Text() const {
   if (asleep_ < kSmallShare * limit_) return "it used " + rounded(used) + " of processor time";
   if (used < kSmallShare * limit_) return "it slept for " + rounded(asleep_);
   return "it used " + rounded(used) + " of processor time and slept for " + rounded(asleep_);
+}
+
+std::optional<double> ProcessorSeconds(pid_t group) {
+  std::optional<double> sum;
+  LookAtGroup(group, [&](pid_t process, const Stat& stat, const fs::path&) {
+    clockid_t clock{};
+    const bool has_clock = clock_getcpuclockid(process, &clock) == 0;
+    const double own = stat.seconds - stat.children_seconds;
+    sum = sum.value_or(0) + stat.children_seconds + (has_clock ? SecondsOf(clock) : own);
+  });
+  return sum;
 }
 
 bool IsExiting(pid_t process) {

@@ -51,6 +51,10 @@ class OwnTime {
   std::optional<double> before_;  ///< the group's processor time at the last look
 };
 
+/// Processor time of the group's processes by their own clocks, in all threads; that of their ended
+/// children in ticks of 10 ms. Nothing if /proc shows no process of the group.
+std::optional<double> ProcessorSeconds(pid_t group);
+
 /// Whether the process is past its last instruction, though it may still be there.
 bool IsExiting(pid_t process);
 

@@ -108,6 +108,7 @@ class ProcessSubject::Child {
       : process_(command, limits.bytes) {}
 
   void Ask(std::string request) { process_.Say(std::move(request)); }
+  std::optional<double> Used() const { return process_.Used(); }
 
   Patience Wait(double seconds, ChildProcess::Clock::time_point deadline) const {
     return process_.Wait(seconds, deadline);
@@ -345,6 +346,24 @@ std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, doub
   }
   child_ = std::move(child);
   return outcomes;
+}
+
+std::optional<DrawTime> ProcessSubject::TimeDraws(const DrawJob& job, int repeats) {
+  std::vector<DrawJob> jobs{job};
+  if (info_.takes_repeats) {
+    jobs.front().repeats = repeats;
+  } else {
+    jobs.resize(static_cast<std::size_t>(repeats), job);
+  }
+  RequireTargetSize("subject " + info_.name, job.scene->width, job.scene->height, job.samples);
+  child_ = TakeChild();
+  const std::optional<double> used = child_->Used();
+  const double begun = WallSeconds();
+  for (const DrawOutcome& outcome : Ask(jobs, limits_.seconds * repeats)) outcome.Get();
+  if (!used || child_ == nullptr) return std::nullopt;
+  const std::optional<double> used_now = child_->Used();
+  if (!used_now) return std::nullopt;
+  return DrawTime{.seconds = *used_now - *used, .wall_seconds = WallSeconds() - begun};
 }
 
 std::string ProcessSubject::CallText(std::uint64_t first_id, std::span<const DrawJob> jobs) const {

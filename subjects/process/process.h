@@ -64,6 +64,9 @@ class ProcessSubject final : public Subject {
   ///             on a fresh child, those that it may have been; if none does it alone, the shortest
   ///             run of jobs that does it, told in the fault of its last one.
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
+  /// By one request with repeats where the program takes them, else by as many requests in one
+  /// call, so that reading and answering are part of it. The time is of its whole process group.
+  std::optional<DrawTime> TimeDraws(const DrawJob& job, int repeats) override;
   /// Error:      of its calls: as Draw.
   const EdgeEvaluator* Edges() const override;
   bool SharesCalls() const override { return true; }

@@ -3,7 +3,7 @@
 //
 // A request is a line, then a line for each vertex and each triangle:
 //     draw ID WIDTH HEIGHT SAMPLES window|clip VERTICES TRIANGLES [cull=front|back]
-//          [scissor=X0,Y0,X1,Y1] [tile=N] [threads=N] [wants=...]
+//          [scissor=X0,Y0,X1,Y1] [tile=N] [threads=N] [wants=...] [repeats=N]
 //     X Y Z W
 //     I J K
 // Coordinates are decimal numbers that a reader of doubles reads back exactly (floats too, then
@@ -25,6 +25,10 @@
 //                come last. No request without that word asks for them.
 // The first request of a call has vertices of its own. What a program says in version 1 is the same
 // in version 2.
+//
+// A program that takes repeats is told repeats=N where it is timed: it draws the scene N times, each
+// onto an empty target, and answers as for once. What one draw takes is the slope of its processor
+// time over N, in which starting, reading and answering drop out.
 //
 // A program that shows edge values is asked for them in one line:
 //     edge ID AX AY BX BY PX PY                             E(a, b; p), evaluated afresh

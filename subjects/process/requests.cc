@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMostListed = std::size_t{1} << 26;
 constexpr int kMostSteps = 1 << 20;
+constexpr int kMostRepeats = 1 << 20;
 constexpr std::size_t kMostInABatch = std::size_t{1} << 16;
 constexpr std::string_view kSame = "same";
 
@@ -93,6 +94,10 @@ void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const Su
   text.AddNumber(job.Triangles().size());
   AddOptions(text, job.options, info);
   if (info.protocol >= 2) text.Add(WantsText(Requested(job.wants, info), info.coverage));
+  if (job.repeats > 1 && info.takes_repeats) {
+    text.Add(" repeats=");
+    text.AddNumber(job.repeats);
+  }
   text.Add('\n');
   if (!has_same_vertices) {
     for (const Vertex& v : scene.vertices) AddLine(text, std::array{v.x, v.y, v.z, v.w});
@@ -183,8 +188,12 @@ void ParseOption(std::string_view word, const std::string& where, DrawJob& job) 
     options.threads = Number<int>(value, where);
   } else if (key == "wants" && !value.empty()) {
     job.wants = ParseWants(value, where);
+  } else if (key == "repeats") {
+    job.repeats = Number<int>(value, where);
+    if (job.repeats < 1 || job.repeats > kMostRepeats) Malformed(where, "1 to 2^20 repeats");
   } else {
-    Malformed(where, "cull=, scissor=, tile=, threads= or wants=, not " + std::string(word));
+    Malformed(where,
+              "cull=, scissor=, tile=, threads=, wants= or repeats=, not " + std::string(word));
   }
 }
 

@@ -63,6 +63,18 @@ std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, Cover
   });
 }
 
+// All repeats of the job but the last. What goes wrong in them goes wrong in that one, too.
+void DrawForTheClock(Subject& subject, const DrawJob& job) {
+  if (job.repeats == 1) return;
+  try {
+    if (!subject.TimeDraws(job, job.repeats - 1)) {
+      for (int k = 1; k < job.repeats; ++k) subject.Show(job);
+    }
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
 std::string ValuesOf(const Subject& subject, const EdgeRequest& request) {
   const EdgeEvaluator* const edges = subject.Edges();
   if (edges == nullptr) throw InputError("subject", "it shows no edge values", "ask for none");
@@ -95,6 +107,7 @@ void Serve(Subject& subject, std::istream& in, const std::function<void(const st
     if (call.empty()) return;
     std::vector<DrawJob> jobs;
     for (const DrawRequest& request : call) jobs.push_back(request.job);
+    for (const DrawJob& job : jobs) DrawForTheClock(subject, job);
     const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
     std::string answers;
     for (std::size_t k = 0; k < call.size() && k < outcomes.size(); ++k) {

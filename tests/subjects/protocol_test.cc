@@ -406,19 +406,45 @@ TEST(Protocol, TakesABatchAsOneCall) {
   }
 }
 
+TEST(Protocol, AsksForRepeatsWhereTheyAreTaken) {
+  DrawRequest request = SomeRequest();
+  request.job.repeats = 40;
+  EXPECT_EQ(TextOf(request).find("repeats"), std::string::npos);
+  SubjectInfo info = Info();
+  info.takes_repeats = true;
+  const std::string text = RequestsText(request.id, {&request.job, 1}, info);
+  EXPECT_EQ(ReadCall(text).front().job.repeats, 40);
+  for (const std::string number : {"0", "-1", "1048577", "x", ""}) {
+    EXPECT_THROW(ReadCall("draw 1 3 2 1 window 0 0 repeats=" + number + "\n"), InputError)
+        << number;
+  }
+}
+
 class Speaker final : public Subject {
  public:
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions&, CoverageCounts& counts) override {
     if (scene.width == 1) throw InputError("place", "too\nsmall", "more");
     if (scene.width == 2) throw SubjectFault("it broke");
+    ++drawn;
     counts.front[0] = 5;
     counts.back[1] = 6;
   }
 
+  int drawn = 0;
+
  private:
   SubjectInfo info_;
 };
+
+TEST(Serve, DrawsRepeatsAndAnswersOnce) {
+  Speaker speaker;
+  std::istringstream in("draw 1 3 1 1 window 0 0 repeats=5\ndraw 2 1 1 1 window 0 0 repeats=5\n");
+  std::string said;
+  Serve(speaker, in, [&](const std::string& text) { said += text; });
+  EXPECT_EQ(said, "counts 1\n5 0 0\n0 6 0\nrefused 2 place: too small; more\n");
+  EXPECT_EQ(speaker.drawn, 5);
+}
 
 TEST(Serve, AnswersRefusesAndConfesses) {
   Speaker speaker;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,11 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "bench/clock.h"
 #include "bench/errors.h"
 #include "bench/paired.h"
 #include "bench/values.h"
+#include "core/clock.h"
 #include "core/coverage.h"
+#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "reference/kernels/kernel.h"
 #include "reference/method.h"
@@ -61,14 +64,20 @@ class Twin final : public Contender {
 struct Run {
   Contender* contender = nullptr;
   std::uint32_t method = 0;
-  int draws = 1;  // of one measurement
-  std::vector<double> seconds;
-  std::vector<double> wall;
+  int draws = 1;                                                 // of one measurement
+  double seconds_each = 0;                                       // elapsed, of one measurement
+  std::size_t rounds = std::numeric_limits<std::size_t>::max();  // that it takes part in
+  std::string failure{};                                         // why it takes part no more
+  std::vector<double> seconds{};
+  std::vector<double> wall{};
 };
 
-// Draws once for nothing, then measures.
+// Draws once for nothing, unless that takes long, then measures.
 void Measure(Run& run) {
-  const DrawTime first = run.contender->Draw();
+  constexpr double kLong = 0.25;
+  const double begun = WallSeconds();
+  const DrawTime first =
+      run.seconds_each > kLong ? DrawTime{.seconds = kLong} : run.contender->Draw();
   if (run.seconds.empty()) {
     const double wanted = kLeastSeconds / std::max(first.seconds, 1e-9);
     run.draws = std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostDraws);
@@ -81,6 +90,21 @@ void Measure(Run& run) {
   }
   run.seconds.push_back(sum.seconds / run.draws);
   run.wall.push_back(sum.wall_seconds / run.draws);
+  run.seconds_each = WallSeconds() - begun;
+}
+
+// A subject of the user's may break down over any draw.
+void MeasureUnlessItFails(Run& run) {
+  try {
+    Measure(run);
+  } catch (const std::exception& error) {
+    run.failure = error.what();
+  }
+}
+
+// Who takes longer than all rounds may measures in fewer, three at least.
+std::size_t RoundsOf(const Run& run, double seconds) {
+  return static_cast<std::size_t>(std::clamp(seconds / std::max(run.seconds_each, 1e-9), 3.0, 1e6));
 }
 
 std::size_t MeasureInRounds(std::vector<Run>& runs, const BenchOptions& options) {
@@ -90,8 +114,11 @@ std::size_t MeasureInRounds(std::vector<Run>& runs, const BenchOptions& options)
     const bool is_late = WallSeconds() - begun > options.seconds_per_family;
     if (rounds >= options.least_rounds && is_late) break;
     // A step that is coprime to most counts spreads few rounds over the whole design.
-    for (const std::size_t k : RoundOrder(runs.size(), 7 * rounds)) Measure(runs[k]);
-    ++rounds;
+    for (const std::size_t k : RoundOrder(runs.size(), 7 * rounds)) {
+      if (rounds < runs[k].rounds && runs[k].failure.empty()) MeasureUnlessItFails(runs[k]);
+    }
+    if (rounds++ > 0) continue;
+    for (Run& run : runs) run.rounds = RoundsOf(run, options.seconds_per_family);
   }
   return rounds;
 }
@@ -124,6 +151,8 @@ BenchRow RowOf(Run& run, const FamilyInput& family, const BenchFamily& described
     row.own = judgement.own;
     row.leaks = judgement.leaks;
     row.is_judged = true;
+    row.judged_triangles = judgement.judged_triangles;
+    row.boundary_pairs = judgement.boundary_pairs;
   }
   row.values = ValuesOf(*run.contender, family);
   row.time = MedianInterval(run.seconds);
@@ -184,8 +213,13 @@ void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Conten
       result.left_out.push_back({at, method, *why});
       continue;
     }
-    contenders[k]->Load(family);
-    runs.push_back({contenders[k].get(), method, 1, {}, {}});
+    try {
+      contenders[k]->Load(family);
+      runs.push_back({.contender = contenders[k].get(), .method = method});
+    } catch (const std::exception& error) {
+      if (!contenders[k]->method().is_users) throw;
+      result.left_out.push_back({at, method, error.what()});
+    }
   }
   say("samples");
   const JudgedTriangles judged(family.scene, options.judged_pixels);
@@ -200,7 +234,15 @@ void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Conten
     CoverageJudge judge(family, judged);
     const auto base = std::ranges::find(runs, described.baseline, &Run::method);
     for (Run& run : runs) {
-      BenchRow row = RowOf(run, family, described, judge);
+      BenchRow row;
+      try {
+        if (!run.failure.empty()) throw SubjectFault(run.failure);
+        row = RowOf(run, family, described, judge);
+      } catch (const std::exception& error) {
+        if (!run.contender->method().is_users) throw;
+        result.left_out.push_back({at, run.method, error.what()});
+        continue;
+      }
       row.family = at;
       row.ratio = RatioInterval(run.seconds, base->seconds);
       row.seconds = run.seconds;

@@ -2,21 +2,26 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "bench/clock.h"
+#include "bench/exact_triangles.h"
+#include "core/clock.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/subject_info.h"
+#include "reference/barycentrics.h"
 #include "reference/kernels/kernel.h"
 #include "reference/rasterize.h"
 
@@ -24,16 +29,6 @@ namespace rasterproof::bench {
 namespace {
 
 namespace kernels = reference::kernels;
-
-// Times one call.
-template <class Call>
-DrawTime Timed(const Call& call) {
-  const double wall = WallSeconds();
-  const double start = ProcessSeconds();
-  call();
-  const double end = ProcessSeconds();
-  return {.seconds = end - start, .wall_seconds = WallSeconds() - wall};
-}
 
 // The kind of a method, by what it computes in and whether 0 wrong samples are stated of it.
 std::string KindOf(const SubjectInfo& info) {
@@ -104,6 +99,26 @@ class MethodContender final : public Contender {
         counts_.front[i] = counts_.back[i] = 0;
       }
     }
+  }
+
+  // In window space; of snapped vertices they are the snapped triangle's.
+  std::vector<PixelValues> ValuesAlone(std::size_t triangle,
+                                       std::span<const Pixel> pixels) override {
+    std::vector<PixelValues> values;
+    if (family_->scene.clip_space || !row_.info.profile.snap.IsNone()) return values;
+    const auto corners = Corners(family_->scene, family_->scene.triangles[triangle]);
+    const std::array<Point2, 3> v{WindowPoint(corners[0]), WindowPoint(corners[1]),
+                                  WindowPoint(corners[2])};
+    const std::array<double, 3> z{corners[0].z, corners[1].z, corners[2].z};
+    const std::array<Corner, 3> deep{{{v[0]}, {v[1]}, {v[2]}}};
+    const BarycentricEvaluator& evaluator = reference::ReferenceBarycentrics(row_.info.input);
+    for (const Pixel& at : pixels) {
+      const Point2 p = CentreOf(at.x, at.y);
+      values.push_back(
+          {.barycentrics = evaluator.Barycentrics(BarycentricForm::kVertexArea, v, p),
+           .depth = evaluator.Interpolate(InterpolationForm::kBarycentrics, deep, z, p)});
+    }
+    return values;
   }
 
   std::uint64_t LeftBehind() override {
@@ -228,6 +243,23 @@ class KernelContender final : public Contender {
     }
   }
 
+  std::vector<PixelValues> ValuesAlone(std::size_t triangle,
+                                       std::span<const Pixel> pixels) override {
+    std::vector<PixelValues> values;
+    if (sink_ != kernels::Sink::kDepth) return values;
+    kernels::KernelScene scene = family_->KernelScene();
+    scene.indices = scene.indices.subspan(3 * triangle, 3);
+    surface_->Clear();
+    kernels::Draw(kernel_, target_, scene, *surface_);
+    for (const Pixel& at : pixels) {
+      const auto bits = static_cast<std::uint32_t>(surface_->At(at.x, at.y));
+      const auto depth = double{std::bit_cast<float>(bits)};
+      PixelValues& shown = values.emplace_back();
+      if (std::isfinite(depth)) shown.depth = depth;
+    }
+    return values;
+  }
+
   std::uint64_t LeftBehind() override {
     std::uint64_t left = 0;
     if (!alone_) return left;
@@ -247,70 +279,7 @@ class KernelContender final : public Contender {
   std::optional<kernels::Surface> alone_;
 };
 
-class SubjectContender final : public Contender {
- public:
-  explicit SubjectContender(Subject& subject) : subject_(subject) {
-    const SubjectInfo& info = subject.Info();
-    model_ = info.profile;
-    method_.name = info.name;
-    method_.summary = info.summary;
-    method_.kind = "yours";
-    method_.target = "its own";
-    method_.sink = NameOf(kernels::Sink::kFacing);
-    method_.model = info.profile.name;
-    method_.is_users = true;
-    method_.coordinate_limit = info.profile.coordinate_limit;
-    method_.vertex_bytes = sizeof(Vertex);
-    method_.pixel_bits = 8 * sizeof(std::uint64_t);
-  }
-
-  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
-    if (Takes(subject_.Info(), family.scene)) return std::nullopt;
-    return "it does not take the family's vertices";
-  }
-
-  void Load(const FamilyInput& family) override {
-    family_ = &family;
-    empty_ = family.scene;
-    empty_.triangles.clear();
-  }
-
-  DrawTime Draw() override {
-    const DrawTime converting = DrawOnce(empty_);
-    const DrawTime all = DrawOnce(family_->scene);
-    const double triangles = static_cast<double>(family_->scene.triangles.size());
-    method_.conversion_seconds = converting.seconds / std::max(1.0, triangles);
-    return {.seconds = std::max(0.0, all.seconds - converting.seconds),
-            .wall_seconds = std::max(0.0, all.wall_seconds - converting.wall_seconds)};
-  }
-
-  // Counts without facings have no counterpart in the model's.
-  std::optional<CoverageCounts> Drawn() override {
-    if (subject_.Info().coverage != CoverageKind::kFacingCounts) return std::nullopt;
-    return counts_;
-  }
-  bool DrawsAlone() const override { return false; }
-  void DrawAlone(std::size_t /*triangle*/, const PixelRect& /*area*/,
-                 std::vector<std::uint8_t>& /*box*/) override {}
-  std::uint64_t LeftBehind() override { return 0; }
-
- private:
-  DrawTime DrawOnce(const Scene& scene) {
-    counts_ = CoverageCounts(scene.width, scene.height);
-    return Timed([&] { subject_.Draw(scene, {}, counts_); });
-  }
-
-  Subject& subject_;
-  const FamilyInput* family_ = nullptr;
-  Scene empty_;
-  CoverageCounts counts_;
-};
-
 }  // namespace
-
-std::unique_ptr<Contender> MakeSubjectContender(Subject& subject) {
-  return std::make_unique<SubjectContender>(subject);
-}
 
 std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method) {
   return std::make_unique<MethodContender>(method);

@@ -2,14 +2,19 @@
 #ifndef RASTERPROOF_BENCH_CONTENDER_H_
 #define RASTERPROOF_BENCH_CONTENDER_H_
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "bench/family.h"
 #include "core/bench_result.h"
+#include "core/clock.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/evaluators.h"
@@ -21,10 +26,17 @@
 
 namespace rasterproof::bench {
 
-/// Processor and elapsed time of one draw.
-struct DrawTime {
-  double seconds = 0;
-  double wall_seconds = 0;
+struct Pixel {
+  int x = 0;
+  int y = 0;
+};
+
+/// What a method computes at a pixel's centre beside coverage. NaN: it shows none.
+struct PixelValues {
+  std::array<double, 3> barycentrics{kNoValue, kNoValue, kNoValue};  ///< entry i of vertex i
+  double depth = kNoValue;
+
+  static constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// One way to draw.
@@ -50,12 +62,20 @@ class Contender {
   virtual std::optional<CoverageCounts> Drawn() = 0;
   /// Whether triangles can be drawn alone, so that its decisions are judged one by one.
   virtual bool DrawsAlone() const { return true; }
+  /// Whether drawing one takes so long that a part of the triangles is judged.
+  virtual bool IsSlowAlone() const { return false; }
   /// Draws one triangle of the loaded family alone onto the cleared target; `box` becomes 1 where
   /// it is covered. The target is cleared again within the box.
   ///
   /// Shape:      row-major, area.x1 - area.x0 bytes a row.
   virtual void DrawAlone(std::size_t triangle, const PixelRect& area,
                          std::vector<std::uint8_t>& box) = 0;
+  /// The values that it shows of the triangle drawn alone, at the centres of these pixels, which it
+  /// covers: as many, or none if it shows no values.
+  virtual std::vector<PixelValues> ValuesAlone(std::size_t /*triangle*/,
+                                               std::span<const Pixel> /*pixels*/) {
+    return {};
+  }
   /// How many samples are covered still, outside of the areas of all triangles drawn alone. They
   /// are cleared.
   virtual std::uint64_t LeftBehind() = 0;
@@ -76,12 +96,19 @@ std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod 
                                                reference::kernels::Target target,
                                                reference::kernels::Sink sink);
 
-/// A subject in this process, into the counts that it shows. Its time is that of a draw less that
-/// of a draw of the same vertices without triangles, which is what it converts; the latter is told
-/// apart. Its decisions are not judged pair by pair: one call for each triangle takes too long.
+/// A user's subject in this process, into what it shows. Its time is that of a draw less that of a
+/// draw of the same vertices without triangles, which is what it converts; the latter is told apart.
 ///
 /// Domain:     one sample a pixel, in its centre; the subject outlives the contender.
 std::unique_ptr<Contender> MakeSubjectContender(Subject& subject);
+
+/// A user's subject in a process of its own. Its time is the slope of the processor time of all its
+/// threads over k, 2 k and 4 k draws: of repeats in one request, so that starting, reading and
+/// answering drop out; of one that takes no repeats, over requests in one call.
+///
+/// Domain:     as MakeSubjectContender.
+/// Error:      of its calls: what the subject throws, where it breaks down over a family.
+std::unique_ptr<Contender> MakeProgramContender(Subject& subject);
 
 /// Seconds that storing one pixel takes at least, by the widest vectors. Measured when first asked
 /// for.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "bench/exact_triangles.h"
+#include "core/clock.h"
 #include "core/draw_options.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
@@ -25,6 +27,8 @@ constexpr std::size_t kBlock = 64;
 constexpr std::uint64_t kLostFrom = 16;
 // Below so many wrong pairs their largest distance says all that their 99.9 % would.
 constexpr std::size_t kEnoughForQuantile = 10'000;
+// For the triangles of a contender that is slow alone.
+constexpr double kMostSecondsAlone = 3;
 
 std::uint64_t Pixels(const PixelRect& area) {
   return static_cast<std::uint64_t>(std::max(0, area.x1 - area.x0)) *
@@ -60,10 +64,12 @@ class ErrorCount {
       if (drawn[at] == covers[at]) return;
       ++(covers[at] != 0 ? errors_.missing : errors_.unexpected);
       wrong_.insert({triangle, x, y});
+      const double distance = BoundaryDistance(corners, CentreOf(x, y));
+      errors_.beside_edges += distance <= 1 ? 1 : 0;
       if (is_lost) {
         ++errors_.lost;
       } else {
-        AddDistance(triangle, x, y, BoundaryDistance(corners, CentreOf(x, y)));
+        AddDistance(triangle, x, y, distance);
       }
     });
   }
@@ -102,7 +108,8 @@ class ErrorCount {
 
 // Of two triangles of an edge, the samples at most a pixel from it that exactly one of them covers:
 // drawn by none, a gap; by both, an overlap.
-BenchLeaks Leaks(const ErrorCount& errors, const JudgedTriangles& judged) {
+BenchLeaks Leaks(const ErrorCount& errors, const JudgedTriangles& judged,
+                 const std::set<std::size_t>& drawn_alone) {
   BenchLeaks leaks;
   for (const auto& [triangle, x, y] : errors.wrong()) {
     const std::array<Point2, 3> corners = errors.exact().CornersOf(triangle);
@@ -110,6 +117,7 @@ BenchLeaks Leaks(const ErrorCount& errors, const JudgedTriangles& judged) {
       const std::int64_t found = judged.NeighbourAt(triangle, k);
       if (found < 0) continue;
       const auto other = static_cast<std::size_t>(found);
+      if (!drawn_alone.contains(other)) continue;
       const bool other_is_wrong = errors.IsWrong(other, x, y);
       if (other_is_wrong && other < triangle) continue;  // counted from there
       if (SegmentDistance(corners[k], corners[(k + 1) % 3], CentreOf(x, y)) > 1) continue;
@@ -211,14 +219,24 @@ BenchFamily Describe(const FamilyInput& family, const JudgedTriangles& judged) {
 struct CoverageJudge::Answers {
   Profile model;
   ExactTriangles exact;
-  std::vector<std::uint8_t> covered;  // of all areas, in the order of the judged triangles
+  // Of all areas, in the order of the judged triangles, and where each begins.
+  std::vector<std::uint8_t> covered;
+  std::vector<std::size_t> starts;
+  std::vector<std::uint64_t> boundary_pairs;  // of each triangle
 
   Answers(const Scene& scene, const Profile& of, const std::vector<std::size_t>& triangles)
       : model(of), exact(scene, of) {
     std::vector<std::uint8_t> one;
     for (const std::size_t t : triangles) {
-      exact.Cover(t, JudgedArea(scene, t), one);
+      const PixelRect area = JudgedArea(scene, t);
+      exact.Cover(t, area, one);
+      starts.push_back(covered.size());
       covered.insert(covered.end(), one.begin(), one.end());
+      const std::array<Point2, 3> corners = exact.CornersOf(t);
+      std::uint64_t& near = boundary_pairs.emplace_back(0);
+      ForEachPixel(area, [&](int x, int y, std::size_t) {
+        near += BoundaryDistance(corners, CentreOf(x, y)) <= 1 ? 1 : 0;
+      });
     }
   }
 };
@@ -234,6 +252,21 @@ const CoverageJudge::Answers& CoverageJudge::AnswersOf(const Profile& model) {
   return answers_.emplace_back(family_.scene, model, judged_.indices());
 }
 
+// All places, or blocks in an order in which a few are spread over the family.
+std::vector<std::size_t> CoverageJudge::PlacesFor(const Contender& contender) const {
+  const std::size_t count = judged_.indices().size();
+  const std::size_t blocks = (count + kBlock - 1) / kBlock;
+  // A step that is coprime to the count visits every block.
+  std::size_t step = contender.IsSlowAlone() ? blocks * 5 / 8 : 1;
+  while (step > 1 && std::gcd(step, blocks) != 1) --step;
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < blocks; ++k) {
+    const std::size_t first = k * std::max<std::size_t>(step, 1) % blocks * kBlock;
+    for (std::size_t i = first; i < std::min(first + kBlock, count); ++i) places.push_back(i);
+  }
+  return places;
+}
+
 const Judgement& CoverageJudge::Of(Contender& contender) {
   const auto [found, is_new] = known_.try_emplace(contender.method().name);
   Judgement& judgement = found->second;
@@ -242,22 +275,27 @@ const Judgement& CoverageJudge::Of(Contender& contender) {
   const Answers& own = AnswersOf(contender.model());
   ErrorCount against_real(real.exact);
   ErrorCount against_own(own.exact);
-  std::vector<std::uint8_t> drawn;
-  std::size_t at = 0;
-  for (const std::size_t t : judged_.indices()) {
+  std::set<std::size_t> drawn_alone;
+  const double begun = WallSeconds();
+  for (const std::size_t place : PlacesFor(contender)) {
+    if (contender.IsSlowAlone() && WallSeconds() - begun > kMostSecondsAlone) break;
+    const std::size_t t = judged_.indices()[place];
     const PixelRect area = JudgedArea(family_.scene, t);
-    drawn.assign(Pixels(area), 0);
+    std::vector<std::uint8_t> drawn(Pixels(area), 0);
     contender.DrawAlone(t, area, drawn);
-    against_real.Add(t, area, std::span(real.covered).subspan(at, drawn.size()), drawn);
-    if (&own != &real) {
-      against_own.Add(t, area, std::span(own.covered).subspan(at, drawn.size()), drawn);
-    }
-    at += drawn.size();
+    const auto answers = [&](const Answers& of) {
+      return std::span(of.covered).subspan(of.starts[place], drawn.size());
+    };
+    against_real.Add(t, area, answers(real), drawn);
+    if (&own != &real) against_own.Add(t, area, answers(own), drawn);
+    drawn_alone.insert(t);
+    judgement.boundary_pairs += real.boundary_pairs[place];
   }
+  judgement.judged_triangles = drawn_alone.size();
   const std::uint64_t outside = contender.LeftBehind();
   against_real.AddFarOutside(outside);
   against_own.AddFarOutside(outside);
-  judgement.leaks = Leaks(&own != &real ? against_own : against_real, judged_);
+  judgement.leaks = Leaks(&own != &real ? against_own : against_real, judged_, drawn_alone);
   judgement.real = against_real.Errors();
   judgement.own = &own != &real ? against_own.Errors() : judgement.real;
   for (BenchErrors* errors : {&judgement.real, &judgement.own}) {

@@ -47,6 +47,8 @@ struct Judgement {
   BenchErrors real;
   BenchErrors own;
   BenchLeaks leaks;
+  std::uint64_t judged_triangles = 0;
+  std::uint64_t boundary_pairs = 0;  ///< (triangle, sample) at most a pixel from an edge
 };
 
 /// Judges contenders on one family, pair by pair. What exact geometry covers is worked out once for
@@ -58,7 +60,8 @@ class CoverageJudge {
   ~CoverageJudge();
 
   /// Draws every judged triangle alone and compares it with real geometry, and with the contender's
-  /// own model. Errors of a name are found once, whatever its instruction set and sink.
+  /// own model. Errors of a name are found once, whatever its instruction set and sink. Of one that
+  /// is slow alone as many blocks of 64 triangles are judged as it draws in some seconds.
   ///
   /// Domain:     a contender that DrawsAlone() and has loaded the family.
   const Judgement& Of(Contender& contender);
@@ -66,6 +69,7 @@ class CoverageJudge {
  private:
   struct Answers;  // of one model
   const Answers& AnswersOf(const Profile& model);
+  std::vector<std::size_t> PlacesFor(const Contender& contender) const;
 
   const FamilyInput& family_;
   const JudgedTriangles& judged_;

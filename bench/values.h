@@ -8,10 +8,13 @@
 
 namespace rasterproof::bench {
 
-/// The errors of edge values at pixels beside the edges of some hundred triangles of the family.
+/// The errors of edge values at pixels beside the edges of some triangles of the family, and of
+/// barycentrics and depths at pixels that they cover. Some: spread over the family, 64 of them;
+/// fewer of a contender that is slow alone.
 ///
-/// Domain:     a family in window space; of another one nothing is shown.
-BenchValues ValuesOf(const Contender& contender, const FamilyInput& family);
+/// Domain:     a contender that has loaded the family, in window space; of another one nothing is
+///             shown.
+BenchValues ValuesOf(Contender& contender, const FamilyInput& family);
 
 }  // namespace rasterproof::bench
 

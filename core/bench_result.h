@@ -54,6 +54,9 @@ struct BenchMethod {
   /// What it costs to turn the scene's vertices into its own and its answer into counts, seconds
   /// for a triangle; not part of its time. NaN: nothing is converted.
   double conversion_seconds = std::numeric_limits<double>::quiet_NaN();
+  /// A program that takes no repeats: its time is that of a request, reading the scene and writing
+  /// the answer included; the conversion is that of a request for a scene without triangles.
+  bool times_requests = false;
 
   friend bool operator==(const BenchMethod&, const BenchMethod&) = default;
 };
@@ -106,6 +109,8 @@ struct BenchWitness {
 struct BenchErrors {
   std::uint64_t missing = 0;     ///< pairs that it should cover
   std::uint64_t unexpected = 0;  ///< pairs that it should not
+  /// Of all wrong pairs: at most a pixel from an edge. The share of the wrong is theirs.
+  std::uint64_t beside_edges = 0;
   /// Of the missing pairs: of triangles of 16 pairs and more that it drew nothing of.
   std::uint64_t lost = 0;
   /// Largest distance of a wrong sample, not lost, from the triangle's boundary: how far an edge
@@ -148,8 +153,11 @@ struct BenchRow {
   bool binds_at_store = false;
   /// Whether its decisions were judged; else the errors say nothing.
   bool is_judged = false;
-  BenchErrors real;  ///< against real geometry
-  BenchErrors own;   ///< against the method's own model
+  /// What was judged of it: all that the family says, or a part if its draws take long.
+  std::uint64_t judged_triangles = 0;
+  std::uint64_t boundary_pairs = 0;  ///< (triangle, sample) at most a pixel from an edge
+  BenchErrors real;                  ///< against real geometry
+  BenchErrors own;                   ///< against the method's own model
   BenchLeaks leaks;
   BenchValues values;
   /// Samples of the whole drawing that was timed whose counts are not the own model's; nothing of

@@ -46,12 +46,18 @@ std::vector<const BenchRow*> RowsOf(const BenchResult& result, std::size_t famil
   return rows;
 }
 
-// "proved 0", "0 of 12,345", "12.3 %": of the pairs at most a pixel from an edge.
-std::string ShareText(const BenchErrors& errors, std::uint64_t of, bool is_proved) {
-  if (errors.Wrong() == 0) return is_proved ? "proved 0" : fmt::format("0 of {}", of);
+// "proved 0", "0 of 12345", "12.3 %": of the pairs at most a pixel from an edge; "3 of 12345" of
+// constructed ones, which are no sample of anything; "far alone" if all wrong pairs lie farther.
+std::string ShareText(const BenchErrors& errors, std::uint64_t of, const BenchMethod& method,
+                      const BenchFamily& family, bool proves) {
+  if (errors.Wrong() == 0) {
+    return method.is_proved && proves ? "proved 0" : fmt::format("0 of {}", of);
+  }
+  if (errors.beside_edges == 0) return "far alone";
+  if (family.is_constructed) return fmt::format("{} of {}", errors.beside_edges, of);
   return fmt::format(
       "{:.3g} %",
-      of == 0 ? 0 : 100.0 * static_cast<double>(errors.Wrong()) / static_cast<double>(of));
+      of == 0 ? 0 : 100.0 * static_cast<double>(errors.beside_edges) / static_cast<double>(of));
 }
 
 std::string DistanceText(double pixels) {
@@ -60,6 +66,31 @@ std::string DistanceText(double pixels) {
 
 std::string DrawingText(const BenchRow& row) {
   return row.drawing_wrong ? std::to_string(*row.drawing_wrong) : "-";
+}
+
+// What the user's own subjects' times are, and what of theirs was judged.
+std::string UsersText(const BenchResult& result, std::size_t at) {
+  std::string text;
+  for (const BenchRow* row : RowsOf(result, at)) {
+    const BenchMethod& method = result.methods[row->method];
+    if (!method.is_users) continue;
+    text += fmt::format(
+        "  {}: {:.1f} ns a triangle {}{}; {} triangles judged\n", method.name,
+        1e9 * method.conversion_seconds,
+        method.times_requests
+            ? "are those of a scene without triangles: it takes no repeats, so that its time is "
+              "that of\n  a request, reading the scene and writing the answer included"
+            : "for what is converted are not part of its time",
+        method.clock == BenchClock::kWall ? "; elapsed time: another processor draws" : "",
+        row->judged_triangles);
+  }
+  for (const BenchLeftOut& out : result.left_out) {
+    const BenchMethod& method = result.methods[out.method];
+    if (out.family == at && method.is_users) {
+      text += fmt::format("  {} is left out: {}\n", method.name, out.why);
+    }
+  }
+  return text;
 }
 
 std::string TableOf(const BenchResult& result, std::size_t at) {
@@ -87,12 +118,12 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
     const bool is_real = method.model == "real";
     table +=
         fmt::format(" {:>14} {:>9} {:>14} {:>6} {:>6} {:>8}\n",
-                    ShareText(row->real, family.boundary_pairs, method.is_proved && is_real),
+                    ShareText(row->real, row->boundary_pairs, method, family, is_real),
                     DistanceText(row->real.displacement),
-                    is_real ? "" : ShareText(row->own, family.boundary_pairs, method.is_proved),
+                    is_real ? "" : ShareText(row->own, row->boundary_pairs, method, family, true),
                     row->leaks.gaps, row->leaks.overlaps, DrawingText(*row));
   }
-  return table;
+  return table + UsersText(result, at);
 }
 
 void WriteInterval(JsonWriter& json, std::string_view key, const Interval& interval) {
@@ -105,6 +136,7 @@ void WriteErrors(JsonWriter& json, std::string_view key, const BenchErrors& erro
   json.Key(key).BeginObject();
   json.Key("missing").Integer(errors.missing);
   json.Key("unexpected").Integer(errors.unexpected);
+  json.Key("beside_edges").Integer(errors.beside_edges);
   json.Key("lost").Integer(errors.lost);
   json.Key("displacement").Rounded(errors.displacement);
   json.Key("displacement_999").Rounded(errors.displacement_999);
@@ -133,6 +165,7 @@ void WriteMethod(JsonWriter& json, const BenchMethod& method) {
   json.Key("vertex_bytes").Integer(method.vertex_bytes);
   json.Key("pixel_bits").Integer(method.pixel_bits);
   json.Key("conversion_seconds").Rounded(method.conversion_seconds);
+  json.Key("times_requests").Bool(method.times_requests);
   json.EndObject();
 }
 
@@ -175,11 +208,15 @@ void WriteRow(JsonWriter& json, const BenchResult& result, const BenchRow& row) 
   if (row.is_judged) {
     WriteErrors(json, "real", row.real);
     WriteErrors(json, "own", row.own);
+    json.Key("judged_triangles").Integer(row.judged_triangles);
+    json.Key("boundary_pairs").Integer(row.boundary_pairs);
     json.Key("gaps").Integer(row.leaks.gaps);
     json.Key("overlaps").Integer(row.leaks.overlaps);
   }
   json.Key("edge_error").Rounded(row.values.edge);
   json.Key("edge_share_of_bound").Rounded(row.values.edge_share_of_bound);
+  json.Key("barycentric_error").Rounded(row.values.barycentric);
+  json.Key("depth_error").Rounded(row.values.depth);
   json.Key("runs").BeginArray();
   for (const double seconds : row.seconds) json.Rounded(seconds);
   json.EndArray();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "report/bench_text.h"
 #include "subjects/plugin/plugin.h"
 #include "tool/commands.h"
+#include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
 
@@ -94,11 +96,13 @@ std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& 
     return std::ranges::find(options.subjects, name) != options.subjects.end();
   };
   for (const std::string& name : options.subjects) {
+    if (IsOutside(name)) continue;
     const bool is_known = std::ranges::any_of(
         contenders, [&](const auto& contender) { return contender->method().name == name; });
     if (!is_known) {
       throw InputError("--subject " + name, "it is no method that bench draws",
-                       "see the names in the table of: rasterproof bench --family ties");
+                       "see the names in the table of: rasterproof bench --family ties; give a "
+                       "file that ends in .subject, or use --plugin or --exec");
     }
   }
   // The baselines and their twins stay: ratios are to them.
@@ -109,18 +113,38 @@ std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& 
   return contenders;
 }
 
+// The models that samples in the pixels' centres can be judged by.
+void RequireCentres(const Profile& profile, const std::string& place) {
+  if (profile.pattern == SamplePattern{} && profile.by_target_size.empty()) return;
+  throw InputError(place, "its samples are not the pixels' centres",
+                   "time one that samples pixel centres, by one model for all targets");
+}
+
+std::unique_ptr<Subject> ProgramOf(const std::string& name) {
+  std::unique_ptr<Subject> subject = ResolveOutside(name)();
+  RequireCentres(subject->Info().profile, name);
+  return subject;
+}
+
 // A plugin in this process: what it does wrong it does to this program.
 std::unique_ptr<Subject> PluginOf(const std::string& file) {
   subjects::LoadedPlugin loaded = subjects::LoadPlugin(file);
   SubjectInfo info = loaded.subject->OwnInfo();
   info.name = std::filesystem::path(file).filename().string();
   info.profile = io::ParseProfile(loaded.profile, file);
-  if (info.profile.pattern != SamplePattern{} || !info.profile.by_target_size.empty()) {
-    throw InputError("--plugin " + file, "its samples are not the pixels' centres",
-                     "time one that samples pixel centres, by one model for all targets");
-  }
+  RequireCentres(info.profile, "--plugin " + file);
   loaded.subject->JudgeAs(info);
   return std::move(loaded.subject);
+}
+
+// What runs in a process of its own: commands, and subjects outside by name.
+std::vector<std::string> ProgramNames(const BenchOptions& options) {
+  std::vector<std::string> names;
+  std::ranges::copy_if(options.subjects, std::back_inserter(names), IsOutside);
+  for (const std::string& command : options.programs) {
+    names.push_back(std::string(kExecPrefix) + command);
+  }
+  return names;
 }
 
 }  // namespace
@@ -128,10 +152,14 @@ std::unique_ptr<Subject> PluginOf(const std::string& file) {
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
   auto contenders = ContendersOf(options);
-  std::vector<std::unique_ptr<Subject>> plugins;
+  std::vector<std::unique_ptr<Subject>> subjects;
   for (const std::string& file : options.plugins) {
-    plugins.push_back(PluginOf(file));
-    contenders.push_back(bench::MakeSubjectContender(*plugins.back()));
+    subjects.push_back(PluginOf(file));
+    contenders.push_back(bench::MakeSubjectContender(*subjects.back()));
+  }
+  for (const std::string& name : ProgramNames(options)) {
+    subjects.push_back(ProgramOf(name));
+    contenders.push_back(bench::MakeProgramContender(*subjects.back()));
   }
   const std::vector<bench::FamilyInput> families = FamiliesOf(options);
   BenchResult result;

@@ -305,6 +305,7 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--scene", options.scenes, "Scene files or meshes beside the families");
   verb->add_option("--subject", options.subjects, "Built-in methods and kernels (default: all)");
   verb->add_option("--plugin", options.plugins, "Libraries that are timed too, in this process");
+  verb->add_option("--exec", options.programs, "Programs that are timed too, on a pipe");
   verb->add_option_function<std::string>(
           "--budget",
           [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },

@@ -221,6 +221,7 @@ struct BenchOptions {
   std::vector<std::string> scenes;    ///< scene files or meshes
   std::vector<std::string> subjects;  ///< built-in methods and kernels by name; empty: all
   std::vector<std::string> plugins;   ///< libraries that are timed beside them, in this process
+  std::vector<std::string> programs;  ///< commands that are timed beside them, on a pipe
   double budget = 60;                 ///< seconds for everything
   std::uint64_t seed = 1;
   std::string json;

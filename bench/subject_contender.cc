@@ -1,0 +1,220 @@
+// Subjects of the user's: libraries in this process, programs in their own.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/contender.h"
+#include "core/bench_result.h"
+#include "core/clock.h"
+#include "core/coverage.h"
+#include "core/drawing.h"
+#include "core/subject.h"
+#include "core/subject_info.h"
+#include "reference/kernels/kernel.h"
+
+namespace rasterproof::bench {
+namespace {
+
+// What is the same of both: who it is, and its triangles drawn alone.
+class SubjectContender : public Contender {
+ public:
+  explicit SubjectContender(Subject& subject) : subject_(subject) {
+    const SubjectInfo& info = subject.Info();
+    model_ = info.profile;
+    method_.name = info.name;
+    method_.summary = info.summary;
+    method_.kind = "yours";
+    method_.target = "its own";
+    method_.sink = NameOf(reference::kernels::Sink::kFacing);
+    method_.model = info.profile.name;
+    method_.is_users = true;
+    method_.coordinate_limit = info.profile.coordinate_limit;
+    method_.vertex_bytes = sizeof(Vertex);
+    method_.pixel_bits = 8 * sizeof(std::uint64_t);
+    if (info.draws_elsewhere) method_.clock = BenchClock::kWall;
+  }
+
+  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
+    if (Takes(subject_.Info(), family.scene)) return std::nullopt;
+    return "it does not take the family's vertices";
+  }
+
+  void Load(const FamilyInput& family) override {
+    scene_ = std::make_shared<const Scene>(family.scene);
+    Scene without_triangles = family.scene;
+    without_triangles.triangles.clear();
+    empty_ = std::make_shared<const Scene>(std::move(without_triangles));
+    outside_ = 0;
+  }
+
+  // Counts without facings have no counterpart in the model's.
+  std::optional<CoverageCounts> Drawn() override {
+    if (subject_.Info().coverage != CoverageKind::kFacingCounts) return std::nullopt;
+    return subject_.Show(Job(scene_)).counts;
+  }
+
+  bool IsSlowAlone() const override { return true; }
+  void DrawAlone(std::size_t triangle, const PixelRect& area,
+                 std::vector<std::uint8_t>& box) override {
+    DrawJob job = Job(scene_);
+    job.triangles = {scene_->triangles[triangle]};
+    const CoverageCounts counts = subject_.Show(job).counts;
+    std::uint64_t all = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) all += counts.Count(i) != 0 ? 1 : 0;
+    std::size_t at = 0;
+    for (int y = area.y0; y < area.y1; ++y) {
+      for (int x = area.x0; x < area.x1; ++x) {
+        box[at] = counts.Count(counts.Index(x, y)) != 0 ? 1 : 0;
+        all -= box[at++];
+      }
+    }
+    outside_ += all;
+  }
+  std::uint64_t LeftBehind() override { return std::exchange(outside_, 0); }
+
+  std::vector<PixelValues> ValuesAlone(std::size_t triangle,
+                                       std::span<const Pixel> pixels) override {
+    std::vector<PixelValues> values;
+    if (subject_.Info().coverage != CoverageKind::kFragments) return values;
+    DrawJob job = Job(scene_);
+    job.triangles = {scene_->triangles[triangle]};
+    job.wants = kEverything;
+    const Drawing drawing = subject_.Show(job);
+    for (const Pixel& at : pixels) {
+      PixelValues& shown = values.emplace_back();
+      const std::size_t i = drawing.counts.Index(at.x, at.y);
+      if (drawing.counts.Count(i) == 0) continue;
+      if (!drawing.barycentrics.empty()) shown.barycentrics = drawing.barycentrics[i];
+      if (!drawing.depths.empty()) shown.depth = drawing.depths[i];
+    }
+    return values;
+  }
+
+ protected:
+  static DrawJob Job(std::shared_ptr<const Scene> scene) {
+    DrawJob job(std::move(scene), {}, 1);
+    job.wants = kCoverageAlone;
+    return job;
+  }
+  double Triangles() const { return std::max(1.0, static_cast<double>(scene_->triangles.size())); }
+  double SecondsOf(const DrawTime& time) const {
+    return method_.clock == BenchClock::kWall ? time.wall_seconds : time.seconds;
+  }
+  DrawTime TimeOf(const DrawJob& job, int repeats) const {
+    if (const std::optional<DrawTime> told = subject_.TimeDraws(job, repeats)) return *told;
+    return Timed([&] {
+      for (int k = 0; k < repeats; ++k) subject_.Show(job);
+    });
+  }
+
+  Subject& subject_;
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Scene> empty_;
+  std::uint64_t outside_ = 0;  // samples outside of the areas of triangles drawn alone
+};
+
+class LibraryContender final : public SubjectContender {
+ public:
+  using SubjectContender::SubjectContender;
+
+  DrawTime Draw() override {
+    const DrawTime converting = TimeOf(Job(empty_), 1);
+    const DrawTime all = TimeOf(Job(scene_), 1);
+    method_.conversion_seconds = SecondsOf(converting) / Triangles();
+    const double wall = std::max(0.0, all.wall_seconds - converting.wall_seconds);
+    const double processor = std::max(0.0, all.seconds - converting.seconds);
+    return {.seconds = method_.clock == BenchClock::kWall ? wall : processor, .wall_seconds = wall};
+  }
+};
+
+// The least squares' slope of times over draws, not below 0, and where it meets 0 draws.
+struct Line {
+  double slope = 0;
+  double start = 0;
+};
+
+Line FittedLine(std::span<const double> draws, std::span<const double> seconds) {
+  const auto count = static_cast<double>(draws.size());
+  double mean_draws = 0;
+  double mean_seconds = 0;
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    mean_draws += draws[i] / count;
+    mean_seconds += seconds[i] / count;
+  }
+  double above = 0;
+  double below = 0;
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    above += (draws[i] - mean_draws) * (seconds[i] - mean_seconds);
+    below += (draws[i] - mean_draws) * (draws[i] - mean_draws);
+  }
+  const double slope = std::max(0.0, above / below);
+  return {.slope = slope, .start = std::max(0.0, mean_seconds - slope * mean_draws)};
+}
+
+class ProgramContender final : public SubjectContender {
+ public:
+  explicit ProgramContender(Subject& subject) : SubjectContender(subject) {
+    method_.times_requests = !subject.Info().takes_repeats;
+    if (method_.clock != BenchClock::kWall) method_.clock = BenchClock::kProgram;
+  }
+
+  // The first draw starts it, and the second one is warm.
+  void Load(const FamilyInput& family) override {
+    SubjectContender::Load(family);
+    TimeOf(Job(scene_), 1);
+    const double one = TimeOf(Job(scene_), 1).wall_seconds;
+    if (method_.times_requests) {
+      method_.conversion_seconds = SlopeOf(Job(empty_), 1).seconds / Triangles();
+    }
+    draws_ = 1;
+    if (one > kLong || method_.times_requests) return;
+    while (draws_ < kMostDraws && TimeOf(Job(scene_), draws_).wall_seconds < one + kEnough) {
+      draws_ *= 2;
+    }
+  }
+
+  DrawTime Draw() override { return SlopeOf(Job(scene_), draws_); }
+
+ private:
+  static constexpr double kLong = 0.25;    // seconds of one draw from which on no more are asked
+  static constexpr double kEnough = 0.01;  // that k draws take beyond what they have in common
+  static constexpr int kMostDraws = 1024;
+
+  DrawTime SlopeOf(const DrawJob& job, int draws) {
+    constexpr std::array<int, 3> kTimes{1, 2, 4};
+    std::array<double, 3> counts{};
+    std::array<double, 3> seconds{};
+    std::array<double, 3> walls{};
+    for (std::size_t i = 0; i < kTimes.size(); ++i) {
+      const DrawTime time = TimeOf(job, kTimes[i] * draws);
+      counts[i] = kTimes[i] * draws;
+      seconds[i] = SecondsOf(time);
+      walls[i] = time.wall_seconds;
+    }
+    const Line line = FittedLine(counts, seconds);
+    if (!method_.times_requests) method_.conversion_seconds = line.start / Triangles();
+    return {.seconds = line.slope, .wall_seconds = FittedLine(counts, walls).slope};
+  }
+
+  int draws_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject) {
+  return std::make_unique<LibraryContender>(subject);
+}
+
+std::unique_ptr<Contender> MakeProgramContender(Subject& subject) {
+  return std::make_unique<ProgramContender>(subject);
+}
+
+}  // namespace rasterproof::bench

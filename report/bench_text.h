@@ -1,4 +1,4 @@
-// What a benchmark found, as a table and as data.
+// What a benchmark found, as a table.
 #ifndef RASTERPROOF_REPORT_BENCH_TEXT_H_
 #define RASTERPROOF_REPORT_BENCH_TEXT_H_
 
@@ -24,9 +24,6 @@ double NanosecondsATriangle(const BenchResult& result, const BenchRow& row);
 
 /// A table a family, cheapest first within a sink.
 std::string BenchToTable(const BenchResult& result);
-
-/// All that there is, the raw times included.
-std::string BenchToJson(const BenchResult& result);
 
 }  // namespace rasterproof::report
 

@@ -25,6 +25,10 @@ JsonWriter& JsonWriter::Rounded(double value) {
   return std::isfinite(value) ? Value(fmt::format("{:.6g}", value)) : Exact(value);
 }
 
+JsonWriter& JsonWriter::Shortest(double value) {
+  return std::isfinite(value) ? Value(fmt::format("{}", value)) : Exact(value);
+}
+
 JsonWriter& JsonWriter::Value(std::string_view json) {
   NextLine();
   text_ += json;

@@ -30,6 +30,8 @@ class JsonWriter {
   JsonWriter& Exact(double value);
   /// A double for drawing or reading, to six digits; a string where JSON has no number for it.
   JsonWriter& Rounded(double value);
+  /// A double as a decimal number as short as reads back to it; a string where JSON has no number.
+  JsonWriter& Shortest(double value);
   /// JSON text as it is.
   JsonWriter& Value(std::string_view json);
 

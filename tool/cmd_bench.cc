@@ -21,6 +21,7 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "report/bench_json.h"
 #include "report/bench_svg.h"
 #include "report/bench_text.h"
 #include "subjects/plugin/plugin.h"

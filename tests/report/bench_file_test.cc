@@ -1,0 +1,72 @@
+#include "io/bench_file.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "report/bench_json.h"
+#include "tests/report/sample_bench.h"
+
+namespace rasterproof::report {
+namespace {
+
+std::string WithChanged(std::string_view from, std::string_view to) {
+  std::string text = BenchToJson(SampleBench());
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string FaultOf(const std::string& text) {
+  try {
+    io::ParseBench(text, "bench.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(BenchFile, ReadsBackWhatIsWritten) {
+  const std::string text = BenchToJson(SampleBench());
+  EXPECT_EQ(BenchToJson(io::ParseBench(text, "bench.json")), text);
+}
+
+TEST(BenchFile, ReadsEveryPart) {
+  const BenchResult written = SampleBench();
+  const BenchResult read = io::ParseBench(BenchToJson(written), "bench.json");
+  EXPECT_EQ(read.methods.size(), written.methods.size());
+  EXPECT_EQ(read.methods[5], written.methods[5]);
+  EXPECT_EQ(read.rows[1].real.worst, written.rows[1].real.worst);
+  EXPECT_EQ(read.rows[3].time, written.rows[3].time);
+  EXPECT_FALSE(read.rows[6].is_judged);
+  EXPECT_EQ(read.setting.seed, written.setting.seed);
+  EXPECT_EQ(read.cliffs[0].scene, written.cliffs[0].scene);
+  EXPECT_EQ(read.curves[0].points[2].value, 16777217.0);
+  EXPECT_EQ(read.fingerprints[0].png, written.fingerprints[0].png);
+}
+
+TEST(BenchFile, FaultsNamePlaceAndRemedy) {
+  for (const auto& [text, words] : {
+           std::pair<std::string, std::string>{"{}", "rasterproof bench --json"},
+           {"[]", "bench.json"},
+           {WithChanged("\"rasterproof_bench\": 3", "\"rasterproof_bench\": 2"),
+            "measure again by rasterproof bench --json"},
+           {WithChanged("\"family\": \"small\"", "\"family\": \"smal\""), "rows[0].family"},
+           {WithChanged("\"baseline\": \"f32-incremental\"", "\"baseline\": \"f32\""),
+            "families[0].baseline"},
+           {WithChanged("\"clock\": \"processor\"", "\"clock\": \"sun\""), "methods[0].clock"},
+           {WithChanged("\"parameter\": \"steps\"", "\"parameter\": \"step\""),
+            "curves[0].parameter"},
+           {WithChanged("\"missing\": 5", "\"missing\": -5"), "rows[0].real.missing"},
+           {WithChanged("\"wall_seconds\"", "\"elapsed\""), "rows[0]"},
+           {WithChanged("\"seed\": \"1", "\"seed\": \"x1"), "below 2^64"},
+       }) {
+    EXPECT_NE(FaultOf(text).find(words), std::string::npos) << words << ": " << FaultOf(text);
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::report

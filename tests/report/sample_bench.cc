@@ -1,0 +1,138 @@
+#include "tests/report/sample_bench.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace rasterproof::report {
+namespace {
+
+BenchMethod Method(const std::string& name, const std::string& kind, bool is_proved) {
+  BenchMethod method;
+  method.name = name;
+  method.summary = "how " + name + " draws";
+  method.kind = kind;
+  method.target = kind == "exact" ? "avx2" : "compiler";
+  method.sink = "facing";
+  method.model = kind == "fixed point" ? "snapped8" : "real";
+  method.is_proved = is_proved;
+  method.coordinate_limit = 16384;
+  method.vertex_bytes = 8;
+  method.pixel_bits = 64;
+  return method;
+}
+
+BenchFamily Family(const std::string& name) {
+  BenchFamily family;
+  family.name = name;
+  family.summary = "Triangles of " + name;
+  family.width = 256;
+  family.height = 128;
+  family.is_random = true;
+  family.largest_coordinate = 256;
+  family.triangles = 1000;
+  family.covered = 20'000;
+  family.judged_triangles = 1000;
+  family.judged_covered = 20'000;
+  family.boundary_pairs = 10'000;
+  family.shared_pairs = 3000;
+  family.distances.pairs = {1, 2, 3, 4, 9990};
+  family.baseline = 0;
+  family.twin = 1;
+  family.rounds = 3;
+  return family;
+}
+
+// Times of 10 us a draw times the ratio, with an interval of 1 %.
+BenchRow Row(std::uint32_t family, std::uint32_t method, double ratio, std::uint64_t wrong) {
+  BenchRow row;
+  row.family = family;
+  row.method = method;
+  row.seconds = {1e-5 * ratio, 1.01e-5 * ratio, 0.99e-5 * ratio};
+  row.time = {0.99e-5 * ratio, 1e-5 * ratio, 1.01e-5 * ratio};
+  row.wall_median = 1.1e-5 * ratio;
+  row.ratio = {0.99 * ratio, ratio, 1.01 * ratio};
+  row.is_judged = true;
+  row.drawing_wrong = wrong;
+  row.real.missing = wrong;
+  row.own.missing = wrong;
+  if (wrong != 0) {
+    row.real.displacement = row.own.displacement = 0.015;
+    row.real.worst = row.own.worst =
+        BenchWitness{7, {{{1.1, 2, 0, 1}, {9.25, 3, 0, 1}, {4, 11.7, 0, 1}}}, 5, 4, 0.015};
+  }
+  row.judged_triangles = 900;
+  row.boundary_pairs = 5000;
+  row.real.beside_edges = row.own.beside_edges = wrong;
+  row.values.edge = 0.001;
+  row.values.edge_share_of_bound = 0.1;
+  return row;
+}
+
+void AddLimits(BenchResult& result) {
+  result.parameters = {{"steps", "Longer walks, the rest kept", "pixels", false},
+                       {"pixels", "Larger triangles", "pixels", true}};
+  BenchCurve errors{2, 0, {}};
+  BenchCurve costs{3, 1, {}};
+  for (const double value : {2.0, 64.0, 16777217.0}) {
+    BenchPoint point{value, 1000, value > 64 ? 12U : 0U, value > 64 ? 0.25 : 0, value / 1e8, {}};
+    errors.points.push_back(point);
+    point.share_of_bound = std::numeric_limits<double>::quiet_NaN();
+    point.time = {0.9e-9 * value, 1e-9 * value, 1.1e-9 * value};
+    costs.points.push_back(point);
+  }
+  result.curves = {errors, costs};
+  Scene scene;
+  scene.name = "cliff";
+  scene.width = 8;
+  scene.height = 8;
+  scene.vertices = {{0.1, 0, 0, 1}, {7, 1, 0, 1}, {3, 7, 0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  scene.precision = Precision::kFloat64;
+  result.cliffs.resize(2);
+  result.cliffs[0] = {2, 0, 64, 4096, 4097, scene, 3, 2};
+  result.cliffs[1].method = 3;
+}
+
+}  // namespace
+
+BenchResult SampleBench() {
+  BenchResult result;
+  result.setting = {
+      "a processor, 2 processors", "g++ 12", "-O2", "abc", "rasterproof bench", "2026-01-02",
+      18446744073709551615U,       true};
+  result.methods = {Method("f32-incremental", "float32", false),
+                    Method("f32-incremental again", "float32", false),
+                    Method("f32-direct", "float32", false),
+                    Method("kernel-exact", "exact", true),
+                    Method("i64-snap8", "fixed point", true),
+                    Method("mine.so", "yours", false)};
+  result.methods[5].is_users = true;
+  result.methods[5].conversion_seconds = 3e-9;
+  result.methods[5].times_requests = true;
+  result.methods[2].sink = "facing";
+  result.families = {Family("small"), Family("large")};
+  for (const std::uint32_t family : {0U, 1U}) {
+    result.rows.push_back(Row(family, 0, 1, 5));
+    result.rows.push_back(Row(family, 1, 1.001, 5));
+    result.rows.push_back(Row(family, 2, 0.3, 2));
+    result.rows.push_back(Row(family, 3, 0.5, 0));
+    result.rows.push_back(Row(family, 4, 0.8, 0));
+    result.rows.push_back(Row(family, 5, 0.4, 1));
+  }
+  result.rows[6].is_judged = false;
+  result.rows[6].real = result.rows[6].own = {};
+  result.rows[6].drawing_wrong.reset();
+  result.left_out = {{1, 5, "it draws elsewhere"}};
+  AddLimits(result);
+  result.stages = {{"transform", "in float32", 12, 10'000, 0.001},
+                   {"snap", "to 1/256 pixel", 300, 10'000, 0.0027}};
+  result.fingerprints = {{2, "1 ulp", 77,
+                          "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGA"
+                          "hKmMIQAAAABJRU5ErkJg"
+                          "gg=="}};
+  return result;
+}
+
+}  // namespace rasterproof::report

@@ -258,6 +258,30 @@ Scene FourSamples(int part, std::uint64_t seed) {
   return scene;
 }
 
+// Pairs of triangles whose shared edge passes within a rounding of a pixel's centre: its far end is
+// the first one's continuation through the centre, rounded to float32.
+Scene Grazing(int part, std::uint64_t seed) {
+  Scene scene = Empty();
+  Random random(seed);
+  for (int i = 0; i < 8192 / part; ++i) {
+    const double x = std::floor(random.Between(32, scene.width - 32)) + 0.5;
+    const double y = std::floor(random.Between(32, scene.height - 32)) + 0.5;
+    const double angle = random.Between(0, 2 * std::numbers::pi);
+    const double near = random.Between(4, 24);
+    const Vertex a = At(x + near * std::cos(angle), y + near * std::sin(angle), 0.25);
+    const double beyond = random.Between(0.3, 3);
+    const Vertex b = At(x + beyond * (x - a.x), y + beyond * (y - a.y), 0.75);
+    const double side = random.Between(2, 6) / std::hypot(b.x - a.x, b.y - a.y);
+    const Vertex left = At(x - side * (b.y - a.y), y + side * (b.x - a.x), 0.5);
+    const Vertex right = At(x + side * (b.y - a.y), y - side * (b.x - a.x), 0.5);
+    const auto first = static_cast<std::int32_t>(scene.vertices.size());
+    scene.vertices.insert(scene.vertices.end(), {a, b, left, right});
+    scene.triangles.push_back({first, first + 1, first + 2});
+    scene.triangles.push_back({first + 1, first, first + 3});
+  }
+  return scene;
+}
+
 constexpr std::array kKinds{
     FamilyKind{"px5", "Scattered triangles of one to ten pixels, 5 on average", true, Px5},
     FamilyKind{"px100", "Scattered triangles of about a hundred pixels", true, Px100},
@@ -294,6 +318,10 @@ constexpr std::array kKinds{
                "The grid on 1/256 pixel at the four standard samples of each "
                "pixel, a pass each",
                false, FourSamples},
+    FamilyKind{"grazing",
+               "Pairs of triangles made so that their shared edge passes within a rounding of a "
+               "pixel's centre",
+               false, Grazing, true},
 };
 
 // The number of parts of which a quick run draws one.
@@ -308,6 +336,7 @@ FamilyInput MakeFamily(const FamilyKind& kind, FamilySize size, std::uint64_t se
   scene.name = kind.name;
   FamilyInput input = FamilyOf(std::move(scene), std::string(kind.summary));
   input.is_random = kind.is_random;
+  input.is_constructed = kind.is_constructed;
   return input;
 }
 

@@ -41,10 +41,12 @@ struct FamilyKind {
   bool is_random = false;    ///< independent triangles of one distribution
   /// Draws about 1 / `part` of the full number of triangles.
   Scene (*make)(int part, std::uint64_t seed) = nullptr;
+  /// Its vertices are placed to be hard: what fails is counted, and is no rate of anything.
+  bool is_constructed = false;
 };
 
 /// "px5", "px100", "px1m", "walks", "needles", "fan", "mesh", "ties", "snapped-4", "snapped-8",
-/// "far", "torus", "perspective", "four-samples".
+/// "far", "torus", "perspective", "four-samples", "grazing".
 std::span<const FamilyKind> FamilyKinds();
 
 /// Makes the family.

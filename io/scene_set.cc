@@ -16,8 +16,8 @@ namespace rasterproof::io {
 namespace {
 
 constexpr std::array<std::string_view, 2> kSetKeys{"rasterproof_scene_set", "scenes"};
-constexpr std::array<std::string_view, 7> kEntryKeys{"name",    "kind",  "path",  "camera",
-                                                     "project", "width", "height"};
+constexpr std::array<std::string_view, 8> kEntryKeys{"name",   "summary", "kind",  "path",
+                                                     "camera", "project", "width", "height"};
 
 bool IsReal(const JsonValue& kind) {
   const std::string_view text = kind.RequireString();
@@ -36,6 +36,7 @@ SceneEntry ReadEntry(const JsonValue& object, const std::filesystem::path& folde
   entry.name = object.Get("name").RequireName();
   // An absolute path stays as it is.
   entry.path = (folder / object.Get("path").RequireString()).string();
+  if (const auto summary = object.Find("summary")) entry.summary = summary->RequireString();
   if (const auto kind = object.Find("kind")) entry.real = IsReal(*kind);
   if (const auto camera = object.Find("camera")) entry.camera = camera->RequireString();
   if (const auto project = object.Find("project")) entry.project = project->RequireString();

@@ -35,7 +35,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kSceneSet = "scenes/certify.json";
 constexpr std::string_view kNotJudged = ": observed, not judged";
 
 std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {

@@ -18,6 +18,9 @@ std::vector<std::string> SharedFolders();
 /// Returns:    nothing if none does.
 std::optional<std::string> FindShared(const std::string& file);
 
+/// The scene set that is certified where none is named.
+inline constexpr const char* kSceneSet = "scenes/certify.json";
+
 /// The file that a path on a command line means: the one of that path, or where there is none the
 /// one of FindShared(). So "scenes/ties.json" means the same in every folder.
 std::string Located(const std::string& path);

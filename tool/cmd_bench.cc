@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,17 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "io/scene_set.h"
 #include "report/bench_json.h"
 #include "report/bench_svg.h"
 #include "report/bench_text.h"
 #include "subjects/plugin/plugin.h"
 #include "tool/commands.h"
+#include "tool/commit.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
+#include "tool/shared_files.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -52,6 +56,7 @@ BenchSetting SettingOf(const BenchOptions& options) {
       fmt::format("{}, {} processors", ProcessorName(), sysconf(_SC_NPROCESSORS_ONLN));
   setting.compiler = environment.compiler;
   setting.flags = environment.flags;
+  setting.commit = kCommit;
   setting.command = options.command;
   setting.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now()));
   setting.seed = options.seed;
@@ -69,6 +74,27 @@ bench::FamilyInput FromFile(const std::string& path, const BenchOptions& options
   return bench::FamilyOf(std::move(scene), "The scene " + path);
 }
 
+// The real scenes of the set that lies beside the command, as families.
+std::vector<io::SceneEntry> RealScenes() {
+  std::vector<io::SceneEntry> entries;
+  if (const auto set = FindShared(kSceneSet)) entries = io::ReadSceneSet(*set);
+  std::erase_if(entries, [](const io::SceneEntry& entry) { return !entry.real; });
+  return entries;
+}
+
+// Nothing, and a word of it, where nobody asked for it and its file is not there: a mesh comes with
+// another package.
+std::optional<bench::FamilyInput> FromSet(const io::SceneEntry& entry, bool is_asked) {
+  if (!is_asked && !std::filesystem::exists(entry.path)) {
+    fmt::print(stderr, "rasterproof: family {} is left out: there is no {}\n", entry.name,
+               entry.path);
+    return std::nullopt;
+  }
+  Scene scene = LoadScene({entry.path, entry.camera, entry.project, entry.width, entry.height});
+  scene.name = entry.name;
+  return bench::FamilyOf(std::move(scene), entry.summary);
+}
+
 std::vector<bench::FamilyInput> FamiliesOf(const BenchOptions& options) {
   std::vector<bench::FamilyInput> families;
   const auto size =
@@ -79,6 +105,11 @@ std::vector<bench::FamilyInput> FamiliesOf(const BenchOptions& options) {
     known.emplace_back(kind.name);
     if (!all && std::ranges::find(options.families, kind.name) == options.families.end()) continue;
     families.push_back(bench::MakeFamily(kind, size, options.seed));
+  }
+  for (const io::SceneEntry& entry : RealScenes()) {
+    known.push_back(entry.name);
+    if (!all && std::ranges::find(options.families, entry.name) == options.families.end()) continue;
+    if (auto family = FromSet(entry, !all)) families.push_back(std::move(*family));
   }
   for (const std::string& name : options.families) {
     if (std::ranges::find(known, name) != known.end()) continue;

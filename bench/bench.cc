@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <limits>
+#include <list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,7 +20,6 @@
 #include "bench/values.h"
 #include "core/clock.h"
 #include "core/coverage.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "reference/kernels/kernel.h"
 #include "reference/method.h"
@@ -98,6 +98,7 @@ void MeasureUnlessItFails(Run& run) {
   try {
     Measure(run);
   } catch (const std::exception& error) {
+    if (!run.contender->method().is_users) throw;
     run.failure = error.what();
   }
 }
@@ -107,25 +108,37 @@ std::size_t RoundsOf(const Run& run, double seconds) {
   return static_cast<std::size_t>(std::clamp(seconds / std::max(run.seconds_each, 1e-9), 3.0, 1e6));
 }
 
-std::size_t MeasureInRounds(std::vector<Run>& runs, const BenchOptions& options) {
+std::size_t MeasureInRounds(std::vector<Run>& runs, const BenchOptions& options, double seconds) {
   const double begun = WallSeconds();
   std::size_t rounds = 0;
   while (rounds < options.most_rounds) {
-    const bool is_late = WallSeconds() - begun > options.seconds_per_family;
+    const bool is_late = WallSeconds() - begun > seconds;
     if (rounds >= options.least_rounds && is_late) break;
     // A step that is coprime to most counts spreads few rounds over the whole design.
     for (const std::size_t k : RoundOrder(runs.size(), 7 * rounds)) {
       if (rounds < runs[k].rounds && runs[k].failure.empty()) MeasureUnlessItFails(runs[k]);
     }
     if (rounds++ > 0) continue;
-    for (Run& run : runs) run.rounds = RoundsOf(run, options.seconds_per_family);
+    for (Run& run : runs) run.rounds = RoundsOf(run, seconds);
   }
   return rounds;
 }
 
-std::uint64_t WrongSamples(const CoverageCounts& drawn, const Scene& scene, const Profile& model) {
-  return Compare(drawn, exact::Coverage(scene, model)).wrong;
-}
+// What exact geometry covers of the whole scene, once for each model.
+class WholeScene {
+ public:
+  explicit WholeScene(const Scene& scene) : scene_(scene) {}
+  std::uint64_t WrongSamples(const CoverageCounts& drawn, const Profile& model) {
+    for (const auto& [known, counts] : known_) {
+      if (SameModel(known, model)) return Compare(drawn, counts).wrong;
+    }
+    return Compare(drawn, known_.emplace_back(model, exact::Coverage(scene_, model)).second).wrong;
+  }
+
+ private:
+  const Scene& scene_;
+  std::list<std::pair<Profile, CoverageCounts>> known_;
+};
 
 std::uint32_t IndexOf(const std::vector<Run>& runs, std::string_view name) {
   const auto found = std::ranges::find(
@@ -138,15 +151,17 @@ kernels::Sink SinkOf(const BenchMethod& method) {
                             [](kernels::Sink sink) { return NameOf(sink); });
 }
 
-BenchRow RowOf(Run& run, const FamilyInput& family, const BenchFamily& described,
-               CoverageJudge& judge) {
+// Its errors, and how far its whole drawing is off.
+BenchRow JudgedRow(Run& run, const FamilyInput& family, WholeScene& whole, CoverageJudge& judge) {
+  Contender& contender = *run.contender;
   BenchRow row;
   row.method = run.method;
-  if (const auto drawn = run.contender->Drawn()) {
-    row.drawing_wrong = WrongSamples(*drawn, family.scene, run.contender->model());
+  contender.Draw();
+  if (const auto drawn = contender.Drawn()) {
+    row.drawing_wrong = whole.WrongSamples(*drawn, contender.model());
   }
-  if (run.contender->DrawsAlone()) {
-    const Judgement& judgement = judge.Of(*run.contender);
+  if (contender.DrawsAlone()) {
+    const Judgement& judgement = judge.Of(contender);
     row.real = judgement.real;
     row.own = judgement.own;
     row.leaks = judgement.leaks;
@@ -154,13 +169,18 @@ BenchRow RowOf(Run& run, const FamilyInput& family, const BenchFamily& described
     row.judged_triangles = judgement.judged_triangles;
     row.boundary_pairs = judgement.boundary_pairs;
   }
-  row.values = ValuesOf(*run.contender, family);
+  row.values = ValuesOf(contender, family);
+  return row;
+}
+
+void AddTimes(const Run& run, const Run& base, const BenchFamily& described, BenchRow& row) {
+  row.seconds = run.seconds;
   row.time = MedianInterval(run.seconds);
   row.wall_median = MedianInterval(run.wall).median;
+  row.ratio = RatioInterval(run.seconds, base.seconds);
   const double stored =
       StoreLimit(SinkOf(run.contender->method())) * static_cast<double>(described.covered);
   row.binds_at_store = row.time.median < 2 * stored;
-  return row;
 }
 
 }  // namespace
@@ -201,54 +221,56 @@ std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice) {
 
 void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Contender>> contenders,
                const BenchOptions& options, BenchResult& result) {
+  const double begun = WallSeconds();
   const auto say = [&](const std::string& what) {
     if (options.progress) options.progress(family.name + ": " + what);
   };
   const auto at = static_cast<std::uint32_t>(result.families.size());
-  std::vector<Run> runs;
-  for (std::size_t k = 0; k < contenders.size(); ++k) {
-    const auto method = static_cast<std::uint32_t>(k);
-    if (result.methods.size() == k) result.methods.push_back(contenders[k]->method());
-    if (auto why = contenders[k]->WhyNot(family)) {
-      result.left_out.push_back({at, method, *why});
-      continue;
-    }
-    try {
-      contenders[k]->Load(family);
-      runs.push_back({.contender = contenders[k].get(), .method = method});
-    } catch (const std::exception& error) {
-      if (!contenders[k]->method().is_users) throw;
-      result.left_out.push_back({at, method, error.what()});
-    }
+  for (std::size_t k = result.methods.size(); k < contenders.size(); ++k) {
+    result.methods.push_back(contenders[k]->method());
   }
   say("samples");
   const JudgedTriangles judged(family.scene, options.judged_pixels);
   BenchFamily described = Describe(family, judged);
+  say("errors");
+  CoverageJudge judge(family, judged);
+  WholeScene whole(family.scene);
+  std::vector<Run> runs;
+  std::vector<BenchRow> rows;
+  for (std::size_t k = 0; k < contenders.size(); ++k) {
+    Run run{.contender = contenders[k].get(), .method = static_cast<std::uint32_t>(k)};
+    if (auto why = run.contender->WhyNot(family)) {
+      result.left_out.push_back({at, run.method, *why});
+      continue;
+    }
+    try {
+      run.contender->Load(family);
+      rows.push_back(JudgedRow(run, family, whole, judge));
+      runs.push_back(std::move(run));
+    } catch (const std::exception& error) {
+      if (!run.contender->method().is_users) throw;
+      result.left_out.push_back({at, run.method, error.what()});
+    }
+  }
+  say("times");
   if (!runs.empty()) {
-    say("times");
-    described.rounds = MeasureInRounds(runs, options);
+    described.rounds =
+        MeasureInRounds(runs, options, options.seconds_per_family - (WallSeconds() - begun));
     const std::string_view baseline = family.scene.clip_space ? kClipBaseline : kBaseline;
     described.baseline = IndexOf(runs, baseline);
     described.twin = IndexOf(runs, std::string(baseline) + std::string(kAgain));
-    say("errors");
-    CoverageJudge judge(family, judged);
-    const auto base = std::ranges::find(runs, described.baseline, &Run::method);
-    for (Run& run : runs) {
-      BenchRow row;
-      try {
-        if (!run.failure.empty()) throw SubjectFault(run.failure);
-        row = RowOf(run, family, described, judge);
-      } catch (const std::exception& error) {
-        if (!run.contender->method().is_users) throw;
-        result.left_out.push_back({at, run.method, error.what()});
-        continue;
-      }
-      row.family = at;
-      row.ratio = RatioInterval(run.seconds, base->seconds);
-      row.seconds = run.seconds;
-      result.methods[run.method].conversion_seconds = run.contender->method().conversion_seconds;
-      result.rows.push_back(std::move(row));
+  }
+  const auto base = std::ranges::find(runs, described.baseline, &Run::method);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    result.methods[runs[k].method].conversion_seconds =
+        runs[k].contender->method().conversion_seconds;
+    if (!runs[k].failure.empty()) {
+      result.left_out.push_back({at, runs[k].method, runs[k].failure});
+      continue;
     }
+    rows[k].family = at;
+    AddTimes(runs[k], *base, described, rows[k]);
+    result.rows.push_back(std::move(rows[k]));
   }
   result.families.push_back(std::move(described));
 }

@@ -26,8 +26,8 @@ inline constexpr std::string_view kClipBaseline = "hom-projected-f32";
 bool IsBaseline(std::string_view name);
 
 struct BenchOptions {
-  /// Rounds of a family go on until this is used up, within the two limits.
-  double seconds_per_family = 2;
+  /// Rounds of a family go on until this is used up, within the two limits. Errors are part of it.
+  double seconds_per_family = 4;
   std::size_t least_rounds = 9;
   std::size_t most_rounds = 61;
   /// Triangles are judged until their boxes add up to this.

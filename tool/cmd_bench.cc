@@ -16,13 +16,16 @@
 #include "bench/contender.h"
 #include "bench/family.h"
 #include "core/bench_result.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "exact/environment.h"
 #include "fmt/chrono.h"
 #include "fmt/format.h"
+#include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "io/scene_set.h"
+#include "report/bench_changes.h"
 #include "report/bench_json.h"
 #include "report/bench_svg.h"
 #include "report/bench_text.h"
@@ -179,10 +182,7 @@ std::vector<std::string> ProgramNames(const BenchOptions& options) {
   return names;
 }
 
-}  // namespace
-
-int RunBench(const BenchOptions& options) {
-  RequireHonestEnvironment();
+BenchResult Measured(const BenchOptions& options) {
   auto contenders = ContendersOf(options);
   std::vector<std::unique_ptr<Subject>> subjects;
   for (const std::string& file : options.plugins) {
@@ -196,23 +196,39 @@ int RunBench(const BenchOptions& options) {
   const std::vector<bench::FamilyInput> families = FamiliesOf(options);
   BenchResult result;
   result.setting = SettingOf(options);
-  {
-    Progress progress;
-    progress.Stage("bench");
-    bench::BenchOptions bench_options;
-    // Rounds take half: samples and errors are counted besides, and the least rounds take as long
-    // as they take.
-    bench_options.seconds_per_family = 0.5 * options.budget / static_cast<double>(families.size());
-    bench_options.judged_pixels = options.budget < kFullFrom ? 500'000 : 4'000'000;
-    bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
-    for (const bench::FamilyInput& family : families) {
-      bench::RunFamily(family, contenders, bench_options, result);
-    }
+  Progress progress;
+  progress.Stage("bench");
+  bench::BenchOptions bench_options;
+  // Six are the least that give an interval of 95 %.
+  bench_options.least_rounds = options.budget < kFullFrom ? 6 : 9;
+  bench_options.judged_pixels = options.budget < kFullFrom ? 500'000 : 4'000'000;
+  bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
+  const double end = WallSeconds() + options.budget;
+  auto left = static_cast<double>(families.size());
+  for (const bench::FamilyInput& family : families) {
+    bench_options.seconds_per_family = (end - WallSeconds()) / left--;
+    bench::RunFamily(family, contenders, bench_options, result);
   }
+  return result;
+}
+
+}  // namespace
+
+int RunBench(const BenchOptions& options) {
+  RequireHonestEnvironment();
+  std::optional<BenchResult> before;
+  if (!options.against.empty()) before = io::ReadBench(options.against);
+  const BenchResult result = options.from.empty() ? Measured(options) : io::ReadBench(options.from);
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
   if (!options.svg.empty()) io::WriteFile(options.svg, report::BenchToSvg(result));
-  io::WriteStandardOutput(report::BenchToTable(result));
-  return kExitHolds;
+  if (!before) {
+    io::WriteStandardOutput(report::BenchToTable(result));
+    return kExitHolds;
+  }
+  io::WriteStandardOutput(report::BenchChangesText(*before, result));
+  const bool is_worse = std::ranges::any_of(report::BenchChanges(*before, result),
+                                            &report::BenchChange::IsForTheWorse);
+  return is_worse ? kExitViolated : kExitHolds;
 }
 
 }  // namespace rasterproof::tool

@@ -314,6 +314,9 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option_function<std::string>(
       "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
       "Seed of the families");
+  verb->add_option("--against", options.against,
+                   "File of an earlier --json: tell what changed since; status 1 if for the worse");
+  verb->add_option("--from", options.from, "File of an earlier --json, in place of a new run");
   verb->add_option("--json", options.json, "Result as JSON, raw times included");
   verb->add_option("--svg", options.svg, "Picture: error against run time, a panel a family");
   verb->add_option("--width", options.width, "Of the target of meshes")->check(Positive());

@@ -159,6 +159,11 @@ class CornerWalk {
 template <SteppedForm F>
 using CompensatedWalk = CornerWalk<F, CompensatedSum>;
 
+template <class Walk>
+inline constexpr bool kStepsFromCorner = false;
+template <class F, template <class> class Sum>
+inline constexpr bool kStepsFromCorner<CornerWalk<F, Sum>> = true;
+
 /// E afresh at the first column of each row, additions across.
 template <SteppedForm F>
 class RowWalk {

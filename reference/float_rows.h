@@ -24,6 +24,7 @@ Method FloatMethod(std::string_view name, std::string_view summary) {
   // The bound of an edge is that of the edge reversed: canonical edges share the proofs.
   method.info.proofs = EdgeProofs(kArithmetic);
   method.can_be_canonical = true;
+  method.steps_from_corner = kStepsFromCorner<Walk>;
   method.stages.facing = &FacingBy<typename Walk::Form>;
   method.stages.fill = &FillByWalk<Walk, kTies>;
   method.edges = &own_direction;

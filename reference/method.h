@@ -56,6 +56,9 @@ struct Method {
   /// inside its proven domain, and what is proved of its edge arithmetic.
   SubjectInfo info;
   bool can_be_canonical = false;
+  /// Its values are stepped down from the corner of the box, then across: EdgeEvaluator::Steps goes
+  /// one way and states nothing of that.
+  bool steps_from_corner = false;
   Stages stages;
   /// Draws a whole scene at once, with the same counts as the stages, and returns true; or returns
   /// false, and the stages draw it. nullptr: they always do.

@@ -1,5 +1,6 @@
 // rasterproof plan: what a scene needs, and what can be left out.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -10,11 +11,13 @@
 #include "core/quoted.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
+#include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "model/target_model.h"
 #include "reference/plan.h"
 #include "tool/commands.h"
+#include "tool/plan_error.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -83,11 +86,48 @@ std::string Measured(const reference::Plan& plan, const Scene& scene, const Prof
   return text;
 }
 
+// The cheapest method that is proved to meet the stated error; status 4 if none is.
+int PlanByError(const PlanOptions& options, const Scene& scene) {
+  if (options.bench.empty()) {
+    throw InputError("--error", "times are wanted beside it",
+                     fmt::format("make them with: rasterproof bench --scene {} --json bench.json; "
+                                 "then add --bench bench.json",
+                                 options.scene.path));
+  }
+  if (scene.clip_space) {
+    throw InputError("--error", "the scene is in clip space, where no edge's error is bounded",
+                     "give a scene in window space");
+  }
+  const BenchResult bench = io::ReadBench(options.bench);
+  const std::size_t family = NearestFamily(bench, scene, options.bench);
+  const std::vector<ErrorChoice> choices = ErrorChoices(bench, family, scene, options.error);
+  const auto chosen = std::ranges::find_if(choices, &ErrorChoice::meets);
+  std::string text = fmt::format(
+      "scene       {}\nerror       each edge at most {} px off, proved\ntimes       {}: family {} "
+      "({}), {}\n",
+      scene.name.empty() ? options.scene.path : ShownName(scene.name), options.error, options.bench,
+      bench.families[family].name, bench.families[family].summary, bench.setting.processor);
+  text += chosen == choices.end()
+              ? "method      none: no bound that is proved is as small\n"
+              : fmt::format("method      {} by {}, {:.1f} ns a triangle\n", chosen->method,
+                            chosen->target, chosen->nanoseconds);
+  text += fmt::format("  {:<28} {:<8} {:>12} {:>10}  {}\n", "method", "target", "ns/triangle", "px",
+                      "the bound");
+  for (const ErrorChoice& one : choices) {
+    const std::string pixels = std::isnan(one.proved) ? "-" : fmt::format("{:.3g}", one.proved);
+    text += fmt::format("{} {:<28} {:<8} {:>12.1f} {:>10}  {}\n", one.meets ? "*" : " ", one.method,
+                        one.target, one.nanoseconds, pixels, one.why);
+  }
+  io::WriteStandardOutput(text);
+  return chosen == choices.end() ? kExitInconclusive : kExitHolds;
+}
+
 }  // namespace
 
 int RunPlan(const PlanOptions& options) {
   RequireHonestEnvironment();
   const Scene scene = LoadScene(options.scene);
+  if (options.error >= 0) return PlanByError(options, scene);
   const Profile profile = ForTarget(io::ReadProfile(options.profile), scene.width, scene.height);
   if (profile.squares) {
     throw InputError("--profile " + options.profile,

@@ -213,6 +213,8 @@ struct PlanOptions {
   bool wireframe = false;
   bool verify = false;
   bool measure = false;
+  double error = -1;  ///< pixels that an edge may be off; negative: the plan is exact
+  std::string bench;  ///< file that bench --json wrote: the times, where an error is stated
 };
 int RunPlan(const PlanOptions& options);
 
@@ -226,6 +228,8 @@ struct BenchOptions {
   std::uint64_t seed = 1;
   std::string json;
   std::string svg;
+  std::string against;  ///< file of an earlier run: what changed since
+  std::string from;     ///< file of a run that is not to be repeated; empty: it is run
   std::string command;  ///< as it was typed
   int width = 1920;     ///< of meshes
   int height = 1080;

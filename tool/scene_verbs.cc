@@ -141,6 +141,10 @@ void AddPlan(CLI::App& app, Run& run) {
   verb->add_flag("--verify", options.verify, "Draw by the plan and compare with the oracle");
   verb->add_flag("--measure", options.measure,
                  "Time what each left-out stage saves on this scene, and the whole pipeline");
+  verb->add_option("--error", options.error,
+                   "Name the cheapest method that is proved to move no edge by more pixels")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_option("--bench", options.bench, "File that bench --json wrote: the times for --error");
   verb->callback([&run] { run = [] { return RunPlan(options); }; });
 }
 

@@ -28,6 +28,8 @@ struct DrawQuestion {
   std::uint32_t fill = 0;
   /// Into the target that the draw before it left.
   bool onto_the_last = false;
+  /// Drawn by the subject's twin.
+  bool by_twin = false;
 };
 
 struct BarycentricQuestion {

@@ -60,6 +60,9 @@ class Subject {
   /// Draws that are not done by then may end with SubjectTooSlow. What runs in this process can't
   /// be stopped, and pays no heed.
   virtual void SetDeadline(std::chrono::steady_clock::time_point /*deadline*/) {}
+  /// Another subject of its kind, one for all of this one's life: it shares nothing with this one,
+  /// not even what this one has drawn. nullptr where none can be made.
+  virtual Subject* Twin() { return nullptr; }
   /// Optional capabilities; nullptr where the subject has none.
   virtual const EdgeEvaluator* Edges() const { return nullptr; }
   virtual const BarycentricEvaluator* Barycentrics() const { return nullptr; }

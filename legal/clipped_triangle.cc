@@ -30,6 +30,7 @@ ClippedTriangle::ClippedTriangle(const std::array<Point2, 3>& corners,
       leaves_{is_outside[0] || is_outside[1], is_outside[1] || is_outside[2],
               is_outside[2] || is_outside[0]},
       reach_(grid.IsNone() ? kReachWithoutGrid : std::ldexp(1.0, -grid.bits)),
+      box_(box),
       inner_(InnerOf(box, grid)) {}
 
 // The edge moved by less than the reach on each axis sweeps a hexagon.
@@ -51,8 +52,7 @@ bool ClippedTriangle::IsBeside(std::size_t e, Point2 p) const {
 
 bool ClippedTriangle::MayDecide(Point2 p) const {
   if (!IsClipped()) return false;
-  const bool is_inner = p.x > inner_.x0 && p.x < inner_.x1 && p.y > inner_.y0 && p.y < inner_.y1;
-  if (!is_inner) return true;
+  if (!IsInner(p)) return true;
   for (std::size_t e = 0; e < 3; ++e) {
     if (leaves_[e] && IsBeside(e, p)) return true;
   }
@@ -67,6 +67,63 @@ bool ClippedTriangle::Keeps(std::size_t e, Point2 p) const {
   const Point2 inside = corners_[is_outside_[e] ? next : e];
   const Point2 outside = corners_[is_outside_[e] ? e : next];
   return (p.x - inside.x) * (outside.x - inside.x) + (p.y - inside.y) * (outside.y - inside.y) > 0;
+}
+
+std::optional<std::size_t> ClippedTriangle::OnlyMovedEdge(Point2 p) const {
+  if (!IsInner(p)) return std::nullopt;
+  std::optional<std::size_t> only;
+  for (std::size_t e = 0; e < 3; ++e) {
+    if (!leaves_[e] || Keeps(e, p)) continue;
+    if (only || !IsBeside(e, p)) return std::nullopt;
+    only = e;
+  }
+  const auto stretch = only ? StraightStretchOf(*only) : std::nullopt;
+  if (!stretch) return std::nullopt;
+  const double at = stretch->along_y ? p.y : p.x;
+  const double first = stretch->along_y ? stretch->first[0].y : stretch->first[0].x;
+  const double last = stretch->along_y ? stretch->last[0].y : stretch->last[0].x;
+  return first < at && at < last ? only : std::nullopt;
+}
+
+// With t along the longer axis and u across: u(t) is the edge. The ends of what is left of it lie
+// within the reach of the given ones, or of where it crosses the box or lies beyond.
+std::optional<StraightStretch> ClippedTriangle::StraightStretchOf(std::size_t e) const {
+  Point2 a = corners_[e];
+  Point2 b = corners_[(e + 1) % 3];
+  StraightStretch stretch;
+  stretch.along_y = std::fabs(b.y - a.y) > std::fabs(b.x - a.x);
+  const auto turned = [&](Point2 p) { return stretch.along_y ? Point2{p.y, p.x} : p; };
+  const WindowBox box = stretch.along_y ? WindowBox{box_.y0, box_.x0, box_.y1, box_.x1} : box_;
+  a = turned(a);
+  b = turned(b);
+  stretch.rises = a.x < b.x;
+  if (!stretch.rises) std::swap(a, b);
+  if (!(a.x < b.x)) return std::nullopt;
+  const double slope = (b.y - a.y) / (b.x - a.x);
+  double first = std::max(a.x, box.x0);
+  double last = std::min(b.x, box.x1);
+  if (slope != 0) {
+    const auto [enters, exits] =
+        std::minmax({a.x + (box.y0 - a.y) / slope, a.x + (box.y1 - a.y) / slope});
+    first = std::max(first, enters);
+    last = std::min(last, exits);
+  } else if (a.y < box.y0 || a.y > box.y1) {
+    return std::nullopt;
+  }
+  const double largest =
+      std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y), 1.0});
+  constexpr double kRounding = 0x1p-40;  // of what is worked out here, and much more
+  first += 2 * reach_ + kRounding * largest;
+  last -= 2 * reach_ + kRounding * largest;
+  if (!(first < last)) return std::nullopt;
+  const double off = reach_ * (1 + std::fabs(slope)) * (1 + 0x1p-20) + kRounding * largest;
+  const auto pair_at = [&](double t) {
+    const double u = a.y + slope * (t - a.x);
+    return std::array{turned({t, u - off}), turned({t, u + off})};
+  };
+  stretch.first = pair_at(first);
+  stretch.last = pair_at(last);
+  return stretch;
 }
 
 }  // namespace rasterproof::legal

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "core/profile.h"
 #include "core/snap.h"
@@ -11,12 +12,21 @@
 
 namespace rasterproof::legal {
 
+/// Where clipping leaves of an edge, whatever it does, one straight line.
+struct StraightStretch {
+  bool along_y = false;  ///< the axis on which the edge is longer
+  bool rises = false;    ///< the edge goes up that axis
+  /// Where it begins and ends on that axis: the moved edge passes between the two points.
+  std::array<Point2, 2> first;
+  std::array<Point2, 2> last;
+};
+
 /// A triangle that may be clipped to a rectangle, or to a wider one.
 ///
 /// Where an edge leaves the rectangle, clipping makes a vertex. It lies exactly on the edge as
 /// given, which no sentence says, and then goes to a grid point less than a step away on each axis;
-/// so does the end inside. The edge thus moves by less than a step on each axis. Neighbours need
-/// not take the same point. Edges with both ends inside stay.
+/// so does the end inside. The edge thus moves by less than a step on each axis, and stays
+/// straight. Neighbours need not take the same point. Edges with both ends inside stay.
 class ClippedTriangle {
  public:
   /// `corners`: as given. `is_outside`: whether clipping may look at that one as outside.
@@ -34,14 +44,25 @@ class ClippedTriangle {
   bool MayDecide(Point2 p) const;
   /// Whether clipping leaves the sample on its side of edge `e`, from corner e to the next.
   bool Keeps(std::size_t e, Point2 p) const;
+  /// The edge that the sample is beside, if it is one edge that leaves, and the line that clipping
+  /// puts in its place passes the sample: on which side, the other edges aside, decides it.
+  std::optional<std::size_t> OnlyMovedEdge(Point2 p) const;
+  /// Of an edge that leaves and has a sample as OnlyMovedEdge says.
+  std::optional<StraightStretch> StraightStretchOf(std::size_t e) const;
+  /// Whether edge `e` has an end that clipping may look at as outside.
+  bool Leaves(std::size_t e) const { return leaves_[e]; }
 
  private:
   bool IsBeside(std::size_t e, Point2 p) const;
+  bool IsInner(Point2 p) const {
+    return p.x > inner_.x0 && p.x < inner_.x1 && p.y > inner_.y0 && p.y < inner_.y1;
+  }
 
   std::array<Point2, 3> corners_;
   std::array<bool, 3> is_outside_;
   std::array<bool, 3> leaves_;  ///< by edge
   double reach_;
+  WindowBox box_;
   WindowBox inner_;  ///< new vertices do not lie inside
 };
 

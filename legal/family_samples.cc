@@ -12,6 +12,10 @@ FamilySamples::FamilySamples(const FamilyView& view, const std::vector<bool>* on
   for (std::size_t t = 0; t < view.triangles(); ++t) {
     TriangleSamples samples = view.Of(t, only);
     first_open.push_back(open.size());
+    for (Exclusion& exclusion : samples.exclusions) {
+      for (auto& [sample, covered] : exclusion) sample += open.size();
+      exclusions.push_back(std::move(exclusion));
+    }
     std::ranges::move(samples.open, std::back_inserter(open));
     covered.push_back(std::move(samples.covered));
     facing.push_back(samples.facing);

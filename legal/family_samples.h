@@ -22,6 +22,7 @@ struct FamilySamples {
   std::vector<std::vector<std::size_t>> covered;  ///< by triangle: in every legal model
   std::vector<int> facing;                        ///< by triangle, as TriangleSamples::facing
   std::vector<bool> covers_anything;              ///< by triangle
+  std::vector<Exclusion> exclusions;              ///< by indices in `open`
   /// Where the profile states owners by edge.
   std::vector<CommonEdgeSample> common_edges;
 

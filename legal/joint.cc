@@ -34,10 +34,11 @@ class Parts {
   std::vector<std::size_t> parent_;
 };
 
-// The needs of one component, and the owners of samples on its common edges.
+// The needs of one component, the owners of samples on its common edges, and what excludes what.
 struct Component {
   std::vector<const Need*> needs;
   std::vector<const CommonEdgeSample*> edges;
+  std::vector<const Exclusion*> exclusions;
   std::size_t open = 0;
   std::size_t triangles = 0;
 };
@@ -57,6 +58,11 @@ std::vector<Component> ComponentsOf(const FamilyView& view, const FamilySamples&
   }
   for (const CommonEdgeSample& edge : all.common_edges)
     parts.Join(node(edge.first), node(edge.second));
+  for (const Exclusion& exclusion : all.exclusions) {
+    for (const auto& one : exclusion) {
+      parts.Join(positions + one.first, positions + exclusion.front().first);
+    }
+  }
   for (const Need& need : needs) {
     for (const std::size_t o : need.open) parts.Join(positions + o, positions + need.open[0]);
   }
@@ -68,6 +74,10 @@ std::vector<Component> ComponentsOf(const FamilyView& view, const FamilySamples&
   for (const CommonEdgeSample& edge : all.common_edges) {
     const auto found = component_of(node(edge.first));
     if (found != components.end()) found->second.edges.push_back(&edge);
+  }
+  for (const Exclusion& exclusion : all.exclusions) {
+    const auto found = component_of(positions + exclusion.front().first);
+    if (found != components.end()) found->second.exclusions.push_back(&exclusion);
   }
   std::map<std::size_t, std::size_t> last_triangle;  // by root: opens come by triangle
   for (const OpenSample& open : all.open) {
@@ -101,6 +111,7 @@ Explained Explain(const FamilyView& view, const FamilySamples& all, const Compon
       assumed.emplace_back(clauses.Between(covers, need->least, need->most), need);
   }
   for (const CommonEdgeSample* edge : component.edges) clauses.AddOwner(*edge);
+  for (const Exclusion* one : component.exclusions) clauses.AddExclusion(*one, all.open);
   std::vector<Literal> assumptions;
   for (const auto& [literal, need] : assumed) assumptions.push_back(literal);
   explained.answer = clauses.solver().Solve(assumptions, effort.most_propagations);

@@ -42,6 +42,7 @@ class FamilyAtSamples {
       asked.literals.push_back(clauses_.Between(covers, need.least, need.most));
     }
     for (const CommonEdgeSample& edge : all_.common_edges) clauses_.AddOwner(edge);
+    for (const Exclusion& one : all_.exclusions) clauses_.AddExclusion(one, all_.open);
   }
 
   // Whatever no choice meets or may be missed by one, and so may contradict all.

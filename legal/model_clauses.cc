@@ -77,6 +77,15 @@ void ModelClauses::AddOwner(const CommonEdgeSample& edge) {
   }
 }
 
+void ModelClauses::AddExclusion(const Exclusion& exclusion, std::span<const OpenSample> open) {
+  std::vector<Literal> otherwise;
+  for (const auto& [sample, covered] : exclusion) {
+    const Literal covers = Covers(open[sample]);
+    otherwise.push_back(covered ? -covers : covers);
+  }
+  solver_.Add(otherwise);
+}
+
 // Sinz's sequential counter, in both directions.
 Literal ModelClauses::Between(std::span<const Literal> literals, int least, int most) {
   const Literal active = solver_.NewVariable();

@@ -30,6 +30,10 @@ class ModelClauses {
   Literal Covers(const OpenSample& open);
   /// Exactly one of the two has the sample under every choice that puts it on the edge.
   void AddOwner(const CommonEdgeSample& edge);
+  /// Not all of these decisions are so.
+  ///
+  /// Domain:     indices in `open`, which outlives this.
+  void AddExclusion(const Exclusion& exclusion, std::span<const OpenSample> open);
   /// A variable whose truth makes at least `least` and at most `most` of the literals true.
   Literal Between(std::span<const Literal> literals, int least, int most);
 

@@ -9,6 +9,7 @@
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "legal/clipped_triangle.h"
+#include "legal/straight_edges.h"
 #include "model/drop.h"
 #include "model/target_model.h"
 #include "model/wrap.h"
@@ -116,6 +117,16 @@ class TriangleOverPlaces {
       if (clipped.Keeps(e, p) && edges_[e].Constant(p) == -facing()) return true;
     }
     return false;
+  }
+
+  // The edge that clipping moves and that alone decides the sample.
+  std::optional<std::size_t> OnlyMovedEdge(const ClippedTriangle& clipped, Point2 p) const {
+    const std::optional<std::size_t> only =
+        has_one_shape_ ? clipped.OnlyMovedEdge(p) : std::nullopt;
+    for (std::size_t e = 0; only && e < 3; ++e) {
+      if (e != *only && edges_[e].Constant(p) != facing()) return std::nullopt;
+    }
+    return only;
   }
 
   // By choice, the last corner's places fastest.
@@ -315,10 +326,11 @@ TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* on
             s;
         if (only != nullptr && !(*only)[index]) continue;
         const Point2 p = frame_.At(x, row, s);
-        OpenSample open{triangle, index, p, {}, {}, clipped.MayDecide(p)};
+        OpenSample open{triangle, index, p, {}, {}, clipped.MayDecide(p), {}};
         if (open.is_clipped) {
           if (over.IsOutIfClipped(clipped, p)) continue;
           open.by_choice = {Status::kFree};
+          open.moved_edge = over.OnlyMovedEdge(clipped, p);
         } else if (const std::optional<Status> status = over.Constant(p)) {
           if (*status == Status::kIn) samples.covered.push_back(index);
           continue;
@@ -334,6 +346,7 @@ TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* on
       }
     }
   }
+  if (clipped.IsClipped()) samples.exclusions = ExclusionsOf(clipped, over.facing(), samples.open);
   return samples;
 }
 

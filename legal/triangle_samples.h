@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/profile.h"
@@ -32,12 +34,18 @@ struct OpenSample {
   /// For each choice of these corners' places, the last corner's places fastest.
   std::vector<Status> by_choice;
   bool is_clipped = false;  ///< clipping may have moved the edge beside it
+  /// The edge, from that corner to the next, that alone decides it, wherever clipping moved it.
+  std::optional<std::size_t> moved_edge;
 };
+
+/// Open samples of a triangle, by index, and whether each is covered: some of it is not so.
+using Exclusion = std::vector<std::pair<std::size_t, bool>>;
 
 struct TriangleSamples {
   std::vector<std::size_t> covered;  ///< in every legal model
   std::vector<OpenSample> open;
-  bool covers_anything = false;  ///< nothing is stated of the triangle, at any sample
+  std::vector<Exclusion> exclusions;  ///< of samples beside edges that clipping moved
+  bool covers_anything = false;       ///< nothing is stated of the triangle, at any sample
   /// +1 or -1: the facing in every legal model; 0: they differ, or it has no area.
   int facing = 0;
 };

@@ -17,8 +17,10 @@ namespace rasterproof::props {
 
 /// A triangle whose facing may be that of the polygon that clipping leaves inside the target is
 /// open where this polygon, grown by a grid step, is thinner than so many steps: its vertices snap
-/// too, less than a step on each axis, and a polygon broader than twice the diagonal of a step
-/// can't be turned by that.
+/// too, less than a step on each axis. Of a wedge that crosses the target both edges can move by a
+/// step toward each other, which takes two steps times its length from an area that is at least
+/// half its thickness times its length. One of almost three steps may have no area: two steps would
+/// not let it (facing_freedom_test.cc).
 inline constexpr double kThinnestClippedSteps = 4;
 
 /// A triangle of a case, as legal models may face and place it.

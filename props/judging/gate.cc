@@ -73,6 +73,10 @@ Wanted WantedBy(Shows shows) {
     case Shows::kBatches:
       return {[](const D& d) { return d.info.takes_batches; }, "the subject takes no batches",
               "the subject takes batches"};
+    case Shows::kTwin:
+      return {[](const D& d) { return d.has_twin; },
+              "the subject can't be made twice: it is no program or plugin",
+              "the subject can be made twice"};
   }
   return {[](const D&) { return true; }, "", ""};
 }

@@ -22,6 +22,7 @@ struct Description {
   SubjectInfo info;
   const EdgeBounds* edges = nullptr;                ///< of its edge values; nullptr: it shows none
   const BarycentricBounds* barycentrics = nullptr;  ///< of its barycentrics; nullptr: it shows none
+  bool has_twin = false;                            ///< it can be made twice: Subject::Twin
 };
 
 enum class Space : std::uint8_t { kWindow, kClip, kEither };
@@ -40,7 +41,8 @@ enum class Shows : std::uint8_t {
   kThreads,
   kScissor,
   kCulling,
-  kBatches
+  kBatches,
+  kTwin  ///< it can be made twice
 };
 
 /// The weakest contract about coverage that the property follows from.

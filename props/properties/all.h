@@ -76,6 +76,7 @@ extern const Property kPrimitiveIdFollowsTheStatedOrder;
 extern const Property kBatchDrawsLikeSingleCalls;
 extern const Property kTargetHeightKeepsCoverage;
 extern const Property kNewVerticesGiveNewCoverage;
+extern const Property kEarlierScenesLeaveNoTrace;
 
 inline constexpr const Property* kAllProperties[] = {
     &kEdgeSignIsRightOutsideItsBand,
@@ -147,6 +148,7 @@ inline constexpr const Property* kAllProperties[] = {
     &kTargetHeightKeepsCoverage,
     &kOpenTiesAreCoveredOnce,
     &kNewVerticesGiveNewCoverage,
+    &kEarlierScenesLeaveNoTrace,
 };
 
 }  // namespace rasterproof::props

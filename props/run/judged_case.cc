@@ -15,7 +15,7 @@
 namespace rasterproof::props {
 
 Description DescriptionOf(Subject& subject) {
-  return {subject.Info(), subject.Edges(), subject.Barycentrics()};
+  return {subject.Info(), subject.Edges(), subject.Barycentrics(), subject.Twin() != nullptr};
 }
 
 Description AsJudged(Description subject) {

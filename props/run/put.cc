@@ -116,7 +116,10 @@ class Putting {
       if (!job) return true;
       auto drawing = std::make_shared<Drawing>();
       const std::vector<Part> parts = PartsOf(r, question, *job);
-      Guarded(answers, [&] { DrawOnto(r, question, *job, parts, last.get(), *drawing); });
+      Guarded(answers, [&] {
+        Subject& draws = question.by_twin ? *subject_.Twin() : subject_;
+        DrawOnto(draws, r, question, *job, parts, last.get(), *drawing);
+      });
       if (answers.stop != Stop::kNone) return true;
       last = drawing;
       answers.draws.push_back(std::move(drawing));
@@ -125,19 +128,19 @@ class Putting {
     return true;
   }
 
-  void DrawOnto(std::size_t r, const DrawQuestion& question, const DrawJob& job,
+  void DrawOnto(Subject& subject, std::size_t r, const DrawQuestion& question, const DrawJob& job,
                 const std::vector<Part>& parts, const Drawing* last, Drawing& drawing) {
     if (question.parts == Parts::kWhole && !NeedsItsTarget(question)) {
-      drawing = subject_.Show(job);
+      drawing = subject.Show(job);
       return;
     }
     drawing.counts = Filled(question.fill, job);
     if (question.onto_the_last && last != nullptr) drawing.counts = last->counts;
     if (Coverage(r) == CoverageKind::kFacingCounts) {
-      subject_.Draw(SceneOf(job), job.options, drawing.counts);
+      subject.Draw(SceneOf(job), job.options, drawing.counts);
       return;
     }
-    DrawParts(subject_, parts, drawing.counts);
+    DrawParts(subject, parts, drawing.counts);
   }
 
   void AddShares(std::size_t r) {

@@ -27,7 +27,8 @@ struct Request {
 /// is made of parts where the subject tells no facings (run/parts.h).
 ///
 /// Domain:     checks whose draws may share a call: more than one only if the company of each is
-///             kAny and none draws onto the last target.
+///             kAny and none draws onto the last target. Draws by_twin of a subject that has one,
+///             in a check of kInOrderAlone.
 /// Returns:    the answers to each, in their order. What the subject's own calls throw is no error
 ///             but a stop. Fewer if it broke down: the last one says so.
 /// Error:      std::bad_alloc.

@@ -42,6 +42,10 @@ class FixedPoint final : public Subject {
 
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
+  Subject* Twin() override {
+    if (!twin_) twin_ = std::make_unique<FixedPoint>(info_.name, info_.summary, stages_);
+    return twin_.get();
+  }
 
  private:
   static constexpr std::size_t kMostKept = 64;
@@ -87,6 +91,7 @@ class FixedPoint final : public Subject {
   Profile model_;  ///< on the target of this draw
   std::map<std::vector<std::int64_t>, CoverageCounts> kept_;
   int bits_ = 8;
+  std::unique_ptr<FixedPoint> twin_;
 };
 
 Profile FixedPoint::ModelOf(const Scene& scene) const {

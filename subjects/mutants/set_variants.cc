@@ -105,6 +105,17 @@ FixedStages PlacingByCall(std::string_view preset, const Snap& even, const Snap&
   return stages;
 }
 
+// Two ways to place vertices, by turns: equal calls need not be equal.
+FixedStages PlacingByTurns(std::string_view preset, const Snap& even, const Snap& odd) {
+  FixedStages stages = Of(preset);
+  stages.target_model = [even, odd, calls = 0U](const Profile& stated, const Scene&) mutable {
+    Profile model = stated;
+    model.snap = calls++ % 2 == 0 ? even : odd;
+    return model;
+  };
+  return stages;
+}
+
 FixedStages DrawingNan(std::string_view preset) {
   FixedStages stages{.profile = *PresetProfile(preset)};
   stages.vertices = [](std::array<Vertex, 3>& v) {
@@ -293,6 +304,8 @@ std::vector<Mutant> SetVariants() {
        ClampingTo(-0x1p15, 0x1p15 - 0x1p-8)},
       {"d3d11-snap-by-call", "which way ties of the snap go changes from call to call", "",
        PlacingByCall("d3d11", {8, SnapRule::kNearestEven}, {8, SnapRule::kNearestAway})},
+      {"d3d11-snap-by-turns", "which way ties of the snap go changes from call to the next", "",
+       PlacingByTurns("d3d11", {8, SnapRule::kNearestEven}, {8, SnapRule::kNearestAway})},
       {"webgpu-grid-by-call", "the grid has four subpixel bits in some calls, eight in others", "",
        PlacingByCall("webgpu", {4, SnapRule::kFloor}, {8, SnapRule::kNearestEven})},
       {"webgpu-owner-by-number", "every other triangle of a call owns the samples on its edges", "",
@@ -362,6 +375,12 @@ std::vector<Mutant> SetMutants() {
        KeepingByGrid("vulkan", 0)},
       {"vulkan-kept-by-indices", "images are kept, and found again by the indices alone", "",
        Keeping("vulkan", [](double) { return std::int64_t{0}; })},
+      {"vulkan-kept-by-sixteenths", "images are kept, and found again by sixteenths of a pixel", "",
+       KeepingByGrid("vulkan", 4)},
+      {"gl-kept-by-sixteenths", "images are kept, and found again by sixteenths of a pixel", "",
+       KeepingByGrid("gl", 4)},
+      {"vulkan-snap-by-turns", "which way the snap rounds changes from call to the next", "",
+       PlacingByTurns("vulkan", {8, SnapRule::kNearestEven}, {8, SnapRule::kFloor})},
       {"d3d11-kept-by-sixteenths", "images are kept, and found again by sixteenths of a pixel", "",
        KeepingByGrid("d3d11", 4)},
       {"d3d11-bottom-right", "ties fall to the right and the bottom", "",

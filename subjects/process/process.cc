@@ -256,7 +256,18 @@ std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) 
 
 const EdgeEvaluator* ProcessSubject::Edges() const { return edges_.get(); }
 
-void ProcessSubject::SetDeadline(Clock::time_point deadline) { deadline_ = deadline; }
+void ProcessSubject::SetDeadline(Clock::time_point deadline) {
+  deadline_ = deadline;
+  if (twin_ != nullptr) twin_->SetDeadline(deadline);
+}
+
+Subject* ProcessSubject::Twin() {
+  if (twin_ == nullptr) {
+    twin_ = std::make_unique<ProcessSubject>(command_, info_, limits_);
+    twin_->SetDeadline(deadline_);
+  }
+  return twin_.get();
+}
 
 // All that are open in one write. The program may keep finished answers back while it works on what
 // is behind them, so who takes long is not known before each is asked alone.

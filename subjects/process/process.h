@@ -71,6 +71,8 @@ class ProcessSubject final : public Subject {
   const EdgeEvaluator* Edges() const override;
   bool SharesCalls() const override { return true; }
   void SetDeadline(Clock::time_point deadline) override;
+  /// On a process of its own, with the same limits.
+  Subject* Twin() override;
 
  private:
   class Child;
@@ -103,6 +105,7 @@ class ProcessSubject final : public Subject {
   std::size_t most_in_a_batch_ = static_cast<std::size_t>(-1);
   std::unique_ptr<Child> child_;
   std::unique_ptr<ShownEdges> edges_;
+  std::unique_ptr<ProcessSubject> twin_;
 };
 
 /// Asks a fresh process of the program for one plain triangle.

@@ -113,6 +113,7 @@ class RecordingSubject final : public Subject {
     return barycentrics_ ? &*barycentrics_ : nullptr;
   }
   bool SharesCalls() const override { return subject_->SharesCalls(); }
+  Subject* Twin() override { return subject_->Twin(); }
   void SetDeadline(std::chrono::steady_clock::time_point deadline) override {
     subject_->SetDeadline(deadline);
   }

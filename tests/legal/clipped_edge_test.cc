@@ -1,12 +1,15 @@
 // The joint verdict where clipping may move an edge that leaves the target.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
+#include <random>
 
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/vertex.h"
 #include "legal/joint.h"
 
 namespace rasterproof::legal {
@@ -69,6 +72,115 @@ TEST(JudgeJointly, KeepsEdgesWithinTheGuardBand) {
   EXPECT_EQ(LegalityOfLeaving(set, 7, 0), Legality::kLegal);
   set = *PresetProfile("d3d11");  // a step is 1/256
   EXPECT_EQ(LegalityOfLeaving(set, 7, 0), Legality::kNotLegal);
+}
+
+// ---- the moved edge is straight -----------------------------------------------------------------
+
+constexpr int kLong = 40;
+constexpr double kReach = 0x1p-4;  // a step of the coarsest grid that Vulkan lets
+
+// A triangle under an edge from `a`, in the target, to `b`, far to its right; offsets move the edge
+// down by so much at either end of what is seen of it, and linearly in between.
+struct LeavingEdge {
+  Point2 a;
+  Point2 b;
+
+  double Slope() const { return (b.y - a.y) / (b.x - a.x); }
+  double Reach() const { return kReach * (1 + std::fabs(Slope())); }
+  double Below(Point2 p) const { return p.y - (a.y + Slope() * (p.x - a.x)); }
+  bool Covers(Point2 p, double at_first, double at_last) const {
+    if (p.x < a.x) return false;
+    const double part = (p.x - a.x) / (kLong - a.x);
+    return Below(p) > at_first + part * (at_last - at_first);
+  }
+
+  Scene AsScene() const {
+    Scene scene;
+    scene.width = kLong;
+    scene.height = 8;
+    scene.precision = Precision::kFloat64;
+    scene.vertices = {{a.x, a.y}, {b.x, b.y}, {a.x, 300}};
+    scene.triangles = {{0, 1, 2}};
+    return scene;
+  }
+};
+
+// Ends on a grid of six bits, no sample above the first of them.
+LeavingEdge ARandomEdge(std::mt19937_64& random) {
+  const auto on_grid = [&](double low, double high) {
+    return std::floor(std::uniform_real_distribution(low, high)(random) * 64) / 64;
+  };
+  return {{on_grid(1, 1.375), on_grid(2, 3)}, {on_grid(60, 400), on_grid(-60, 120)}};
+}
+
+struct Offsets {
+  double at_first = 0;
+  double at_last = 0;
+};
+
+Offsets ARandomMove(const LeavingEdge& edge, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> off(-edge.Reach(), edge.Reach());
+  return {off(random), off(random)};
+}
+
+// The edge moved by the one up to a column, and by the other from there.
+CoverageCounts BentImage(const LeavingEdge& edge, const Offsets& before, const Offsets& behind,
+                         int column) {
+  CoverageCounts counts(kLong, 8);
+  for (int row = 0; row < 8; ++row) {
+    for (int x = 0; x < kLong; ++x) {
+      const Offsets& by = x < column ? before : behind;
+      const bool covered = edge.Covers({x + 0.5, row + 0.5}, by.at_first, by.at_last);
+      counts.front[counts.Index(x, row, 0)] = covered ? 1 : 0;
+    }
+  }
+  return counts;
+}
+
+Legality LegalityOf(const LeavingEdge& edge, const CoverageCounts& drawn) {
+  Observed observed;
+  observed.together = &drawn;
+  return JudgeJointly(edge.AsScene(), *PresetProfile("vulkan"), observed).legality;
+}
+
+// By trying moves, not all of them.
+bool IsDrawnByOneOfMany(const LeavingEdge& edge, const CoverageCounts& drawn) {
+  constexpr int kTried = 48;
+  for (int i = -kTried; i <= kTried; ++i) {
+    for (int j = -kTried; j <= kTried; ++j) {
+      const Offsets by{edge.Reach() * i / kTried, edge.Reach() * j / kTried};
+      if (BentImage(edge, by, by, 0) == drawn) return true;
+    }
+  }
+  return false;
+}
+
+TEST(JudgeJointly, LetsAnEdgeThatLeavesMoveAsOneStraightLine) {
+  std::mt19937_64 random(20261124);
+  int other = 0;
+  for (int n = 0; n < 300; ++n) {
+    const LeavingEdge edge = ARandomEdge(random);
+    const Offsets by = ARandomMove(edge, random);
+    const CoverageCounts drawn = BentImage(edge, by, by, 0);
+    EXPECT_EQ(LegalityOf(edge, drawn), Legality::kLegal) << n;
+    if (!(drawn == BentImage(edge, {}, {}, 0))) ++other;
+  }
+  EXPECT_GT(other, 100) << "what is drawn is not what the edge as given covers";
+}
+
+TEST(JudgeJointly, FindsABentEdgeThatNoStraightOneExplains) {
+  std::mt19937_64 random(5);
+  int found = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const LeavingEdge edge = ARandomEdge(random);
+    const int column = std::uniform_int_distribution<int>(8, kLong - 8)(random);
+    const CoverageCounts drawn =
+        BentImage(edge, ARandomMove(edge, random), ARandomMove(edge, random), column);
+    if (LegalityOf(edge, drawn) == Legality::kLegal) continue;
+    ++found;
+    EXPECT_FALSE(IsDrawnByOneOfMany(edge, drawn)) << n;
+  }
+  EXPECT_GT(found, 10);
 }
 
 }  // namespace

@@ -216,6 +216,7 @@ TEST(SoundOutputs, HoldOnEveryCase) {
   Bug none;
   none.show = [](Drawing&, const DrawJob&) {};
   none.batch = [](std::vector<DrawOutcome>&) {};
+  none.has_twin = true;
   none.states = [](Profile& profile) { profile.centroid = Centroid::kInside; };
   PlantedSubject subject(subjects::MakeBuiltin("spans-exact"), none);
   for (const PlantedBug& bug : OutputPlantedBugs()) {

@@ -4,11 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "core/profile.h"
+#include "core/vertex.h"
 #include "props/properties/all.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
@@ -50,6 +55,40 @@ TEST(LegalTriangle, IsOpenWhereLegalPlacesOrClippingMayTurnIt) {
   // Broad, but a sliver of it is inside the target.
   EXPECT_EQ(InVulkan(OnEight({7.9375, 0, 0, 1}, {20, 0, 0, 1}, {7.9375, 9, 0, 1})).facing(), 0);
   EXPECT_NE(InVulkan(OnEight({7, 0, 0, 1}, {20, 0, 0, 1}, {7, 9, 0, 1})).facing(), 0);
+}
+
+double DoubledArea(std::span<const Point2> polygon) {
+  double area = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point2 a = polygon[k];
+    const Point2 b = polygon[(k + 1) % polygon.size()];
+    area += a.x * b.y - a.y * b.x;
+  }
+  return area;
+}
+
+constexpr double kStep = 0x1p-4;
+constexpr double kLow = 4 + 0x1p-10;
+
+// A broad triangle, of which a wedge crosses the target, so thick on its right side.
+Scene Wedge(double thickness) {
+  const double far = kLow + thickness * 1000.5 / 8.5;
+  return OnEight({-0.5, kLow, 0, 1}, {1000, kLow, 0, 1}, {1000, far, 0, 1});
+}
+
+// Both its edges can move by a step, toward each other.
+TEST(LegalTriangle, IsOpenWhereAClippedPolygonOfTwoToFourStepsMayHaveNoArea) {
+  constexpr double kThickness = 3 * kStep - 0x1p-9;
+  EXPECT_EQ(InVulkan(Wedge(kThickness)).facing(), 0);
+  EXPECT_NE(InVulkan(Wedge(5 * kStep)).facing(), 0);
+  const std::array<Point2, 4> clipped{
+      {{0, kLow}, {8, kLow}, {8, kLow + kThickness}, {0, kLow + kThickness * 0.5 / 8.5}}};
+  const std::array<Point2, 4> placed{{{0, 4 + kStep}, {8, 4 + kStep}, {8, 4 + 2 * kStep}, {0, 4}}};
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    EXPECT_LT(std::fabs(placed[k].y - clipped[k].y), kStep) << "a legal place of vertex " << k;
+  }
+  EXPECT_GT(DoubledArea(clipped), 0);
+  EXPECT_EQ(DoubledArea(placed), 0);
 }
 
 TEST(LegalTriangle, CoversInEveryModelWhatNoStepUncovers) {

@@ -44,6 +44,8 @@ struct Bug {
   /// Set: the subject takes batches.
   BatchBug batch = {};
   bool states_threads = false;
+  /// The subject can be made twice: its twin has the draw bug as it was planted.
+  bool has_twin = false;
   /// Changes what the subject states, for contracts that no built-in subject has.
   std::function<void(Profile&)> states = {};
 };
@@ -54,6 +56,7 @@ class PlantedSubject final : public Subject, public EdgeEvaluator, public Baryce
   PlantedSubject(std::unique_ptr<Subject> sound, Bug bug);
 
   const SubjectInfo& OwnInfo() const override { return info_; }
+  Subject* Twin() override;
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
   Drawing Show(const DrawJob& job) override;
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
@@ -85,6 +88,7 @@ class PlantedSubject final : public Subject, public EdgeEvaluator, public Baryce
   std::unique_ptr<Subject> sound_;
   Bug bug_;
   SubjectInfo info_;
+  std::unique_ptr<Subject> twin_;
 };
 
 /// A bug, the sound subject it is planted in, and the property that must catch it.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "exact/attributes.h"
+#include "subjects/builtin/builtin.h"
 #include "tests/props/planted_bugs.h"
 
 namespace rasterproof::props {
@@ -51,6 +52,13 @@ PlantedSubject::PlantedSubject(std::unique_ptr<Subject> sound, Bug bug)
   info_.fragments.shows_centroids = bug_.show && info_.profile.pattern.samples() == 1;
   info_.takes_batches = static_cast<bool>(bug_.batch);
   if (bug_.states) bug_.states(info_.profile);
+}
+
+Subject* PlantedSubject::Twin() {
+  if (!twin_ && bug_.has_twin) {
+    twin_ = std::make_unique<PlantedSubject>(subjects::MakeBuiltin(sound_->Info().name), bug_);
+  }
+  return twin_.get();
 }
 
 void PlantedSubject::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {

@@ -62,10 +62,16 @@ struct Twins {
 // Under legal sets, where no single model says what is drawn.
 TEST(Mutants, OfLegalSetsAreFoundByTheirPropertyAndTheirTwinsHold) {
   constexpr const char* kNew = "NewVerticesGiveNewCoverage";
+  constexpr const char* kTrace = "EarlierScenesLeaveNoTrace";
   for (const auto& [name, mutant, variant] : {
            Twins{kNew, "mutant:vulkan-kept-by-pixels", "legal:vulkan-kept-by-all"},
            Twins{kNew, "mutant:vulkan-kept-by-indices", "legal:vulkan-farthest-mask"},
            Twins{kNew, "mutant:d3d11-kept-by-sixteenths", "legal:d3d11-farthest"},
+           Twins{"TilesDrawnApartEqualTheWhole", "mutant:vulkan-snap-by-turns",
+                 "legal:d3d11-snap-by-turns"},
+           Twins{kTrace, "mutant:vulkan-kept-by-sixteenths", "legal:vulkan-kept-by-all"},
+           Twins{kTrace, "mutant:gl-kept-by-sixteenths", "legal:gl-4-bits-floor"},
+           Twins{kTrace, "mutant:vulkan-kept-by-pixels", "legal:vulkan-4-bits"},
            Twins{"FragmentBarycentricsSumToOne", "mutant:vulkan-fragments-sum-off",
                  "legal:vulkan-fragments-snapped"},
            Twins{"FragmentDepthStaysInTheHull", "mutant:vulkan-depth-off",

@@ -64,6 +64,7 @@ FORBIDDEN = {
     "d3d11-facing-clipped": ("d3d11-canonical", MODEL, 200),
     "d3d11-facing-exchanged": ("d3d11-canonical", MODEL, 200),
     "d3d11-clamps-to-range": ("d3d11-canonical", MODEL, 200),
+    "d3d11-snap-by-turns": ("d3d11-canonical", MODEL, 200),
     "d3d11-snap-by-call": ("d3d11-canonical", MODEL, 200),
     "d3d11-clips-to-target": ("d3d11-canonical", MODEL, 200),
     "d3d11-clips-64-beyond": ("d3d11-canonical", MODEL, 200),

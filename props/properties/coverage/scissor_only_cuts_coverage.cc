@@ -3,6 +3,7 @@
 
 #include "core/coverage.h"
 #include "core/scene.h"
+#include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
@@ -21,17 +22,19 @@ std::array<PixelRect, 3> Scissors(const Scene& scene) {
 }
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
+  const auto open = WhereCallsMayDiffer(c, MayChooseByCall(c.profile));
+  if (!open) return NothingAsked(kPlacesNotKnown);
   DrawOptions options = WholeTarget(c);
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   for (const PixelRect& rect : Scissors(c.scene)) {
     options.scissor = rect;
-    asked.checks.push_back(
-        CheckAgainstBase(WholeCallOf(c.scene, c.profile, options),
-                         [&c, rect](const CoverageCounts& observed, const CoverageCounts& whole) {
-                           return SameCounts(observed, CutTo(rect, whole), DecisionsOf(c),
-                                             "the scissored part of the whole");
-                         }));
+    asked.checks.push_back(CheckAgainstBase(
+        WholeCallOf(c.scene, c.profile, options),
+        [&c, rect, open](const CoverageCounts& observed, const CoverageCounts& whole) {
+          return SameCounts(observed, CutTo(rect, open->Expected(observed, whole)),
+                            open->Judged(DecisionsOf(c)), "the scissored part of the whole");
+        }));
   }
   return asked;
 }

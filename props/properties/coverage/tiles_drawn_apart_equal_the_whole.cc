@@ -6,6 +6,7 @@
 
 #include "core/coverage.h"
 #include "core/scene.h"
+#include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
@@ -21,6 +22,8 @@ constexpr auto kMapDomains =
 
 // Three tiles along the longer side: origins that are no powers of two from the target's.
 Asked Ask(const Case& c, const Description& /*subject*/) {
+  const auto open = WhereCallsMayDiffer(c, MayChooseByCall(c.profile));
+  if (!open) return NothingAsked(kPlacesNotKnown);
   DrawOptions options = WholeTarget(c);
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
@@ -32,8 +35,9 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
       options.scissor = tile;
       asked.checks.push_back(CheckAgainstBase(
           WholeCallOf(c.scene, c.profile, options),
-          [&c, tile](const CoverageCounts& observed, const CoverageCounts& whole) {
-            return SameCounts(observed, CutTo(tile, whole), DecisionsOf(c),
+          [&c, tile, open](const CoverageCounts& observed, const CoverageCounts& whole) {
+            return SameCounts(observed, CutTo(tile, open->Expected(observed, whole)),
+                              open->Judged(DecisionsOf(c)),
                               "the whole's in the tile at column " + std::to_string(tile.x0) +
                                   " row " + std::to_string(tile.y0));
           }));

@@ -1,0 +1,117 @@
+#include "props/judging/moved_scenes.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "core/coverage.h"
+#include "core/profile.h"
+#include "exact/coverage.h"
+#include "model/snap.h"
+#include "model/snap_scene.h"
+#include "props/judging/flat_triangles.h"
+#include "props/judging/gate.h"
+
+namespace rasterproof::props {
+namespace {
+
+// Of larger cases the moves cost more than they show.
+constexpr std::size_t kMostSamples = 4096;
+constexpr std::size_t kMostTriangles = 16;
+
+// The moves, from small to large. A length of 0 stands for the next number of the format.
+struct MoveLength {
+  double pixels = 0;
+  const char* words = "";
+};
+
+std::array<MoveLength, 3> LengthsOf(const Profile& profile) {
+  if (profile.freedom.MovesVertices() && !profile.snap.IsNone()) {
+    const int coarsest = LegalGrids(profile.snap, profile.freedom).front().bits;
+    return {{{std::ldexp(1.0, 1 - coarsest), "two steps of the coarsest legal grid"},
+             {std::ldexp(1.0, 3 - coarsest), "eight steps of the coarsest legal grid"},
+             {1, "a pixel"}}};
+  }
+  int bits = profile.snap.IsNone() ? 8 : profile.snap.bits;
+  if (profile.fixed) bits = profile.fixed->fraction_bits;
+  return {{{0, "an ulp"}, {std::ldexp(1.0, -bits), "a subpixel step"}, {1, "a pixel"}}};
+}
+
+double MovedBy(double x, double distance, double sign, Precision precision) {
+  const double moved = x + sign * distance;
+  if (precision == Precision::kFloat64) {
+    return distance == 0 ? std::nextafter(x, sign * HUGE_VAL) : moved;
+  }
+  const auto narrow = static_cast<float>(moved);
+  return distance == 0 ? std::nextafter(narrow, static_cast<float>(sign) * HUGE_VALF) : narrow;
+}
+
+// Whether the profile says what the case's scene covers, triangles without area included.
+bool StatesItsCoverage(const Case& c) {
+  if (!WithinLimits(c.scene, c.profile) || !CanBeGiven(c.scene, c.profile) ||
+      !IsUnclipped(c.scene, c.profile) || exact::WhyNotDecided(c.scene, c.profile)) {
+    return false;
+  }
+  return c.profile.degenerate_triangles == DegenerateTriangles::kNothing ||
+         FlatTriangles(c).empty();
+}
+
+}  // namespace
+
+std::optional<std::string> WhyNotMoved(const Case& c) {
+  if (c.scene.triangles.empty() || c.scene.triangles.size() > kMostTriangles ||
+      CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.pattern.samples()) >
+          kMostSamples) {
+    return "the case has no triangle, or is large";
+  }
+  return WhyNoLegalCounts(c.scene, c.profile);
+}
+
+MovedScenes::MovedScenes(const Case& c) : c_(c), expected_(c.scene, c) {}
+
+std::vector<MovedScene> MovedScenes::ByOneVertex() const {
+  std::vector<MovedScene> scenes;
+  for (const MoveLength& length : LengthsOf(c_.profile)) {
+    if (auto moved = FirstThatDiffers(length.pixels, length.words)) {
+      scenes.push_back(*std::move(moved));
+    }
+  }
+  return scenes;
+}
+
+std::optional<MovedScene> MovedScenes::FirstThatDiffers(double pixels, const char* words) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto vertex = static_cast<std::size_t>(c_.scene.triangles.front()[k]);
+    for (double Vertex::* const axis : {&Vertex::x, &Vertex::y}) {
+      for (const double sign : {1.0, -1.0}) {
+        Scene moved = c_.scene;
+        double& x = moved.vertices[vertex].*axis;
+        x = MovedBy(x, pixels, sign, moved.precision);
+        const std::string change = "vertex " + std::to_string(vertex) + " moved by " + words;
+        if (auto scene = IfItDiffers(std::move(moved), change)) return scene;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<MovedScene> MovedScenes::OtherContent() const {
+  Scene exchanged = c_.scene;
+  for (Vertex& v : exchanged.vertices) std::swap(v.x, v.y);
+  if (auto scene = IfItDiffers(std::move(exchanged), "x and y of all vertices exchanged")) {
+    return scene;
+  }
+  Scene reversed = c_.scene;
+  reversed.vertices.assign(c_.scene.vertices.rbegin(), c_.scene.vertices.rend());
+  return IfItDiffers(std::move(reversed), "its vertices in the reverse order");
+}
+
+std::optional<MovedScene> MovedScenes::IfItDiffers(Scene scene, const std::string& change) const {
+  if (!StatesItsCoverage({scene, c_.profile, c_.options, {}})) return std::nullopt;
+  LegalCounts expected(scene, c_);
+  if (expected.Apart(expected_) == 0) return std::nullopt;
+  return MovedScene{std::move(scene), std::move(expected), change};
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,50 @@
+// Scenes that differ from a case in a vertex, or in all of them, and cover something else.
+#ifndef RASTERPROOF_PROPS_JUDGING_MOVED_SCENES_H_
+#define RASTERPROOF_PROPS_JUDGING_MOVED_SCENES_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/scene.h"
+#include "props/judging/legal_counts.h"
+
+namespace rasterproof::props {
+
+struct MovedScene {
+  Scene scene;
+  LegalCounts expected;
+  std::string change;  ///< completes "drawn after the case, with ..."
+};
+
+/// Returns why no moved scenes are looked for, or nothing if they are: the case has no triangle, or
+/// moves cost more than they show, or nothing says what it covers.
+std::optional<std::string> WhyNotMoved(const Case& c);
+
+/// A move counts if no legal model of the case covers some sample as some legal model of the moved
+/// scene does, and the profile says what that one covers.
+class MovedScenes {
+ public:
+  /// Domain:     no WhyNotMoved; the case outlives this.
+  explicit MovedScenes(const Case& c);
+
+  /// What the case covers.
+  const LegalCounts& expected() const { return expected_; }
+  /// For each of three distances, from small to large, the first move of one vertex of the first
+  /// triangle that counts, if any does.
+  std::vector<MovedScene> ByOneVertex() const;
+  /// Other vertices under the same indices, as many: x and y exchanged, or the list turned round.
+  std::optional<MovedScene> OtherContent() const;
+
+ private:
+  std::optional<MovedScene> FirstThatDiffers(double pixels, const char* words) const;
+  std::optional<MovedScene> IfItDiffers(Scene scene, const std::string& change) const;
+
+  const Case& c_;
+  LegalCounts expected_;
+};
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_MOVED_SCENES_H_

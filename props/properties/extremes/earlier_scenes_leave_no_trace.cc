@@ -1,0 +1,81 @@
+// A scene behind one that differs in a vertex alone covers what it covers where that was not drawn.
+//
+// What is kept of a call and found again by less than all that it was made of looks like a draw on
+// a coarser grid. Where the profile leaves the grid free, only a copy of the subject that never saw
+// the first scene tells the two apart.
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/freedom.h"
+#include "core/profile.h"
+#include "props/judging/gate.h"
+#include "props/judging/moved_scenes.h"
+#include "props/judging/redraw.h"
+#include "props/properties/all.h"
+#include "props/properties/clause_lists.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+
+namespace rasterproof::props {
+namespace {
+
+DrawQuestion ByTwin(DrawQuestion draw) {
+  draw.by_twin = true;
+  return draw;
+}
+
+// Draw k of the subject behind the case, and draw k of its twin.
+Verdict AreAlike(const Answers& answers, const std::vector<std::string>& changes) {
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const std::size_t behind = 1 + k;
+    const Verdict same =
+        SameCounts(answers.draws[behind]->counts, answers.draws[behind + changes.size()]->counts, 0,
+                   "that of a copy of the subject that did not draw the case, with " + changes[k]);
+    if (same.outcome == Outcome::kViolated) return OfDraw(behind, same);
+  }
+  return Verdict::Held(changes.size());
+}
+
+Asked Ask(const Case& c, const Description& /*subject*/) {
+  Case canonical = c;
+  canonical.profile.freedom = Freedom{};
+  if (auto why = WhyNotMoved(canonical)) return NothingAsked(*why);
+  const std::vector<MovedScene> moved = MovedScenes(canonical).ByOneVertex();
+  if (moved.empty()) return NothingAsked("no vertex that moves changes what is covered");
+  Questions questions;
+  questions.company = Company::kInOrderAlone;
+  questions.draws.push_back(WholeCallOf(c.scene, c.profile, c.options));
+  std::vector<std::string> changes;
+  for (const MovedScene& scene : moved) {
+    questions.draws.push_back(WholeCallOf(scene.scene, c.profile, c.options));
+    changes.push_back(scene.change);
+  }
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    questions.draws.push_back(ByTwin(questions.draws[1 + k]));
+  }
+  return OneCheck(std::move(questions),
+                  [changes](const Answers& a) { return AreAlike(a, changes); });
+}
+
+constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
+
+}  // namespace
+
+constinit const Property kEarlierScenesLeaveNoTrace{
+    .name = "EarlierScenesLeaveNoTrace",
+    .group = "extremes",
+    .clause = "A scene covers the same whatever was drawn before it.",
+    .required_by = kRepeatableClauses,
+    .tolerance = kExact,
+    .domains = kNearEdges,
+    .is_about_sequence = true,
+    .gate = Where({.shows = Shows::kTwin, .any_model = true, .rules = kRules, .asks_oracle = true},
+                  "a vertex of its first triangle that can move and change what the canonical "
+                  "model covers"),
+    .ask = Ask,
+};
+
+}  // namespace rasterproof::props

@@ -32,7 +32,9 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+Asked Ask(const Case& c, const Description& subject) {
+  return AskFragments(c, subject, kDepthsAlone, Judge);
+}
 
 }  // namespace
 

@@ -57,7 +57,7 @@ constinit const Property kFragmentBarycentricsStayWithinTheirError{
     .tolerance =
         "the stated barycentric error; none stated: the forward bound of the "
         "five-operation quotient, which grows with the triangle's conditioning",
-    .domains = kBarycentrics,
+    .domains = kFragments,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
              .unwrapped = true,

@@ -54,7 +54,7 @@ constinit const Property kFragmentBarycentricsSumToOne{
         "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
     .required_by = kBarycentricClauses,
     .tolerance = "the sum of the three tolerances of FragmentBarycentricsStayWithinTheirError",
-    .domains = kBarycentrics,
+    .domains = kFragments,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
              .any_owners = true,

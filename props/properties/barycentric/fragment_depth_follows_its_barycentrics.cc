@@ -60,7 +60,7 @@ constinit const Property kFragmentDepthFollowsItsBarycentrics{
         "Rasterization).",
     .tolerance =
         "the depth's and the barycentrics' tolerances, the latter times the vertices' depths",
-    .domains = kBarycentrics,
+    .domains = kFragments,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
              .any_owners = true,

@@ -44,7 +44,7 @@ constinit const Property kFragmentDepthStaysInTheHull{
     .clause = "Inside, a depth is a convex combination of the vertices' depths.",
     .required_by = kBarycentricClauses,
     .tolerance = kDepthTolerance,
-    .domains = kBarycentrics,
+    .domains = kFragments,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
              .any_owners = true,

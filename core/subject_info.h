@@ -25,13 +25,14 @@ enum class CoverageKind : std::uint8_t {
 enum class Visible : std::uint8_t { kLastDrawn, kFirstDrawn };
 
 /// The vertices that a subject's barycentrics belong to: as given, or on the profile's subpixel
-/// grid.
-enum class BarycentricsOf : std::uint8_t { kGiven, kSnapped };
+/// grid. kEither: it does not say, and may take the ones for one triangle and the others for the
+/// next.
+enum class BarycentricsOf : std::uint8_t { kEither, kSnapped, kGiven };
 
 /// What a subject says of the fragments that it shows.
 struct FragmentInfo {
   Visible visible = Visible::kLastDrawn;
-  BarycentricsOf barycentrics_of = BarycentricsOf::kGiven;
+  BarycentricsOf barycentrics_of = BarycentricsOf::kEither;
   /// Most that a barycentric is off, absolute. 0: it says nothing.
   double barycentric_error = 0;
   /// Most that a depth is off, absolute, in the unit of z. 0: it says nothing.

@@ -40,8 +40,13 @@ enum rasterproof_coverage {
 /* Which of several triangles on a sample is visible. */
 enum rasterproof_visible { RASTERPROOF_LAST_DRAWN = 0, RASTERPROOF_FIRST_DRAWN = 1 };
 
-/* The vertices that barycentrics belong to: as given, or on the profile's subpixel grid. */
-enum rasterproof_barycentrics_of { RASTERPROOF_OF_GIVEN = 0, RASTERPROOF_OF_SNAPPED = 1 };
+/* The vertices that barycentrics belong to: as given, or on the profile's subpixel grid. EITHER:
+ * nothing is said, and each triangle is judged by those that its barycentrics fit. */
+enum rasterproof_barycentrics_of {
+  RASTERPROOF_OF_EITHER = 0,
+  RASTERPROOF_OF_SNAPPED = 1,
+  RASTERPROOF_OF_GIVEN = 2
+};
 
 /* The number format in which the library computes its input. */
 enum rasterproof_input {

@@ -34,8 +34,9 @@ constexpr Names<Precision, 2> kInputs{
     {{"float32", Precision::kFloat32}, {"float64", Precision::kFloat64}}};
 constexpr Names<Visible, 2> kOrders{
     {{"last-drawn", Visible::kLastDrawn}, {"first-drawn", Visible::kFirstDrawn}}};
-constexpr Names<BarycentricsOf, 2> kBarycentricsOf{
-    {{"given", BarycentricsOf::kGiven}, {"snapped", BarycentricsOf::kSnapped}}};
+constexpr Names<BarycentricsOf, 3> kBarycentricsOf{{{"given", BarycentricsOf::kGiven},
+                                                    {"snapped", BarycentricsOf::kSnapped},
+                                                    {"either", BarycentricsOf::kEither}}};
 
 constexpr Names<bool SubjectInfo::*, 8> kTakes{{{"window", &SubjectInfo::takes_window},
                                                 {"clip", &SubjectInfo::takes_clip},

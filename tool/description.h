@@ -13,7 +13,7 @@ namespace rasterproof::tool {
 /// Keys, all optional but for `command` in a file: name, summary, command (run by the shell), input
 /// (float32, float64, or as "fixed 12.4 signed wrap": fixed point, signed or unsigned, wrap or
 /// nothing), coverage (facing-counts, counts, mask, primitive-id or fragments), visible (last-drawn
-/// or first-drawn), barycentrics-of (given or snapped), barycentric-error and depth-error
+/// or first-drawn), barycentrics-of (given, snapped or either), barycentric-error and depth-error
 /// (absolute), shows (edges, steps), edge-error and stepping-error (exact, or as in EdgeInfo),
 /// takes (any of window, clip, culling, scissor, tiles, threads, batches, repeats), clock (elapsed if
 /// another processor draws), protocol (the version

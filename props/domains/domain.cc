@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 73;
+constexpr std::uint16_t kNextNumber = 74;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -270,6 +270,11 @@ constexpr std::array kDomains{
            .summary = "triangles off the grid that stay inside when moved, and exact in float32",
            .is_stated = [](const Profile& p) { return p.translation_invariant; },
            .draw = OffGridMoves},
+    Domain{.number = 73,
+           .name = "off-grid-fragments",
+           .summary = "small triangles, fans and quads whose corners lie between grid points",
+           .mesh = true,
+           .draw = OffGridFragments},
     Domain{.number = 53,
            .name = "target-size-ends",
            .summary = "ties of the snap on the largest targets of each model, and on larger ones",

@@ -74,6 +74,7 @@ Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info);
 Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info);
 Case GuardBandEnds(BitSource& bits, const SubjectInfo& info);
 Case OffGridMoves(BitSource& bits, const SubjectInfo& info);
+Case OffGridFragments(BitSource& bits, const SubjectInfo& info);
 Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info);
 
 // recipes_degenerate.cc

@@ -76,12 +76,14 @@ LegalPlaces Grown(const LegalPlaces& places, double by) {
 }
 
 std::vector<CentroidTriangle> TrianglesToJudge(const Case& c, const Description& subject) {
-  const bool snapped = subject.info.fragments.barycentrics_of == BarycentricsOf::kSnapped;
-  const Scene owners = snapped ? SnapScene(c.scene, c.profile) : c.scene;
+  const BarycentricsOf of = subject.info.fragments.barycentrics_of;
+  const Scene owners = of == BarycentricsOf::kSnapped ? SnapScene(c.scene, c.profile) : c.scene;
   const double rounding = RoundingOfAPoint(subject.info, c.scene);
   std::vector<CentroidTriangle> triangles;
   for (const CornersPlace& place : SomeProperTriangles(c)) {
     const auto t = static_cast<std::size_t>(place.triangle);
+    // Who does not say whose barycentrics it shows is judged where both are the same.
+    if (of == BarycentricsOf::kEither && !StaysWhereGiven(c, c.scene.triangles[t])) continue;
     auto legal = LegalPlacesOf(c, c.scene.triangles[t]);
     if (!legal) continue;
     for (LegalPlaces& corner : *legal) corner = Grown(corner, rounding);

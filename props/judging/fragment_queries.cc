@@ -76,14 +76,16 @@ bool Overflows(const Points3& v, Point2 p, Precision precision) {
   return !(SumOfProducts(v[0], v[1], v[2]) < most);
 }
 
-// Depths that no two vertices of a triangle are likely to share; exact in every format. Far apart,
+// Depths that no two of 256 vertices in a row share; exact in every format. Far apart,
 // or nearly flat in one of three degrees: what is walked or kept coarsely loses small differences.
 class Depths {
  public:
   explicit Depths(const Scene& scene) : bits_(kBits[static_cast<std::size_t>(scene.width) % 4]) {}
 
   double Of(std::size_t vertex) const {
-    const auto place = static_cast<double>(1 + 3 * vertex % 8);
+    // Eight places far apart, and 32 beside each.
+    const auto place =
+        static_cast<double>(1 + 3 * vertex % 8) - static_cast<double>(vertex / 8 % 32) / 32;
     return (bits_ == kBits[0] ? 0 : 0.5) + std::ldexp(place, -bits_);
   }
 
@@ -191,13 +193,25 @@ struct AnyOwners {
   bool overflows = false;
 };
 
+// The corners as given are no grid points, and may lie beside all that are legal.
+void AddGiven(const Case& c, const Triangle& t, std::array<LegalPlaces, 3>& places) {
+  const std::array<Vertex, 3> v = Corners(c.scene, t);
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto& [low, high] = places[k];
+    low = {std::min(low.x, v[k].x), std::min(low.y, v[k].y)};
+    high = {std::max(high.x, v[k].x), std::max(high.y, v[k].y)};
+  }
+}
+
 // Edge values and the area are affine in each coordinate of the corners: over rectangles their
 // signs are those at the rectangles' corners if all agree there, and their magnitudes and the sums
 // of products, being convex, are greatest there. Nothing if the triangle may be flat, or clipped.
 std::optional<AnyOwners> OverLegalPlaces(const Case& c, const Triangle& t, Point2 p,
-                                         Precision precision) {
-  const auto places = LegalPlacesOf(c, t);
+                                         const SubjectInfo& info) {
+  auto places = LegalPlacesOf(c, t);
   if (!places) return std::nullopt;
+  if (info.fragments.barycentrics_of == BarycentricsOf::kEither) AddGiven(c, t, *places);
+  const Precision precision = info.input;
   std::optional<AnyOwners> all;
   int facing = 0;
   for (unsigned ends = 0; ends < 64; ++ends) {
@@ -222,7 +236,7 @@ std::optional<AnyOwners> OverLegalPlaces(const Case& c, const Triangle& t, Point
 // Fills in the fragment's tolerances; false if nothing holds of it.
 bool TolerateAnyOwners(const Case& c, const SubjectInfo& info, Fragment& f) {
   const Triangle& t = c.scene.triangles[static_cast<std::size_t>(f.query.triangle)];
-  const auto any = OverLegalPlaces(c, t, f.query.place.at, info.input);
+  const auto any = OverLegalPlaces(c, t, f.query.place.at, info);
   if (!any) return false;
   f.query.inside = any->inside;
   const double stated = info.fragments.barycentric_error;
@@ -239,11 +253,34 @@ bool TolerateAnyOwners(const Case& c, const SubjectInfo& info, Fragment& f) {
   return true;
 }
 
-// What the drawing shows at its k-th sample. Nothing if the visible triangle has no area.
-std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const Scene& owners,
-                                   const Case& c, const SubjectInfo& info) {
+// The draws of a case: asked for all, and for one thing alone.
+struct Draws {
+  const Drawing& all;
+  const Drawing& alone;
+  Outputs wanted_alone;
+
+  const Drawing& Of(bool asked_alone) const { return asked_alone ? alone : all; }
+};
+
+// What a draw shows of what it was asked for at its k-th sample, before it is asked whose
+// barycentrics they are.
+Fragment ShownAt(const Draws& draws, bool asked_alone, std::size_t k, const Case& c) {
+  const Drawing& drawing = draws.Of(asked_alone);
+  const Outputs& wanted = asked_alone ? draws.wanted_alone : kEverything;
   Fragment f;
+  f.asked_alone = asked_alone;
   f.query.triangle = drawing.primitive_ids[k];
+  const Witness at = WitnessAtIndex(drawing.counts, k);
+  f.query.place = PlaceOf(c, at.x, at.y, at.sample);
+  if (wanted.barycentrics) f.barycentrics = drawing.barycentrics[k];
+  if (wanted.depths) f.depth = drawing.depths[k];
+  return f;
+}
+
+// The fragment by these owners, or, of owners that nobody knows, with what holds of any. Nothing if
+// they have no area, or nothing holds.
+std::optional<Fragment> ReadBy(const Scene& owners, bool are_known, Fragment f, const Case& c,
+                               const SubjectInfo& info) {
   const Triangle& t = owners.triangles[static_cast<std::size_t>(f.query.triangle)];
   const std::array<Vertex, 3> corners = Corners(owners, t);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -253,32 +290,97 @@ std::optional<Fragment> FragmentAt(const Drawing& drawing, std::size_t k, const 
   if (!std::ranges::all_of(corners, IsFinite) || exact::Facing(f.query.v) == 0) {
     return std::nullopt;
   }
-  const Witness at = WitnessAtIndex(drawing.counts, k);
-  f.query.place = PlaceOf(c, at.x, at.y, at.sample);
-  f.barycentrics = drawing.barycentrics[k];
-  f.depth = drawing.depths[k];
-  if (LeavesBarycentricsOpen(info, c.profile)) {
-    return TolerateAnyOwners(c, info, f) ? std::optional(f) : std::nullopt;
-  }
+  f.owners_are_known = are_known;
+  if (!are_known) return TolerateAnyOwners(c, info, f) ? std::optional(f) : std::nullopt;
   f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
   f.barycentric_tolerances = BarycentricTolerances(info, f.query);
   f.depth_tolerance = DepthTolerance(info, f, SizeOfBarycentrics(f.query));
   return f;
 }
 
-// `owners` holds the vertices that the barycentrics belong to.
-std::vector<Fragment> SomeFragments(const Drawing& drawing, const Scene& owners, const Case& c,
-                                    const SubjectInfo& info) {
+// A fragment by each of the owners that it may be of, one of which explains it.
+using Readings = std::vector<Fragment>;
+
+// The vertices that barycentrics may belong to.
+struct Owners {
+  Scene given;
+  Scene snapped;
+};
+
+// None if nothing is said of the fragment.
+Readings ReadingsAt(const Draws& draws, bool asked_alone, std::size_t k, const Owners& owners,
+                    const Case& c, const SubjectInfo& info) {
+  Fragment shown = ShownAt(draws, asked_alone, k, c);
+  const Triangle& t = c.scene.triangles[static_cast<std::size_t>(shown.query.triangle)];
+  BarycentricsOf of = info.fragments.barycentrics_of;
+  if (of == BarycentricsOf::kEither && StaysWhereGiven(c, t)) of = BarycentricsOf::kGiven;
+  const bool is_open = of != BarycentricsOf::kGiven && LeavesGridPointsOpen(c.profile);
+  // In another draw another choice may be made.
+  const bool is_settled = of != BarycentricsOf::kEither && !is_open;
+  if (!shown.barycentrics && is_settled && draws.all.primitive_ids[k] == shown.query.triangle) {
+    shown.barycentrics = draws.all.barycentrics[k];
+  }
+  const bool is_of_both = of == BarycentricsOf::kEither && !is_open;
+  std::vector<const Scene*> scenes;
+  if (of != BarycentricsOf::kSnapped) scenes.push_back(&owners.given);
+  if (of == BarycentricsOf::kSnapped || is_of_both) scenes.push_back(&owners.snapped);
+  Readings readings;
+  for (const Scene* scene : scenes) {
+    const std::optional<Fragment> reading = ReadBy(*scene, !is_open, shown, c, info);
+    if (!reading) return {};
+    readings.push_back(*reading);
+  }
+  return readings;
+}
+
+std::vector<Readings> SomeReadings(const Draws& draws, bool asked_alone, const Owners& owners,
+                                   const Case& c, const SubjectInfo& info) {
+  const std::vector<std::int32_t>& ids = draws.Of(asked_alone).primitive_ids;
   std::vector<std::size_t> covered;
-  for (std::size_t k = 0; k < drawing.primitive_ids.size(); ++k) {
-    if (drawing.primitive_ids[k] != kNoPrimitive) covered.push_back(k);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    if (ids[k] != kNoPrimitive) covered.push_back(k);
   }
-  std::vector<Fragment> fragments;
+  std::vector<Readings> some;
   for (std::size_t n = 0; n < covered.size(); n += covered.size() / kMostFragments + 1) {
-    const std::optional<Fragment> f = FragmentAt(drawing, covered[n], owners, c, info);
-    if (f) fragments.push_back(*f);
+    some.push_back(ReadingsAt(draws, asked_alone, covered[n], owners, c, info));
   }
-  return fragments;
+  return some;
+}
+
+// Whether one of the readings holds, or else why the first does not.
+Verdict JudgeReadings(const Readings& readings, FragmentJudge judge) {
+  std::optional<Verdict> first;
+  for (const Fragment& reading : readings) {
+    Verdict verdict = judge({reading});
+    if (verdict.outcome != Outcome::kViolated) return verdict;
+    if (!first) first = std::move(verdict);
+  }
+  return first ? *std::move(first) : Verdict::Held(0);
+}
+
+Verdict JudgeAll(const std::vector<Readings>& fragments, FragmentJudge judge) {
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (const Readings& readings : fragments) {
+    Verdict verdict = JudgeReadings(readings, judge);
+    exercised += verdict.exercised;
+    worst = std::max(worst, verdict.worst_ratio);
+    if (verdict.outcome != Outcome::kViolated) continue;
+    verdict.exercised = exercised;
+    return verdict;
+  }
+  return Verdict::Held(exercised, worst);
+}
+
+// With the draw whose fragment it is.
+Verdict JudgeDraws(const Draws& draws, const Owners& owners, const Case& c, const SubjectInfo& info,
+                   FragmentJudge judge) {
+  Verdict of_all = JudgeAll(SomeReadings(draws, false, owners, c, info), judge);
+  if (of_all.outcome == Outcome::kViolated) return OfDraw(0, std::move(of_all));
+  Verdict of_alone = JudgeAll(SomeReadings(draws, true, owners, c, info), judge);
+  if (of_alone.outcome == Outcome::kViolated) return OfDraw(1, std::move(of_alone));
+  return Verdict::Held(of_all.exercised + of_alone.exercised,
+                       std::max(of_all.worst_ratio, of_alone.worst_ratio));
 }
 
 }  // namespace
@@ -304,26 +406,28 @@ std::array<double, 3> BarycentricTolerancesInPixel(const SubjectInfo& info, cons
   return TolerancesOf(*errors, info.input);
 }
 
-Asked AskFragments(const Case& c, const Description& subject,
-                   Verdict (*judge)(const std::vector<Fragment>&)) {
+Asked AskFragments(const Case& c, const Description& subject, const Outputs& alone,
+                   FragmentJudge judge) {
   Scene scene = c.scene;
   const Depths depths(scene);
   for (std::size_t k = 0; k < scene.vertices.size(); ++k) scene.vertices[k].z = depths.Of(k);
-  const bool snapped = subject.info.fragments.barycentrics_of == BarycentricsOf::kSnapped;
-  Scene owners = snapped ? SnapScene(scene, c.profile) : scene;
   Questions questions;
-  questions.draws.push_back(WholeCallOf(scene, c.profile, c.options));
-  questions.draws.back().job.wants = kEverything;
+  questions.draws.assign(2, WholeCallOf(scene, c.profile, c.options));
+  questions.draws[0].job.wants = kEverything;
+  questions.draws[1].job.wants = alone;
+  Owners owners{scene, SnapScene(scene, c.profile)};
   return OneCheck(std::move(questions),
-                  [&c, &subject, judge, owners = std::move(owners)](const Answers& answers) {
-                    return judge(SomeFragments(*answers.draws[0], owners, c, subject.info));
+                  [&c, &subject, alone, judge, owners = std::move(owners)](const Answers& answers) {
+                    const Draws draws{*answers.draws[0], *answers.draws[1], alone};
+                    return JudgeDraws(draws, owners, c, subject.info, judge);
                   });
 }
 
 Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
                           const std::string& property, const std::string& observed,
                           const std::string& expected) {
-  return BarycentricViolation(fragment.query, entry, exercised, property, observed, expected);
+  const std::string of_which = fragment.asked_alone ? property + ", asked for alone" : property;
+  return BarycentricViolation(fragment.query, entry, exercised, of_which, observed, expected);
 }
 
 }  // namespace rasterproof::props

@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/case.h"
+#include "core/drawing.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "props/judging/barycentric_queries.h"
@@ -20,19 +22,36 @@ namespace rasterproof::props {
 struct Fragment {
   BarycentricQuery
       query;  ///< the visible triangle, by the vertices that the barycentrics belong to
+  /// Whether these are known. If not, the query's are the given ones, and the tolerances hold of
+  /// any that are legal.
+  bool owners_are_known = true;
+  /// True if the draw was asked for barycentrics or for depths, and not for the other.
+  bool asked_alone = false;
   std::array<double, 3> z{};
-  std::array<double, 3> barycentrics{};
-  double depth = 0;
+  /// Of a depth that was asked for alone those of the draw that was asked for all; nothing if that
+  /// shows another triangle, or another choice of the owners would explain it.
+  std::optional<std::array<double, 3>> barycentrics;
+  double depth = 0;  ///< anything if barycentrics were asked for alone
   /// NaN where nothing is stated. See BarycentricTolerances().
   std::array<double, 3> barycentric_tolerances{};
   double depth_tolerance = 0;
 };
 
-/// Asks for all that a call shows of the case, its vertices at depths of our own choice, and judges
-/// some of the covered samples, evenly spread. PrimitiveIds without area by the stated vertices are
-/// left out.
-Asked AskFragments(const Case& c, const Description& subject,
-                   Verdict (*judge)(const std::vector<Fragment>&));
+/// What a property judges of fragments, each of its own.
+using FragmentJudge = Verdict (*)(const std::vector<Fragment>&);
+
+inline constexpr Outputs kBarycentricsAlone{
+    .primitive_ids = true, .barycentrics = true, .depths = false};
+inline constexpr Outputs kDepthsAlone{.primitive_ids = true, .barycentrics = false, .depths = true};
+
+/// Asks for all that a call shows of the case, its vertices at depths of our own choice, then for
+/// barycentrics or depths alone, and judges some of the covered samples of both draws, evenly
+/// spread. Triangles without area by the stated vertices are left out.
+///
+/// Of a subject that does not say whose barycentrics it shows a fragment holds if it does by the
+/// vertices as given or by those on the grid.
+Asked AskFragments(const Case& c, const Description& subject, const Outputs& alone,
+                   FragmentJudge judge);
 
 /// How far the barycentrics of p may be off: the stated error for each. If none is stated, the most
 /// that the usual forms give in the subject's format: five-operation edge functions over the area,

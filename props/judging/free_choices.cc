@@ -335,6 +335,17 @@ std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const Case& c, const Tri
   return placed->places;
 }
 
+bool StaysWhereGiven(const Case& c, const Triangle& t) {
+  const auto places = LegalPlacesOf(c, t);
+  if (!places) return false;
+  const std::array<Vertex, 3> v = Corners(c.scene, t);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [low, high] = (*places)[k];
+    if (low != WindowPoint(v[k]) || high != low) return false;
+  }
+  return true;
+}
+
 bool TellsFacings(const Description& subject) {
   return subject.info.coverage == CoverageKind::kFacingCounts;
 }

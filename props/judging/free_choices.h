@@ -88,6 +88,11 @@ class OpenTriangles {
 /// Domain:     a window-space case; finite corners.
 std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const Case& c, const Triangle& t);
 
+/// Returns whether every legal model puts the corners of a triangle where they are given.
+///
+/// Domain:     as LegalPlacesOf().
+bool StaysWhereGiven(const Case& c, const Triangle& t);
+
 /// Returns whether the facing of a triangle that the subject draws is what it says itself, and not
 /// worked out from the canonical model.
 bool TellsFacings(const Description& subject);

@@ -245,11 +245,14 @@ std::string_view ContractWords(ContractNeeded contract) {
 
 }  // namespace
 
+bool LeavesGridPointsOpen(const Profile& profile) {
+  return profile.freedom.MovesVertices() || profile.contract == Contract::kWatertight ||
+         profile.contract == Contract::kClosed;
+}
+
 bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile) {
-  const bool chooses_points = profile.freedom.MovesVertices() ||
-                              profile.contract == Contract::kWatertight ||
-                              profile.contract == Contract::kClosed;
-  return info.fragments.barycentrics_of == BarycentricsOf::kSnapped && chooses_points;
+  return info.fragments.barycentrics_of == BarycentricsOf::kSnapped &&
+         LeavesGridPointsOpen(profile);
 }
 
 std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject) {

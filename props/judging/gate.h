@@ -101,7 +101,10 @@ constexpr Gate Where(Gate gate, std::string_view where) {
   return gate;
 }
 
-/// Whether the barycentrics of fragments belong to grid points, and the profile leaves these free.
+/// Whether legal models of the profile put a vertex on different grid points.
+bool LeavesGridPointsOpen(const Profile& profile);
+/// Whether the subject says that the barycentrics of its fragments belong to grid points, and the
+/// profile leaves these free.
 bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile);
 
 /// Returns why the property does not apply to the subject, whatever the case, or nothing if it may.

@@ -52,7 +52,12 @@ inline constexpr auto kBarycentrics = std::to_array<std::string_view>(
      "near-edge", "caps", "needles", "offset-cancellation", "mixed-magnitude", "vertex-orders",
      "grids"});
 
-// The same, and fragments of few samples.
+// The same, corners between grid points, small areas and more vertices.
+inline constexpr auto kFragments =
+    Both(kBarycentrics, std::to_array<std::string_view>(
+                            {"off-grid-fragments", "sub-pixel-triangles", "fans", "every-size"}));
+
+// Barycentrics, and fragments of few samples.
 inline constexpr auto kCentroids =
     Both(kBarycentrics,
          std::to_array<std::string_view>({"sub-pixel-triangles", "rows-and-columns", "fans"}));

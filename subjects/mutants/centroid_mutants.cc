@@ -39,8 +39,7 @@ CentroidStages EvaluatingSnapped(Centroid rule, Evaluates centroid) {
 }
 
 // Barycentrics of a grid that the profile leaves free.
-CentroidStages ShowingSnapped(
-    std::function<void(std::array<double, 3>& barycentrics, double& depth)> shown) {
+CentroidStages ShowingSnapped(std::function<void(ShownFragment&)> shown) {
   CentroidStages stages{.base = StagesOfPreset("vulkan"),
                         .barycentrics_of = BarycentricsOf::kSnapped};
   stages.shown = std::move(shown);
@@ -180,11 +179,9 @@ std::vector<Mutant> CentroidMutants() {
       {"centroid-subpixel-outside", "centroid lies a 256th of a pixel beyond the triangle's edge",
        "", EvaluatingSnapped(Centroid::kInside, SubpixelBeyondTheEdge)},
       {"vulkan-fragments-sum-off", "a barycentric at a snapped triangle's sample is off by 2^-10",
-       "", ShowingSnapped([](std::array<double, 3>& barycentrics, double&) {
-         barycentrics[2] += 0x1p-10;
-       })},
+       "", ShowingSnapped([](ShownFragment& f) { f.barycentrics[2] += 0x1p-10; })},
       {"vulkan-depth-off", "a depth of a snapped triangle is off by a quarter", "",
-       ShowingSnapped([](std::array<double, 3>&, double& depth) { depth *= 1.25; })},
+       ShowingSnapped([](ShownFragment& f) { f.depth *= 1.25; })},
       {"centroid-beside-the-only-sample", "centroid of one sample is not the centre", "",
        Evaluating("gl", MiddleOfTheCommonPart)},
   };

@@ -37,7 +37,7 @@ class Centroids final : public Subject {
     info_.takes_threads = false;
     info_.takes_culling = false;
     info_.fragments.barycentrics_of = stages_.barycentrics_of;
-    info_.fragments.shows_centroids = true;
+    info_.fragments.shows_centroids = stages_.shows_centroids;
     if (!stages_.centroid) stages_.centroid = CentroidOfDirect3D;
   }
 
@@ -61,7 +61,7 @@ class Centroids final : public Subject {
       Scene one = scene;
       one.triangles = {scene.triangles[t]};
       base_->Draw(one, job.options, alone);
-      ShowTriangle(scene, t, alone, drawing);
+      ShowTriangle(scene, t, alone, job.wants, drawing);
     }
     return drawing;
   }
@@ -94,16 +94,19 @@ class Centroids final : public Subject {
   }
 
   void ShowTriangle(const Scene& scene, std::size_t t, const CoverageCounts& alone,
-                    Drawing& drawing) const {
+                    const Outputs& wants, Drawing& drawing) const {
     const std::array<Vertex, 3> corners = Corners(scene, scene.triangles[t]);
-    const std::array<Point2, 3> placed = PlacedCorners(corners);
-    std::array<Point2, 3> owners = placed;
-    for (std::size_t k = 0; k < 3 && stages_.barycentrics_of == BarycentricsOf::kGiven; ++k) {
-      owners[k] = WindowPoint(corners[k]);
+    ShownFragment shown{.wants = wants, .indices = scene.triangles[t]};
+    shown.placed = PlacedCorners(corners);
+    for (std::size_t k = 0; k < 3; ++k) {
+      shown.given[k] = WindowPoint(corners[k]);
+      shown.z[k] = corners[k].z;
     }
+    const bool snapped = stages_.barycentrics_of == BarycentricsOf::kSnapped;
+    const std::array<Point2, 3>& owners = snapped ? shown.placed : shown.given;
     for (int row = 0; row < alone.height; ++row) {
       for (int x = 0; x < alone.width; ++x) {
-        const CentroidQuestion q = QuestionAt(placed, x, row, alone);
+        const CentroidQuestion q = QuestionAt(shown.placed, x, row, alone);
         if (std::ranges::find(q.covered, true) == q.covered.end()) continue;
         const Barycentric3 centroid = drawing.centroids.empty()
                                           ? Barycentric3{}
@@ -112,20 +115,23 @@ class Centroids final : public Subject {
           if (!q.covered[static_cast<std::size_t>(s)]) continue;
           const std::size_t k = alone.Index(x, row, s);
           if (!drawing.centroids.empty()) drawing.centroids[k] = centroid;
-          Win(corners, owners, t, k, q.samples[static_cast<std::size_t>(s)], drawing);
+          shown.at = q.samples[static_cast<std::size_t>(s)];
+          Win(shown, owners, static_cast<std::int32_t>(t), k, drawing);
         }
       }
     }
   }
 
-  void Win(const std::array<Vertex, 3>& corners, const std::array<Point2, 3>& owners, std::size_t t,
-           std::size_t k, Point2 at, Drawing& drawing) const {
-    const Barycentric3 l = BarycentricsAt(owners, at);
+  void Win(ShownFragment& shown, const std::array<Point2, 3>& owners, std::int32_t t, std::size_t k,
+           Drawing& drawing) const {
+    const Barycentric3 l = BarycentricsAt(owners, shown.at);
+    shown.barycentrics = l;
+    shown.depth = l[0] * shown.z[0] + l[1] * shown.z[1] + l[2] * shown.z[2];
+    if (stages_.shown) stages_.shown(shown);
     drawing.counts.front[k] = 1;
-    drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
-    drawing.barycentrics[k] = l;
-    drawing.depths[k] = l[0] * corners[0].z + l[1] * corners[1].z + l[2] * corners[2].z;
-    if (stages_.shown) stages_.shown(drawing.barycentrics[k], drawing.depths[k]);
+    drawing.primitive_ids[k] = t;
+    drawing.barycentrics[k] = shown.barycentrics;
+    drawing.depths[k] = shown.depth;
   }
 
   CentroidStages stages_;

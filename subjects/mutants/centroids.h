@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/drawing.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
 #include "core/vertex.h"
@@ -32,6 +33,19 @@ Point2 CentroidOfDirect3D(const CentroidQuestion& q);
 /// The corners of what pixel and triangle have in common, in double: none where that is a point.
 std::vector<Point2> CommonPolygon(const CentroidQuestion& q);
 
+/// A fragment on its way out.
+struct ShownFragment {
+  const Outputs& wants;  ///< what the call asks for
+  Triangle indices{};    ///< of the triangle, as the call lists it
+  std::array<Point2, 3> given{};
+  std::array<Point2, 3> placed{};  ///< on the grid
+  Point2 at{};                     ///< the sample
+  std::array<double, 3> z{};
+  // By the vertices that the subject states, in double.
+  std::array<double, 3> barycentrics{};
+  double depth = 0;
+};
+
 /// What the subject states and what it shows.
 struct CentroidStages {
   /// The rasterizer that covers samples; its profile is what the subject states.
@@ -40,11 +54,12 @@ struct CentroidStages {
   /// Where it evaluates; empty: by Direct3D's rule.
   std::function<Point2(const CentroidQuestion&)> centroid = {};
   /// What it shows at a sample, changed.
-  std::function<void(std::array<double, 3>& barycentrics, double& depth)> shown = {};
+  std::function<void(ShownFragment&)> shown = {};
+  bool shows_centroids = true;
 };
 
-/// A fixed-point rasterizer of eight subpixel bits that shows fragments and their centroids,
-/// computed in double.
+/// A fixed-point rasterizer of eight subpixel bits that shows fragments, and their centroids where
+/// it says so, computed in double. Who states `either` shows those of the given vertices.
 ///
 /// Domain:     as MakeFixedPoint.
 std::unique_ptr<Subject> MakeCentroids(const std::string& name, const std::string& summary,

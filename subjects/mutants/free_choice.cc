@@ -33,6 +33,7 @@ class FreeChoice final : public Subject {
     info_ = base_->Info();
     info_.profile = stages_.profile;
     info_.coverage = stages_.coverage;
+    info_.fragments.barycentrics_of = BarycentricsOf::kGiven;
     info_.takes_threads = false;
     info_.takes_culling = stages_.coverage == CoverageKind::kFacingCounts;
     info_.takes_window = !stages_.takes_clip;

@@ -147,7 +147,7 @@ std::vector<Mutant> LegalVariants() {
   for (const auto more :
        {Snaps, Samples, Freedoms, OtherBases, TransformVariants, MapVariants, ScanlineVariants,
         SquareVariants, ContractVariants, FreeVariants, SetVariants, FacingVariants, SampleVariants,
-        CentroidVariants, WidthVariants}) {
+        CentroidVariants, FragmentVariants, WidthVariants}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;

@@ -57,6 +57,7 @@ std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
 std::vector<Mutant> FacingMutants();      // facing, under the legal sets of APIs
 std::vector<Mutant> SampleMutants();      // several samples a pixel
 std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
+std::vector<Mutant> FragmentMutants();    // whose barycentrics, and what is asked for alone
 /// Written after the generators and the properties were frozen.
 std::vector<Mutant> LateMutants();
 
@@ -72,6 +73,7 @@ std::vector<Mutant> SetVariants();       // of the legal sets of APIs
 std::vector<Mutant> FacingVariants();    // facing, of the legal sets of APIs
 std::vector<Mutant> SampleVariants();    // several samples a pixel
 std::vector<Mutant> CentroidVariants();  // those that show centroids
+std::vector<Mutant> FragmentVariants();  // those that show fragments in float32
 std::vector<Mutant> ContractVariants();  // those of profiles with the rarer keys
 
 }  // namespace rasterproof::subjects::mutants

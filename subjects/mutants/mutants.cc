@@ -34,7 +34,7 @@ std::vector<Row> MakeRows() {
         mutants::ScanlineMutants,  mutants::MapMutants,      mutants::ShownValueMutants,
         mutants::ContractMutants,  mutants::FreeMutants,     mutants::SquareMutants,
         mutants::SetMutants,       mutants::FacingMutants,   mutants::SampleMutants,
-        mutants::CentroidMutants,  mutants::WidthMutants}) {
+        mutants::CentroidMutants,  mutants::FragmentMutants, mutants::WidthMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);

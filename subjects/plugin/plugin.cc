@@ -438,7 +438,7 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
   require_known("input", described.input, RASTERPROOF_FIXED);
   require_known("coverage", described.coverage, RASTERPROOF_FRAGMENTS);
   require_known("visible", described.visible, RASTERPROOF_FIRST_DRAWN);
-  require_known("barycentrics_of", described.barycentrics_of, RASTERPROOF_OF_SNAPPED);
+  require_known("barycentrics_of", described.barycentrics_of, RASTERPROOF_OF_GIVEN);
   require((described.takes & RASTERPROOF_SHOWS_CENTROIDS) == 0 ||
               described.coverage == RASTERPROOF_FRAGMENTS,
           "it shows centroids and no fragments", "set coverage to RASTERPROOF_FRAGMENTS");

@@ -89,6 +89,7 @@ class ShowsCentroids final : public Subject {
     info_.coverage = CoverageKind::kFragments;
     info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
     info_.fragments.shows_centroids = true;
+    info_.fragments.barycentrics_of = BarycentricsOf::kGiven;
   }
   SubjectInfo& info() { return info_; }
   const SubjectInfo& OwnInfo() const override { return info_; }

@@ -195,9 +195,10 @@ constexpr auto kGolden = std::to_array<Golden>({
     {70, "far-sides", 0xc281c76bcbcd063b},
     {71, "every-size", 0x20f9aaa81e80e3b6},
     {72, "off-grid-moves", 0xdd9e7a71873f94e},
+    {73, "off-grid-fragments", 0x5f0ae0e14b9bfa22},
 });
 
-constexpr std::uint64_t kGoldenExamples = 0x89a17e8eb434938e;
+constexpr std::uint64_t kGoldenExamples = 0xbb34c4ed57b70e44;
 
 std::string LineOf(const Domain& domain, std::uint64_t hash) {
   std::ostringstream line;

@@ -200,7 +200,8 @@ TEST(Domains, PutVerticesOnTheSubpixelGridUnlessTheyAreAboutSnapping) {
                                             "square-crossings",
                                             "square-interiors",
                                             "underflowing-products",
-                                            "off-grid-moves"};
+                                            "off-grid-moves",
+                                            "off-grid-fragments"};
   for (const int bits : {0, 4, 8, 16}) {
     const SubjectInfo info = SnappedInfo(bits);
     for (const Domain& domain : Domains()) {

@@ -57,6 +57,37 @@ std::vector<std::string_view> WithoutFar(std::span<const std::string_view> domai
   return others;
 }
 
+double TwiceTheArea(const Scene& scene, const Triangle& t) {
+  const std::array<Vertex, 3> v = Corners(scene, t);
+  return std::fabs((v[2].x - v[0].x) * (v[1].y - v[0].y) - (v[2].y - v[0].y) * (v[1].x - v[0].x));
+}
+
+// Cases of which a triangle like this covers a sample.
+int CasesThatCover(const SubjectInfo& info, bool (*is_like)(const Scene&, const Triangle&)) {
+  return CasesThat("off-grid-fragments", info, [&](const Case& c) {
+    Case some = c;
+    std::erase_if(some.scene.triangles, [&](const Triangle& t) { return !is_like(c.scene, t); });
+    const CoverageCounts counts = exact::Coverage(some.scene, info.profile);
+    return std::ranges::any_of(counts.front, [](std::uint32_t n) { return n != 0; }) ||
+           std::ranges::any_of(counts.back, [](std::uint32_t n) { return n != 0; });
+  });
+}
+
+TEST(OffGridFragments, AreOfCornersBetweenGridPointsSmallAreasAndMoreThanSixteenVertices) {
+  const auto is_off_the_grid = [](const Scene& scene, const Triangle& t) {
+    return std::ranges::all_of(Corners(scene, t), [](const Vertex& v) {
+      return std::floor(v.x * 256) != v.x * 256 && std::floor(v.y * 256) != v.y * 256;
+    });
+  };
+  const auto is_small = [](const Scene& scene, const Triangle& t) {
+    return TwiceTheArea(scene, t) < 1.0 / 64;
+  };
+  const auto is_late = [](const Scene&, const Triangle& t) { return std::ranges::max(t) >= 16; };
+  EXPECT_GT(CasesThatCover(SnappedInfo(8), is_off_the_grid), 100);
+  EXPECT_GT(CasesThatCover(SnappedInfo(8), is_small), 20);
+  EXPECT_GT(CasesThatCover(SnappedInfo(8), is_late), 80);
+}
+
 TEST(RangeEnds, SpansTheStatedRangeFromEndToEnd) {
   const SubjectInfo info = SnappedInfo(8);
   const double limit = info.profile.coordinate_limit;

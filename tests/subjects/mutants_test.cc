@@ -59,7 +59,7 @@ struct Twins {
   const char* variant;  ///< that the law allows
 };
 
-// Under legal sets, where no single model says what is drawn.
+// Under legal sets, where no single model says what is drawn, and of what is shown of fragments.
 TEST(Mutants, OfLegalSetsAreFoundByTheirPropertyAndTheirTwinsHold) {
   constexpr const char* kNew = "NewVerticesGiveNewCoverage";
   constexpr const char* kTrace = "EarlierScenesLeaveNoTrace";
@@ -72,6 +72,26 @@ TEST(Mutants, OfLegalSetsAreFoundByTheirPropertyAndTheirTwinsHold) {
            Twins{kTrace, "mutant:vulkan-kept-by-sixteenths", "legal:vulkan-kept-by-all"},
            Twins{kTrace, "mutant:gl-kept-by-sixteenths", "legal:gl-4-bits-floor"},
            Twins{kTrace, "mutant:vulkan-kept-by-pixels", "legal:vulkan-4-bits"},
+           Twins{"FragmentBarycentricsStayWithinTheirError", "mutant:fragments-of-given",
+                 "legal:fragments-snapped-area"},
+           Twins{"FragmentBarycentricsStayWithinTheirError", "mutant:fragments-of-snapped",
+                 "legal:fragments-given-area"},
+           Twins{"FragmentBarycentricsStayWithinTheirError", "mutant:fragments-of-neither",
+                 "legal:fragments-unstated-by-triangle"},
+           Twins{"FragmentBarycentricsStayWithinTheirError",
+                 "mutant:fragments-barycentrics-alone-rotated", "legal:fragments-snapped-sum"},
+           Twins{"FragmentBarycentricsSumToOne", "mutant:fragments-small-areas",
+                 "legal:fragments-given-one-less"},
+           Twins{"FragmentDepthFollowsItsBarycentrics", "mutant:fragments-late-vertices-deep",
+                 "legal:fragments-unstated-given"},
+           Twins{"FragmentDepthFollowsItsBarycentrics", "mutant:fragments-depth-alone-flat",
+                 "legal:fragments-snapped-area"},
+           Twins{"FragmentDepthFollowsItsBarycentrics", "mutant:fragments-depth-alone-of-given",
+                 "legal:fragments-unstated-snapped"},
+           Twins{"FragmentDepthStaysInTheHull", "mutant:vulkan-fragments-depth-alone-off",
+                 "legal:gl-fragments-unstated"},
+           Twins{"FragmentDepthStaysInTheHull", "mutant:vulkan-fragments-depth-alone-off",
+                 "legal:vulkan-fragments-unstated"},
            Twins{"FragmentBarycentricsSumToOne", "mutant:vulkan-fragments-sum-off",
                  "legal:vulkan-fragments-snapped"},
            Twins{"FragmentDepthStaysInTheHull", "mutant:vulkan-depth-off",

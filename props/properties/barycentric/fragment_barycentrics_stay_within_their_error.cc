@@ -21,16 +21,18 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
   double worst = 0;
   for (const Fragment& f : fragments) {
+    if (!f.owners_are_known) continue;
+    const std::array<double, 3>& barycentrics = *f.barycentrics;
     const std::array<exact::Rational, 3> exact_barycentrics = ExactBarycentrics(f.query);
     for (std::size_t i = 0; i < 3; ++i) {
       const double bound = f.barycentric_tolerances[i];
       if (!IsStated(bound)) continue;
       ++exercised;
-      const Distance distance = CompareWithExact(f.barycentrics[i], exact_barycentrics[i], bound);
+      const Distance distance = CompareWithExact(barycentrics[i], exact_barycentrics[i], bound);
       if (!distance.within) {
         return FragmentViolation(f, static_cast<int>(i), exercised,
                                  "a barycentric of a fragment is off by more than its error",
-                                 BarycentricsText(f.barycentrics),
+                                 BarycentricsText(barycentrics),
                                  exact_barycentrics[i].ToString() + " within " + HexText(bound) +
                                      " for vertex " + std::to_string(i));
       }
@@ -40,7 +42,9 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+Asked Ask(const Case& c, const Description& subject) {
+  return AskFragments(c, subject, kBarycentricsAlone, Judge);
+}
 
 }  // namespace
 
@@ -53,7 +57,7 @@ constinit const Property kFragmentBarycentricsStayWithinTheirError{
     .tolerance =
         "the stated barycentric error; none stated: the forward bound of the "
         "five-operation quotient, which grows with the triangle's conditioning",
-    .domains = kBarycentrics,
+    .domains = kFragments,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
              .unwrapped = true,

@@ -1,5 +1,6 @@
 // The barycentrics at a covered sample sum to one.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,18 +21,19 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
   double worst = 0;
   for (const Fragment& f : fragments) {
+    const std::array<double, 3>& barycentrics = *f.barycentrics;
     const auto& [a, b, d] = f.barycentric_tolerances;
     const double bound = a + b + d;
     if (!IsStated(bound)) continue;
     ++exercised;
     const std::string property = "the barycentrics of a fragment do not sum to one";
-    if (!AreFinite(f.barycentrics)) {
-      return FragmentViolation(f, -1, exercised, property, BarycentricsText(f.barycentrics),
+    if (!AreFinite(barycentrics)) {
+      return FragmentViolation(f, -1, exercised, property, BarycentricsText(barycentrics),
                                "finite barycentrics");
     }
-    const Distance distance = DistanceFromSumOne(f.barycentrics, bound);
+    const Distance distance = DistanceFromSumOne(barycentrics, bound);
     if (!distance.within) {
-      return FragmentViolation(f, -1, exercised, property, BarycentricsText(f.barycentrics),
+      return FragmentViolation(f, -1, exercised, property, BarycentricsText(barycentrics),
                                "a sum of 1 within " + HexText(bound));
     }
     worst = std::max(worst, distance.ratio);
@@ -39,7 +41,9 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+Asked Ask(const Case& c, const Description& subject) {
+  return AskFragments(c, subject, kBarycentricsAlone, Judge);
+}
 
 }  // namespace
 
@@ -50,7 +54,7 @@ constinit const Property kFragmentBarycentricsSumToOne{
         "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
     .required_by = kBarycentricClauses,
     .tolerance = "the sum of the three tolerances of FragmentBarycentricsStayWithinTheirError",
-    .domains = kBarycentrics,
+    .domains = kFragments,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
              .any_owners = true,

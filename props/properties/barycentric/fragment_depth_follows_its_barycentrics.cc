@@ -1,5 +1,5 @@
 // The depth at a covered sample is what the subject's own barycentrics give from the vertices'
-// depths.
+// depths, whether both are asked for or it alone.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -22,18 +22,19 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
   double worst = 0;
   for (const Fragment& f : fragments) {
+    if (!f.barycentrics) continue;
     double bound = f.depth_tolerance;
     exact::Rational by_barycentrics;
     for (std::size_t i = 0; i < 3; ++i) bound += f.barycentric_tolerances[i] * std::fabs(f.z[i]);
     if (!IsStated(bound)) continue;
     ++exercised;
     const std::string property = "the depth of a fragment is not what its barycentrics give";
-    if (!AreFinite(f.barycentrics)) {
-      return FragmentViolation(f, -1, exercised, property, BarycentricsText(f.barycentrics),
+    if (!AreFinite(*f.barycentrics)) {
+      return FragmentViolation(f, -1, exercised, property, BarycentricsText(*f.barycentrics),
                                "finite barycentrics");
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      by_barycentrics += exact::Rational(f.barycentrics[i]) * exact::Rational(f.z[i]);
+      by_barycentrics += exact::Rational((*f.barycentrics)[i]) * exact::Rational(f.z[i]);
     }
     const Distance distance = CompareWithExact(f.depth, by_barycentrics, bound);
     if (!distance.within) {
@@ -45,7 +46,9 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+Asked Ask(const Case& c, const Description& subject) {
+  return AskFragments(c, subject, kDepthsAlone, Judge);
+}
 
 }  // namespace
 
@@ -57,7 +60,7 @@ constinit const Property kFragmentDepthFollowsItsBarycentrics{
         "Rasterization).",
     .tolerance =
         "the depth's and the barycentrics' tolerances, the latter times the vertices' depths",
-    .domains = kBarycentrics,
+    .domains = kFragments,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
              .any_owners = true,

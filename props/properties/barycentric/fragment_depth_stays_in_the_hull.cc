@@ -32,7 +32,9 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) { return AskFragments(c, subject, Judge); }
+Asked Ask(const Case& c, const Description& subject) {
+  return AskFragments(c, subject, kDepthsAlone, Judge);
+}
 
 }  // namespace
 
@@ -42,7 +44,7 @@ constinit const Property kFragmentDepthStaysInTheHull{
     .clause = "Inside, a depth is a convex combination of the vertices' depths.",
     .required_by = kBarycentricClauses,
     .tolerance = kDepthTolerance,
-    .domains = kBarycentrics,
+    .domains = kFragments,
     .gate = {.shows = Shows::kFragments,
              .contract = ContractNeeded::kNone,
              .any_owners = true,

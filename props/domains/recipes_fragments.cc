@@ -1,0 +1,100 @@
+// Fragments of triangles whose corners lie off the grid: what is interpolated between the corners
+// as given differs from what is between those on the grid.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "props/domains/planar_mesh.h"
+#include "props/domains/recipes.h"
+#include "props/domains/sketch.h"
+
+namespace rasterproof::props {
+namespace {
+
+// Anywhere; an integer input has its lattice alone.
+std::int32_t AddOffGrid(Sketch& sketch, Point2 p) {
+  return sketch.profile().fixed ? sketch.Add(p) : sketch.AddRaw({p.x, p.y});
+}
+
+void AddMesh(Sketch& sketch, const PlanarMesh& mesh) {
+  for (const Point2 p : mesh.vertices) AddOffGrid(sketch, p);
+  for (const Triangle& t : mesh.triangles) sketch.AddTriangle(t[0], t[1], t[2]);
+}
+
+Point2 Towards(Point2 from, double turn, double distance) {
+  return {from.x + std::cos(turn) * distance, from.y + std::sin(turn) * distance};
+}
+
+double DrawTurn(Sketch& sketch) { return sketch.Uniform(-1, 1) * std::numbers::pi; }
+
+// Around samples, down to a few steps of a grid of eight bits, and as flat as it comes.
+void AddSmallTriangles(Sketch& sketch) {
+  constexpr int kLeast = -6;
+  const std::int64_t triangles = sketch.bits().Int(1, 6);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    const Point2 p = sketch.Sample();
+    double turn = DrawTurn(sketch);
+    std::array<std::int32_t, 3> corners{};
+    for (std::int32_t& corner : corners) {
+      corner = AddOffGrid(sketch, Towards(p, turn, std::fabs(sketch.LogUniform(kLeast, 0))));
+      turn += sketch.Uniform(1.5, 2.6);  // less than half a turn, three of them more than one
+    }
+    sketch.AddTriangle(corners[0], corners[1], corners[2]);
+  }
+}
+
+// A hub in the target and a rim of up to 64 vertices, each as far away as it likes.
+PlanarMesh DrawFan(Sketch& sketch) {
+  PlanarMesh mesh;
+  const Point2 hub = sketch.Place();
+  mesh.AddVertex(hub);
+  const auto rim = static_cast<std::int32_t>(sketch.bits().Int(5, 64));
+  const double first = DrawTurn(sketch);
+  for (std::int32_t k = 0; k < rim; ++k) {
+    const double turn = first + 2 * std::numbers::pi * (k + sketch.Uniform(0, 0.5)) / rim;
+    mesh.AddVertex(Towards(hub, turn, sketch.Uniform(2, 24)));
+    mesh.triangles.push_back({0, 1 + k, 1 + (k + 1) % rim});
+  }
+  return mesh;
+}
+
+// Quads of two triangles from beyond the target's upper left corner on, every vertex moved.
+PlanarMesh DrawQuads(Sketch& sketch) {
+  PlanarMesh mesh;
+  const auto columns = static_cast<std::int32_t>(sketch.bits().Int(2, 7));
+  const auto rows = static_cast<std::int32_t>(sketch.bits().Int(2, 7));
+  const double side = sketch.Uniform(0.5, 6);
+  for (std::int32_t row = 0; row <= rows; ++row) {
+    for (std::int32_t column = 0; column <= columns; ++column) {
+      const double x = side * (column + sketch.Uniform(-0.3, 0.3));
+      mesh.AddVertex({x, side * (row + sketch.Uniform(-0.3, 0.3))});
+      if (row == rows || column == columns) continue;
+      const std::int32_t at = row * (columns + 1) + column;
+      const std::int32_t below = at + columns + 1;
+      mesh.triangles.push_back({at, at + 1, below});
+      mesh.triangles.push_back({at + 1, below + 1, below});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Case OffGridFragments(BitSource& bits, const SubjectInfo& info) {
+  Sketch sketch(bits, info);
+  switch (bits.Int(0, 2)) {
+    case 0:
+      AddSmallTriangles(sketch);
+      break;
+    case 1:
+      AddMesh(sketch, DrawFan(sketch));
+      break;
+    default:
+      AddMesh(sketch, DrawQuads(sketch));
+      break;
+  }
+  return sketch.Done(Finish::kMesh);
+}
+
+}  // namespace rasterproof::props

@@ -273,7 +273,6 @@ constexpr std::array kDomains{
     Domain{.number = 73,
            .name = "off-grid-fragments",
            .summary = "small triangles, fans and quads whose corners lie between grid points",
-           .mesh = true,
            .draw = OffGridFragments},
     Domain{.number = 53,
            .name = "target-size-ends",

@@ -12,6 +12,19 @@ import unittest
 import xml.dom.minidom
 
 PROGRAM, SOURCES, EXAMPLES = (os.path.abspath(path) for path in sys.argv[1:4])
+# Draws nothing, and takes repeats.
+BLANK = """
+import sys
+for line in iter(sys.stdin.readline, ""):
+    words = line.split()
+    if not words or words[0] != "draw":
+        continue
+    for _ in range(int(words[6]) + int(words[7])):
+        sys.stdin.readline()
+    row = " ".join(["0"] * (int(words[2]) * int(words[4]))) + "\\n"
+    sys.stdout.write("counts " + words[1] + "\\n" + row * int(words[3]))
+    sys.stdout.flush()
+"""
 FEW = ("--budget", "0.1s", "--subject", "textbook", "--subject", "kernel-exact")
 
 
@@ -56,6 +69,67 @@ class Bench(unittest.TestCase):
         self.assertGreater(method["conversion_seconds"], 0)
         row = next(row for row in result["rows"] if row["method"] == method["name"])
         self.assertEqual(row["drawing_wrong"], 0)
+
+    def test_the_kernel_behind_the_interface_of_plugins_draws_what_the_kernel_draws(self):
+        plugin = os.path.join(EXAMPLES, "../test_plugins/kernel.so")
+        result = measured("--scene", "scenes/glyphs.json", *FEW, "--plugin", plugin)
+        row = next(row for row in result["rows"] if row["method"] == "kernel.so")
+        self.assertEqual(row["drawing_wrong"], 0)
+        self.assertEqual(row["real"]["missing"] + row["real"]["unexpected"], 0)
+        self.assertGreater(row["judged_triangles"], 0)
+
+    def test_a_program_is_timed_by_repeats_and_left_out_if_it_breaks_down(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "blank.py")
+            with open(program, "w", encoding="utf-8") as file:
+                file.write(BLANK)
+            said = os.path.join(folder, "blank.subject")
+            with open(said, "w", encoding="utf-8") as file:
+                file.write(f"command {sys.executable} {program}\ntakes window repeats\n")
+            result = measured("--scene", "scenes/ties.json", *FEW, "--subject", said,
+                              "--exec", "false")  # fmt: skip
+        method = next(one for one in result["methods"] if one["name"] == said)
+        self.assertEqual((method["clock"], method["times_requests"]), ("program", False))
+        row = next(row for row in result["rows"] if row["method"] == said)
+        self.assertGreater(row["real"]["missing"], 0)
+        self.assertEqual(row["real"]["unexpected"], 0)
+        out = [one for one in result["left_out"] if one["method"] == "exec:false"]
+        self.assertEqual(len(out), 1)
+        self.assertIn("status 1", out[0]["why"])
+
+    def test_a_run_is_read_again_and_compared_with_an_earlier_one(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bench.json")
+            self.assertEqual(bench("--scene", "scenes/ties.json", *FEW, "--json", path).returncode, 0)
+            same = bench("--from", path, "--against", path)
+            self.assertEqual(same.returncode, 0, same.stderr)
+            self.assertIn("4 rows compared", same.stdout)
+            with open(path, encoding="utf-8") as file:
+                result = json.load(file)
+            for row in result["rows"]:
+                if row["method"] == "kernel-exact":
+                    row["real"]["unexpected"] += 1
+            worse = os.path.join(folder, "worse.json")
+            with open(worse, "w", encoding="utf-8") as file:
+                json.dump(result, file)
+            done = bench("--from", worse, "--against", path)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("more wrong: ties: kernel-exact", done.stdout)
+            self.assertEqual(bench("--from", path, "--against", "none.json").returncode, 2)
+
+    def test_plan_names_a_method_for_an_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bench.json")
+            bench("--scene", "scenes/ties.json", *FEW, "--json", path)
+            plan = lambda *more: subprocess.run(  # noqa: E731
+                [PROGRAM, "plan", "scenes/ties.json", *more], cwd=SOURCES, text=True,
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)  # fmt: skip
+            done = plan("--error", "0", "--bench", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("method      kernel-exact", done.stdout)
+            for arguments in (("--error", "0"), ("--error", "-1", "--bench", path),
+                              ("--error", "1", "--bench", "scenes/ties.json")):  # fmt: skip
+                self.assertEqual(plan(*arguments).returncode, 2, arguments)
 
     def test_the_picture_is_a_picture_that_names_every_point(self):
         with tempfile.TemporaryDirectory() as folder:

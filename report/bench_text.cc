@@ -11,6 +11,7 @@
 
 #include "fmt/format.h"
 #include "report/json_writer.h"
+#include "report/limits_text.h"
 
 namespace rasterproof::report {
 namespace {
@@ -242,6 +243,7 @@ std::string BenchToJson(const BenchResult& result) {
     json.EndObject();
   }
   json.EndArray();
+  WriteLimits(json, result);
   json.EndObject();
   return json.Finish();
 }

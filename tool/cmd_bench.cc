@@ -24,6 +24,7 @@
 #include "report/bench_text.h"
 #include "subjects/plugin/plugin.h"
 #include "tool/commands.h"
+#include "tool/limits.h"
 #include "tool/progress.h"
 #include "tool/session.h"
 
@@ -128,6 +129,12 @@ std::unique_ptr<Subject> PluginOf(const std::string& file) {
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
   auto contenders = ContendersOf(options);
+  if (options.limits) {
+    BenchResult found;
+    found.setting = SettingOf(options);
+    PrintLimits(contenders, options, found);
+    return kExitHolds;
+  }
   std::vector<std::unique_ptr<Subject>> plugins;
   for (const std::string& file : options.plugins) {
     plugins.push_back(PluginOf(file));

@@ -221,6 +221,9 @@ struct BenchOptions {
   std::vector<std::string> scenes;    ///< scene files or meshes
   std::vector<std::string> subjects;  ///< built-in methods and kernels by name; empty: all
   std::vector<std::string> plugins;   ///< libraries that are timed beside them, in this process
+  bool limits = false;                ///< cliffs alone, of `execs` too, each in its own process
+  std::vector<std::string> execs;     ///< programs
+  std::string save;                   ///< folder for the case of each cliff; empty: none
   double budget = 60;                 ///< seconds for everything
   std::uint64_t seed = 1;
   std::string json;

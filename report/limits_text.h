@@ -1,0 +1,26 @@
+// Curves and cliffs of a benchmark, as text and as JSON.
+#ifndef RASTERPROOF_REPORT_LIMITS_TEXT_H_
+#define RASTERPROOF_REPORT_LIMITS_TEXT_H_
+
+#include <string>
+
+#include "core/bench_result.h"
+#include "report/json_writer.h"
+
+namespace rasterproof::report {
+
+/// "4097", "2^53", "94906265", "2^-24".
+std::string ValueText(double value);
+
+/// What a cliff says: "proved to 4096, first seen failing at 4098, not proved between".
+std::string CliffText(const BenchCliff& cliff);
+
+/// The cliffs alone: a section for each parameter, a line for each method.
+std::string LimitsToTable(const BenchResult& result);
+
+/// The members "parameters", "curves" and "cliffs" of the result's object.
+void WriteLimits(JsonWriter& json, const BenchResult& result);
+
+}  // namespace rasterproof::report
+
+#endif  // RASTERPROOF_REPORT_LIMITS_TEXT_H_

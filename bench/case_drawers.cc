@@ -31,14 +31,17 @@ std::uint32_t MethodIn(BenchResult& result, const BenchMethod& method) {
   return at;
 }
 
+bool IsAsked(const Contender& contender, std::span<const std::string> names) {
+  return names.empty() || std::ranges::find(names, contender.method().name) != names.end();
+}
+
 void ForEachDrawer(std::span<const std::unique_ptr<Contender>> contenders,
                    std::span<const std::string> names, BenchResult& result,
                    const std::function<void(SceneDrawer& drawer, std::uint32_t method)>& call) {
   std::set<std::string> seen;
   for (const auto& contender : contenders) {
-    const bool is_asked =
-        names.empty() || std::ranges::find(names, contender->method().name) != names.end();
-    if (!is_asked || !contender->DrawsAlone() || !seen.insert(contender->method().name).second)
+    if (!IsAsked(*contender, names) || !contender->DrawsAlone() ||
+        !seen.insert(contender->method().name).second)
       continue;
     const std::unique_ptr<SceneDrawer> drawer = DrawerOf(*contender);
     call(*drawer, MethodIn(result, contender->method()));

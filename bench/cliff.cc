@@ -17,9 +17,10 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// The largest value whose coordinates are within the limit.
+// The largest value whose coordinates are within the limit; infinite where they do not grow with
+// it, negative or NaN where none is.
 double ValueAt(const Parameter& parameter, double coordinate_limit) {
-  return std::floor((coordinate_limit - kReachBeside) / parameter.reach);
+  return std::floor((coordinate_limit - parameter.reach_beside) / parameter.reach);
 }
 
 // The values that are tried upwards.
@@ -32,7 +33,8 @@ std::set<double> ValuesToTry(const Parameter& parameter, double coordinate_limit
     values.insert(power);
     if (parameter.scale == Scale::kPowers) continue;
     values.insert(power - 1);
-    if (power < 0x1p53) values.insert(power + 1);
+    // From 2^53 on not every whole number is a double.
+    if (power < 0x1p53) values.insert({power + 1, 1.5 * power});
   }
   const double limit = ValueAt(parameter, coordinate_limit);
   if (parameter.scale == Scale::kWhole && limit >= least && limit <= most) {
@@ -122,8 +124,8 @@ std::optional<BenchCliff> FindCliff(SceneDrawer& drawer, const Parameter& parame
 double ProvedTo(const BenchMethod& method, const Parameter& parameter) {
   const double most = std::ldexp(1.0, parameter.most_exponent);
   if (parameter.asked == Asked::kSample && method.is_proved) {
-    if (parameter.reach == 0) return most;
-    return std::min(most, ValueAt(parameter, method.coordinate_limit));
+    const double limit = ValueAt(parameter, method.coordinate_limit);
+    return limit > 0 ? std::min(most, limit) : kNone;
   }
   const reference::ExactnessRow* row = reference::FindExactness(method.name);
   if (row == nullptr || !parameter.is_grid) return kNone;

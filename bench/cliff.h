@@ -24,9 +24,9 @@ struct LimitOptions {
   std::function<void(const std::string&)> progress;
 };
 
-/// Tries the hardest cases of 2^k - 1, 2^k and 2^k + 1 upwards (and of the whole numbers on either
-/// side of the drawer's stated limit) until one fails, then bisects between it and the value tried
-/// before it.
+/// Tries the hardest cases of 2^k - 1, 2^k, 2^k + 1 and 3 2^(k - 1) upwards (and of the whole
+/// numbers on either side of the drawer's stated limit) until one fails, then bisects between it
+/// and the value tried before it.
 ///
 /// Returns:    the least value that was seen failing, where the one below it was tried and held or
 ///             is the one tried before. Nothing if the drawer took no case at all. Failing is not

@@ -22,10 +22,12 @@ struct Offset {
 };
 using Offsets = std::array<Offset, 3>;
 
-// Cases on one grid: the sample in the middle of a target, corners relative to it.
+// Cases on one grid: a sample of a square target, corners relative to it.
 class GridSheet {
  public:
-  GridSheet(double step, int side) : step_(step), side_(side) {}
+  // The sample in the middle, or in the last pixel: far from the origin.
+  GridSheet(double step, int side) : GridSheet(step, side, side / 2) {}
+  GridSheet(double step, int side, int pixel) : step_(step), side_(side), pixel_(pixel) {}
 
   // The triangle and its images about the sample: mirrored either way, and transposed.
   void Add(const Offsets& corners, bool transposed) {
@@ -40,18 +42,19 @@ class GridSheet {
 
  private:
   void AddImage(const Offsets& corners, bool is_swapped, int sx, int sy) {
-    const double middle = side_ / 2 + 0.5;
+    const double middle = pixel_ + 0.5;
     std::array<Point2, 3> v;
     for (std::size_t k = 0; k < 3; ++k) {
       const Offset& at = corners[k];
       v[k] = {middle + sx * step_ * static_cast<double>(is_swapped ? at.y : at.x),
               middle + sy * step_ * static_cast<double>(is_swapped ? at.x : at.y)};
     }
-    cases_.push_back({SceneOfTriangle(v, side_, side_), side_ / 2, side_ / 2, 0});
+    cases_.push_back({SceneOfTriangle(v, side_, side_), pixel_, pixel_, 0, std::nullopt});
   }
 
   double step_;
   int side_;
+  int pixel_;
   std::vector<HardCase> cases_;
 };
 
@@ -88,6 +91,19 @@ void AddNearest(GridSheet& sheet, Int128 wide, Int128 high, Int128 m, bool trans
   }
 }
 
+// The sample as far from the origin as the box allows, where that is no large target: what takes
+// coordinates for themselves, not their differences, finds no harder one.
+void AddFarFromOrigin(double steps, double step, Int128 m, std::vector<HardCase>& cases) {
+  constexpr int kLargestTarget = 64;
+  const double pixels = std::floor(steps * step);
+  if (pixels < 4 || pixels > kLargestTarget) return;
+  const auto side = static_cast<int>(pixels);
+  GridSheet sheet(step / static_cast<double>(m), side, side - 1);
+  const auto n = static_cast<Int128>(steps);
+  AddNearest(sheet, n, n - 1, m, false);
+  for (HardCase& one : sheet.Take()) cases.push_back(std::move(one));
+}
+
 }  // namespace
 
 std::vector<HardCase> GridCases(double steps, int bits) {
@@ -109,7 +125,9 @@ std::vector<HardCase> GridCases(double steps, int bits) {
   // The sample is a corner at the long edge's end.
   sheet.Add({Offset{-near, -near}, Offset{far, far}, Offset{far, -near}}, false);
   sheet.Add({Offset{-near, -near}, Offset{far, far}, Offset{-near, far}}, false);
-  return sheet.Take();
+  std::vector<HardCase> cases = sheet.Take();
+  AddFarFromOrigin(steps, std::ldexp(1.0, -bits), m, cases);
+  return cases;
 }
 
 std::vector<HardCase> ValueCases(double steps) {

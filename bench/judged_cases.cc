@@ -19,7 +19,7 @@ namespace rasterproof::bench {
 namespace {
 
 // NaN is the least.
-void Raise(double& largest, double value) {
+void RaiseTo(double& largest, double value) {
   if (!(value <= largest)) largest = value;
 }
 
@@ -49,13 +49,13 @@ ShownValue ValueOf(const EdgeEvaluator& edges, Point2 a, Point2 b, Point2 p, int
 // one that is not a number.
 double ShareOfBound(const EdgeEvaluator& edges, const HardCase& of) {
   double share = std::numeric_limits<double>::quiet_NaN();
-  const Point2 p = CentreOf(of.x, of.y);
+  const Point2 p = of.undrawn.value_or(CentreOf(of.x, of.y));
   const auto v = PointsOf(of.scene);
   for (std::size_t k = 0; k < 3; ++k) {
     const ShownValue shown = ValueOf(edges, v[k], v[(k + 1) % 3], p, of.steps);
     if (!(shown.bound > 0) || !std::isfinite(shown.value)) continue;
     const auto exact = exact::EdgeValue(v[k], v[(k + 1) % 3], p);
-    Raise(share, (exact::Rational(shown.value) - exact).Abs().ToDouble() / shown.bound);
+    RaiseTo(share, (exact::Rational(shown.value) - exact).Abs().ToDouble() / shown.bound);
   }
   return share;
 }
@@ -109,7 +109,10 @@ CaseErrors JudgedCases::Of(SceneDrawer& drawer, const Parameter& parameter, doub
   }
   if (taken.empty()) return {};
   if (parameter.asked == Asked::kValues) {
-    return drawer.edges() == nullptr ? CaseErrors{} : ErrorsOfValues(*drawer.edges(), taken);
+    // Of snapped corners, and of exact values shown as the nearest double, nothing is to be learnt.
+    const bool is_float =
+        drawer.edges() != nullptr && drawer.model().snap.IsNone() && !drawer.method().is_proved;
+    return is_float ? ErrorsOfValues(*drawer.edges(), taken) : CaseErrors{};
   }
   CaseErrors errors;
   const std::vector<bool>& covered = CoveredBy(drawer.model(), of);
@@ -117,16 +120,16 @@ CaseErrors JudgedCases::Of(SceneDrawer& drawer, const Parameter& parameter, doub
   for (std::size_t k = 0; k < taken.size() && k <= answers.size(); ++k) {
     // Behind the last answer it broke down.
     const bool broke_down = k == answers.size();
-    if (!broke_down && !answers[k]) continue;
     const HardCase& one = *taken[k];
-    ++errors.asked;
     if (bounds == WithBounds::kYes && drawer.edges() != nullptr && !one.scene.clip_space) {
-      Raise(errors.share_of_bound, ShareOfBound(*drawer.edges(), one));
+      RaiseTo(errors.share_of_bound, ShareOfBound(*drawer.edges(), one));
     }
+    if (one.undrawn || (!broke_down && !answers[k])) continue;
+    ++errors.asked;
     const auto at = static_cast<std::size_t>(&one - of.cases.data());
     if (!broke_down && *answers[k] == covered[at]) continue;
     AddWrong(one, errors);
-    Raise(errors.displacement, BoundaryDistance(PointsOf(one.scene), CentreOf(one.x, one.y)));
+    RaiseTo(errors.displacement, BoundaryDistance(PointsOf(one.scene), CentreOf(one.x, one.y)));
   }
   return errors;
 }

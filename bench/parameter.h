@@ -3,12 +3,14 @@
 #define RASTERPROOF_BENCH_PARAMETER_H_
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/bench_result.h"
 #include "core/scene.h"
+#include "core/vertex.h"
 
 namespace rasterproof::bench {
 
@@ -19,6 +21,8 @@ struct HardCase {
   int y = 0;
   /// The columns that a method which steps takes from the box's left side to the sample.
   int steps = 0;
+  /// The sample where it lies beyond every target: then edge values are asked for alone.
+  std::optional<Point2> undrawn = std::nullopt;
 };
 
 /// What is looked at in a case.
@@ -29,7 +33,7 @@ enum class Asked : std::uint8_t {
 
 /// How values follow each other.
 enum class Scale : std::uint8_t {
-  kWhole,  ///< whole numbers: 2^k - 1, 2^k and 2^k + 1, and those between where it matters
+  kWhole,  ///< whole numbers: about powers of two, half-way, and where it matters all between
   kPowers  ///< powers of two alone
 };
 
@@ -42,9 +46,10 @@ struct Parameter {
   Scale scale = Scale::kWhole;
   int least_exponent = 0;
   int most_exponent = 0;  ///< at most 53 of whole numbers
-  /// Coordinates are at most so many pixels a unit of the value, and kReachBeside more; 0: they do
-  /// not grow with it.
+  int curve_every = 1;    ///< curves have a point at every so manieth power of two
+  /// Coordinates are at most so many pixels a unit of the value, and so many more.
   double reach = 0;
+  double reach_beside = 1.5;
   /// Corners and samples lie on a grid: the exactness table says up to where nothing is rounded.
   bool is_grid = false;
   /// The hardest cases of a value. The same value gives the same cases.
@@ -55,11 +60,9 @@ struct Parameter {
   std::vector<HardCase> (*hardest)(double value) = nullptr;
 };
 
-/// "grid-8".
+/// "grid-0", "grid-1", "grid-4", "grid-8", "values", "extent", "aspect", "distance", "steps",
+/// "gap", "cancellation", "w".
 std::span<const Parameter> Parameters();
-
-/// The sample, and what else coordinates are beside what grows with a value.
-inline constexpr double kReachBeside = 1.5;
 
 /// nullptr if there is none of that name.
 const Parameter* FindParameter(std::string_view name);

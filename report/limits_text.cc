@@ -1,9 +1,13 @@
 #include "report/limits_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/scene.h"
 #include "fmt/format.h"
@@ -11,34 +15,51 @@
 namespace rasterproof::report {
 namespace {
 
-std::string SectionOf(const BenchResult& result, std::uint32_t at) {
-  const BenchParameter& parameter = result.parameters[at];
-  std::string section;
-  for (const BenchCliff& cliff : result.cliffs) {
-    if (cliff.parameter != at) continue;
-    const BenchMethod& method = result.methods[cliff.method];
-    section += fmt::format("  {:<28} {}{}\n", method.name, CliffText(cliff),
-                           method.model == "real" ? "" : " (model: " + method.model + ")");
+// The names behind the text, in lines of at most 100 columns.
+std::string Indented(const std::string& text, const std::vector<std::string>& names) {
+  constexpr std::size_t kColumns = 98;
+  std::string all;
+  std::string line = "  " + text;
+  for (const std::string& name : names) {
+    const std::string next = &name == &names.back() ? name : name + ", ";
+    if (line.size() + next.size() > kColumns) {
+      all += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+      line = "    ";
+    }
+    line += next;
   }
-  if (section.empty()) return "";
-  return fmt::format("\n{}: {}; in {}.\n{}", parameter.name, parameter.summary, parameter.unit,
-                     section);
+  return all + line + "\n";
 }
 
-void WritePoint(JsonWriter& json, const BenchPoint& point, bool is_cost) {
-  json.BeginObject();
-  json.Key("value").Rounded(point.value);
-  json.Key("asked").Integer(point.asked);
-  if (is_cost) {
-    json.Key("seconds").BeginArray();
-    json.Rounded(point.time.low).Rounded(point.time.median).Rounded(point.time.high);
-    json.EndArray();
-  } else {
-    json.Key("wrong").Integer(point.wrong);
-    json.Key("displacement").Rounded(point.displacement);
-    json.Key("share_of_bound").Rounded(point.share_of_bound);
+std::string SectionOf(const BenchResult& result, std::uint32_t at) {
+  const BenchParameter& parameter = result.parameters[at];
+  // Methods of which the same is said stand together.
+  std::vector<std::pair<std::string, std::vector<std::string>>> lines;
+  for (const BenchCliff& cliff : result.cliffs) {
+    if (cliff.parameter != at) continue;
+    const std::string text = CliffText(cliff);
+    auto line = std::ranges::find(lines, text, &decltype(lines)::value_type::first);
+    if (line == lines.end()) line = lines.insert(line, {text, {}});
+    line->second.push_back(result.methods[cliff.method].name);
   }
-  json.EndObject();
+  if (lines.empty()) return "";
+  std::string section;
+  for (const auto& [text, names] : lines) section += Indented(text + ": ", names);
+  const std::string unit = parameter.unit == "1" ? "" : "; in " + parameter.unit;
+  return fmt::format("\n{}: {}{}.\n{}", parameter.name, parameter.summary, unit, section);
+}
+
+// One row of numbers: there are thousands. NaN is no number of JSON.
+void WritePoint(JsonWriter& json, const BenchPoint& point, bool is_cost) {
+  const auto number = [](double x) {
+    return std::isfinite(x) ? fmt::format("{:.6g}", x) : fmt::format("\"{}\"", x);
+  };
+  const std::string what = is_cost
+                               ? fmt::format("{}, {}, {}", number(point.time.low),
+                                             number(point.time.median), number(point.time.high))
+                               : fmt::format("{}, {}, {}", point.wrong, number(point.displacement),
+                                             number(point.share_of_bound));
+  json.Value(fmt::format("[{}, {}, {}]", number(point.value), point.asked, what));
 }
 
 // The method by what tells it from others, and the parameter by its name.
@@ -95,10 +116,12 @@ void WriteCliff(JsonWriter& json, const BenchResult& result, const BenchCliff& c
 }  // namespace
 
 std::string ValueText(double value) {
-  const int exponent = std::ilogb(value);
-  const bool is_power = value == std::ldexp(1.0, exponent);
-  if (is_power && (value < 1 || value >= 0x1p20)) return fmt::format("2^{}", exponent);
-  return fmt::format("{:.17g}", value);
+  const auto power_of = [](double x) { return x == std::ldexp(1.0, std::ilogb(x)); };
+  if (value >= 1 && value < 0x1p20) return fmt::format("{:.17g}", value);
+  if (power_of(value)) return fmt::format("2^{}", std::ilogb(value));
+  if (value < 0x1p53 && power_of(value - 1)) return fmt::format("2^{} + 1", std::ilogb(value - 1));
+  if (value < 0x1p53 && power_of(value + 1)) return fmt::format("2^{} - 1", std::ilogb(value + 1));
+  return value < 0x1p53 ? fmt::format("{:.17g}", value) : fmt::format("{:.6g}", value);
 }
 
 std::string CliffText(const BenchCliff& cliff) {
@@ -110,6 +133,7 @@ std::string CliffText(const BenchCliff& cliff) {
   if (is_proved && cliff.first_failing <= cliff.proved_to) {
     return text + ", which contradicts the proof";
   }
+  if (!is_proved && std::isnan(cliff.held_to)) return text + ", the least value tried";
   if (is_proved && cliff.first_failing > cliff.proved_to + 1) text += ", not proved between";
   if (!is_proved && !std::isnan(cliff.held_to)) {
     text += ", seen holding at " + ValueText(cliff.held_to);
@@ -120,7 +144,8 @@ std::string CliffText(const BenchCliff& cliff) {
 std::string LimitsToTable(const BenchResult& result) {
   std::string table =
       "Up to which value each method is right, by its own model: the hardest triangles known of\n"
-      "2^k - 1, 2^k and 2^k + 1 are drawn until one fails, and the values between bisected.\n";
+      "2^k - 1, 2^k, 2^k + 1 and 3 2^(k - 1) are drawn until one fails; what is between is "
+      "bisected.\n";
   for (std::size_t at = 0; at < result.parameters.size(); ++at) {
     table += SectionOf(result, static_cast<std::uint32_t>(at));
   }

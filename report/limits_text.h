@@ -9,7 +9,7 @@
 
 namespace rasterproof::report {
 
-/// "4097", "2^53", "94906265", "2^-24".
+/// "4097", "2^53", "2^24 + 1", "94906265", "2^-24".
 std::string ValueText(double value);
 
 /// What a cliff says: "proved to 4096, first seen failing at 4098, not proved between".
@@ -18,7 +18,9 @@ std::string CliffText(const BenchCliff& cliff);
 /// The cliffs alone: a section for each parameter, a line for each method.
 std::string LimitsToTable(const BenchResult& result);
 
-/// The members "parameters", "curves" and "cliffs" of the result's object.
+/// The members "parameters", "curves" and "cliffs" of the result's object. A point is a row: value,
+/// asked, wrong, displacement, share of the bound; of a cost: value, triangles, seconds a triangle
+/// (low, median, high).
 void WriteLimits(JsonWriter& json, const BenchResult& result);
 
 }  // namespace rasterproof::report

@@ -8,6 +8,7 @@
 #include "bench/case_drawers.h"
 #include "bench/cliff.h"
 #include "bench/contender.h"
+#include "bench/curve.h"
 #include "core/bench_result.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
@@ -73,9 +74,14 @@ void PrintLimits(std::span<const std::unique_ptr<bench::Contender>> contenders,
     bench::LimitOptions limits;
     limits.methods = options.subjects;
     limits.progress = [&](const std::string& stage) { progress.Stage(stage); };
+    bench::CurveOptions curves;
+    curves.methods = options.subjects;
+    curves.progress = limits.progress;
+    const bool with_curves = !options.json.empty();
     const std::vector<std::string> outside = OutsideNames(options);
     if (outside.empty() || !options.subjects.empty()) {
       bench::RunCliffs(contenders, limits, result);
+      if (with_curves) bench::RunCurves(contenders, curves, result);
       for (const auto& contender : contenders) {
         models.Keep(bench::MethodIn(result, contender->method()), contender->model());
       }
@@ -85,6 +91,7 @@ void PrintLimits(std::span<const std::unique_ptr<bench::Contender>> contenders,
       RequireSamples(subject->Info());
       const auto drawer = bench::DrawerOf(*subject);
       bench::RunCliffs(*drawer, limits, result);
+      if (with_curves) bench::RunCurves(*drawer, curves, result);
       models.Keep(bench::MethodIn(result, drawer->method()), drawer->model());
     }
   }

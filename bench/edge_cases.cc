@@ -132,6 +132,24 @@ Vertex NearestRay(const Vertex& v, const Vertex& other, Point2 p) {
 
 Vertex AtDepth(Point2 p, double w) { return {Single(p.x * w), Single(p.y * w), 0, w}; }
 
+// Upright edges whose dY ends half a unit in the last place of E: every addition of the longest
+// binade is a tie and rounds alike. That drifts by n^2 2^-26 pixels after n steps, the most known.
+// The sample lies within that of the edge, on either side.
+void AddDrifts(int n, std::vector<HardCase>& cases) {
+  constexpr double kHeight = 64;
+  const double drift = std::ldexp(static_cast<double>(n) * n, -26);
+  for (const double units : {2.5, 3.5}) {
+    const double below = kHeight * (0.5 + units * std::ldexp(n, -24));
+    for (const double part : {-0.95, -0.75, -0.5, -0.25, 0.25, 0.5, 0.75, 0.95}) {
+      const double x = Single(n - 0.5 + part * drift);
+      HardCase one = WindowCase({x, -kHeight / 2}, {x, Single(below)}, {0.25, 0.5}, false,
+                                std::max(n, 4), n - 1);
+      one.steps = n - 1;
+      cases.push_back(std::move(one));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<HardCase> NeedleCases(double ratio) {
@@ -184,6 +202,7 @@ std::vector<HardCase> WalkCases(double columns) {
     one.steps = n - 1;
     cases.push_back(std::move(one));
   }
+  AddDrifts(n, cases);
   return cases;
 }
 

@@ -11,13 +11,14 @@
 namespace rasterproof::reference {
 
 /// What is proved of a method where every corner and every sample evaluated lies on the grid 2^-s
-/// pixel, in a box of side W. In steps of the grid. The affine form: on targets of 3 x 3 pixels,
-/// corners within W + 384 of 0.
+/// pixel, in a box of side W. In steps of the grid. The affine form: corners and samples within
+/// W + 384 of 0.
 ///
 /// Source:     docs/mathematics.md, 8. Direct, fused and stepped forms: proofs/exactness.g (E and
 ///             its products are integers up to W^2, steps are differences of them). Kahan's: a
 ///             relative error of 2u on exact differences, which are integers up to W. Affine: with
-///             W = 2048 every partial sum is at most 2 2432^2 + 2 2048 640 < 2^24.
+///             W = 2048 C is at most 2 2432^2, the line's sum 2 2048 2432, and E less either of
+///             its terms 2048^2 + 2048 2432, all below 2^24; the last sum is E.
 struct ExactnessRow {
   std::string_view method;
   std::int64_t values = 0;  ///< largest W whose edge values are proved exact

@@ -32,7 +32,7 @@ std::string WitnessText(const Witness& w) {
   return fmt::format("{}observed {}, expected {}", place, w.observed, w.expected);
 }
 
-std::string Line(std::string_view look, std::string_view text) {
+std::string TextLine(std::string_view look, std::string_view text) {
   if (text.empty()) return {};
   return fmt::format("<div class=\"{}\">{}</div>\n", look, Escaped(text));
 }
@@ -45,15 +45,16 @@ bool Shows(const Picture& picture, const Certificate& certificate, const Propert
 // What failed, where, and how to see it again.
 std::string Failure(const Page& page, const Certificate& certificate,
                     const PropertyResult& result) {
-  std::string html = fmt::format(
-      "<article>\n<h3 class=\"name\">{}</h3>\n{}{}", Breakable(NameOf(result)),
-      Line("why", result.clause + " (" + AuthorityText(result) + ")"), Line("said", Said(result)));
+  std::string html =
+      fmt::format("<article>\n<h3 class=\"name\">{}</h3>\n{}{}", Breakable(NameOf(result)),
+                  TextLine("why", result.clause + " (" + AuthorityText(result) + ")"),
+                  TextLine("said", Said(result)));
   if (result.verdict && result.verdict->witness) {
-    html += Line("why", WitnessText(*result.verdict->witness));
+    html += TextLine("why", WitnessText(*result.verdict->witness));
   }
   if (result.counterexample) {
     const Scene& scene = result.counterexample->scene;
-    html += Line(
+    html += TextLine(
         "why", fmt::format("case {}, shrunk to {} in {} x {}", result.failing_case,
                            Several(scene.triangles.size(), "triangle"), scene.width, scene.height));
   }
@@ -100,7 +101,8 @@ std::string TestedRow(const Certificate& certificate, const PropertyResult& resu
       "<td class=\"number\" title=\"{}\">{}</td><td class=\"remark\">{}{}</td></tr>\n",
       Breakable(NameOf(result)), Chip(certificate, result), Grouped(result.cases),
       Grouped(result.cases_exercised), Grouped(result.exercised), Escaped(result.tolerance), ratio,
-      Line("why", result.clause + " (" + AuthorityText(result) + ")"), Line("", Said(result)));
+      TextLine("why", result.clause + " (" + AuthorityText(result) + ")"),
+      TextLine("", Said(result)));
 }
 
 std::string TestedTable(const Certificate& certificate) {

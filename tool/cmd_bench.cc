@@ -32,6 +32,7 @@
 #include "subjects/plugin/plugin.h"
 #include "tool/commands.h"
 #include "tool/commit.h"
+#include "tool/limits.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -216,6 +217,13 @@ BenchResult Measured(const BenchOptions& options) {
 
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
+  if (options.limits) {
+    const auto contenders = ContendersOf(options);
+    BenchResult found;
+    found.setting = SettingOf(options);
+    PrintLimits(contenders, options, found);
+    return kExitHolds;
+  }
   std::optional<BenchResult> before;
   if (!options.against.empty()) before = io::ReadBench(options.against);
   const BenchResult result = options.from.empty() ? Measured(options) : io::ReadBench(options.from);

@@ -306,6 +306,10 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--subject", options.subjects, "Built-in methods and kernels (default: all)");
   verb->add_option("--plugin", options.plugins, "Libraries that are timed too, in this process");
   verb->add_option("--exec", options.programs, "Programs that are timed too, on a pipe");
+  CLI::Option* limits =
+      verb->add_flag("--limits", options.limits, "Up to where each method is right, and no times");
+  verb->add_option("--save", options.save, "Folder for the failing case of each limit")
+      ->needs(limits);
   verb->add_option_function<std::string>(
           "--budget",
           [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },

@@ -224,6 +224,8 @@ struct BenchOptions {
   std::vector<std::string> subjects;  ///< built-in methods and kernels by name; empty: all
   std::vector<std::string> plugins;   ///< libraries that are timed beside them, in this process
   std::vector<std::string> programs;  ///< commands that are timed beside them, on a pipe
+  bool limits = false;                ///< cliffs alone, of plugins too each in its own process
+  std::string save;                   ///< folder for the case of each cliff; empty: none
   double budget = 60;                 ///< seconds for everything
   std::uint64_t seed = 1;
   std::string json;

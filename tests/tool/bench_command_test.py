@@ -130,6 +130,31 @@ class Bench(unittest.TestCase):
             for arguments in (("--error", "0"), ("--error", "-1", "--bench", path),
                               ("--error", "1", "--bench", "scenes/ties.json")):  # fmt: skip
                 self.assertEqual(plan(*arguments).returncode, 2, arguments)
+    def test_limits_are_cases_that_replay(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "limits.json")
+            cases = os.path.join(folder, "cases")
+            done = bench("--limits", "--subject", "f32-direct", "--json", path, "--save", cases)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("proved to 4096, first seen failing at 4098", done.stdout)
+            with open(path, encoding="utf-8") as file:
+                result = json.load(file)
+            cliffs = {one["parameter"]: one for one in result["cliffs"]}
+            self.assertEqual(cliffs["values"]["first_failing"], 4097)
+            self.assertEqual(cliffs["grid-8"]["proved_to"], 4096)
+            for curve in result["curves"]:
+                self.assertEqual(curve["method"], "f32-direct")
+                self.assertTrue(curve["points"], curve["parameter"])
+            case = os.path.join(cases, "f32-direct-grid-8.json")
+            replayed = subprocess.run([PROGRAM, "replay", case], stdout=subprocess.PIPE, text=True)
+            self.assertEqual(replayed.returncode, 1, replayed.stdout)
+
+    def test_limits_of_a_plugin_are_sought_in_its_own_process(self):
+        plugin = os.path.join(EXAMPLES, "example_plugin.so")
+        done = bench("--limits", "--plugin", plugin)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("grid-8", done.stdout)
+        self.assertNotIn("f32-direct", done.stdout)
 
     def test_the_picture_is_a_picture_that_names_every_point(self):
         with tempfile.TemporaryDirectory() as folder:

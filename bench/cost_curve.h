@@ -1,0 +1,27 @@
+// What a triangle costs as triangles grow, and as they become more.
+#ifndef RASTERPROOF_BENCH_COST_CURVE_H_
+#define RASTERPROOF_BENCH_COST_CURVE_H_
+
+#include <memory>
+#include <span>
+
+#include "bench/contender.h"
+#include "bench/curve.h"
+#include "core/bench_result.h"
+#include "core/scene.h"
+
+namespace rasterproof::bench {
+
+/// Right triangles of about so many pixels, 2^18 pixels in all or one triangle, at most 4096.
+Scene ScatteredOfPixels(double pixels);
+
+/// So many triangles of about 20 pixels on 1024 x 1024; the first 4096 over and over.
+Scene ScatteredTriangles(std::uint64_t triangles);
+
+/// Adds the parameters "pixels" and "triangles" and their curves: RunCurves.
+void RunCostCurves(std::span<const std::unique_ptr<Contender>> contenders,
+                   const CurveOptions& options, BenchResult& result);
+
+}  // namespace rasterproof::bench
+
+#endif  // RASTERPROOF_BENCH_COST_CURVE_H_

@@ -1,0 +1,117 @@
+#include "bench/curve.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "bench/cost_curve.h"
+#include "core/ulp.h"
+#include "reference/method.h"
+
+namespace rasterproof::bench {
+namespace {
+
+std::vector<BenchPoint> CurveOf(std::string_view method, std::string_view parameter) {
+  const auto contender = MakeMethodContender(*reference::FindMethod(method));
+  JudgedCases cases;
+  return ErrorCurve(*DrawerOf(*contender), *FindParameter(parameter), cases);
+}
+
+const BenchPoint& At(const std::vector<BenchPoint>& points, double value) {
+  return *std::ranges::find(points, value, &BenchPoint::value);
+}
+
+TEST(Parameters, HaveCasesThatAreTheSameEveryTime) {
+  for (const Parameter& parameter : Parameters()) {
+    std::size_t all = 0;
+    for (int k = parameter.least_exponent; k <= parameter.most_exponent; ++k) {
+      const double value = std::ldexp(1.0, k);
+      const auto cases = parameter.hardest(value);
+      const auto again = parameter.hardest(value);
+      ASSERT_EQ(cases.size(), again.size()) << parameter.name << " " << value;
+      all += cases.size();
+      for (std::size_t i = 0; i < cases.size(); ++i) {
+        EXPECT_EQ(cases[i].scene, again[i].scene) << parameter.name << " " << value;
+        EXPECT_LT(cases[i].x, cases[i].scene.width);
+        EXPECT_LT(cases[i].y, cases[i].scene.height);
+        if (cases[i].scene.precision == Precision::kFloat64) continue;
+        for (const Vertex& v : cases[i].scene.vertices) {
+          EXPECT_TRUE(IsFloat32(v.x) && IsFloat32(v.y) && IsFloat32(v.w)) << parameter.name;
+        }
+      }
+    }
+    EXPECT_GT(all, 100U) << parameter.name;
+  }
+}
+
+TEST(ErrorCurve, OfAnExactMethodIsZero) {
+  for (const Parameter& parameter : Parameters()) {
+    for (const BenchPoint& point : CurveOf("spans-exact", parameter.name)) {
+      EXPECT_EQ(point.wrong, 0U) << parameter.name << " " << point.value;
+    }
+  }
+  for (const BenchPoint& point : CurveOf("hom-exact", "w")) EXPECT_EQ(point.wrong, 0U);
+}
+
+TEST(ErrorCurve, StaysWithinTheProvenBounds) {
+  for (const std::string_view method : {"f32-direct", "f32-kahan", "f32-affine", "f64-direct"}) {
+    for (const Parameter& parameter : Parameters()) {
+      for (const BenchPoint& point : CurveOf(method, parameter.name)) {
+        EXPECT_FALSE(point.share_of_bound > 1)
+            << method << " " << parameter.name << " " << point.value;
+      }
+    }
+  }
+}
+
+TEST(ErrorCurve, OfIncrementsGrowsWithTheSquareOfTheSteps) {
+  const auto points = CurveOf("f32-incremental", "steps");
+  // The largest known drift is n^2 2^-26 pixels: 4 pixels after 16384 steps.
+  EXPECT_GT(At(points, 16384).displacement, 1);
+  EXPECT_LE(At(points, 16384).displacement, 4);
+  EXPECT_GT(At(points, 1024).displacement, 1.0 / 256);
+  EXPECT_LE(At(points, 1024).displacement, 1.0 / 64);
+  EXPECT_LT(At(CurveOf("f32-direct", "steps"), 16384).displacement, 0.01);
+}
+
+TEST(ErrorCurve, OfTheDirectFormIsZeroWhereLittleCancels) {
+  const auto points = CurveOf("f32-direct", "cancellation");
+  // No sign is wrong where |E| > 3 u S.
+  for (const BenchPoint& point : points) {
+    EXPECT_TRUE(point.value > 0x1p21 || point.wrong == 0) << point.value;
+  }
+  EXPECT_GT(At(points, 0x1p43).wrong, 0U);
+}
+
+TEST(RunCurves, MeasuresCostsOfWhatCountsByFacing) {
+  std::vector<std::unique_ptr<Contender>> contenders;
+  contenders.push_back(MakeMethodContender(*reference::FindMethod("f32-direct")));
+  CurveOptions options;
+  options.parameters = {"pixels", "triangles"};
+  options.most_triangles = 1000;
+  options.rounds = 3;
+  BenchResult result;
+  RunCurves(contenders, options, result);
+  ASSERT_EQ(result.curves.size(), 2U);
+  EXPECT_EQ(result.parameters[result.curves[0].parameter].name, "pixels");
+  EXPECT_TRUE(result.parameters[result.curves[0].parameter].is_cost);
+  EXPECT_EQ(result.curves[0].points.size(), 7U);
+  EXPECT_EQ(result.curves[1].points.size(), 2U);
+  for (const BenchCurve& curve : result.curves) {
+    for (const BenchPoint& point : curve.points) EXPECT_GT(point.time.median, 0);
+  }
+}
+
+TEST(ScatteredTriangles, AreAsManyAsAskedFor) {
+  EXPECT_EQ(ScatteredTriangles(100).triangles.size(), 100U);
+  EXPECT_EQ(ScatteredTriangles(10'000).triangles.size(), 10'000U);
+  EXPECT_EQ(ScatteredOfPixels(1e6).triangles.size(), 1U);
+}
+
+}  // namespace
+}  // namespace rasterproof::bench

@@ -1,11 +1,13 @@
 #include "report/bench_json.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/scene.h"
 #include "io/scene_json.h"
+#include "report/bench_decision.h"
 #include "report/json_writer.h"
 
 namespace rasterproof::report {
@@ -142,6 +144,31 @@ void WriteLeftOut(JsonWriter& json, const BenchResult& result, const BenchLeftOu
   json.EndObject();
 }
 
+void WriteDecision(JsonWriter& json, const BenchResult& result, std::uint32_t family, Need need) {
+  const std::optional<Decision> decision = Decide(result, family, need);
+  if (!decision) return;
+  json.BeginObject();
+  json.Key("family").Text(result.families[family].name);
+  json.Key("need").Text(NeedName(need));
+  WriteMethodKey(json, result, decision->row->method);
+  json.Key("nanoseconds_a_triangle").Rounded(NanosecondsATriangle(result, *decision->row));
+  json.Key("ratio_to_fastest").Rounded(decision->ratio);
+  json.Key("tied_with_fastest").Bool(decision->is_tied_with_fastest);
+  json.Key("tied").BeginArray();
+  for (const BenchRow* row : decision->tied) json.Text(FullName(result.methods[row->method]));
+  json.EndArray();
+  json.EndObject();
+}
+
+// What follows from the rows, for programs to read; the parser leaves it out.
+void WriteDecisions(JsonWriter& json, const BenchResult& result) {
+  json.Key("decisions").BeginArray();
+  for (std::uint32_t family = 0; family < result.families.size(); ++family) {
+    for (const Need need : kNeeds) WriteDecision(json, result, family, need);
+  }
+  json.EndArray();
+}
+
 void WriteParameter(JsonWriter& json, const BenchParameter& parameter) {
   json.BeginObject();
   json.Key("name").Text(parameter.name);
@@ -244,6 +271,7 @@ std::string BenchToJson(const BenchResult& result) {
   WriteArray(json, "families", result.families, in_result(WriteFamily));
   WriteArray(json, "rows", result.rows, in_result(WriteRow));
   WriteArray(json, "left_out", result.left_out, in_result(WriteLeftOut));
+  WriteDecisions(json, result);
   WriteArray(json, "parameters", result.parameters, alone(WriteParameter));
   WriteArray(json, "curves", result.curves, in_result(WriteCurve));
   WriteArray(json, "cliffs", result.cliffs, in_result(WriteCliff));

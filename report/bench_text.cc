@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fmt/format.h"
+#include "report/bench_decision.h"
 
 namespace rasterproof::report {
 namespace {
@@ -83,18 +84,6 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
 }
 
 }  // namespace
-
-ErrorLane LaneOf(const BenchResult& result, const BenchRow& row) {
-  if (!row.is_judged) return ErrorLane::kNotJudged;
-  if (row.real.Wrong() != 0) return ErrorLane::kRate;
-  const BenchMethod& method = result.methods[row.method];
-  return method.is_proved && method.model == "real" ? ErrorLane::kProved : ErrorLane::kNone;
-}
-
-double NanosecondsATriangle(const BenchResult& result, const BenchRow& row) {
-  const std::uint64_t triangles = result.families[row.family].triangles;
-  return triangles == 0 ? 0 : 1e9 * row.time.median / static_cast<double>(triangles);
-}
 
 std::string BenchToTable(const BenchResult& result) {
   const BenchSetting& setting = result.setting;

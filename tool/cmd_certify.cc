@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "core/authority.h"
+#include "core/bench_result.h"
 #include "core/error.h"
 #include "core/subject_info.h"
 #include "fmt/format.h"
+#include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "props/domains/worlds.h"
@@ -314,6 +316,7 @@ void RequireForAPart(const CertifyOptions& options) {
   if (options.campaign.seconds > 0) refuse("--seconds", "say how many cases, not how long");
   if (!options.scene_set.empty()) refuse("--scenes", "give it to merge, which measures the scenes");
   if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to merge");
+  if (!options.bench.empty()) refuse("--bench", "give it where a page is made: without a part");
   if (options.range && !options.shard.empty()) {
     refuse("--shard beside it", "give --cases N with --shard, or --cases A..B alone");
   }
@@ -337,8 +340,10 @@ int RunCertify(const CertifyOptions& options) {
 
 int Certify(const CertifyOptions& options, const Source& source) {
   const std::vector<AskedSubject> subjects = SubjectsOf(options);
-  io::MakeFolder(options.output);
   report::Page page;
+  if (!options.bench.empty()) page.bench = io::ReadBench(options.bench);
+  page.folder = ShellWord(options.output);
+  io::MakeFolder(options.output);
   std::exception_ptr failure;
   {
     Progress progress;

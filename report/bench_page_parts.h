@@ -1,0 +1,48 @@
+// The parts of the page's sections on error against run time, each a piece of HTML.
+#ifndef RASTERPROOF_REPORT_BENCH_PAGE_PARTS_H_
+#define RASTERPROOF_REPORT_BENCH_PAGE_PARTS_H_
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/bench_result.h"
+#include "report/bench_decision.h"
+
+namespace rasterproof::report {
+
+/// The style sheet of these sections; plots have its classes.
+extern const std::string_view kBenchStyle;
+/// Draws the plot of the chosen family and error, fills and filters the table, saves files. The
+/// page says the most important of it without: decision table, small plots, a first table.
+extern const std::string_view kBenchScript;
+/// base64(SHA-256(kBenchScript))
+extern const std::string_view kBenchScriptHash;
+
+/// Pixels of a frame: 1920 x 1080 and 3840 x 2160.
+inline constexpr std::array<std::uint64_t, 2> kFramePixels{std::uint64_t{1920} * 1080,
+                                                           std::uint64_t{3840} * 2160};
+
+/// Three digits, or the unit in groups: "0.0123", "34.2", "157 583".
+std::string NumberText(double value);
+/// "proved 0", "0 of 12 345", "45 of 12 345": of the pairs of the row's family at most a pixel from
+/// an edge.
+std::string WrongText(const BenchResult& bench, const BenchRow& row);
+
+/// Of each family and need the cheapest method.
+std::string DecisionTable(const BenchResult& bench);
+/// A row a piece of textbook advice: what following it costs and what it gets wrong.
+std::string AdviceTable(const BenchResult& bench);
+/// A row a family of each method of the user's: beside the fastest and the proved.
+std::string UsersTable(const BenchResult& bench);
+
+/// Pickers, plot and table of all rows.
+std::string ParetoParts(const BenchResult& bench);
+/// A panel a family, the frontier alone.
+std::string FamilyPanels(const BenchResult& bench);
+
+}  // namespace rasterproof::report
+
+#endif  // RASTERPROOF_REPORT_BENCH_PAGE_PARTS_H_

@@ -20,6 +20,29 @@
 namespace rasterproof::report {
 namespace {
 
+// A float32 scene where float32 holds every corner.
+Precision PrecisionOf(const BenchWitness& witness) {
+  const bool is_narrow = std::ranges::all_of(witness.corners, [](const Vertex& v) {
+    const auto fits = [](double value) {
+      return static_cast<double>(static_cast<float>(value)) == value;
+    };
+    return fits(v.x) && fits(v.y) && fits(v.z) && fits(v.w);
+  });
+  return is_narrow ? Precision::kFloat32 : Precision::kFloat64;
+}
+
+Scene SceneOf(const BenchFamily& family, const BenchWitness& witness) {
+  Scene scene;
+  scene.name = family.name;
+  scene.width = family.width;
+  scene.height = family.height;
+  scene.precision = PrecisionOf(witness);
+  scene.clip_space = family.is_clip_space;
+  scene.vertices.assign(witness.corners.begin(), witness.corners.end());
+  scene.triangles = {{0, 1, 2}};
+  return scene;
+}
+
 struct Question {
   std::string_view text;
   std::string_view anchor;
@@ -87,6 +110,10 @@ std::string Yours(const BenchResult& bench, std::string_view folder) {
          Command(fmt::format("rasterproof certify --all --bench {0}/bench.json --out {0}", folder));
 }
 
+std::string Limits(const BenchResult& bench, std::string_view folder) {
+  return CliffTable(bench, folder) + CurvePlots(bench);
+}
+
 }  // namespace
 
 std::string NumberText(double value) {
@@ -101,6 +128,17 @@ std::string WrongText(const BenchResult& bench, const BenchRow& row) {
   if (error.lane == ErrorLane::kProved) return "proved 0";
   return fmt::format("{} of {}", Grouped(row.real.Wrong()),
                      Grouped(bench.families[row.family].boundary_pairs));
+}
+
+std::vector<BenchCase> BenchCases(const BenchResult& bench) {
+  std::vector<BenchCase> cases;
+  for (const auto& [row, file] : WorstCasesOf(bench)) {
+    cases.push_back({file, SceneOf(bench.families[row->family], *row->real.worst)});
+  }
+  for (const BenchCliff& cliff : bench.cliffs) {
+    if (cliff.scene) cases.push_back({CliffFile(bench, cliff), *cliff.scene});
+  }
+  return cases;
 }
 
 std::string BenchSentence(const BenchResult& bench) {
@@ -146,6 +184,20 @@ std::string BenchSections(const BenchResult& bench, std::string_view folder) {
                   "The frontier alone: wrong pairs (up) against time over the baseline's (across), "
                   "by real geometry.",
                   FamilyPanels(bench));
+  html += section("limits", "Where each method ends",
+                  "One number of the triangles grows, the rest is kept. Failing is not monotone: "
+                  "between proved and first seen failing nothing is stated.",
+                  Limits(bench, folder));
+  html += section("fingerprints", "Fingerprints",
+                  "One vertex moved through 256 x 256 neighbouring places before a fixed edge and "
+                  "sample; exact beside it.",
+                  FingerprintPictures(bench));
+  html += section("worst", "Worst known cases",
+                  "The wrong sample farthest from its triangle's boundary, by real geometry, of "
+                  "each method on each family.",
+                  WorstCases(bench, folder));
+  html += section("stages", "Error budget of a frame",
+                  "Distance to the exact pipeline with one stage alone inexact.", StageBars(bench));
   return Questions(html) + html;
 }
 

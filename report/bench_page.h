@@ -4,10 +4,21 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/bench_result.h"
+#include "core/scene.h"
 
 namespace rasterproof::report {
+
+/// A wrong decision as a scene of its own, beside the page.
+struct BenchCase {
+  std::string file;  ///< as a path from the page: "bench/fan-f32-affine.json"
+  Scene scene;
+};
+
+/// The worst known case of each method on each family, and the case of each cliff.
+std::vector<BenchCase> BenchCases(const BenchResult& bench);
 
 /// What proved coverage costs, in a sentence. Empty if no family has a proved method.
 std::string BenchSentence(const BenchResult& bench);

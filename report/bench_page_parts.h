@@ -43,6 +43,28 @@ std::string ParetoParts(const BenchResult& bench);
 /// A panel a family, the frontier alone.
 std::string FamilyPanels(const BenchResult& bench);
 
+/// Where each method ends, as a table. `folder`: of the page, in commands.
+std::string CliffTable(const BenchResult& bench, std::string_view folder);
+/// A plot a parameter and measure.
+std::string CurvePlots(const BenchResult& bench);
+std::string FingerprintPictures(const BenchResult& bench);
+/// Pictures and commands, folded by family.
+std::string WorstCases(const BenchResult& bench, std::string_view folder);
+std::string StageBars(const BenchResult& bench);
+
+/// "bench/fan-f32-affine.json"
+std::string FileOf(std::string_view prefix, const BenchMethod& method);
+
+/// The row's worst case by real geometry and the file that it has beside the page.
+struct WorstCase {
+  const BenchRow* row = nullptr;
+  std::string file;
+};
+/// One for each family and name of a method that has one.
+std::vector<WorstCase> WorstCasesOf(const BenchResult& bench);
+/// The file of a cliff's scene.
+std::string CliffFile(const BenchResult& bench, const BenchCliff& cliff);
+
 }  // namespace rasterproof::report
 
 #endif  // RASTERPROOF_REPORT_BENCH_PAGE_PARTS_H_

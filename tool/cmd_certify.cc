@@ -16,8 +16,10 @@
 #include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "io/scene_file.h"
 #include "props/domains/worlds.h"
 #include "props/run/campaign_part.h"
+#include "report/bench_page.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/page.h"
@@ -127,6 +129,15 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
   }
 }
 
+// What the page's commands read: wrong decisions as scenes.
+void WriteBenchCases(const std::string& output, const BenchResult& bench) {
+  const std::vector<report::BenchCase> cases = report::BenchCases(bench);
+  if (!cases.empty()) io::MakeFolder(output + "/bench");
+  for (const report::BenchCase& one : cases) {
+    io::WriteFile(output + "/" + one.file, io::SceneToJson(one.scene));
+  }
+}
+
 // The page of all subjects comes last: what it leads to and shows is then there, each file whole.
 std::string WritePages(const std::string& output, const report::Page& page) {
   for (const report::Picture& picture : page.pictures) {
@@ -138,6 +149,7 @@ std::string WritePages(const std::string& output, const report::Page& page) {
     io::WriteFile(output + "/" + certificate.folder + "/report.html",
                   report::SubjectPageToHtml(page, certificate));
   }
+  if (page.bench) WriteBenchCases(output, *page.bench);
   const std::string path = output + "/report.html";
   io::WriteFile(path, report::PageToHtml(page));
   return path;

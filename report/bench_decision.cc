@@ -38,11 +38,6 @@ RowError EdgeErrorOf(const BenchRow& row) {
   return {error == 0 ? ErrorLane::kNone : ErrorLane::kRate, error};
 }
 
-bool IsOnlyRepeated(const BenchResult& result, const BenchRow& row) {
-  const BenchFamily& family = result.families[row.family];
-  return row.method == family.twin && family.twin != family.baseline;
-}
-
 std::vector<const BenchRow*> RivalsOf(const BenchResult& result, std::uint32_t family,
                                       std::string_view sink) {
   std::vector<const BenchRow*> rivals;
@@ -86,11 +81,16 @@ RowError ErrorOf(const BenchResult& result, const BenchRow& row, ErrorKind kind)
   return {};
 }
 
+bool IsBaselineAgain(const BenchResult& result, const BenchRow& row) {
+  const BenchFamily& family = result.families[row.family];
+  return row.method == family.twin && family.twin != family.baseline;
+}
+
 bool IsRival(const BenchResult& result, const BenchRow& row) {
   const BenchFamily& family = result.families[row.family];
   return row.is_judged && WrongShare(result, row) < kMostWrong &&
          family.largest_coordinate <= result.methods[row.method].coordinate_limit &&
-         !IsOnlyRepeated(result, row);
+         !IsBaselineAgain(result, row);
 }
 
 std::vector<const BenchRow*> Frontier(const BenchResult& result, std::uint32_t family,

@@ -44,6 +44,9 @@ struct RowError {
 };
 RowError ErrorOf(const BenchResult& result, const BenchRow& row, ErrorKind kind);
 
+/// Whether the row is the baseline measured a second time: the floor of the noise, and no method.
+bool IsBaselineAgain(const BenchResult& result, const BenchRow& row);
+
 /// Whether the row counts: judged, inside its method's coordinate limit, under 1 % wrong, and no
 /// baseline that was measured again. A wrong answer is often fast.
 bool IsRival(const BenchResult& result, const BenchRow& row);

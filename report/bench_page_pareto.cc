@@ -100,7 +100,9 @@ std::string DataJson(const BenchResult& bench) {
   std::vector<std::string> families;
   for (const BenchFamily& family : bench.families) families.push_back(FamilyJson(bench, family));
   std::vector<std::string> rows;
-  for (const BenchRow& row : bench.rows) rows.push_back(RowJson(bench, row));
+  for (const BenchRow& row : bench.rows) {
+    if (!IsBaselineAgain(bench, row)) rows.push_back(RowJson(bench, row));
+  }
   return fmt::format(
       "{{\"processor\":{},\"errors\":[{}],\n\"methods\":[{}],\n\"families\":[{}],\n\"rows\":[{}]}}",
       Quoted(bench.setting.processor), fmt::join(errors, ","), fmt::join(methods, ",\n"),
@@ -131,7 +133,8 @@ std::string RowsTable(const BenchResult& bench) {
       "<th class=\"number\">bytes</th><th>remark</th></tr></thead><tbody>\n";
   std::vector<const BenchRow*> rows;
   for (const BenchRow& row : bench.rows) {
-    if (row.family == 0 && bench.methods[row.method].sink == kCommonSink) rows.push_back(&row);
+    const bool is_here = row.family == 0 && bench.methods[row.method].sink == kCommonSink;
+    if (is_here && !IsBaselineAgain(bench, row)) rows.push_back(&row);
   }
   std::ranges::sort(rows, {}, [](const BenchRow* row) { return row->ratio.median; });
   for (const BenchRow* row : rows) html += PlainRow(bench, *row);

@@ -82,7 +82,8 @@ function node(parent, name, attributes, text) {
 }
 // On the page the colours turn with the paper; a file by itself shows the ones behind the commas.
 const STYLE = ".big text{font:12px system-ui,'Noto Sans','DejaVu Sans',sans-serif;" +
-  "fill:var(--ink,#23262d)}.big .soft{fill:var(--soft,#626975)}.big .named{font-weight:600}" +
+  "fill:var(--ink,#23262d)}.big .soft{fill:var(--soft,#626975)}.big .named{font-weight:600;" +
+  "paint-order:stroke;stroke:var(--card,#fff);stroke-width:3}" +
   ".big .grid{stroke:var(--line,#e3e5e9)}.big .lane{stroke:var(--soft,#626975);" +
   "stroke-dasharray:3 3}.big .whisker{stroke:var(--ink,#23262d)}.big .lead{stroke:" +
   "var(--soft,#626975);stroke-width:.7}.big .front{fill:none;stroke:var(--exact,#009e73);" +
@@ -92,7 +93,7 @@ const STYLE = ".big text{font:12px system-ui,'Noto Sans','DejaVu Sans',sans-seri
     const [name, colour] = COLOURS[kind];
     return `.big .${name}{stroke:var(--${name},${colour});fill:var(--${name},${colour});` +
       "stroke-width:1.5}";
-  }).join("") + ".big .hollow{fill:none}";
+  }).join("") + ".big .hollow{fill:none}.big .pointed{stroke-width:6}";
 const SHAPES = {
   "float32": "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0z", "float64": "M0 5.5l5.5 -10h-11z",
   "fixed point": "M-4.5 -4.5h9v9h-9z", "exact": "M0 -5.5l5.5 10h-11z",
@@ -169,7 +170,13 @@ function writeName(parent, point, name, taken, limits) {
   text.remove();
 }
 
-function say(row) {
+// Names the point where it lies, and says below what is known of it.
+function say({row, x, y}, plot, label) {
+  label.textContent = nameOf(row);
+  const isRight = x + 14 + label.getComputedTextLength() > plot.width;
+  label.setAttribute("text-anchor", isRight ? "end" : "start");
+  label.setAttribute("x", isRight ? x - 12 : x + 12);
+  label.setAttribute("y", y - 8);
   const names = Array.from(document.querySelectorAll("#bench-rows thead th"),
     (head) => head.textContent);
   const facts = cellsOf(row).map((cell, k) => cell && `${names[k]} ${cell}`).slice(2);
@@ -249,7 +256,10 @@ function drawPoints(svg, plot) {
     node(svg, "path", {class: "front",
       d: "M" + front.map(({x, y}) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")});
   }
-  plot.points.forEach(({row, x, y}, k) => {
+  const label = document.createElementNS(svg.namespaceURI, "text");
+  label.setAttribute("class", "named pointed");
+  plot.points.forEach((point, k) => {
+    const {row, x, y} = point;
     const group = node(svg, "g", {tabindex: k === 0 ? 0 : -1, role: "img",
       "aria-label": `${nameOf(row)}, time ${number(row.ratio[1])}, wrong ${wrongText(row)}`});
     node(group, "path", {class: "whisker",
@@ -257,8 +267,8 @@ function drawPoints(svg, plot) {
     mark(group, kindOf(row), x, y, !row.rival);
     node(group, "circle", {class: "ring", cx: x, cy: y, r: 9});
     node(group, "circle", {cx: x, cy: y, r: 9, "fill-opacity": 0});
-    group.addEventListener("pointerenter", () => say(row));
-    group.addEventListener("focus", () => say(row));
+    group.addEventListener("pointerenter", () => say(point, plot, label));
+    group.addEventListener("focus", () => say(point, plot, label));
     group.addEventListener("keydown", (event) => {
       const step = {ArrowRight: 1, ArrowLeft: -1}[event.key];
       const next = step && svg.querySelectorAll("g[tabindex]")[k + step];
@@ -269,6 +279,7 @@ function drawPoints(svg, plot) {
       next.focus();
     });
   });
+  svg.append(label);
 }
 function drawNames(svg, plot) {
   const limits = {x: PAD.left + 2, y: PAD.top, w: plot.width - PAD.left - 4,
@@ -300,8 +311,8 @@ function drawPlot() {
     role: "group", "aria-label": caption(plot)});
   node(svg, "style", {}, STYLE);
   axes(svg, plot);
-  drawPoints(svg, plot);
   drawNames(svg, plot);
+  drawPoints(svg, plot);
   legend(svg, plot.bottom + 56, plot.shown, width);
 }
 
@@ -373,6 +384,6 @@ fillTable();
 )js";
 
 // tests/tool/page_browser_test.py runs it under the page's policy, which allows nothing else.
-const std::string_view kBenchScriptHash = "s1WEtm0Kq8QMyCtj8Yh/FrRR7MW3qk9kLo/0UBJkE8Q=";
+const std::string_view kBenchScriptHash = "AgBooB1DTnX7oF/VjLy+S2w5scLEJLMcd5hjlOUrVYY=";
 
 }  // namespace rasterproof::report

@@ -12,12 +12,17 @@ const std::string_view kBenchStyle = R"(
 }
 .questions li { padding: 0.25rem 0; }
 .questions .why::before { content: "– "; }
+.decisions { min-width: 68rem; }
+.decisions.needs { table-layout: fixed; }
+.needs thead th + th { border-left: 1px solid var(--line); }
+.decisions td .why { display: block; font-size: 0.8rem; }
 .decisions th .why { display: block; font-weight: 400; min-width: 9rem; }
 .decisions td { border-left: 1px solid var(--line); }
 .decisions tbody th { min-width: 10rem; max-width: 17rem; }
 .decisions .figures, .decisions .tied { display: block; }
-.decisions .figures { font-size: 0.82rem; white-space: nowrap; }
-.decisions td > .name { white-space: nowrap; font-weight: 600; }
+.decisions .figures { font-size: 0.82rem; }
+.decisions .figures b, .decisions .figures i { white-space: nowrap; font-style: normal; }
+.decisions td > .name { white-space: normal; overflow-wrap: anywhere; font-weight: 600; }
 .yours { color: var(--yours); font-weight: 600; }
 .pick { display: flex; flex-wrap: wrap; gap: 0.5rem 1.2rem; margin: 1rem 0; font-size: 0.9rem; }
 .pick[hidden], .save[hidden] { display: none; }

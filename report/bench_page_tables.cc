@@ -43,19 +43,28 @@ std::string TiedText(const BenchResult& bench, const Decision& decision) {
   return fmt::format("<span class=\"why tied\">~ {}</span>", names);
 }
 
+// A cell over several columns says so: it is no cell of the first one alone.
+std::string SpanText(std::size_t columns) {
+  if (columns == 1) return {};
+  return fmt::format("<span class=\"why\">also the cheapest in the next {}</span>",
+                     columns == 2 ? "column" : fmt::format("{} columns", columns - 1));
+}
+
 std::string DecisionCell(const BenchResult& bench, const std::optional<Decision>& decision,
-                         int columns) {
+                         std::size_t columns) {
   if (!decision) {
     return fmt::format("<td colspan=\"{}\" class=\"none\">no method shown here</td>", columns);
   }
   const BenchRow& row = *decision->row;
   return fmt::format(
-      "<td colspan=\"{}\">{}<span class=\"figures\"><b>{} ns</b> · {} / {} ms · {}{:.2f} x</span>{}"
+      "<td colspan=\"{}\">{}<span class=\"figures\"><b>{} ns</b> · {} / {} ms · {}{:.2f} "
+      "x</span>{}{}"
       "</td>",
       columns, NameOf(bench.methods[row.method]), NumberText(NanosecondsATriangle(bench, row)),
       NumberText(MillisecondsAFrame(bench, row, kFramePixels[0])),
       NumberText(MillisecondsAFrame(bench, row, kFramePixels[1])),
-      decision->is_tied_with_fastest ? "~" : "", decision->ratio, TiedText(bench, *decision));
+      decision->is_tied_with_fastest ? "~" : "", decision->ratio, TiedText(bench, *decision),
+      SpanText(columns));
 }
 
 // Neighbouring needs that the same method meets cheapest share a cell.
@@ -67,7 +76,8 @@ std::string DecisionRow(const BenchResult& bench, std::uint32_t family) {
   for (std::size_t k = 0; k < kNeeds.size();) {
     std::size_t end = k + 1;
     while (end < kNeeds.size() && row_of(end) == row_of(k)) ++end;
-    html += DecisionCell(bench, decisions[k], static_cast<int>(end - k));
+    // The loosest need has the most that are tied.
+    html += DecisionCell(bench, decisions[end - 1], end - k);
     k = end;
   }
   return html + "</tr>\n";
@@ -123,12 +133,12 @@ std::string AdviceRow(const BenchResult& bench, const Advice& advice) {
   if (beside.families == 0) return {};
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td><span class=\"name\">{}</span></td>"
-      "<td class=\"number\">{:.2f} to {:.2f}</td><td class=\"number\">{} of {}</td>"
+      "<td class=\"number\">{} to {}</td><td class=\"number\">{} of {}</td>"
       "<td class=\"number\">{}</td><td class=\"number\">{} of {}</td><td class=\"remark why\">{}"
       "</td></tr>\n",
-      advice.text, advice.method, beside.least_ratio, beside.most_ratio, beside.wrong_in,
-      beside.families, NumberText(beside.farthest), beside.leaks_in, beside.families,
-      advice.remark);
+      advice.text, advice.method, NumberText(beside.least_ratio), NumberText(beside.most_ratio),
+      beside.wrong_in, beside.families, NumberText(beside.farthest), beside.leaks_in,
+      beside.families, advice.remark);
 }
 
 std::string UsersRow(const BenchResult& bench, const BenchRow& row) {
@@ -154,7 +164,7 @@ std::string UsersRow(const BenchResult& bench, const BenchRow& row) {
 std::string DecisionTable(const BenchResult& bench) {
   if (bench.families.empty()) return {};
   std::string html =
-      "<div class=\"scroll\"><table class=\"decisions\"><thead><tr><th>triangles</th>";
+      "<div class=\"scroll\"><table class=\"decisions needs\"><thead><tr><th>triangles</th>";
   for (const Need need : kNeeds) html += fmt::format("<th>{}</th>", NeedName(need));
   html += "</tr></thead><tbody>\n";
   for (std::uint32_t family = 0; family < bench.families.size(); ++family) {

@@ -12,6 +12,7 @@
 
 #include "fmt/format.h"
 #include "report/bench_decision.h"
+#include "report/bench_page_parts.h"
 #include "report/text.h"
 
 namespace rasterproof::report {
@@ -140,16 +141,23 @@ std::string Point(const BenchResult& result, const BenchRow& row) {
       Mark(result.methods[row.method].kind, XOf(row.ratio.median), y, !IsRival(result, row)));
 }
 
-// Numbers beside the points of the frontier, each where it meets none before it.
-std::string Numbers(const BenchResult& result, const std::vector<const BenchRow*>& frontier) {
+// Those that are numbered and named: the cheapest of the frontier, and its least wrong.
+std::vector<const BenchRow*> Named(std::vector<const BenchRow*> frontier) {
+  constexpr std::size_t kMost = 4;
+  if (frontier.size() > kMost) frontier.erase(frontier.begin() + kMost - 1, frontier.end() - 1);
+  return frontier;
+}
+
+// Numbers beside points, each where it meets none before it.
+std::string Numbers(const BenchResult& result, const std::vector<const BenchRow*>& named) {
   constexpr std::array<std::array<double, 2>, 8> kPlaces{
       {{0, -7}, {0, 15}, {9, 3}, {-9, 3}, {9, -7}, {-9, -7}, {9, 15}, {-9, 15}}};
   std::vector<std::array<double, 2>> taken;
   std::string svg;
-  for (std::size_t k = 0; k < frontier.size(); ++k) {
+  for (std::size_t k = 0; k < named.size(); ++k) {
     std::array<double, 2> at{};
     for (const auto& [dx, dy] : kPlaces) {
-      at = {XOf(frontier[k]->ratio.median) + dx, YOf(result, *frontier[k]) + dy};
+      at = {XOf(named[k]->ratio.median) + dx, YOf(result, *named[k]) + dy};
       const bool is_free = std::ranges::none_of(taken, [&](const std::array<double, 2>& other) {
         return std::abs(other[0] - at[0]) < 8 && std::abs(other[1] - at[1]) < 12;
       });
@@ -161,15 +169,14 @@ std::string Numbers(const BenchResult& result, const std::vector<const BenchRow*
   return svg;
 }
 
-std::string NamesBelow(const BenchResult& result, const std::vector<const BenchRow*>& frontier) {
-  constexpr std::size_t kMost = 4;
+std::string NamesBelow(const BenchResult& result, const std::vector<const BenchRow*>& named) {
   std::string svg;
   double y = kTop + kPlotHeight + 32;
-  for (std::size_t k = 0; k < std::min(kMost, frontier.size()); ++k, y += 13) {
+  for (std::size_t k = 0; k < named.size(); ++k, y += 13) {
     svg += Text(kLeft, y, "start",
-                fmt::format("{} {}: {:.3g} x, {:.4g} ns/triangle", k + 1,
-                            FullName(result.methods[frontier[k]->method]),
-                            frontier[k]->ratio.median, NanosecondsATriangle(result, *frontier[k])));
+                fmt::format("{} {}: {:.3g} x, {} ns/triangle", k + 1,
+                            FullName(result.methods[named[k]->method]), named[k]->ratio.median,
+                            NumberText(NanosecondsATriangle(result, *named[k]))));
   }
   return svg;
 }
@@ -196,9 +203,10 @@ std::string BenchPanel(const BenchResult& result, std::uint32_t family, PanelPoi
     const bool is_here = row.family == family && result.methods[row.method].sink == kCommonSink;
     const bool is_shown =
         which == PanelPoints::kAll || std::ranges::find(frontier, &row) != frontier.end();
-    if (is_here && row.is_judged && is_shown) svg += Point(result, row);
+    if (is_here && row.is_judged && is_shown && !IsBaselineAgain(result, row))
+      svg += Point(result, row);
   }
-  return svg + Numbers(result, frontier) + NamesBelow(result, frontier);
+  return svg + Numbers(result, Named(frontier)) + NamesBelow(result, Named(frontier));
 }
 
 std::string BenchToSvg(const BenchResult& result) {

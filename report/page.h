@@ -31,8 +31,8 @@ struct Page {
   bool is_survey = false;
   std::vector<Certificate> certificates;
   std::vector<Picture> pictures;
-  std::optional<BenchResult> bench;  ///< error against run time, before the verdicts
-  std::string folder = "out";        ///< where the page lies, as commands on it say
+  std::optional<BenchResult> bench = std::nullopt;  ///< error against run time, before the verdicts
+  std::string folder = "out";                       ///< where the page lies, as commands on it say
 };
 
 /// The page of all subjects: what was shown in a sentence or two; error against run time, where a

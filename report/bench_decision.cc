@@ -166,7 +166,7 @@ std::optional<Decision> Decide(const BenchResult& result, std::uint32_t family, 
   Decision decision;
   decision.row = good.front();
   decision.tied.assign(good.begin() + 1, good.end());
-  decision.ratio = decision.row->time.median / fastest->time.median;
+  decision.ratio = decision.row->ratio.median / fastest->ratio.median;
   decision.is_tied_with_fastest = !AreApart(decision.row->ratio, fastest->ratio);
   return decision;
 }

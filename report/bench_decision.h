@@ -76,7 +76,7 @@ struct Decision {
   /// Of those tied with the cheapest by median the one with the least error.
   const BenchRow* row = nullptr;
   std::vector<const BenchRow*> tied;  ///< others whose ratio's interval overlaps the cheapest's
-  double ratio = 1;                   ///< of its median to that of the family's fastest rival
+  double ratio = 1;                   ///< of its ratio's median to that of the family's fastest
   bool is_tied_with_fastest = false;  ///< their intervals overlap
 };
 /// Nothing if no rival meets it.

@@ -12,13 +12,13 @@ const std::string_view kBenchStyle = R"(
 }
 .questions li { padding: 0.25rem 0; }
 .questions .why::before { content: "– "; }
-.decisions { min-width: 68rem; }
-.decisions.needs { table-layout: fixed; }
+.decisions.needs { table-layout: fixed; min-width: 45rem; }
 .needs thead th + th { border-left: 1px solid var(--line); }
 .decisions td .why { display: block; font-size: 0.8rem; }
-.decisions th .why { display: block; font-weight: 400; min-width: 9rem; }
+.decisions th .why { display: block; font-weight: 400; }
 .decisions td { border-left: 1px solid var(--line); }
-.decisions tbody th { min-width: 10rem; max-width: 17rem; }
+.needs th:first-child { width: 18%; }
+.decisions th .name { white-space: normal; }
 .decisions .figures, .decisions .tied { display: block; }
 .decisions .figures { font-size: 0.82rem; }
 .decisions .figures b, .decisions .figures i { white-space: nowrap; font-style: normal; }

@@ -64,6 +64,10 @@ TEST(BenchDecision, OfTiedMethodsTheLeastErrorIsNamed) {
   two.slow->ratio.low = 0.3031;  // just apart
   EXPECT_EQ(two.Chosen(Need::kAnything), "f32-direct");
   EXPECT_TRUE(Decide(two.bench, 0, Need::kAnything)->tied.empty());
+  // A number below 1 would say that the named one is faster than the fastest.
+  two.slow->ratio = {0.302, 0.31, 0.32};
+  two.slow->time.median = two.fast->time.median * 0.9;
+  EXPECT_GE(Decide(two.bench, 0, Need::kAnything)->ratio, 1);
 }
 
 TEST(BenchDecision, PastItsLimitAMethodStatesNothing) {

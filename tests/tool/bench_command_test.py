@@ -3,8 +3,10 @@
 
 usage: bench_command_test.py PROGRAM SOURCES EXAMPLES
 """
+import html
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -66,6 +68,33 @@ class Bench(unittest.TestCase):
             said = " ".join(title.firstChild.data for title in titles)
             for name in ("textbook", "f32-incremental", "kernel-exact"):
                 self.assertIn(name, said)
+
+    def test_the_page_begins_with_it_and_its_commands_show_what_is_wrong(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bench.json")
+            done = bench("--scene", "scenes/ties.json", *FEW, "--json", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            certify = [PROGRAM, "certify", "--subject", "spans-exact", "--cases", "1", "--out", folder]
+            done = subprocess.run([*certify, "--bench", path], cwd=SOURCES, capture_output=True,
+                                  text=True, timeout=200)  # fmt: skip
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
+                page = html.unescape(re.sub("</?span>", "", file.read()))
+            self.assertLess(page.index('id="which"'), page.index('id="verdicts"'))
+            command = re.search(r"rasterproof (explain \S+ties-textbook[^<]*)", page)[1].split()
+            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("samples differ", done.stdout)
+
+            with open(path, encoding="utf-8") as file:
+                old = file.read().replace('"rasterproof_bench": 3', '"rasterproof_bench": 2')
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(old)
+            for more in ((), ("--shard", "1/2")):
+                done = subprocess.run([*certify, "--bench", path, *more], cwd=SOURCES,
+                                      capture_output=True, text=True, timeout=60)  # fmt: skip
+                self.assertEqual(done.returncode, 2)
+                self.assertIn("a page is made" if more else "measure again", done.stderr)
 
     def test_names_and_times_that_are_none_are_refused(self):
         for arguments, words in (

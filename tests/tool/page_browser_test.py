@@ -20,7 +20,7 @@ COVERED = r"""(() => {
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walker.nextNode()) {
     const text = walker.currentNode, parent = text.parentElement;
-    if (!text.data.trim() || ["STYLE", "SCRIPT", "OPTION", "TITLE", "style", "title"].includes(
+    if (!text.data.trim() || !parent.checkVisibility() || ["STYLE", "SCRIPT", "OPTION", "TITLE", "style", "title"].includes(
         parent.tagName)) continue;
     const range = document.createRange();
     range.selectNodeContents(text);

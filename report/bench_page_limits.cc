@@ -24,8 +24,8 @@ constexpr double kHeight = 300;
 constexpr double kLeftEdge = 62;
 constexpr double kTopEdge = 28;
 constexpr double kAcross = 310;
-constexpr double kDown = 226;
-constexpr double kZeroLane = 22;  // below the axis
+constexpr double kDown = 216;
+constexpr double kZeroLane = 32;  // below the axis
 constexpr double kLineHeight = 12;
 
 // A power of two where it is one, as cliffs mostly are; else all digits.

@@ -56,11 +56,12 @@ std::string MethodJson(const BenchMethod& method) {
 
 std::string FamilyJson(const BenchResult& bench, const BenchFamily& family) {
   return fmt::format(
-      "{{\"name\":{},\"summary\":{},\"baseline\":{},\"constructed\":{},\"boundary\":{},"
+      "{{\"name\":{},\"summary\":{},\"baseline\":{},\"constructed\":{},\"random\":{},\"boundary\":{"
+      "},"
       "\"shared\":{},\"covered\":{},\"reach\":{}}}",
       Quoted(family.name), Quoted(family.summary), Quoted(bench.methods[family.baseline].name),
-      family.is_constructed, family.boundary_pairs, family.shared_pairs, family.covered,
-      NumberJson(family.largest_coordinate));
+      family.is_constructed, family.is_random, family.boundary_pairs, family.shared_pairs,
+      family.covered, NumberJson(family.largest_coordinate));
 }
 
 // [lane, value, whether it is on the frontier] of each error.

@@ -13,6 +13,7 @@ const std::string_view kBenchStyle = R"(
 .questions li { padding: 0.25rem 0; }
 .questions .why::before { content: "– "; }
 .decisions.needs { table-layout: fixed; min-width: 45rem; }
+.scroll.whole { max-height: none; }
 .needs thead th + th { border-left: 1px solid var(--line); }
 .decisions td .why { display: block; font-size: 0.8rem; }
 .decisions th .why { display: block; font-weight: 400; }

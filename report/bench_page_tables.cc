@@ -164,7 +164,7 @@ std::string UsersRow(const BenchResult& bench, const BenchRow& row) {
 std::string DecisionTable(const BenchResult& bench) {
   if (bench.families.empty()) return {};
   std::string html =
-      "<div class=\"scroll\"><table class=\"decisions needs\"><thead><tr><th>triangles</th>";
+      "<div class=\"scroll whole\"><table class=\"decisions needs\"><thead><tr><th>triangles</th>";
   for (const Need need : kNeeds) html += fmt::format("<th>{}</th>", NeedName(need));
   html += "</tr></thead><tbody>\n";
   for (std::uint32_t family = 0; family < bench.families.size(); ++family) {

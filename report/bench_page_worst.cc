@@ -104,7 +104,7 @@ std::string FileOf(std::string_view prefix, const BenchMethod& method) {
 std::vector<WorstCase> WorstCasesOf(const BenchResult& bench) {
   std::vector<WorstCase> cases;
   for (const BenchRow& row : bench.rows) {
-    if (!row.is_judged || !row.real.worst) continue;
+    if (!row.is_judged || !row.real.worst || IsBaselineAgain(bench, row)) continue;
     const std::string file = FileOf(bench.families[row.family].name, bench.methods[row.method]);
     const auto known = std::ranges::find(cases, file, &WorstCase::file);
     if (known == cases.end()) {

@@ -36,8 +36,8 @@ std::string_view LookOf(Outcome outcome) {
 }  // namespace
 
 std::string Document(std::string_view title, const std::string& body, bool has_bench) {
-  // The policy is for the browser to enforce what the page states: pictures that lie beside it or in
-  // it, scripts by their hashes, and nothing else.
+  // The policy is for the browser to enforce what the page states: pictures that lie beside it or
+  // in it, scripts by their hashes, and nothing else.
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

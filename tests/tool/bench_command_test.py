@@ -74,7 +74,8 @@ class Bench(unittest.TestCase):
             path = os.path.join(folder, "bench.json")
             done = bench("--scene", "scenes/ties.json", *FEW, "--json", path)
             self.assertEqual(done.returncode, 0, done.stderr)
-            certify = [PROGRAM, "certify", "--subject", "spans-exact", "--cases", "1", "--out", folder]
+            certify = [PROGRAM, "certify", "--subject", "spans-exact", "--cases", "1",
+                       "--out", folder]  # fmt: skip
             done = subprocess.run([*certify, "--bench", path], cwd=SOURCES, capture_output=True,
                                   text=True, timeout=200)  # fmt: skip
             self.assertEqual(done.returncode, 0, done.stderr)

@@ -1,5 +1,4 @@
-"""A headless Chromium that a test drives by its DevTools protocol over a pipe: no port, no sleeping.
-"""
+"""A headless Chromium that a test drives by its DevTools protocol over a pipe: no port."""
 import json
 import os
 import shutil
@@ -30,7 +29,8 @@ class Browser:
         self.events = []
         self.session = None
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
-        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        attached = self.call("Target.attachToTarget", targetId=target, flatten=True)
+        self.session = attached["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(domain + ".enable")
 
@@ -85,7 +85,7 @@ class Browser:
             self.after_painting()
 
     def value(self, expression):
-        """What the expression, or the promise that it is, comes to in the page."""
+        """What the expression comes to in the page, waited for where it must be."""
         answer = self.call("Runtime.evaluate", expression=expression, awaitPromise=True,
                            returnByValue=True)  # fmt: skip
         if "exceptionDetails" in answer:
@@ -93,7 +93,7 @@ class Browser:
         return answer["result"].get("value")
 
     def after_painting(self):
-        self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        self.value("document.body.animate([], 20).finished.then(() => true)")  # two frames
 
     def press(self, key):
         code = {"Tab": 9, "ArrowRight": 39, "ArrowLeft": 37, "Enter": 13, " ": 32}[key]

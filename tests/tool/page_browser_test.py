@@ -20,8 +20,8 @@ COVERED = r"""(() => {
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walker.nextNode()) {
     const text = walker.currentNode, parent = text.parentElement;
-    if (!text.data.trim() || !parent.checkVisibility() || ["STYLE", "SCRIPT", "OPTION", "TITLE", "style", "title"].includes(
-        parent.tagName)) continue;
+    const isShown = !["style", "script", "option", "title"].includes(parent.localName);
+    if (!text.data.trim() || !isShown || !parent.checkVisibility()) continue;
     const range = document.createRange();
     range.selectNodeContents(text);
     const clip = parent.closest(".scroll")?.getBoundingClientRect();
@@ -84,8 +84,9 @@ class PageInABrowser(unittest.TestCase):
         }})()""")
 
     def names_in_plot(self):
-        return self.value('Array.from(document.querySelectorAll("#bench-plot .named:not(.pointed)"),'
-                          " (text) => text.textContent)")  # fmt: skip
+        return self.value('''Array.from(
+          document.querySelectorAll("#bench-plot .named:not(.pointed)"),
+          (text) => text.textContent)''')
 
     def column(self, k):
         return self.value(f"""Array.from(document.querySelector("#bench-rows tbody").rows,
@@ -168,22 +169,24 @@ class PageInABrowser(unittest.TestCase):
 
     def test_what_is_shown_is_saved(self):
         self.open()
-        self.value("""window.saved = [];
-          HTMLAnchorElement.prototype.click = function () {
-            const name = this.download;
-            window.saved.push(fetchBlob(this.href).then((text) => [name, text]));
-          };
-          const kept = new Map();
+        files = dict(self.value("""(async () => {
+          const blobs = new Map(), saved = [];
           const create = URL.createObjectURL;
-          URL.createObjectURL = (blob) => { const url = create(blob); kept.set(url, blob); return url; };
-          window.fetchBlob = (url) => kept.get(url).text();
-          new Promise((done) => {
-            const whole = () => window.saved.length === 3 && done();
-            const push = window.saved.push;
-            window.saved.push = function (one) { push.call(this, one); whole(); };
-            for (const button of document.querySelectorAll("#bench-save button")) button.click();
-          })""")
-        files = dict(self.value("Promise.all(window.saved)"))
+          URL.createObjectURL = (blob) => {
+            const url = create(blob);
+            blobs.set(url, blob);
+            return url;
+          };
+          HTMLAnchorElement.prototype.click = function () {
+            saved.push([this.download, blobs.get(this.href)]);
+          };
+          for (const button of document.querySelectorAll("#bench-save button")) button.click();
+          for (let frames = 0; saved.length < 3 && frames < 500; ++frames) {
+            await document.body.animate([], 10).finished;
+          }
+          for (const file of saved) file[1] = await file[1].text();
+          return saved;
+        })()"""))
         self.assertEqual(set(files), {"bench-small.svg", "bench-small.png", "bench-small.csv"})
         self.assertIn("<svg", files["bench-small.svg"])
         self.assertIn("kernel-exact avx2", files["bench-small.svg"])

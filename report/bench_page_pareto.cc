@@ -120,8 +120,10 @@ std::string PlainRow(const BenchResult& bench, const BenchRow& row) {
       "<td class=\"number\">{}</td><td class=\"number\">{}</td><td></td></tr>\n",
       Escaped(method.name), Escaped(method.target), Escaped(method.sink),
       NumberText(NanosecondsATriangle(bench, row)), row.ratio.median, WrongText(bench, row),
-      NumberText(row.real.displacement), Grouped(row.own.Wrong()), Grouped(row.leaks.Sum()),
-      NumberText(row.values.edge), method.vertex_bytes);
+      row.is_judged ? NumberText(row.real.displacement) : "–",
+      row.is_judged ? Grouped(row.own.Wrong()) : "–",
+      row.is_judged ? Grouped(row.leaks.Sum()) : "–", NumberText(row.values.edge),
+      method.vertex_bytes);
 }
 
 std::string RowsTable(const BenchResult& bench) {

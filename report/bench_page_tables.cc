@@ -141,6 +141,16 @@ std::string AdviceRow(const BenchResult& bench, const Advice& advice) {
       beside.families, advice.remark);
 }
 
+// What was not judged is not 0.
+std::string IfJudged(const BenchRow& row, const std::string& text) {
+  return row.is_judged ? text : "–";
+}
+
+// Of a method whose triangles were not judged one by one: the whole drawing.
+std::string DrawingText(const BenchRow& row) {
+  return row.drawing_wrong ? fmt::format("{} in the drawing", Grouped(*row.drawing_wrong)) : "–";
+}
+
 std::string UsersRow(const BenchResult& bench, const BenchRow& row) {
   const BenchMethod& method = bench.methods[row.method];
   const std::optional<Decision> proved = Decide(bench, row.family, Need::kProvedZero);
@@ -155,7 +165,8 @@ std::string UsersRow(const BenchResult& bench, const BenchRow& row) {
       "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
       FamilyHead(bench.families[row.family]), NameOf(method),
       NumberText(NanosecondsATriangle(bench, row)), beside(proved), beside(fastest),
-      WrongText(bench, row), NumberText(row.real.displacement), Grouped(row.leaks.Sum()),
+      row.is_judged ? WrongText(bench, row) : DrawingText(row),
+      IfJudged(row, NumberText(row.real.displacement)), IfJudged(row, Grouped(row.leaks.Sum())),
       NumberText(1e9 * method.conversion_seconds));
 }
 

@@ -156,6 +156,16 @@ TEST(BenchPage, SaysWhoseAMethodIs) {
   EXPECT_TRUE(Says(BenchSections(bench, "out"), "This record holds none of yours"));
 }
 
+TEST(BenchPage, WhatWasNotJudgedIsNotZero) {
+  BenchResult bench = SampleBench();
+  bench.rows = {bench.rows[5]};  // the user's alone
+  bench.rows[0].is_judged = false;
+  bench.rows[0].real = {};
+  bench.rows[0].leaks = {};
+  const std::string html = BenchSections(bench, "out");
+  EXPECT_TRUE(Says(html, "1 in the drawing</td><td class=\"number\">–</td><td class=\"number\">–"));
+}
+
 TEST(BenchPage, EveryWorstCaseHasItsFileAndCommand) {
   const BenchResult bench = SampleBench();
   const std::string html = BenchSections(bench, "my/out");

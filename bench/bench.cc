@@ -262,8 +262,7 @@ void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Conten
   }
   const auto base = std::ranges::find(runs, described.baseline, &Run::method);
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    result.methods[runs[k].method].conversion_seconds =
-        runs[k].contender->method().conversion_seconds;
+    rows[k].conversion_seconds = runs[k].contender->conversion_seconds();
     if (!runs[k].failure.empty()) {
       result.left_out.push_back({at, runs[k].method, runs[k].failure});
       continue;

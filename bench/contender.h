@@ -47,6 +47,8 @@ class Contender {
   const BenchMethod& method() const { return method_; }
   /// The model that it is held to.
   const Profile& model() const { return model_; }
+  /// What it converts, besides its draws: seconds a triangle of the loaded family. NaN: nothing.
+  double conversion_seconds() const { return conversion_seconds_; }
   /// Its edge values, if it shows them.
   const EdgeEvaluator* edges() const { return edges_; }
 
@@ -84,6 +86,7 @@ class Contender {
   BenchMethod method_;
   Profile model_;
   const EdgeEvaluator* edges_ = nullptr;
+  double conversion_seconds_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A method of the table, into counts of either facing.

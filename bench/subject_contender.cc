@@ -128,7 +128,7 @@ class LibraryContender final : public SubjectContender {
   DrawTime Draw() override {
     const DrawTime converting = TimeOf(Job(empty_), 1);
     const DrawTime all = TimeOf(Job(scene_), 1);
-    method_.conversion_seconds = SecondsOf(converting) / Triangles();
+    conversion_seconds_ = SecondsOf(converting) / Triangles();
     const double wall = std::max(0.0, all.wall_seconds - converting.wall_seconds);
     const double processor = std::max(0.0, all.seconds - converting.seconds);
     return {.seconds = method_.clock == BenchClock::kWall ? wall : processor, .wall_seconds = wall};
@@ -172,7 +172,7 @@ class ProgramContender final : public SubjectContender {
     TimeOf(Job(scene_), 1);
     const double one = TimeOf(Job(scene_), 1).wall_seconds;
     if (method_.times_requests) {
-      method_.conversion_seconds = SlopeOf(Job(empty_), 1).seconds / Triangles();
+      conversion_seconds_ = SlopeOf(Job(empty_), 1).seconds / Triangles();
     }
     draws_ = 1;
     if (one > kLong || method_.times_requests) return;
@@ -200,7 +200,7 @@ class ProgramContender final : public SubjectContender {
       walls[i] = time.wall_seconds;
     }
     const Line line = FittedLine(counts, seconds);
-    if (!method_.times_requests) method_.conversion_seconds = line.start / Triangles();
+    if (!method_.times_requests) conversion_seconds_ = line.start / Triangles();
     return {.seconds = line.slope, .wall_seconds = FittedLine(counts, walls).slope};
   }
 

@@ -51,9 +51,6 @@ struct BenchMethod {
   double coordinate_limit = 0;     ///< beyond it nothing is stated; pixels
   std::uint64_t vertex_bytes = 0;  ///< that one vertex takes in the format that it reads
   std::uint64_t pixel_bits = 0;    ///< that one pixel takes in its sink
-  /// What it costs to turn the scene's vertices into its own and its answer into counts, seconds
-  /// for a triangle; not part of its time. NaN: nothing is converted.
-  double conversion_seconds = std::numeric_limits<double>::quiet_NaN();
   /// A program that takes no repeats: its time is that of a request, reading the scene and writing
   /// the answer included; the conversion is that of a request for a scene without triangles.
   bool times_requests = false;
@@ -149,6 +146,9 @@ struct BenchRow {
   Interval time;           ///< of the seconds
   double wall_median = 0;  ///< elapsed
   Interval ratio;          ///< to the baseline's of the same round
+  /// What it costs to turn the family's vertices into its own and its answer into counts, seconds
+  /// a triangle; not part of the time. NaN: nothing is converted.
+  double conversion_seconds = std::numeric_limits<double>::quiet_NaN();
   /// The time is that of storing what is covered, or less than twice that.
   bool binds_at_store = false;
   /// Whether its decisions were judged; else the errors say nothing.

@@ -28,7 +28,7 @@ constexpr auto kFileKeys = std::to_array<std::string_view>(
      "cliffs", "stages", "fingerprints"});
 constexpr auto kMethodKeys = std::to_array<std::string_view>(
     {"name", "summary", "kind", "target", "sink", "model", "clock", "proved", "users",
-     "coordinate_limit", "vertex_bytes", "pixel_bits", "conversion_seconds", "times_requests"});
+     "coordinate_limit", "vertex_bytes", "pixel_bits", "times_requests"});
 constexpr auto kFamilyKeys = std::to_array<std::string_view>(
     {"name", "summary", "width", "height", "clip_space", "constructed", "random",
      "largest_coordinate", "triangles", "covered", "judged_triangles", "judged_covered",
@@ -40,6 +40,7 @@ constexpr auto kRowKeys = std::to_array<std::string_view>({"family",
                                                            "seconds",
                                                            "wall_seconds",
                                                            "ratio",
+                                                           "conversion_seconds",
                                                            "store_limit",
                                                            "drawing_wrong",
                                                            "real",
@@ -162,7 +163,6 @@ BenchMethod MethodFromJson(const JsonValue& value) {
   method.coordinate_limit = Double(value, "coordinate_limit");
   method.vertex_bytes = Count(value, "vertex_bytes");
   method.pixel_bits = Count(value, "pixel_bits");
-  method.conversion_seconds = Double(value, "conversion_seconds");
   method.times_requests = Boolean(value.Get("times_requests"));
   return method;
 }
@@ -229,6 +229,7 @@ BenchRow RowFromJson(const JsonValue& value, const BenchResult& result) {
   row.method = MethodOf(value, result);
   row.time = IntervalOf(value.Get("seconds"));
   row.wall_median = Double(value, "wall_seconds");
+  row.conversion_seconds = Double(value, "conversion_seconds");
   row.ratio = IntervalOf(value.Get("ratio"));
   row.binds_at_store = Boolean(value.Get("store_limit"));
   ReadIfThere(value, "drawing_wrong", row.drawing_wrong,

@@ -11,8 +11,8 @@ namespace rasterproof::io {
 
 /// The record of a bench file's text. `place` begins the place of every error.
 ///
-/// Error:      InputError for what is no bench file of version 3, for values out of their range, and
-///             for rows that name a family, method or parameter that the file does not list.
+/// Error:      InputError for what is no bench file of version 3, for values out of their range,
+///             and for rows that name a family, method or parameter that the file does not list.
 BenchResult ParseBench(std::string_view text, const std::string& place);
 
 /// The same of a file; "-" is standard input.

@@ -1,11 +1,13 @@
 #include "report/bench_json.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/scene.h"
 #include "io/scene_json.h"
+#include "report/bench_decision.h"
 #include "report/json_writer.h"
 
 namespace rasterproof::report {
@@ -81,7 +83,6 @@ void WriteMethod(JsonWriter& json, const BenchMethod& method) {
   json.Key("coordinate_limit").Shortest(method.coordinate_limit);
   json.Key("vertex_bytes").Integer(method.vertex_bytes);
   json.Key("pixel_bits").Integer(method.pixel_bits);
-  json.Key("conversion_seconds").Shortest(method.conversion_seconds);
   json.Key("times_requests").Bool(method.times_requests);
   json.EndObject();
 }
@@ -118,6 +119,7 @@ void WriteRow(JsonWriter& json, const BenchResult& result, const BenchRow& row) 
   WriteInterval(json, "seconds", row.time);
   json.Key("wall_seconds").Shortest(row.wall_median);
   WriteInterval(json, "ratio", row.ratio);
+  json.Key("conversion_seconds").Shortest(row.conversion_seconds);
   json.Key("store_limit").Bool(row.binds_at_store);
   if (row.drawing_wrong) json.Key("drawing_wrong").Integer(*row.drawing_wrong);
   if (row.is_judged) {
@@ -144,6 +146,31 @@ void WriteLeftOut(JsonWriter& json, const BenchResult& result, const BenchLeftOu
   WriteMethodKey(json, result, left_out.method);
   json.Key("why").Text(left_out.why);
   json.EndObject();
+}
+
+void WriteDecision(JsonWriter& json, const BenchResult& result, std::uint32_t family, Need need) {
+  const std::optional<Decision> decision = Decide(result, family, need);
+  if (!decision) return;
+  json.BeginObject();
+  json.Key("family").Text(result.families[family].name);
+  json.Key("need").Text(NeedName(need));
+  WriteMethodKey(json, result, decision->row->method);
+  json.Key("nanoseconds_a_triangle").Rounded(NanosecondsATriangle(result, *decision->row));
+  json.Key("ratio_to_fastest").Rounded(decision->ratio);
+  json.Key("tied_with_fastest").Bool(decision->is_tied_with_fastest);
+  json.Key("tied").BeginArray();
+  for (const BenchRow* row : decision->tied) json.Text(FullName(result.methods[row->method]));
+  json.EndArray();
+  json.EndObject();
+}
+
+// What follows from the rows, for programs to read; the parser leaves it out.
+void WriteDecisions(JsonWriter& json, const BenchResult& result) {
+  json.Key("decisions").BeginArray();
+  for (std::uint32_t family = 0; family < result.families.size(); ++family) {
+    for (const Need need : kNeeds) WriteDecision(json, result, family, need);
+  }
+  json.EndArray();
 }
 
 void WriteParameter(JsonWriter& json, const BenchParameter& parameter) {
@@ -248,6 +275,7 @@ std::string BenchToJson(const BenchResult& result) {
   WriteArray(json, "families", result.families, in_result(WriteFamily));
   WriteArray(json, "rows", result.rows, in_result(WriteRow));
   WriteArray(json, "left_out", result.left_out, in_result(WriteLeftOut));
+  WriteDecisions(json, result);
   WriteArray(json, "parameters", result.parameters, alone(WriteParameter));
   WriteArray(json, "curves", result.curves, in_result(WriteCurve));
   WriteArray(json, "cliffs", result.cliffs, in_result(WriteCliff));

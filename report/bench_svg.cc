@@ -11,18 +11,14 @@
 #include <vector>
 
 #include "fmt/format.h"
-#include "report/bench_text.h"
+#include "report/bench_decision.h"
+#include "report/bench_page_parts.h"
 #include "report/text.h"
 
 namespace rasterproof::report {
 namespace {
 
-constexpr std::string_view kSink = "facing";
-constexpr double kMostWrong = 0.01;
-
 // Of a panel, in user units.
-constexpr double kPanelWidth = 400;
-constexpr double kPanelHeight = 310;
 constexpr double kLeft = 66;
 constexpr double kTop = 56;
 constexpr double kPlotWidth = 310;
@@ -45,11 +41,6 @@ constexpr std::array<Kind, 5> kKinds{{{"float32", "#0072b2"},
                                       {"exact", "#009e73"},
                                       {"yours", "#d55e00"}}};
 
-double WrongShare(const BenchResult& result, const BenchRow& row) {
-  const std::uint64_t of = result.families[row.family].boundary_pairs;
-  return of == 0 ? 0 : static_cast<double>(row.real.Wrong()) / static_cast<double>(of);
-}
-
 double XOf(double ratio) {
   const double at = std::log(std::clamp(ratio, kLeastRatio, kMostRatio) / kLeastRatio) /
                     std::log(kMostRatio / kLeastRatio);
@@ -58,20 +49,14 @@ double XOf(double ratio) {
 
 double YOf(const BenchResult& result, const BenchRow& row) {
   const double lane = (kPlotHeight - kRateHeight) / 2;
-  switch (LaneOf(result, row)) {
-    case ErrorLane::kProved:
-      return kTop + kRateHeight + 1.5 * lane;
-    case ErrorLane::kNone:
-      return kTop + kRateHeight + 0.5 * lane;
-    case ErrorLane::kRate:
-    case ErrorLane::kNotJudged:
-      break;
-  }
-  const double share = std::clamp(WrongShare(result, row), kLeastRate, 1.0);
-  return kTop + kRateHeight * std::log(share) / std::log(kLeastRate);
+  const RowError error = ErrorOf(result, row, ErrorKind::kReal);
+  if (error.lane == ErrorLane::kProved) return kTop + kRateHeight + 1.5 * lane;
+  if (error.lane == ErrorLane::kNone) return kTop + kRateHeight + 0.5 * lane;
+  return kTop +
+         kRateHeight * std::log(std::clamp(error.value, kLeastRate, 1.0)) / std::log(kLeastRate);
 }
 
-// Circle, square, triangle or diamond, by kind.
+// Circle, triangle upside down, square, triangle or diamond, by kind.
 std::string Mark(std::string_view kind, double x, double y, bool is_hollow) {
   const auto found = std::ranges::find(kKinds, kind, &Kind::name);
   const Kind& shown = found == kKinds.end() ? kKinds.front() : *found;
@@ -80,6 +65,10 @@ std::string Mark(std::string_view kind, double x, double y, bool is_hollow) {
   constexpr double kR = 4;
   if (shown.name == "exact") {
     return fmt::format("<path d=\"M{:.1f} {:.1f}l{} {}h{}z\" {}/>", x, y - kR, kR, 2 * kR, -2 * kR,
+                       style);
+  }
+  if (shown.name == "float64") {
+    return fmt::format("<path d=\"M{:.1f} {:.1f}l{} {}h{}z\" {}/>", x, y + kR, kR, -2 * kR, -2 * kR,
                        style);
   }
   if (shown.name == "fixed point") {
@@ -106,8 +95,7 @@ std::string Title(const BenchResult& result, const BenchRow& row) {
       "{} ({}): {:.3g} [{:.3g}, {:.3g}] of the baseline's time, {:.4g} ns a "
       "triangle; {} of {} pairs wrong",
       method.name, method.target, row.ratio.median, row.ratio.low, row.ratio.high,
-      NanosecondsATriangle(result, row), row.real.Wrong(),
-      result.families[row.family].boundary_pairs);
+      NanosecondsATriangle(result, row), WrongBesideEdges(row, row.real), row.boundary_pairs);
 }
 
 // A sentence at its last blank that leaves the first line short enough for a panel.
@@ -144,37 +132,50 @@ std::string Axes(const BenchFamily& family) {
   return svg;
 }
 
-std::string PanelOf(const BenchResult& result, std::uint32_t family) {
-  std::string svg = Axes(result.families[family]);
-  const std::vector<const BenchRow*> frontier = Frontier(result, family, std::string(kSink));
-  std::string path;
-  for (const BenchRow* row : frontier) {
-    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", XOf(row->ratio.median),
-                        YOf(result, *row));
-  }
-  if (frontier.size() > 1) svg += fmt::format("<path class=\"front\" d=\"{}\"/>\n", path);
-  for (const BenchRow& row : result.rows) {
-    if (row.family != family || result.methods[row.method].sink != kSink || !row.is_judged)
-      continue;
-    const double y = YOf(result, row);
-    svg += fmt::format("<g><title>{}</title>", Escaped(Title(result, row)));
-    svg += fmt::format("<path class=\"bar\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", XOf(row.ratio.low), y,
-                       XOf(row.ratio.high));
-    svg += Mark(result.methods[row.method].kind, XOf(row.ratio.median), y, !IsRival(result, row)) +
-           "</g>\n";
-  }
-  double below = kTop + kPlotHeight + 32;
-  for (std::size_t k = 0; k < frontier.size(); ++k) {
-    const BenchMethod& method = result.methods[frontier[k]->method];
-    svg += Text(XOf(frontier[k]->ratio.median), YOf(result, *frontier[k]) - 7, "middle",
-                std::to_string(k + 1), "font-weight=\"600\" font-size=\"9\"");
-    if (k < 4) {
-      svg += Text(
-          kLeft, below, "start",
-          fmt::format("{} {} ({}): {:.3g} x, {:.4g} ns/triangle", k + 1, method.name, method.target,
-                      frontier[k]->ratio.median, NanosecondsATriangle(result, *frontier[k])));
+std::string Point(const BenchResult& result, const BenchRow& row) {
+  const double y = YOf(result, row);
+  return fmt::format(
+      "<g><title>{}</title><path class=\"bar\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>{}</g>\n",
+      Escaped(Title(result, row)), XOf(row.ratio.low), y, XOf(row.ratio.high),
+      Mark(result.methods[row.method].kind, XOf(row.ratio.median), y, !IsRival(result, row)));
+}
+
+// Those that are numbered and named: the cheapest of the frontier, and its least wrong.
+std::vector<const BenchRow*> Named(std::vector<const BenchRow*> frontier) {
+  constexpr std::size_t kMost = 4;
+  if (frontier.size() > kMost) frontier.erase(frontier.begin() + kMost - 1, frontier.end() - 1);
+  return frontier;
+}
+
+// Numbers beside points, each where it meets none before it.
+std::string Numbers(const BenchResult& result, const std::vector<const BenchRow*>& named) {
+  constexpr std::array<std::array<double, 2>, 8> kPlaces{
+      {{0, -7}, {0, 15}, {9, 3}, {-9, 3}, {9, -7}, {-9, -7}, {9, 15}, {-9, 15}}};
+  std::vector<std::array<double, 2>> taken;
+  std::string svg;
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    std::array<double, 2> at{};
+    for (const auto& [dx, dy] : kPlaces) {
+      at = {XOf(named[k]->ratio.median) + dx, YOf(result, *named[k]) + dy};
+      const bool is_free = std::ranges::none_of(taken, [&](const std::array<double, 2>& other) {
+        return std::abs(other[0] - at[0]) < 8 && std::abs(other[1] - at[1]) < 12;
+      });
+      if (is_free) break;
     }
-    below += 13;
+    taken.push_back(at);
+    svg += Text(at[0], at[1], "middle", std::to_string(k + 1), "class=\"place\"");
+  }
+  return svg;
+}
+
+std::string NamesBelow(const BenchResult& result, const std::vector<const BenchRow*>& named) {
+  std::string svg;
+  double y = kTop + kPlotHeight + 32;
+  for (std::size_t k = 0; k < named.size(); ++k, y += 13) {
+    svg += Text(kLeft, y, "start",
+                fmt::format("{} {}: {:.3g} x, {} ns/triangle", k + 1,
+                            FullName(result.methods[named[k]->method]), named[k]->ratio.median,
+                            NumberText(NanosecondsATriangle(result, *named[k]))));
   }
   return svg;
 }
@@ -182,40 +183,29 @@ std::string PanelOf(const BenchResult& result, std::uint32_t family) {
 constexpr std::string_view kStyle =
     "<style>text{font:11px system-ui,'DejaVu Sans',sans-serif;fill:#23262d}.soft{fill:#626975}"
     ".grid{stroke:#eceef1}.lane{stroke:#b8bdc6;stroke-dasharray:3 3}.bar{stroke:#3a3f48;"
-    "stroke-width:1}.front{fill:none;stroke:#009e73;stroke-width:1.5;opacity:.6}</style>\n";
+    "stroke-width:1}.front{fill:none;stroke:#009e73;stroke-width:1.5;opacity:.6}"
+    ".place{font-weight:600;font-size:9px}</style>\n";
 
 }  // namespace
 
-bool IsRival(const BenchResult& result, const BenchRow& row) {
-  const BenchFamily& family = result.families[row.family];
-  return row.is_judged && WrongShare(result, row) < kMostWrong &&
-         family.largest_coordinate <= result.methods[row.method].coordinate_limit;
-}
-
-std::vector<const BenchRow*> Frontier(const BenchResult& result, std::uint32_t family,
-                                      const std::string& sink) {
-  std::vector<const BenchRow*> rivals;
+std::string BenchPanel(const BenchResult& result, std::uint32_t family, PanelPoints which) {
+  std::string svg = Axes(result.families[family]);
+  const std::vector<const BenchRow*> frontier =
+      Frontier(result, family, kCommonSink, ErrorKind::kReal);
+  std::string path;
+  for (const BenchRow* row : frontier) {
+    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", XOf(row->ratio.median),
+                        YOf(result, *row));
+  }
+  if (frontier.size() > 1) svg += fmt::format("<path class=\"front\" d=\"{}\"/>\n", path);
   for (const BenchRow& row : result.rows) {
-    const bool is_here = row.family == family && result.methods[row.method].sink == sink;
-    if (is_here && IsRival(result, row)) rivals.push_back(&row);
+    const bool is_here = row.family == family && result.methods[row.method].sink == kCommonSink;
+    const bool is_shown =
+        which == PanelPoints::kAll || std::ranges::find(frontier, &row) != frontier.end();
+    if (is_here && row.is_judged && is_shown && !IsBaselineAgain(result, row))
+      svg += Point(result, row);
   }
-  // Proved before 0 of N before rates; then by the share.
-  const auto error = [&](const BenchRow* row) {
-    return std::pair(LaneOf(result, *row), WrongShare(result, *row));
-  };
-  std::vector<const BenchRow*> frontier;
-  for (const BenchRow* row : rivals) {
-    const bool is_beaten = std::ranges::any_of(rivals, [&](const BenchRow* other) {
-      return other->ratio.high < row->ratio.low && error(other) <= error(row);
-    });
-    const bool is_tied_and_worse = std::ranges::any_of(rivals, [&](const BenchRow* other) {
-      return !AreApart(other->ratio, row->ratio) && error(other) < error(row);
-    });
-    if (!is_beaten && !is_tied_and_worse) frontier.push_back(row);
-  }
-  std::ranges::sort(frontier, {},
-                    [](const BenchRow* row) { return std::pair(row->ratio.median, row->method); });
-  return frontier;
+  return svg + Numbers(result, Named(frontier)) + NamesBelow(result, Named(frontier));
 }
 
 std::string BenchToSvg(const BenchResult& result) {
@@ -230,7 +220,7 @@ std::string BenchToSvg(const BenchResult& result) {
   for (int k = 0; k < panels; ++k) {
     svg += fmt::format("<g transform=\"translate({} {})\">\n", (k % kColumns) * kPanelWidth,
                        (k / kColumns) * kPanelHeight);
-    svg += PanelOf(result, static_cast<std::uint32_t>(k)) + "</g>\n";
+    svg += BenchPanel(result, static_cast<std::uint32_t>(k), PanelPoints::kAll) + "</g>\n";
   }
   double x = kLeft;
   for (const Kind& kind : kKinds) {

@@ -4,22 +4,20 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "core/bench_result.h"
 
 namespace rasterproof::report {
 
-/// The rows of a family and sink that no other one beats: cheaper by more than both intervals, and
-/// no more wrong. Cheapest first. Rows outside their method's limit, with 1 % wrong or more, or not
-/// judged are no rivals: a wrong answer is often fast.
-///
-/// Properties: of rows whose intervals overlap none beats the other by its time: they are tied.
-std::vector<const BenchRow*> Frontier(const BenchResult& result, std::uint32_t family,
-                                      const std::string& sink);
+/// Size of a panel, in user units.
+inline constexpr double kPanelWidth = 400;
+inline constexpr double kPanelHeight = 310;
 
-/// Whether the row counts for the frontier.
-bool IsRival(const BenchResult& result, const BenchRow& row);
+enum class PanelPoints : std::uint8_t { kAll, kFrontier };
+
+/// The panel of a family, to be put into an SVG element whose style sheet has the classes soft,
+/// grid, lane, bar, front and place.
+std::string BenchPanel(const BenchResult& result, std::uint32_t family, PanelPoints which);
 
 /// A panel a family: run time over the baseline's, of the sink that all methods have ("facing"),
 /// against the share of wrong pairs at most a pixel from an edge, in three lanes: proved 0, 0 of N,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fmt/format.h"
+#include "report/bench_decision.h"
 
 namespace rasterproof::report {
 namespace {
@@ -63,7 +64,7 @@ std::string UsersText(const BenchResult& result, std::size_t at) {
     if (!method.is_users) continue;
     text += fmt::format(
         "  {}: {:.1f} ns a triangle {}{}; {} triangles judged\n", method.name,
-        1e9 * method.conversion_seconds,
+        1e9 * row->conversion_seconds,
         method.times_requests
             ? "are those of a scene without triangles: it takes no repeats, so that its time is "
               "that of\n  a request, reading the scene and writing the answer included"
@@ -114,18 +115,6 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
 }
 
 }  // namespace
-
-ErrorLane LaneOf(const BenchResult& result, const BenchRow& row) {
-  if (!row.is_judged) return ErrorLane::kNotJudged;
-  if (row.real.Wrong() != 0) return ErrorLane::kRate;
-  const BenchMethod& method = result.methods[row.method];
-  return method.is_proved && method.model == "real" ? ErrorLane::kProved : ErrorLane::kNone;
-}
-
-double NanosecondsATriangle(const BenchResult& result, const BenchRow& row) {
-  const std::uint64_t triangles = result.families[row.family].triangles;
-  return triangles == 0 ? 0 : 1e9 * row.time.median / static_cast<double>(triangles);
-}
 
 std::string BenchToTable(const BenchResult& result) {
   const BenchSetting& setting = result.setting;

@@ -7,11 +7,17 @@
 #include <vector>
 
 #include "fmt/format.h"
+#include "report/bench_page.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
 namespace rasterproof::report {
 namespace {
+
+std::string Headline(const Page& page) {
+  const std::string cost = page.bench ? BenchSentence(*page.bench) : "";
+  return cost.empty() ? VerdictSentence(page) : cost + " " + VerdictSentence(page);
+}
 
 // How much there is, in one line.
 std::string Extent(const Page& page) {
@@ -81,7 +87,8 @@ std::string PageToHtml(const Page& page) {
   std::string html = fmt::format(
       "<header>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n<p class=\"why\">{}</p>\n"
       "</header>\n",
-      Escaped(page.title), VerdictSentence(page), Extent(page));
+      Escaped(page.title), Headline(page), Extent(page));
+  if (page.bench) html += BenchSections(*page.bench, page.folder);
   html += Section("verdicts", "Verdicts", "A name leads to all that is known of the subject.",
                   VerdictGroups(page));
   html += Section("pictures", "Failures",
@@ -103,7 +110,7 @@ std::string PageToHtml(const Page& page) {
       Section("words", "Words", "What the report says, and means by it.", std::string(kGlossary));
   html += Section("environment", "Environment", "Where this was found, and by which command.",
                   Environments(page.certificates) + Commands(page));
-  return Document(page.title, html);
+  return Document(page.title, html, page.bench.has_value());
 }
 
 }  // namespace rasterproof::report

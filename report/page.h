@@ -1,11 +1,14 @@
 // The report: a page of all subjects, and beside it a page of each with all that is known of it.
-// They show pictures that lie beside them, load nothing else, and run one script that sorts tables.
+// They show pictures that lie beside them, load nothing else, and run
+// one script that sorts tables, and one that draws and filters what a bench found.
 #ifndef RASTERPROOF_REPORT_PAGE_H_
 #define RASTERPROOF_REPORT_PAGE_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/bench_result.h"
 #include "report/certificate.h"
 
 namespace rasterproof::report {
@@ -28,10 +31,13 @@ struct Page {
   bool is_survey = false;
   std::vector<Certificate> certificates;
   std::vector<Picture> pictures;
+  std::optional<BenchResult> bench = std::nullopt;  ///< error against run time, before the verdicts
+  std::string folder = "out";                       ///< where the page lies, as commands on it say
 };
 
-/// The page of all subjects: the verdict in a sentence, the subjects in groups by what they state,
-/// pictures of failures, scenes, properties, environment.
+/// The page of all subjects: what was shown in a sentence or two; error against run time, where a
+/// bench is given; the subjects in groups by what they state, pictures of failures, scenes,
+/// properties, environment.
 ///
 /// Properties: each subject costs a row here and there; what is known of it lies on its own page,
 ///             `<folder of the certificate>/report.html`.

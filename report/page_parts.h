@@ -27,8 +27,9 @@ inline constexpr std::string_view kRealProfile = "real";
 /// Tables of more rows, and lists of more pictures, are folded at first.
 inline constexpr std::size_t kMostUnfolded = 12;
 
-/// A whole document. `body` goes into its main element.
-std::string Document(std::string_view title, const std::string& body);
+/// A whole document. `body` goes into its main element; a body with a bench's sections has their
+/// style and script.
+std::string Document(std::string_view title, const std::string& body, bool has_bench = false);
 /// Nothing if the body is empty.
 std::string Section(std::string_view anchor, std::string_view title, std::string_view intro,
                     const std::string& body);

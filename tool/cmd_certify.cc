@@ -9,13 +9,17 @@
 #include <vector>
 
 #include "core/authority.h"
+#include "core/bench_result.h"
 #include "core/error.h"
 #include "core/subject_info.h"
 #include "fmt/format.h"
+#include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "io/scene_file.h"
 #include "props/domains/worlds.h"
 #include "props/run/campaign_part.h"
+#include "report/bench_page.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/page.h"
@@ -125,6 +129,15 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
   }
 }
 
+// What the page's commands read: wrong decisions as scenes.
+void WriteBenchCases(const std::string& output, const BenchResult& bench) {
+  const std::vector<report::BenchCase> cases = report::BenchCases(bench);
+  if (!cases.empty()) io::MakeFolder(output + "/bench");
+  for (const report::BenchCase& one : cases) {
+    io::WriteFile(output + "/" + one.file, io::SceneToJson(one.scene));
+  }
+}
+
 // The page of all subjects comes last: what it leads to and shows is then there, each file whole.
 std::string WritePages(const std::string& output, const report::Page& page) {
   for (const report::Picture& picture : page.pictures) {
@@ -136,6 +149,7 @@ std::string WritePages(const std::string& output, const report::Page& page) {
     io::WriteFile(output + "/" + certificate.folder + "/report.html",
                   report::SubjectPageToHtml(page, certificate));
   }
+  if (page.bench) WriteBenchCases(output, *page.bench);
   const std::string path = output + "/report.html";
   io::WriteFile(path, report::PageToHtml(page));
   return path;
@@ -314,6 +328,7 @@ void RequireForAPart(const CertifyOptions& options) {
   if (options.campaign.seconds > 0) refuse("--seconds", "say how many cases, not how long");
   if (!options.scene_set.empty()) refuse("--scenes", "give it to merge, which measures the scenes");
   if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to merge");
+  if (!options.bench.empty()) refuse("--bench", "give it where a page is made: without a part");
   if (options.range && !options.shard.empty()) {
     refuse("--shard beside it", "give --cases N with --shard, or --cases A..B alone");
   }
@@ -337,8 +352,10 @@ int RunCertify(const CertifyOptions& options) {
 
 int Certify(const CertifyOptions& options, const Source& source) {
   const std::vector<AskedSubject> subjects = SubjectsOf(options);
-  io::MakeFolder(options.output);
   report::Page page;
+  if (!options.bench.empty()) page.bench = io::ReadBench(options.bench);
+  page.folder = ShellWord(options.output);
+  io::MakeFolder(options.output);
   std::exception_ptr failure;
   {
     Progress progress;

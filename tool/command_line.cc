@@ -173,6 +173,9 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
+  verb->add_option(
+      "--bench", options.bench,
+      "File that bench --json wrote: the page then begins with error against run time");
   AddSeed(verb, options.campaign);
   verb->add_option_function<std::string>(
           "--cases", [](const std::string& text) { ParseCases(text, options); },

@@ -122,6 +122,7 @@ struct CertifyOptions {
   bool all = false;
   std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
   std::string output = "out";
+  std::string bench;  ///< file that bench --json wrote, for the page; empty: none
   CampaignChoice campaign;
   /// Only these cases, as a part. `campaign.cases` plays no role.
   std::optional<CaseRange> range;

@@ -62,7 +62,7 @@ TEST(ProgramContender, TakesTheSlopeOverRepeats) {
   const auto contender = MakeProgramContender(burns);
   contender->Load(family);
   EXPECT_NEAR(contender->Draw().seconds, 1, 1e-12);
-  EXPECT_NEAR(contender->method().conversion_seconds, 0.5, 1e-12);
+  EXPECT_NEAR(contender->conversion_seconds(), 0.5, 1e-12);
   EXPECT_FALSE(contender->method().times_requests);
   EXPECT_EQ(contender->method().clock, BenchClock::kProgram);
   burns.seconds = 0;
@@ -78,7 +78,7 @@ TEST(ProgramContender, TellsWhatARequestWithoutTrianglesTakesIfThereAreNoRepeats
   const auto contender = MakeProgramContender(reads);
   contender->Load(family);
   EXPECT_NEAR(contender->Draw().seconds, 2, 1e-12);
-  EXPECT_NEAR(contender->method().conversion_seconds, 0.75, 1e-12);
+  EXPECT_NEAR(contender->conversion_seconds(), 0.75, 1e-12);
   EXPECT_TRUE(contender->method().times_requests);
 }
 
@@ -103,7 +103,7 @@ TEST(LibraryContender, LeavesOutWhatADrawWithoutTrianglesTakes) {
   const auto contender = MakeSubjectContender(converts);
   contender->Load(family);
   EXPECT_DOUBLE_EQ(contender->Draw().seconds, 3);
-  EXPECT_DOUBLE_EQ(contender->method().conversion_seconds, 2);
+  EXPECT_DOUBLE_EQ(contender->conversion_seconds(), 2);
 }
 
 TEST(SubjectContender, IsJudgedPairByPair) {

@@ -63,11 +63,21 @@ BenchRow Row(std::uint32_t family, std::uint32_t method, double ratio, std::uint
         BenchWitness{7, {{{1.1, 2, 0, 1}, {9.25, 3, 0, 1}, {4, 11.7, 0, 1}}}, 5, 4, 0.015};
   }
   row.judged_triangles = 900;
-  row.boundary_pairs = 5000;
+  row.boundary_pairs = 10'000;
   row.real.beside_edges = row.own.beside_edges = wrong;
   row.values.edge = 0.001;
   row.values.edge_share_of_bound = 0.1;
   return row;
+}
+
+// A crowd of like methods: their names must not cover each other.
+void AddCrowd(BenchResult& result) {
+  for (std::uint32_t k = 0; k < 12; ++k) {
+    const auto method = static_cast<std::uint32_t>(result.methods.size());
+    result.methods.push_back(
+        Method("crowd-" + std::to_string(k), k % 2 == 0 ? "float64" : "float32", false));
+    result.rows.push_back(Row(0, method, 0.29 - 0.021 * k, 3 + 2 * k));
+  }
 }
 
 void AddLimits(BenchResult& result) {
@@ -109,9 +119,7 @@ BenchResult SampleBench() {
                     Method("i64-snap8", "fixed point", true),
                     Method("mine.so", "yours", false)};
   result.methods[5].is_users = true;
-  result.methods[5].conversion_seconds = 3e-9;
   result.methods[5].times_requests = true;
-  result.methods[2].sink = "facing";
   result.families = {Family("small"), Family("large")};
   for (const std::uint32_t family : {0U, 1U}) {
     result.rows.push_back(Row(family, 0, 1, 5));
@@ -125,6 +133,7 @@ BenchResult SampleBench() {
   result.rows[6].real = result.rows[6].own = {};
   result.rows[6].drawing_wrong.reset();
   result.left_out = {{1, 5, "it draws elsewhere"}};
+  AddCrowd(result);
   AddLimits(result);
   result.stages = {{"transform", "in float32", 12, 10'000, 0.001},
                    {"snap", "to 1/256 pixel", 300, 10'000, 0.0027}};

@@ -3,8 +3,10 @@
 
 usage: bench_command_test.py PROGRAM SOURCES EXAMPLES
 """
+import html
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -66,8 +68,8 @@ class Bench(unittest.TestCase):
         result = measured("--scene", "scenes/ties.json", *FEW, "--plugin", plugin)
         method = next(one for one in result["methods"] if one["users"])
         self.assertEqual(method["name"], "example_plugin.so")
-        self.assertGreater(method["conversion_seconds"], 0)
         row = next(row for row in result["rows"] if row["method"] == method["name"])
+        self.assertGreater(row["conversion_seconds"], 0)
         self.assertEqual(row["drawing_wrong"], 0)
 
     def test_the_kernel_behind_the_interface_of_plugins_draws_what_the_kernel_draws(self):
@@ -103,7 +105,7 @@ class Bench(unittest.TestCase):
             self.assertEqual(bench("--scene", "scenes/ties.json", *FEW, "--json", path).returncode, 0)
             same = bench("--from", path, "--against", path)
             self.assertEqual(same.returncode, 0, same.stderr)
-            self.assertIn("4 rows compared", same.stdout)
+            self.assertIn("6 rows compared", same.stdout)
             with open(path, encoding="utf-8") as file:
                 result = json.load(file)
             for row in result["rows"]:
@@ -165,6 +167,34 @@ class Bench(unittest.TestCase):
             said = " ".join(title.firstChild.data for title in titles)
             for name in ("textbook", "f32-incremental", "kernel-exact"):
                 self.assertIn(name, said)
+
+    def test_the_page_begins_with_it_and_its_commands_show_what_is_wrong(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bench.json")
+            done = bench("--scene", "scenes/ties.json", *FEW, "--json", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            certify = [PROGRAM, "certify", "--subject", "spans-exact", "--cases", "1",
+                       "--out", folder]  # fmt: skip
+            done = subprocess.run([*certify, "--bench", path], cwd=SOURCES, capture_output=True,
+                                  text=True, timeout=200)  # fmt: skip
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
+                page = html.unescape(re.sub("</?span>", "", file.read()))
+            self.assertLess(page.index('id="which"'), page.index('id="verdicts"'))
+            command = re.search(r"rasterproof (explain \S+ties-textbook[^<]*)", page)[1].split()
+            done = subprocess.run([PROGRAM, *command], capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("samples differ", done.stdout)
+
+            with open(path, encoding="utf-8") as file:
+                old = file.read().replace('"rasterproof_bench": 3', '"rasterproof_bench": 2')
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(old)
+            for more in ((), ("--shard", "1/2")):
+                done = subprocess.run([*certify, "--bench", path, *more], cwd=SOURCES,
+                                      capture_output=True, text=True, timeout=60)  # fmt: skip
+                self.assertEqual(done.returncode, 2)
+                self.assertIn("a page is made" if more else "measure again", done.stderr)
 
     def test_names_and_times_that_are_none_are_refused(self):
         for arguments, words in (

@@ -1,0 +1,70 @@
+// The parts of the page's sections on error against run time, each a piece of HTML.
+#ifndef RASTERPROOF_REPORT_BENCH_PAGE_PARTS_H_
+#define RASTERPROOF_REPORT_BENCH_PAGE_PARTS_H_
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/bench_result.h"
+#include "report/bench_decision.h"
+
+namespace rasterproof::report {
+
+/// The style sheet of these sections; plots have its classes.
+extern const std::string_view kBenchStyle;
+/// Draws the plot of the chosen family and error, fills and filters the table, saves files. The
+/// page says the most important of it without: decision table, small plots, a first table.
+extern const std::string_view kBenchScript;
+/// base64(SHA-256(kBenchScript))
+extern const std::string_view kBenchScriptHash;
+
+/// Pixels of a frame: 1920 x 1080 and 3840 x 2160.
+inline constexpr std::array<std::uint64_t, 2> kFramePixels{std::uint64_t{1920} * 1080,
+                                                           std::uint64_t{3840} * 2160};
+
+/// Three digits, or the unit in groups: "0.0123", "34.2", "157 583".
+std::string NumberText(double value);
+/// "proved 0", "0 of 12 345", "45 of 12 345": of the pairs of the row's family at most a pixel from
+/// an edge.
+std::string WrongText(const BenchResult& bench, const BenchRow& row);
+
+/// Of each family and need the cheapest method.
+std::string DecisionTable(const BenchResult& bench);
+/// A row a piece of textbook advice: what following it costs and what it gets wrong.
+std::string AdviceTable(const BenchResult& bench);
+/// A row a family of each method of the user's: beside the fastest and the proved.
+std::string UsersTable(const BenchResult& bench);
+
+/// Pickers, plot and table of all rows.
+std::string ParetoParts(const BenchResult& bench);
+/// A panel a family, the frontier alone.
+std::string FamilyPanels(const BenchResult& bench);
+
+/// Where each method ends, as a table. `folder`: of the page, in commands.
+std::string CliffTable(const BenchResult& bench, std::string_view folder);
+/// A plot a parameter and measure.
+std::string CurvePlots(const BenchResult& bench);
+std::string FingerprintPictures(const BenchResult& bench);
+/// Pictures and commands, folded by family.
+std::string WorstCases(const BenchResult& bench, std::string_view folder);
+std::string StageBars(const BenchResult& bench);
+
+/// "bench/fan-f32-affine.json"
+std::string FileOf(std::string_view prefix, const BenchMethod& method);
+
+/// The row's worst case by real geometry and the file that it has beside the page.
+struct WorstCase {
+  const BenchRow* row = nullptr;
+  std::string file;
+};
+/// One for each family and name of a method that has one.
+std::vector<WorstCase> WorstCasesOf(const BenchResult& bench);
+/// The file of a cliff's scene.
+std::string CliffFile(const BenchResult& bench, const BenchCliff& cliff);
+
+}  // namespace rasterproof::report
+
+#endif  // RASTERPROOF_REPORT_BENCH_PAGE_PARTS_H_

@@ -30,8 +30,8 @@ namespace {
 namespace kernels = reference::kernels;
 
 // Shorter draws are repeated until they add up to this: clocks cost some tenths of a microsecond.
-constexpr double kLeastSeconds = 1e-3;
-constexpr int kMostDraws = 64;
+constexpr double kLeastSeconds = 1e-4;
+constexpr int kMostDraws = 16;
 constexpr std::string_view kAgain = " again";
 
 // Measures the same method under another name.

@@ -13,8 +13,12 @@
 #include <vector>
 
 #include "bench/bench.h"
+#include "bench/cliff.h"
 #include "bench/contender.h"
+#include "bench/curve.h"
 #include "bench/family.h"
+#include "bench/parameter.h"
+#include "bench/scene_drawer.h"
 #include "core/bench_result.h"
 #include "core/clock.h"
 #include "core/error.h"
@@ -183,6 +187,30 @@ std::vector<std::string> ProgramNames(const BenchOptions& options) {
   return names;
 }
 
+// Where each method ends, and how it gets there: costs of all sizes where there is time.
+void AddLimits(const std::vector<std::unique_ptr<bench::Contender>>& contenders,
+               const std::vector<std::unique_ptr<Subject>>& subjects, bool is_quick,
+               Progress& progress, BenchResult& result) {
+  bench::LimitOptions limits;
+  limits.progress = [&](const std::string& stage) { progress.Stage(stage); };
+  bench::CurveOptions curves;
+  curves.progress = limits.progress;
+  if (is_quick) {
+    for (const bench::Parameter& parameter : bench::Parameters()) {
+      curves.parameters.emplace_back(parameter.name);
+    }
+  } else {
+    curves.most_triangles = 1'000'000;
+  }
+  bench::RunCliffs(contenders, limits, result);
+  bench::RunCurves(contenders, curves, result);
+  for (const std::unique_ptr<Subject>& subject : subjects) {
+    const auto drawer = bench::DrawerOf(*subject);
+    bench::RunCliffs(*drawer, limits, result);
+    bench::RunCurves(*drawer, curves, result);
+  }
+}
+
 BenchResult Measured(const BenchOptions& options) {
   auto contenders = ContendersOf(options);
   std::vector<std::unique_ptr<Subject>> subjects;
@@ -202,9 +230,12 @@ BenchResult Measured(const BenchOptions& options) {
   bench::BenchOptions bench_options;
   // Six are the least that give an interval of 95 %.
   bench_options.least_rounds = options.budget < kFullFrom ? 6 : 9;
-  bench_options.judged_pixels = options.budget < kFullFrom ? 500'000 : 4'000'000;
+  bench_options.judged_pixels = options.budget < kFullFrom ? 300'000 : 4'000'000;
   bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
   const double end = WallSeconds() + options.budget;
+  for (const auto& contender : contenders) result.methods.push_back(contender->method());
+  const bool is_whole = options.families.empty() && options.scenes.empty();
+  if (is_whole) AddLimits(contenders, subjects, result.setting.is_quick, progress, result);
   auto left = static_cast<double>(families.size());
   for (const bench::FamilyInput& family : families) {
     bench_options.seconds_per_family = (end - WallSeconds()) / left--;

@@ -187,9 +187,8 @@ BenchFamily Describe(const FamilyInput& family, const JudgedTriangles& judged) {
   described.is_random = family.is_random;
   described.triangles = scene.triangles.size();
   for (const Vertex& v : scene.vertices) {
-    const double by = scene.clip_space ? v.w : 1;
     described.largest_coordinate =
-        std::max({described.largest_coordinate, std::abs(v.x / by), std::abs(v.y / by)});
+        std::max({described.largest_coordinate, std::abs(v.x), std::abs(v.y)});
   }
   const CoverageCounts counts = exact::Coverage(scene, Profile{});
   for (std::size_t i = 0; i < counts.size(); ++i) described.covered += counts.Count(i);

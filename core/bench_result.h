@@ -76,7 +76,7 @@ struct BenchFamily {
   bool is_constructed = false;
   /// Its triangles are independent draws of one distribution: 0 of N bounds the rate by 3/N.
   bool is_random = false;
-  double largest_coordinate = 0;  ///< magnitude, pixels
+  double largest_coordinate = 0;  ///< magnitude, pixels; of clip space before the division
   std::uint64_t triangles = 0;
   std::uint64_t covered = 0;  ///< pairs (triangle, sample) that exact geometry covers
   /// Of the triangles whose errors were counted (all, or every n-th block of 64):

@@ -100,7 +100,7 @@ std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod 
                                                reference::kernels::Sink sink);
 
 /// A user's subject in this process, into what it shows. Its time is that of a draw less that of a
-/// draw of the same vertices without triangles, which is what it converts; the latter is told apart.
+/// draw of the same vertices without triangles: what it converts, which is told apart.
 ///
 /// Domain:     one sample a pixel, in its centre; the subject outlives the contender.
 std::unique_ptr<Contender> MakeSubjectContender(Subject& subject);

@@ -1,4 +1,4 @@
-# Writes OUTPUT, the source that defines rasterproof::tool::kCommit, if the commit of SOURCES changed.
+# Writes OUTPUT, which defines rasterproof::tool::kCommit, if the commit of SOURCES changed.
 set(commit unknown)
 execute_process(COMMAND git -C ${SOURCES} rev-parse --short=12 HEAD OUTPUT_VARIABLE found
   RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)

@@ -20,8 +20,8 @@ struct SceneEntry {
 };
 
 /// Reads {"rasterproof_scene_set": 1, "scenes": [{"name", "summary", "path", "kind": "real" |
-/// "hard", "camera", "project", "width", "height"}]}; name and path are required. Relative paths are
-/// relative to the file's folder.
+/// "hard", "camera", "project", "width", "height"}]}; name and path are required. Relative paths
+/// are relative to the file's folder.
 ///
 /// Error:      InputError with file, place, reason and remedy; unknown keys are errors.
 std::vector<SceneEntry> ReadSceneSet(const std::string& path);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,8 +90,13 @@ std::vector<BenchChange> BenchChanges(const BenchResult& before, const BenchResu
       changes.push_back(change);
     }
   }
-  std::ranges::stable_partition(changes, &BenchChange::IsForTheWorse);
-  return changes;
+  std::vector<BenchChange> sorted;
+  for (const bool worse : {true, false}) {
+    std::ranges::copy_if(changes, std::back_inserter(sorted), [worse](const BenchChange& change) {
+      return change.IsForTheWorse() == worse;
+    });
+  }
+  return sorted;
 }
 
 std::string BenchChangesText(const BenchResult& before, const BenchResult& now) {

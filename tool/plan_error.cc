@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/coverage.h"
@@ -180,7 +181,9 @@ std::vector<ErrorChoice> ErrorChoices(const BenchResult& bench, std::size_t fami
                        .nanoseconds = 1e9 * row.time.median / triangles,
                        .meets = error.pixels <= most_pixels});
   }
-  std::ranges::stable_sort(choices, {}, &ErrorChoice::nanoseconds);
+  std::ranges::sort(choices, {}, [](const ErrorChoice& one) {
+    return std::tuple(one.nanoseconds, std::string_view(one.method), std::string_view(one.target));
+  });
   return choices;
 }
 

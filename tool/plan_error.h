@@ -36,8 +36,8 @@ struct ProvedError {
 };
 ProvedError ProvedErrorOf(std::string_view method, const Scene& scene);
 
-/// The family of the bench whose triangles are the nearest in size to the scene's, or the one of the
-/// scene's own name.
+/// The family of the bench whose triangles are the nearest in size to the scene's, or the one of
+/// the scene's own name.
 ///
 /// Error:      InputError if the bench has no family of the scene's kind of coordinates.
 std::size_t NearestFamily(const BenchResult& bench, const Scene& scene, const std::string& place);

@@ -17,6 +17,7 @@
 #include "core/subject_info.h"
 #include "core/target_size.h"
 #include "subjects/process/child.h"
+#include "subjects/process/outcomes.h"
 #include "subjects/process/protocol.h"
 
 namespace rasterproof::subjects {
@@ -44,49 +45,6 @@ class EndedByItself : public SubjectFault {
 constexpr double kHangFactor = 10;
 // How often in a subject's life that is tried.
 constexpr int kMostTries = 3;
-
-std::exception_ptr Thrown(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (...) {
-    return std::current_exception();
-  }
-  return nullptr;
-}
-
-bool IsHang(const DrawOutcome& outcome) {
-  try {
-    outcome.Get();
-    return false;
-  } catch (const SubjectHang&) {
-    return true;
-  } catch (const std::exception&) {
-    return false;
-  }
-}
-
-std::string FaultText(const DrawOutcome& outcome) {
-  try {
-    outcome.Get();
-    return "";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
-// The least n of [low, high] that does it, if all above do as well; high is known to.
-std::size_t LeastThat(std::size_t low, std::size_t high,
-                      const std::function<bool(std::size_t)>& does) {
-  while (low < high) {
-    const std::size_t middle = low + (high - low) / 2;
-    if (does(middle)) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
-  return high;
-}
 
 }  // namespace
 

@@ -26,9 +26,9 @@
 // The first request of a call has vertices of its own. What a program says in version 1 is the same
 // in version 2.
 //
-// A program that takes repeats is told repeats=N where it is timed: it draws the scene N times, each
-// onto an empty target, and answers as for once. What one draw takes is the slope of its processor
-// time over N, in which starting, reading and answering drop out.
+// A program that takes repeats is told repeats=N where it is timed: it draws the scene N times,
+// each onto an empty target, and answers as for once. What one draw takes is the slope of its
+// processor time over N, in which starting, reading and answering drop out.
 //
 // A program that shows edge values is asked for them in one line:
 //     edge ID AX AY BX BY PX PY                             E(a, b; p), evaluated afresh

@@ -1,5 +1,5 @@
-// The exact kernel behind the C interface: what bench tells of a plugin against what it tells of the
-// kernel that draws into the same sink.
+// The exact kernel behind the C interface: what bench tells of a plugin against what it tells of
+// the kernel that draws into the same sink.
 //
 //     cmake --build build --target kernel_plugin
 //     build/rasterproof bench --plugin build/test_plugins/kernel.so --subject kernel-exact

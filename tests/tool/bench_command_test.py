@@ -102,7 +102,8 @@ class Bench(unittest.TestCase):
     def test_a_run_is_read_again_and_compared_with_an_earlier_one(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "bench.json")
-            self.assertEqual(bench("--scene", "scenes/ties.json", *FEW, "--json", path).returncode, 0)
+            done = bench("--scene", "scenes/ties.json", *FEW, "--json", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
             same = bench("--from", path, "--against", path)
             self.assertEqual(same.returncode, 0, same.stderr)
             self.assertIn("6 rows compared", same.stdout)

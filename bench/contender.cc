@@ -101,6 +101,23 @@ class MethodContender final : public Contender {
     }
   }
 
+  // A scissor changes no sample within it.
+  std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
+                                       const PixelRect& /*target*/, Pixel at) override {
+    reference::RasterOptions options;
+    options.scissor = PixelRect{at.x, at.y, at.x + 1, at.y + 1};
+    const std::size_t i = counts_.Index(at.x, at.y);
+    std::vector<std::uint8_t> covered;
+    for (const std::size_t triangle : triangles) {
+      const auto corners = Corners(family_->scene, family_->scene.triangles[triangle]);
+      std::ranges::copy(corners, alone_.vertices.begin());
+      reference::Rasterize(alone_, row_, options, counts_);
+      covered.push_back(counts_.Count(i) != 0 ? 1 : 0);
+      counts_.front[i] = counts_.back[i] = 0;
+    }
+    return covered;
+  }
+
   // In window space; of snapped vertices they are the snapped triangle's.
   std::vector<PixelValues> ValuesAlone(std::size_t triangle,
                                        std::span<const Pixel> pixels) override {
@@ -280,6 +297,18 @@ class KernelContender final : public Contender {
 };
 
 }  // namespace
+
+std::vector<std::uint8_t> Contender::CoverAlone(std::span<const std::size_t> triangles,
+                                                const PixelRect& target, Pixel at) {
+  std::vector<std::uint8_t> covered;
+  std::vector<std::uint8_t> box(static_cast<std::size_t>(target.x1) *
+                                static_cast<std::size_t>(target.y1));
+  for (const std::size_t triangle : triangles) {
+    DrawAlone(triangle, target, box);
+    covered.push_back(box[static_cast<std::size_t>(at.y * target.x1 + at.x)]);
+  }
+  return covered;
+}
 
 std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method) {
   return std::make_unique<MethodContender>(method);

@@ -260,6 +260,20 @@ class KernelContender final : public Contender {
     }
   }
 
+  std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
+                                       const PixelRect& target, Pixel at) override {
+    if (DrawsAlone()) return Contender::CoverAlone(triangles, target, at);
+    std::vector<std::uint8_t> covered;
+    kernels::KernelScene scene = family_->KernelScene();
+    for (const std::size_t triangle : triangles) {
+      scene.indices = std::span(family_->indices).subspan(3 * triangle, 3);
+      surface_->Clear();
+      kernels::Draw(kernel_, target_, scene, *surface_);
+      covered.push_back(surface_->At(at.x, at.y) != 0 ? 1 : 0);
+    }
+    return covered;
+  }
+
   std::vector<PixelValues> ValuesAlone(std::size_t triangle,
                                        std::span<const Pixel> pixels) override {
     std::vector<PixelValues> values;

@@ -68,7 +68,6 @@ FingerprintPlaces::FingerprintPlaces(const FingerprintStep& step)
     : window_(FamilyPlaced(step.pixels, false)), clip_(FamilyPlaced(step.pixels, true)) {}
 
 std::optional<std::string> FingerprintPlaces::WhyNot(const Contender& contender) const {
-  if (!contender.DrawsAlone()) return "it draws no triangle alone";
   if (const auto why = exact::WhyNotDecided(window_.scene, contender.model())) return why->what();
   const auto why = contender.WhyNot(window_);
   return why && contender.WhyNot(clip_) ? why : std::nullopt;

@@ -60,8 +60,8 @@ class FingerprintPlaces {
 
   /// Why there is no fingerprint of it; nothing if there is one.
   std::optional<std::string> WhyNot(const Contender& contender) const;
-  /// Draws both triangles of every place, each alone, and looks at the sample. In clip space every w
-  /// is 1.
+  /// Draws both triangles of every place, each alone, and looks at the sample. In clip space
+  /// every w is 1.
   ///
   /// Domain:     WhyNot() says nothing.
   /// Error:      of a user's subject: what it throws.

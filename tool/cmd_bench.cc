@@ -15,6 +15,7 @@
 #include "bench/bench.h"
 #include "bench/contender.h"
 #include "bench/family.h"
+#include "bench/fingerprint.h"
 #include "core/bench_result.h"
 #include "core/clock.h"
 #include "core/error.h"
@@ -32,6 +33,7 @@
 #include "subjects/plugin/plugin.h"
 #include "tool/commands.h"
 #include "tool/commit.h"
+#include "tool/fingerprints.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -182,17 +184,25 @@ std::vector<std::string> ProgramNames(const BenchOptions& options) {
   return names;
 }
 
-BenchResult Measured(const BenchOptions& options) {
-  auto contenders = ContendersOf(options);
+// All that is asked for, the user's own behind the project's.
+struct Contenders {
   std::vector<std::unique_ptr<Subject>> subjects;
-  for (const std::string& file : options.plugins) {
-    subjects.push_back(PluginOf(file));
-    contenders.push_back(bench::MakeSubjectContender(*subjects.back()));
+  std::vector<std::unique_ptr<bench::Contender>> list;
+
+  explicit Contenders(const BenchOptions& options) : list(ContendersOf(options)) {
+    for (const std::string& file : options.plugins) {
+      subjects.push_back(PluginOf(file));
+      list.push_back(bench::MakeSubjectContender(*subjects.back()));
+    }
+    for (const std::string& name : ProgramNames(options)) {
+      subjects.push_back(ProgramOf(name));
+      list.push_back(bench::MakeProgramContender(*subjects.back()));
+    }
   }
-  for (const std::string& name : ProgramNames(options)) {
-    subjects.push_back(ProgramOf(name));
-    contenders.push_back(bench::MakeProgramContender(*subjects.back()));
-  }
+};
+
+BenchResult Measured(const BenchOptions& options) {
+  const Contenders contenders(options);
   const std::vector<bench::FamilyInput> families = FamiliesOf(options);
   BenchResult result;
   result.setting = SettingOf(options);
@@ -207,15 +217,28 @@ BenchResult Measured(const BenchOptions& options) {
   auto left = static_cast<double>(families.size());
   for (const bench::FamilyInput& family : families) {
     bench_options.seconds_per_family = (end - WallSeconds()) / left--;
-    bench::RunFamily(family, contenders, bench_options, result);
+    bench::RunFamily(family, contenders.list, bench_options, result);
   }
   return result;
+}
+
+int FingerprintsAlone(const BenchOptions& options) {
+  const Contenders contenders(options);
+  BenchResult result;
+  result.setting = SettingOf(options);
+  const std::vector<std::string> without =
+      RunFingerprints(contenders.list, bench::kFingerprintSteps, options.folder, result);
+  for (const std::string& why : without) fmt::print(stderr, "rasterproof: {}\n", why);
+  if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
+  io::WriteStandardOutput(FingerprintTable(result));
+  return kExitHolds;
 }
 
 }  // namespace
 
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
+  if (options.fingerprint) return FingerprintsAlone(options);
   std::optional<BenchResult> before;
   if (!options.against.empty()) before = io::ReadBench(options.against);
   const BenchResult result = options.from.empty() ? Measured(options) : io::ReadBench(options.from);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/exact_triangles.h"
+#include "core/clock.h"
 #include "core/draw_options.h"
 #include "core/profile.h"
 #include "core/scene.h"
@@ -18,7 +19,11 @@ namespace rasterproof::bench {
 namespace {
 
 constexpr int kTarget = 32;  // its width and height
-constexpr int kSlowStride = 4;
+// Of what is slow alone every 32nd place along either axis is drawn, then every 16th, 8th and 4th,
+// while the next is likely to take no longer than this.
+constexpr int kCoarsest = 32;
+constexpr int kFinestOfSlow = 4;
+constexpr double kMostSeconds = 2;
 constexpr int kSamplePixel = 12;
 constexpr double kDepth = 0.5;
 
@@ -74,8 +79,17 @@ std::optional<std::string> FingerprintPlaces::WhyNot(const Contender& contender)
 }
 
 Fingerprint FingerprintPlaces::Of(Contender& contender) {
-  const FamilyInput& family = contender.WhyNot(window_) ? clip_ : window_;
-  const int stride = contender.IsSlowAlone() ? kSlowStride : 1;
+  contender.Load(contender.WhyNot(window_) ? clip_ : window_);
+  if (!contender.IsSlowAlone()) return Every(1, contender);
+  for (int stride = kCoarsest;; stride /= 2) {
+    const double begun = WallSeconds();
+    Fingerprint print = Every(stride, contender);
+    const double of_next = 4 * (WallSeconds() - begun);
+    if (stride == kFinestOfSlow || of_next > kMostSeconds) return print;
+  }
+}
+
+Fingerprint FingerprintPlaces::Every(int stride, Contender& contender) {
   Fingerprint print{.side = kSide / stride, .drawn = {}, .exact = {}};
   const std::vector<SampleOwner>& exact = ExactBy(contender.model());
   std::vector<std::size_t> triangles;
@@ -87,7 +101,6 @@ Fingerprint FingerprintPlaces::Of(Contender& contender) {
       triangles.push_back(2 * n + 1);
     }
   }
-  contender.Load(family);
   const std::vector<std::uint8_t> covered =
       contender.CoverAlone(triangles, {0, 0, kTarget, kTarget}, SampleOf(contender.model()));
   for (std::size_t n = 0; n < covered.size(); n += 2) {

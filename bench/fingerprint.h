@@ -37,7 +37,8 @@ enum class SampleOwner : std::uint8_t { kInside, kBoth, kNeither, kOutside };
 
 /// What a method says in every place, and what its own model says.
 struct Fingerprint {
-  /// Places along either axis: 256, or every fourth of them, 64, where drawing one takes long.
+  /// Places along either axis: 256; of what is slow alone 64, 32, 16 or 8, so that they take some
+  /// seconds at most.
   int side = 0;
   /// Row-major: x grows along the row, y from row to row.
   std::vector<SampleOwner> drawn;
@@ -68,6 +69,7 @@ class FingerprintPlaces {
   Fingerprint Of(Contender& contender);
 
  private:
+  Fingerprint Every(int stride, Contender& contender);
   const std::vector<SampleOwner>& ExactBy(const Profile& model);
 
   FamilyInput window_;

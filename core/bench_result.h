@@ -231,7 +231,7 @@ struct BenchFingerprint {
   std::string step;         ///< between neighbouring places: "1 ulp", "2^-12", "1/256", "1/16"
   std::uint64_t wrong = 0;  ///< places in which it is not as its own model
   std::string png;          ///< base64: 512 x 256 pixels, the method left, exact beside it
-  /// 256 x 256, or every fourth of them along either axis where drawing takes long.
+  /// 256 x 256; of a plugin or program 64 x 64 down to 8 x 8, by what drawing takes.
   std::uint64_t places = 65'536;
 };
 

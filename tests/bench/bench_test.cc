@@ -12,8 +12,10 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/contender.h"
 #include "bench/errors.h"
 #include "bench/exact_triangles.h"
+#include "bench/family.h"
 #include "core/ulp.h"
 #include "exact/coverage.h"
 
@@ -143,6 +145,24 @@ TEST(RunFamily, TheRatesAreThoseOfASecondDecider) {
   }
   EXPECT_GT(wrong, 0U);
   EXPECT_EQ(found.Wrong(), wrong);
+}
+
+// A target of the family before is none of this one's.
+TEST(KernelContender, DrawsAloneOnTheLoadedFamilysTarget) {
+  const auto kernel = MakeKernelContender(reference::kernels::KernelMethod::kExact,
+                                          reference::kernels::SupportedTargets().front(),
+                                          reference::kernels::Sink::kFacing);
+  for (const std::string_view name : {"fan", "walks"}) {
+    const auto kinds = FamilyKinds();
+    const FamilyInput family =
+        MakeFamily(*std::ranges::find(kinds, name, &FamilyKind::name), FamilySize::kQuick, 1);
+    kernel->Load(family);
+    const PixelRect area = JudgedArea(family.scene, 0);
+    std::vector<std::uint8_t> box(static_cast<std::size_t>(area.x1 - area.x0) *
+                                  static_cast<std::size_t>(area.y1 - area.y0));
+    kernel->DrawAlone(0, area, box);
+    EXPECT_GT(std::ranges::count(box, 1), 0) << name;
+  }
 }
 
 }  // namespace

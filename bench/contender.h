@@ -108,8 +108,12 @@ std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod 
 /// A user's subject in this process, into what it shows. Its time is that of a draw less that of a
 /// draw of the same vertices without triangles: what it converts, which is told apart.
 ///
-/// Domain:     one sample a pixel, in its centre; the subject outlives the contender.
-std::unique_ptr<Contender> MakeSubjectContender(Subject& subject);
+/// What breaks down in this process ends it: `first`, a copy in a process of its own, is therefore
+/// asked to draw each family before; nullptr: nobody is.
+///
+/// Domain:     one sample a pixel, in its centre; the subjects outlive the contender.
+/// Error:      of Load(): what `first` throws.
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first = nullptr);
 
 /// A user's subject in a process of its own. Its time is the slope of the processor time of all its
 /// threads over k, 2 k and 4 k draws: of repeats in one request, so that starting, reading and

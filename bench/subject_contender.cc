@@ -155,7 +155,12 @@ class SubjectContender : public Contender {
 
 class LibraryContender final : public SubjectContender {
  public:
-  using SubjectContender::SubjectContender;
+  LibraryContender(Subject& subject, Subject* first) : SubjectContender(subject), first_(first) {}
+
+  void Load(const FamilyInput& family) override {
+    SubjectContender::Load(family);
+    if (first_ != nullptr) first_->Show(Job(scene_));
+  }
 
   DrawTime Draw() override {
     const DrawTime converting = TimeOf(Job(empty_), 1);
@@ -165,6 +170,9 @@ class LibraryContender final : public SubjectContender {
     const double processor = std::max(0.0, all.seconds - converting.seconds);
     return {.seconds = method_.clock == BenchClock::kWall ? wall : processor, .wall_seconds = wall};
   }
+
+ private:
+  Subject* first_;
 };
 
 // The least squares' slope of times over draws, not below 0, and where it meets 0 draws.
@@ -241,8 +249,8 @@ class ProgramContender final : public SubjectContender {
 
 }  // namespace
 
-std::unique_ptr<Contender> MakeSubjectContender(Subject& subject) {
-  return std::make_unique<LibraryContender>(subject);
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first) {
+  return std::make_unique<LibraryContender>(subject, first);
 }
 
 std::unique_ptr<Contender> MakeProgramContender(Subject& subject) {

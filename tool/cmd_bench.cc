@@ -195,12 +195,15 @@ std::vector<std::string> ProgramNames(const BenchOptions& options) {
 // All that is asked for, the user's own behind the project's.
 struct Contenders {
   std::vector<std::unique_ptr<Subject>> subjects;
+  /// Copies of libraries in processes of their own, which draw each family first.
+  std::vector<std::unique_ptr<Subject>> copies;
   std::vector<std::unique_ptr<bench::Contender>> list;
 
   explicit Contenders(const BenchOptions& options) : list(ContendersOf(options)) {
     for (const std::string& file : options.plugins) {
       subjects.push_back(PluginOf(file));
-      list.push_back(bench::MakeSubjectContender(*subjects.back()));
+      copies.push_back(ResolveOutside(std::string(kPluginPrefix) + file)());
+      list.push_back(bench::MakeSubjectContender(*subjects.back(), copies.back().get()));
     }
     for (const std::string& name : ProgramNames(options)) {
       subjects.push_back(ProgramOf(name));
@@ -277,10 +280,23 @@ int FingerprintsAlone(const BenchOptions& options) {
   return kExitHolds;
 }
 
+// Whether one of the user's own was measured on no family at all.
+bool LacksAUsers(const BenchResult& result) {
+  for (std::size_t k = 0; k < result.methods.size(); ++k) {
+    if (!result.methods[k].is_users) continue;
+    if (std::ranges::find(result.rows, k, &BenchRow::method) == result.rows.end()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
+  for (const std::string& file : {options.json, options.svg}) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (!folder.empty()) io::RequireFolderCanBe(folder.string());
+  }
   if (options.limits) {
     const auto contenders = ContendersOf(options);
     BenchResult found;
@@ -296,7 +312,7 @@ int RunBench(const BenchOptions& options) {
   if (!options.svg.empty()) io::WriteFile(options.svg, report::BenchToSvg(result));
   if (!before) {
     io::WriteStandardOutput(report::BenchToTable(result));
-    return kExitHolds;
+    return LacksAUsers(result) ? kExitInconclusive : kExitHolds;
   }
   io::WriteStandardOutput(report::BenchChangesText(*before, result));
   const bool is_worse = std::ranges::any_of(report::BenchChanges(*before, result),

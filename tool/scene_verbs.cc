@@ -1,4 +1,5 @@
 // Options of the verbs that take one scene.
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -143,7 +144,11 @@ void AddPlan(CLI::App& app, Run& run) {
                  "Time what each left-out stage saves on this scene, and the whole pipeline");
   verb->add_option("--error", options.error,
                    "Name the cheapest method that is proved to move no edge by more pixels")
-      ->check(CLI::NonNegativeNumber);
+      ->check([](const std::string& text) {
+        double pixels = -1;
+        const bool is_number = CLI::detail::lexical_cast(text, pixels);
+        return is_number && pixels >= 0 && std::isfinite(pixels) ? "" : "give pixels, 0 or more";
+      });
   verb->add_option("--bench", options.bench, "File that bench --json wrote: the times for --error");
   verb->callback([&run] { run = [] { return RunPlan(options); }; });
 }

@@ -89,8 +89,12 @@ class Bench(unittest.TestCase):
             said = os.path.join(folder, "blank.subject")
             with open(said, "w", encoding="utf-8") as file:
                 file.write(f"command {sys.executable} {program}\ntakes window repeats\n")
-            result = measured("--scene", "scenes/ties.json", *FEW, "--subject", said,
-                              "--exec", "false")  # fmt: skip
+            path = os.path.join(folder, "bench.json")
+            done = bench("--scene", "scenes/ties.json", *FEW, "--subject", said, "--exec", "false",
+                         "--json", path)  # fmt: skip
+            self.assertEqual(done.returncode, 4, done.stderr)  # one of the user's has no row
+            with open(path, encoding="utf-8") as file:
+                result = json.load(file)
         method = next(one for one in result["methods"] if one["name"] == said)
         self.assertEqual((method["clock"], method["times_requests"]), ("program", False))
         row = next(row for row in result["rows"] if row["method"] == said)
@@ -99,6 +103,17 @@ class Bench(unittest.TestCase):
         out = [one for one in result["left_out"] if one["method"] == "exec:false"]
         self.assertEqual(len(out), 1)
         self.assertIn("status 1", out[0]["why"])
+
+    def test_a_plugin_that_crashes_is_left_out_and_ends_nothing(self):
+        plugin = os.path.join(EXAMPLES, "../test_plugins/buggy_CRASH.so")
+        done = bench("--scene", "scenes/ties.json", *FEW, "--plugin", plugin)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("buggy_CRASH.so is left out: it was killed by signal 11", done.stdout)
+        self.assertIn("kernel-exact", done.stdout)
+
+    def test_a_place_that_cannot_be_written_is_told_first(self):
+        done = bench("--scene", "scenes/ties.json", "--budget", "1h", "--json", "/proc/x/y.json")
+        self.assertEqual(done.returncode, 2, done.stderr)
 
     def test_a_run_is_read_again_and_compared_with_an_earlier_one(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -185,8 +185,10 @@ void AddTimes(const Run& run, const Run& base, const BenchFamily& described, Ben
 
 }  // namespace
 
+bool IsTwin(std::string_view name) { return name.ends_with(kAgain); }
+
 bool IsBaseline(std::string_view name) {
-  if (name.ends_with(kAgain)) name.remove_suffix(kAgain.size());
+  if (IsTwin(name)) name.remove_suffix(kAgain.size());
   return name == kBaseline || name == kClipBaseline;
 }
 

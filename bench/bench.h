@@ -24,6 +24,8 @@ inline constexpr std::string_view kClipBaseline = "hom-projected-f32";
 
 /// Whether this names a baseline, or its twin: "f32-incremental again".
 bool IsBaseline(std::string_view name);
+/// Whether this names a baseline's twin.
+bool IsTwin(std::string_view name);
 
 struct BenchOptions {
   /// Rounds of a family go on until this is used up, within the two limits. Errors are part of it.

@@ -101,6 +101,23 @@ class MethodContender final : public Contender {
     }
   }
 
+  // A scissor changes no sample within it.
+  std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
+                                       const PixelRect& /*target*/, Pixel at) override {
+    reference::RasterOptions options;
+    options.scissor = PixelRect{at.x, at.y, at.x + 1, at.y + 1};
+    const std::size_t i = counts_.Index(at.x, at.y);
+    std::vector<std::uint8_t> covered;
+    for (const std::size_t triangle : triangles) {
+      const auto corners = Corners(family_->scene, family_->scene.triangles[triangle]);
+      std::ranges::copy(corners, alone_.vertices.begin());
+      reference::Rasterize(alone_, row_, options, counts_);
+      covered.push_back(counts_.Count(i) != 0 ? 1 : 0);
+      counts_.front[i] = counts_.back[i] = 0;
+    }
+    return covered;
+  }
+
   // In window space; of snapped vertices they are the snapped triangle's.
   std::vector<PixelValues> ValuesAlone(std::size_t triangle,
                                        std::span<const Pixel> pixels) override {
@@ -243,6 +260,20 @@ class KernelContender final : public Contender {
     }
   }
 
+  std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
+                                       const PixelRect& target, Pixel at) override {
+    if (DrawsAlone()) return Contender::CoverAlone(triangles, target, at);
+    std::vector<std::uint8_t> covered;
+    kernels::KernelScene scene = family_->KernelScene();
+    for (const std::size_t triangle : triangles) {
+      scene.indices = std::span(family_->indices).subspan(3 * triangle, 3);
+      surface_->Clear();
+      kernels::Draw(kernel_, target_, scene, *surface_);
+      covered.push_back(surface_->At(at.x, at.y) != 0 ? 1 : 0);
+    }
+    return covered;
+  }
+
   std::vector<PixelValues> ValuesAlone(std::size_t triangle,
                                        std::span<const Pixel> pixels) override {
     std::vector<PixelValues> values;
@@ -280,6 +311,18 @@ class KernelContender final : public Contender {
 };
 
 }  // namespace
+
+std::vector<std::uint8_t> Contender::CoverAlone(std::span<const std::size_t> triangles,
+                                                const PixelRect& target, Pixel at) {
+  std::vector<std::uint8_t> covered;
+  std::vector<std::uint8_t> box(static_cast<std::size_t>(target.x1) *
+                                static_cast<std::size_t>(target.y1));
+  for (const std::size_t triangle : triangles) {
+    DrawAlone(triangle, target, box);
+    covered.push_back(box[static_cast<std::size_t>(at.y * target.x1 + at.x)]);
+  }
+  return covered;
+}
 
 std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method) {
   return std::make_unique<MethodContender>(method);

@@ -72,6 +72,12 @@ class Contender {
   /// Shape:      row-major, area.x1 - area.x0 bytes a row.
   virtual void DrawAlone(std::size_t triangle, const PixelRect& area,
                          std::vector<std::uint8_t>& box) = 0;
+  /// Which of these triangles of the loaded family cover the pixel, each drawn alone onto the
+  /// cleared target: 1 or 0.
+  ///
+  /// Domain:     `target` is the whole of it.
+  virtual std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
+                                               const PixelRect& target, Pixel at);
   /// The values that it shows of the triangle drawn alone, at the centres of these pixels, which it
   /// covers: as many, or none if it shows no values.
   virtual std::vector<PixelValues> ValuesAlone(std::size_t /*triangle*/,

@@ -108,11 +108,13 @@ void ExactTriangles::Cover(std::size_t triangle, const PixelRect& area,
 }
 
 bool ExactTriangles::Covers(std::size_t triangle, int x, int y) const {
-  const Scene& scene = state_->placed;
-  const auto v = Corners(scene, scene.triangles[triangle]);
-  if (scene.clip_space) return exact::HomogeneousCovers(v, CentreOf(x, y), state_->frame.rule);
-  return exact::Covers({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}, CentreOf(x, y),
-                       state_->frame.rule);
+  const State& s = *state_;
+  const auto v = exact::ScreenTriangle(s.placed, s.placed.triangles[triangle], s.frame);
+  if (!v) return false;
+  const Point2 at = s.frame.At(x, y, 0);
+  if (s.placed.clip_space) return exact::HomogeneousCovers(*v, at, s.frame.rule);
+  return exact::Covers({WindowPoint((*v)[0]), WindowPoint((*v)[1]), WindowPoint((*v)[2])}, at,
+                       s.frame.rule);
 }
 
 std::array<Point2, 3> ExactTriangles::CornersOf(std::size_t triangle) const {

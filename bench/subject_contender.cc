@@ -80,6 +80,26 @@ class SubjectContender : public Contender {
   }
   std::uint64_t LeftBehind() override { return std::exchange(outside_, 0); }
 
+  // Many small scenes in few calls.
+  std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
+                                       const PixelRect& /*target*/, Pixel at) override {
+    constexpr std::size_t kCall = 1024;
+    std::vector<std::uint8_t> covered;
+    while (covered.size() < triangles.size()) {
+      std::vector<DrawJob> jobs;
+      for (const std::size_t triangle :
+           triangles.subspan(covered.size(), std::min(kCall, triangles.size() - covered.size()))) {
+        jobs.push_back(Job(std::make_shared<const Scene>(SceneAlone(triangle))));
+      }
+      const std::vector<DrawOutcome> outcomes = subject_.DrawMany(jobs);
+      for (const DrawOutcome& outcome : outcomes) {
+        const CoverageCounts& counts = outcome.Get().counts;
+        covered.push_back(counts.Count(counts.Index(at.x, at.y)) != 0 ? 1 : 0);
+      }
+    }
+    return covered;
+  }
+
   std::vector<PixelValues> ValuesAlone(std::size_t triangle,
                                        std::span<const Pixel> pixels) override {
     std::vector<PixelValues> values;
@@ -99,6 +119,18 @@ class SubjectContender : public Contender {
   }
 
  protected:
+  Scene SceneAlone(std::size_t triangle) const {
+    Scene alone;
+    alone.name = scene_->name;
+    alone.width = scene_->width;
+    alone.height = scene_->height;
+    alone.precision = scene_->precision;
+    alone.clip_space = scene_->clip_space;
+    const auto corners = Corners(*scene_, scene_->triangles[triangle]);
+    alone.vertices.assign(corners.begin(), corners.end());
+    alone.triangles = {{0, 1, 2}};
+    return alone;
+  }
   static DrawJob Job(std::shared_ptr<const Scene> scene) {
     DrawJob job(std::move(scene), {}, 1);
     job.wants = kCoverageAlone;

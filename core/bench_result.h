@@ -225,12 +225,14 @@ struct BenchStage {
   double displacement = 0;  ///< largest, pixels
 };
 
-/// What a method says of one vertex in 256 x 256 places.
+/// What a method says of one sample with one vertex in many places, and what its own model says.
 struct BenchFingerprint {
   std::uint32_t method = 0;
   std::string step;         ///< between neighbouring places: "1 ulp", "2^-12", "1/256", "1/16"
-  std::uint64_t wrong = 0;  ///< places at which it is not as exact
-  std::string png;          ///< base64: the picture, exact beside it
+  std::uint64_t wrong = 0;  ///< places in which it is not as its own model
+  std::string png;          ///< base64: 512 x 256 pixels, the method left, exact beside it
+  /// 256 x 256, or every fourth of them along either axis where drawing takes long.
+  std::uint64_t places = 65'536;
 };
 
 /// Where and how it was measured.

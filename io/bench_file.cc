@@ -72,7 +72,7 @@ constexpr auto kCliffKeys =
 constexpr auto kStageKeys =
     std::to_array<std::string_view>({"name", "summary", "wrong", "asked", "displacement"});
 constexpr auto kFingerprintKeys =
-    std::to_array<std::string_view>({"method", "target", "sink", "step", "wrong", "png"});
+    std::to_array<std::string_view>({"method", "target", "sink", "step", "wrong", "png", "places"});
 
 constexpr std::array<std::pair<BenchClock, std::string_view>, 3> kClocks{
     {{BenchClock::kThread, "processor"},
@@ -308,7 +308,7 @@ BenchStage StageFromJson(const JsonValue& value) {
 BenchFingerprint FingerprintFromJson(const JsonValue& value, const BenchResult& result) {
   value.RequireObject(kFingerprintKeys);
   return {MethodOf(value, result), String(value, "step"), Count(value, "wrong"),
-          String(value, "png")};
+          String(value, "png"), Count(value, "places")};
 }
 
 std::uint64_t Seed(const JsonValue& value) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,13 @@ struct Image {
 
 /// The image as the bytes of a PNG file (libpng).
 std::string EncodePng(const Image& image);
+
+/// An image of few colours as the bytes of a PNG file with a palette (libpng): an index into
+/// `colours` for each pixel, row-major, top row first.
+///
+/// Domain:     1 to 256 colours; every index is one of them.
+std::string EncodePalettePng(int width, int height, std::span<const std::uint8_t> indices,
+                             std::span<const std::array<std::uint8_t, 3>> colours);
 
 /// The picture in the bytes of a PNG file, alpha left out.
 ///

@@ -236,6 +236,7 @@ void WriteFingerprint(JsonWriter& json, const BenchResult& result, const BenchFi
   json.Key("step").Text(print.step);
   json.Key("wrong").Integer(print.wrong);
   json.Key("png").Text(print.png);
+  json.Key("places").Integer(print.places);
   json.EndObject();
 }
 

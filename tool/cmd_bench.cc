@@ -17,8 +17,10 @@
 #include "bench/contender.h"
 #include "bench/curve.h"
 #include "bench/family.h"
+#include "bench/fingerprint.h"
 #include "bench/parameter.h"
 #include "bench/scene_drawer.h"
+#include "bench/stages.h"
 #include "core/bench_result.h"
 #include "core/clock.h"
 #include "core/error.h"
@@ -36,6 +38,7 @@
 #include "subjects/plugin/plugin.h"
 #include "tool/commands.h"
 #include "tool/commit.h"
+#include "tool/fingerprints.h"
 #include "tool/limits.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
@@ -187,10 +190,26 @@ std::vector<std::string> ProgramNames(const BenchOptions& options) {
   return names;
 }
 
+// All that is asked for, the user's own behind the project's.
+struct Contenders {
+  std::vector<std::unique_ptr<Subject>> subjects;
+  std::vector<std::unique_ptr<bench::Contender>> list;
+
+  explicit Contenders(const BenchOptions& options) : list(ContendersOf(options)) {
+    for (const std::string& file : options.plugins) {
+      subjects.push_back(PluginOf(file));
+      list.push_back(bench::MakeSubjectContender(*subjects.back()));
+    }
+    for (const std::string& name : ProgramNames(options)) {
+      subjects.push_back(ProgramOf(name));
+      list.push_back(bench::MakeProgramContender(*subjects.back()));
+    }
+  }
+};
+
 // Where each method ends, and how it gets there: costs of all sizes where there is time.
-void AddLimits(const std::vector<std::unique_ptr<bench::Contender>>& contenders,
-               const std::vector<std::unique_ptr<Subject>>& subjects, bool is_quick,
-               Progress& progress, BenchResult& result) {
+void AddLimits(const Contenders& contenders, bool is_quick, Progress& progress,
+               BenchResult& result) {
   bench::LimitOptions limits;
   limits.progress = [&](const std::string& stage) { progress.Stage(stage); };
   bench::CurveOptions curves;
@@ -202,26 +221,31 @@ void AddLimits(const std::vector<std::unique_ptr<bench::Contender>>& contenders,
   } else {
     curves.most_triangles = 1'000'000;
   }
-  bench::RunCliffs(contenders, limits, result);
-  bench::RunCurves(contenders, curves, result);
-  for (const std::unique_ptr<Subject>& subject : subjects) {
+  bench::RunCliffs(contenders.list, limits, result);
+  bench::RunCurves(contenders.list, curves, result);
+  for (const std::unique_ptr<Subject>& subject : contenders.subjects) {
     const auto drawer = bench::DrawerOf(*subject);
     bench::RunCliffs(*drawer, limits, result);
     bench::RunCurves(*drawer, curves, result);
   }
 }
 
+// One decision over neighbouring inputs, and what each stage of a frame costs.
+void AddPictures(const Contenders& contenders, bool is_quick, Progress& progress,
+                 BenchResult& result) {
+  progress.Stage("fingerprints");
+  // Neighbouring floats, and the grid that rasterizers snap to.
+  const std::vector<bench::FingerprintStep> steps{bench::kFingerprintSteps[0],
+                                                  bench::kFingerprintSteps[2]};
+  for (const std::string& why : RunFingerprints(contenders.list, steps, "", result)) {
+    fmt::print(stderr, "rasterproof: {}\n", why);
+  }
+  progress.Stage("stages of a frame");
+  bench::RunStages(is_quick ? 4 : 2, result);
+}
+
 BenchResult Measured(const BenchOptions& options) {
-  auto contenders = ContendersOf(options);
-  std::vector<std::unique_ptr<Subject>> subjects;
-  for (const std::string& file : options.plugins) {
-    subjects.push_back(PluginOf(file));
-    contenders.push_back(bench::MakeSubjectContender(*subjects.back()));
-  }
-  for (const std::string& name : ProgramNames(options)) {
-    subjects.push_back(ProgramOf(name));
-    contenders.push_back(bench::MakeProgramContender(*subjects.back()));
-  }
+  const Contenders contenders(options);
   const std::vector<bench::FamilyInput> families = FamiliesOf(options);
   BenchResult result;
   result.setting = SettingOf(options);
@@ -233,21 +257,37 @@ BenchResult Measured(const BenchOptions& options) {
   bench_options.judged_pixels = options.budget < kFullFrom ? 300'000 : 4'000'000;
   bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
   const double end = WallSeconds() + options.budget;
-  for (const auto& contender : contenders) result.methods.push_back(contender->method());
+  for (const auto& contender : contenders.list) result.methods.push_back(contender->method());
   const bool is_whole = options.families.empty() && options.scenes.empty();
-  if (is_whole) AddLimits(contenders, subjects, result.setting.is_quick, progress, result);
+  if (is_whole) {
+    AddLimits(contenders, result.setting.is_quick, progress, result);
+    AddPictures(contenders, result.setting.is_quick, progress, result);
+  }
   auto left = static_cast<double>(families.size());
   for (const bench::FamilyInput& family : families) {
     bench_options.seconds_per_family = (end - WallSeconds()) / left--;
-    bench::RunFamily(family, contenders, bench_options, result);
+    bench::RunFamily(family, contenders.list, bench_options, result);
   }
   return result;
+}
+
+int FingerprintsAlone(const BenchOptions& options) {
+  const Contenders contenders(options);
+  BenchResult result;
+  result.setting = SettingOf(options);
+  const std::vector<std::string> without =
+      RunFingerprints(contenders.list, bench::kFingerprintSteps, options.folder, result);
+  for (const std::string& why : without) fmt::print(stderr, "rasterproof: {}\n", why);
+  if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
+  io::WriteStandardOutput(FingerprintTable(result));
+  return kExitHolds;
 }
 
 }  // namespace
 
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
+  if (options.fingerprint) return FingerprintsAlone(options);
   if (options.limits) {
     const auto contenders = ContendersOf(options);
     BenchResult found;

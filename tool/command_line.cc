@@ -326,6 +326,11 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--from", options.from, "File of an earlier --json, in place of a new run");
   verb->add_option("--json", options.json, "Result as JSON, raw times included");
   verb->add_option("--svg", options.svg, "Picture: error against run time, a panel a family");
+  CLI::Option* fingerprint =
+      verb->add_flag("--fingerprint", options.fingerprint,
+                     "Only look at one sample with an edge's end in 256 x 256 neighbouring places");
+  verb->add_option("--out", options.folder, "Folder for the pictures: NAME-STEP.png")
+      ->needs(fingerprint);
   verb->add_option("--width", options.width, "Of the target of meshes")->check(Positive());
   verb->add_option("--height", options.height, "Of the target of meshes")->check(Positive());
   verb->callback([&run] { run = [] { return RunBench(options); }; });

@@ -231,10 +231,12 @@ struct BenchOptions {
   std::uint64_t seed = 1;
   std::string json;
   std::string svg;
-  std::string against;  ///< file of an earlier run: what changed since
-  std::string from;     ///< file of a run that is not to be repeated; empty: it is run
-  std::string command;  ///< as it was typed
-  int width = 1920;     ///< of meshes
+  bool fingerprint = false;  ///< fingerprints alone
+  std::string folder;        ///< of their pictures; empty: none are written
+  std::string against;       ///< file of an earlier run: what changed since
+  std::string from;          ///< file of a run that is not to be repeated; empty: it is run
+  std::string command;       ///< as it was typed
+  int width = 1920;          ///< of meshes
   int height = 1080;
 };
 int RunBench(const BenchOptions& options);

@@ -35,6 +35,20 @@ TEST(ImageTest, WhatIsEncodedDecodesToTheSamePixels) {
   }
 }
 
+TEST(ImageTest, AnImageOfFewColoursDecodesToThem) {
+  constexpr int kSide = 64;
+  const std::array<std::array<std::uint8_t, 3>, 3> colours{{{1, 2, 3}, {250, 0, 9}, {7, 77, 177}}};
+  std::mt19937 random(4);
+  std::vector<std::uint8_t> indices(kSide * kSide);
+  for (auto& index : indices) index = static_cast<std::uint8_t>(random() % 3);
+  const std::string bytes = EncodePalettePng(kSide, kSide, indices, colours);
+  EXPECT_LT(bytes.size(), std::size_t{kSide} * kSide / 2);
+  const Image image = DecodePng(bytes, "few.png", kSide, kSide);
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    ASSERT_EQ(image.pixels[k], colours[indices[k]]) << k;
+  }
+}
+
 TEST(ImageTest, AtIsRowMajorFromTheTop) {
   Image image(3, 2, {0, 0, 0});
   image.At(2, 1) = {9, 8, 7};

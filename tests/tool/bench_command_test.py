@@ -3,6 +3,7 @@
 
 usage: bench_command_test.py PROGRAM SOURCES EXAMPLES
 """
+import base64
 import html
 import json
 import os
@@ -195,6 +196,30 @@ class Bench(unittest.TestCase):
                                       capture_output=True, text=True, timeout=60)  # fmt: skip
                 self.assertEqual(done.returncode, 2)
                 self.assertIn("a page is made" if more else "measure again", done.stderr)
+
+    def test_fingerprints_are_pictures_and_counts_of_wrong_places(self):
+        plugin = os.path.join(EXAMPLES, "example_plugin.so")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bench.json")
+            done = bench("--fingerprint", "--subject", "f32-direct", "--subject", "textbook",
+                         "--plugin", plugin, "--out", folder, "--json", path)  # fmt: skip
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(path, encoding="utf-8") as file:
+                prints = json.load(file)["fingerprints"]
+            wrong = {(one["method"], one["step"]): one["wrong"] for one in prints}
+            self.assertEqual(wrong["f32-direct", "1 ulp"], 9047)
+            self.assertEqual(wrong["f32-direct", "1/16"], 0)
+            # Both triangles take the sample on their edge.
+            self.assertEqual(wrong["textbook", "1/256"], 256)
+            self.assertEqual({one["places"] for one in prints if one["method"].endswith(".so")},
+                             {64 * 64})  # fmt: skip
+            for name in ("f32-direct-1-ulp", "textbook-1_256", "example_plugin.so-2^-12"):
+                with open(os.path.join(folder, name + ".png"), "rb") as file:
+                    picture = file.read()
+                self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n", name)
+                self.assertIn(base64.b64encode(picture).decode(), {one["png"] for one in prints})
+        self.assertRegex(done.stdout, r"f32-direct +real +9047 +0 +0 +0\n")
+        self.assertEqual(bench("--out", "anywhere").returncode, 2)
 
     def test_names_and_times_that_are_none_are_refused(self):
         for arguments, words in (

@@ -219,6 +219,7 @@ class KernelContender final : public Contender {
   void Load(const FamilyInput& family) override {
     family_ = &family;
     surface_.emplace(sink_, family.scene.width, family.scene.height);
+    alone_.reset();
   }
 
   DrawTime Draw() override {

@@ -64,8 +64,6 @@ constexpr auto kParameterKeys =
     std::to_array<std::string_view>({"name", "summary", "unit", "cost"});
 constexpr auto kCurveKeys =
     std::to_array<std::string_view>({"method", "target", "sink", "parameter", "points"});
-constexpr auto kPointKeys = std::to_array<std::string_view>(
-    {"value", "asked", "wrong", "displacement", "share_of_bound", "seconds"});
 constexpr auto kCliffKeys =
     std::to_array<std::string_view>({"method", "target", "sink", "parameter", "proved_to",
                                      "held_to", "first_failing", "scene", "x", "y"});
@@ -237,7 +235,8 @@ BenchRow RowFromJson(const JsonValue& value, const BenchResult& result) {
   row.is_judged = value.Find("real").has_value();
   if (row.is_judged) {
     row.real = ErrorsFromJson(value.Get("real"));
-    row.own = ErrorsFromJson(value.Get("own"));
+    row.own = row.real;
+    if (const auto own = value.Find("own")) row.own = ErrorsFromJson(*own);
     row.judged_triangles = Count(value, "judged_triangles");
     row.boundary_pairs = Count(value, "boundary_pairs");
     row.leaks = {Count(value, "gaps"), Count(value, "overlaps")};
@@ -262,15 +261,20 @@ BenchParameter ParameterFromJson(const JsonValue& value) {
           Boolean(value.Get("cost"))};
 }
 
-BenchPoint PointFromJson(const JsonValue& value) {
-  value.RequireObject(kPointKeys);
+// Errors: [value, asked, wrong, displacement, share of the bound].
+// Costs: [value, asked, low, median, high], seconds.
+BenchPoint PointFromJson(const JsonValue& value, bool is_cost) {
+  const std::vector<JsonValue> items = Several(value, 5);
   BenchPoint point;
-  point.value = Double(value, "value");
-  point.asked = Count(value, "asked");
-  point.wrong = Count(value, "wrong");
-  point.displacement = Double(value, "displacement");
-  point.share_of_bound = Double(value, "share_of_bound");
-  point.time = IntervalOf(value.Get("seconds"));
+  point.value = Double(items[0]);
+  point.asked = Count(items[1]);
+  if (is_cost) {
+    point.time = {Double(items[2]), Double(items[3]), Double(items[4])};
+    return point;
+  }
+  point.wrong = Count(items[2]);
+  point.displacement = Double(items[3]);
+  point.share_of_bound = Double(items[4]);
   return point;
 }
 
@@ -279,7 +283,9 @@ BenchCurve CurveFromJson(const JsonValue& value, const BenchResult& result) {
   BenchCurve curve;
   curve.method = MethodOf(value, result);
   curve.parameter = IndexOf(value.Get("parameter"), result.parameters, "parameter");
-  ReadList(value, "points", curve.points, PointFromJson);
+  const bool is_cost = result.parameters[curve.parameter].is_cost;
+  ReadList(value, "points", curve.points,
+           [&](const JsonValue& point) { return PointFromJson(point, is_cost); });
   return curve;
 }
 

@@ -9,6 +9,7 @@
 #include "io/scene_json.h"
 #include "report/bench_decision.h"
 #include "report/json_writer.h"
+#include "report/page_parts.h"
 
 namespace rasterproof::report {
 namespace {
@@ -28,8 +29,8 @@ std::string_view ClockName(BenchClock clock) {
 }
 
 void WriteInterval(JsonWriter& json, std::string_view key, const Interval& interval) {
-  json.Key(key).BeginArray();
-  json.Shortest(interval.low).Shortest(interval.median).Shortest(interval.high);
+  json.Key(key).BeginArrayLine();
+  json.Rounded(interval.low).Rounded(interval.median).Rounded(interval.high);
   json.EndArray();
 }
 
@@ -58,7 +59,7 @@ void WriteWitness(JsonWriter& json, const BenchWitness& witness) {
 }
 
 void WriteErrors(JsonWriter& json, std::string_view key, const BenchErrors& errors) {
-  json.Key(key).BeginObject();
+  json.Key(key).BeginObjectLine();
   json.Key("missing").Integer(errors.missing);
   json.Key("unexpected").Integer(errors.unexpected);
   json.Key("beside_edges").Integer(errors.beside_edges);
@@ -103,7 +104,7 @@ void WriteFamily(JsonWriter& json, const BenchResult& result, const BenchFamily&
   json.Key("judged_covered").Integer(family.judged_covered);
   json.Key("boundary_pairs").Integer(family.boundary_pairs);
   json.Key("shared_pairs").Integer(family.shared_pairs);
-  json.Key("distances").BeginArray();
+  json.Key("distances").BeginArrayLine();
   for (const std::uint64_t pairs : family.distances.pairs) json.Integer(pairs);
   json.EndArray();
   json.Key("baseline").Text(result.methods[family.baseline].name);
@@ -113,35 +114,36 @@ void WriteFamily(JsonWriter& json, const BenchResult& result, const BenchFamily&
 }
 
 void WriteRow(JsonWriter& json, const BenchResult& result, const BenchRow& row) {
-  json.BeginObject();
+  json.BeginObjectLine();
   json.Key("family").Text(result.families[row.family].name);
   WriteMethodKey(json, result, row.method);
   WriteInterval(json, "seconds", row.time);
-  json.Key("wall_seconds").Shortest(row.wall_median);
+  json.Key("wall_seconds").Rounded(row.wall_median);
   WriteInterval(json, "ratio", row.ratio);
-  json.Key("conversion_seconds").Shortest(row.conversion_seconds);
+  json.Key("conversion_seconds").Rounded(row.conversion_seconds);
   json.Key("store_limit").Bool(row.binds_at_store);
   if (row.drawing_wrong) json.Key("drawing_wrong").Integer(*row.drawing_wrong);
   if (row.is_judged) {
     WriteErrors(json, "real", row.real);
-    WriteErrors(json, "own", row.own);
+    // Against real geometry the two are one.
+    if (result.methods[row.method].model != kRealProfile) WriteErrors(json, "own", row.own);
     json.Key("judged_triangles").Integer(row.judged_triangles);
     json.Key("boundary_pairs").Integer(row.boundary_pairs);
     json.Key("gaps").Integer(row.leaks.gaps);
     json.Key("overlaps").Integer(row.leaks.overlaps);
   }
-  json.Key("edge_error").Shortest(row.values.edge);
-  json.Key("edge_share_of_bound").Shortest(row.values.edge_share_of_bound);
-  json.Key("barycentric_error").Shortest(row.values.barycentric);
-  json.Key("depth_error").Shortest(row.values.depth);
-  json.Key("runs").BeginArray();
+  json.Key("edge_error").Rounded(row.values.edge);
+  json.Key("edge_share_of_bound").Rounded(row.values.edge_share_of_bound);
+  json.Key("barycentric_error").Rounded(row.values.barycentric);
+  json.Key("depth_error").Rounded(row.values.depth);
+  json.Key("runs").BeginArrayLine();
   for (const double seconds : row.seconds) json.Rounded(seconds);
   json.EndArray();
   json.EndObject();
 }
 
 void WriteLeftOut(JsonWriter& json, const BenchResult& result, const BenchLeftOut& left_out) {
-  json.BeginObject();
+  json.BeginObjectLine();
   json.Key("family").Text(result.families[left_out.family].name);
   WriteMethodKey(json, result, left_out.method);
   json.Key("why").Text(left_out.why);
@@ -151,14 +153,14 @@ void WriteLeftOut(JsonWriter& json, const BenchResult& result, const BenchLeftOu
 void WriteDecision(JsonWriter& json, const BenchResult& result, std::uint32_t family, Need need) {
   const std::optional<Decision> decision = Decide(result, family, need);
   if (!decision) return;
-  json.BeginObject();
+  json.BeginObjectLine();
   json.Key("family").Text(result.families[family].name);
   json.Key("need").Text(NeedName(need));
   WriteMethodKey(json, result, decision->row->method);
   json.Key("nanoseconds_a_triangle").Rounded(NanosecondsATriangle(result, *decision->row));
   json.Key("ratio_to_fastest").Rounded(decision->ratio);
   json.Key("tied_with_fastest").Bool(decision->is_tied_with_fastest);
-  json.Key("tied").BeginArray();
+  json.Key("tied").BeginArrayLine();
   for (const BenchRow* row : decision->tied) json.Text(FullName(result.methods[row->method]));
   json.EndArray();
   json.EndObject();
@@ -182,29 +184,32 @@ void WriteParameter(JsonWriter& json, const BenchParameter& parameter) {
   json.EndObject();
 }
 
-void WritePoint(JsonWriter& json, const BenchPoint& point) {
-  json.BeginObject();
-  json.Key("value").Shortest(point.value);
-  json.Key("asked").Integer(point.asked);
-  json.Key("wrong").Integer(point.wrong);
-  json.Key("displacement").Shortest(point.displacement);
-  json.Key("share_of_bound").Shortest(point.share_of_bound);
-  WriteInterval(json, "seconds", point.time);
-  json.EndObject();
+// Errors, or costs: [value, asked, wrong, displacement, share of the bound], or [value, asked, low,
+// median, high] of the seconds.
+void WritePoint(JsonWriter& json, const BenchPoint& point, bool is_cost) {
+  json.BeginArrayLine();
+  json.Shortest(point.value).Integer(point.asked);
+  if (is_cost) {
+    json.Rounded(point.time.low).Rounded(point.time.median).Rounded(point.time.high);
+  } else {
+    json.Integer(point.wrong).Rounded(point.displacement).Rounded(point.share_of_bound);
+  }
+  json.EndArray();
 }
 
 void WriteCurve(JsonWriter& json, const BenchResult& result, const BenchCurve& curve) {
-  json.BeginObject();
+  const BenchParameter& parameter = result.parameters[curve.parameter];
+  json.BeginObjectLine();
   WriteMethodKey(json, result, curve.method);
-  json.Key("parameter").Text(result.parameters[curve.parameter].name);
+  json.Key("parameter").Text(parameter.name);
   json.Key("points").BeginArray();
-  for (const BenchPoint& point : curve.points) WritePoint(json, point);
+  for (const BenchPoint& point : curve.points) WritePoint(json, point, parameter.is_cost);
   json.EndArray();
   json.EndObject();
 }
 
 void WriteCliff(JsonWriter& json, const BenchResult& result, const BenchCliff& cliff) {
-  json.BeginObject();
+  json.BeginObjectLine();
   WriteMethodKey(json, result, cliff.method);
   json.Key("parameter").Text(result.parameters[cliff.parameter].name);
   json.Key("proved_to").Shortest(cliff.proved_to);
@@ -212,7 +217,8 @@ void WriteCliff(JsonWriter& json, const BenchResult& result, const BenchCliff& c
   json.Key("first_failing").Shortest(cliff.first_failing);
   if (cliff.scene) {
     std::string scene;
-    io::AppendSceneJson(*cliff.scene, "      ", scene);
+    io::AppendSceneJson(*cliff.scene, "", scene);
+    std::erase(scene, '\n');
     json.Key("scene").Value(scene);
     json.Key("x").Integer(cliff.x);
     json.Key("y").Integer(cliff.y);

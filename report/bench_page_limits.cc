@@ -1,254 +1,204 @@
-// Where methods end: cliffs, curves, fingerprints, and the budget of a frame.
+// Where methods end: a matrix of cliffs; fingerprints, and the budget of a frame.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fmt/format.h"
 #include "report/bench_decision.h"
 #include "report/bench_page_parts.h"
+#include "report/limits_text.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
 namespace rasterproof::report {
 namespace {
 
-// Of a plot, in user units.
-constexpr double kWidth = 560;
-constexpr double kHeight = 300;
-constexpr double kLeftEdge = 62;
-constexpr double kTopEdge = 28;
-constexpr double kAcross = 310;
-constexpr double kDown = 216;
-constexpr double kZeroLane = 32;  // below the axis
-constexpr double kLineHeight = 12;
-
-// A power of two where it is one, as cliffs mostly are; else all digits.
-std::string ValueText(double value) {
-  if (std::isnan(value)) return "–";
-  int exponent = 0;
-  const double half = std::frexp(value, &exponent);
-  const bool is_long = value >= 1024 || value < 1;
-  if (half == 0.5 && is_long) return fmt::format("2^{}", exponent - 1);
-  return fmt::format("{}", value);
-}
-
-enum class Measure : std::uint8_t { kBound, kShare, kTime };
-
-double ValueOf(const BenchPoint& point, Measure measure) {
-  switch (measure) {
-    case Measure::kBound:
-      return point.share_of_bound;
-    case Measure::kShare:
-      return point.asked == 0 ? std::numeric_limits<double>::quiet_NaN()
-                              : static_cast<double>(point.wrong) / static_cast<double>(point.asked);
-    case Measure::kTime:
-      return 1e9 * point.time.median;
-  }
-  return 0;
-}
-
-std::string_view MeasureName(Measure measure) {
-  switch (measure) {
-    case Measure::kBound:
-      return "worst error of E over its proven bound";
-    case Measure::kShare:
-      return "share of wrong decisions";
-    case Measure::kTime:
-      return "nanoseconds a triangle";
-  }
-  return "";
-}
-
-// Smallest and largest positive number, as powers of ten around them.
-struct Decades {
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0;
-
-  void Take(double value) {
-    if (!std::isfinite(value) || value <= 0) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  bool IsEmpty() const { return high == 0; }
-  double At(double value) const {
-    const double span = std::log(high / low);
-    return span == 0 ? 0.5 : std::log(std::clamp(value, low, high) / low) / span;
-  }
-  void Round() {
-    low = std::pow(10, std::floor(std::log10(low)));
-    high = std::pow(10, std::ceil(std::log10(high)));
-    if (low == high) high *= 10;
-  }
+// Methods of which the same is said of every parameter.
+struct CliffRow {
+  std::vector<std::uint32_t> methods;
+  /// Of each parameter those of the methods; none: it is not theirs.
+  std::vector<std::vector<const BenchCliff*>> cells;
 };
 
-struct Plot {
-  Decades x;
-  Decades y;
-
-  double XOf(double value) const { return kLeftEdge + kAcross * x.At(value); }
-  // What is 0 lies in a lane of its own.
-  double YOf(double value) const {
-    return value <= 0 ? kTopEdge + kDown + kZeroLane / 2 : kTopEdge + kDown * (1 - y.At(value));
-  }
-};
-
-std::string TextAt(double x, double y, std::string_view anchor, std::string_view look,
-                   std::string_view text) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" class=\"{}\">{}</text>", x,
-                     y, anchor, look, Escaped(text));
+std::vector<std::string> SaidOf(const CliffRow& row) {
+  std::vector<std::string> said;
+  for (const auto& cell : row.cells) said.push_back(cell.empty() ? "" : CliffText(*cell.front()));
+  return said;
 }
 
-std::string AxesOf(const Plot& plot, const BenchParameter& parameter, Measure measure) {
-  std::string svg = TextAt(0, 12, "start", "", MeasureName(measure));
-  const double bottom = kTopEdge + kDown + kZeroLane;
-  const double decades = std::log10(plot.y.high / plot.y.low);
-  const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));
-  for (int k = 0; k <= decades + 0.5; k += step) {
-    const double value = plot.y.low * std::pow(10, k);
-    svg += fmt::format("<path class=\"grid\" d=\"M{} {:.1f}h{}\"/>", kLeftEdge, plot.YOf(value),
-                       kAcross);
-    svg += TextAt(kLeftEdge - 6, plot.YOf(value) + 4, "end", "soft", fmt::format("{:.0e}", value));
+CliffRow RowOf(const BenchResult& bench, std::uint32_t method) {
+  CliffRow row{{method}, std::vector<std::vector<const BenchCliff*>>(bench.parameters.size())};
+  for (const BenchCliff& cliff : bench.cliffs) {
+    if (cliff.method == method) row.cells[cliff.parameter] = {&cliff};
   }
-  svg +=
-      fmt::format("<path class=\"lane\" d=\"M{} {}h{}\"/>", kLeftEdge, kTopEdge + kDown, kAcross);
-  svg += TextAt(kLeftEdge - 6, plot.YOf(0) + 5, "end", "soft", "0");
-  for (const auto& [value, anchor] : {std::pair{plot.x.low, "start"}, {plot.x.high, "end"}}) {
-    svg += TextAt(plot.XOf(value), bottom + 15, anchor, "soft", ValueText(value));
-  }
-  return svg + TextAt(kLeftEdge + kAcross / 2, bottom + 15, "middle", "soft", parameter.name);
+  return row;
 }
 
-// Names at the lines' right ends, pushed apart; those that find no room are left to the titles.
-std::string EndNames(const BenchResult& bench, const Plot& plot,
-                     const std::vector<const BenchCurve*>& curves, Measure measure) {
-  std::vector<std::pair<double, std::string>> names;
-  for (const BenchCurve* curve : curves) {
-    const double end = ValueOf(curve->points.back(), measure);
-    if (std::isfinite(end)) {
-      names.emplace_back(plot.YOf(end), FullName(bench.methods[curve->method]));
+std::vector<CliffRow> CliffRows(const BenchResult& bench) {
+  std::vector<CliffRow> rows;
+  for (std::uint32_t method = 0; method < bench.methods.size(); ++method) {
+    CliffRow row = RowOf(bench, method);
+    if (std::ranges::all_of(row.cells, [](const auto& cell) { return cell.empty(); })) continue;
+    // The user's own stands by itself.
+    const auto same = std::ranges::find_if(rows, [&](const CliffRow& other) {
+      return bench.methods[method].is_users == bench.methods[other.methods[0]].is_users &&
+             SaidOf(other) == SaidOf(row);
+    });
+    if (same == rows.end()) {
+      rows.push_back(std::move(row));
+      continue;
+    }
+    same->methods.push_back(method);
+    for (std::size_t k = 0; k < row.cells.size(); ++k) {
+      same->cells[k].insert(same->cells[k].end(), row.cells[k].begin(), row.cells[k].end());
     }
   }
-  std::ranges::sort(names);
-  std::string svg;
-  double least = kTopEdge;
-  for (const auto& [y, name] : names) {
-    const double at = std::max(y + 4, least);
-    if (at > kHeight - 4) break;
-    svg += TextAt(kLeftEdge + kAcross + 8, at, "start", "place", name);
-    least = at + kLineHeight;
-  }
-  return svg;
+  return rows;
 }
 
-std::string LineOf(const BenchResult& bench, const Plot& plot, const BenchCurve& curve,
-                   Measure measure) {
-  std::string path;
-  for (const BenchPoint& point : curve.points) {
-    const double value = ValueOf(point, measure);
-    if (!std::isfinite(value)) continue;
-    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", plot.XOf(point.value),
-                        plot.YOf(value));
-  }
-  const BenchMethod& method = bench.methods[curve.method];
-  std::string kind = method.is_users ? "yours" : method.kind;
-  std::ranges::replace(kind, ' ', '-');
-  return fmt::format("<path class=\"line {}\" d=\"{}\"><title>{}</title></path>\n", kind, path,
-                     Escaped(FullName(method)));
-}
-
-// Nothing if no curve has a positive number.
-std::string CurvePlot(const BenchResult& bench, std::uint32_t parameter, Measure measure) {
-  std::vector<const BenchCurve*> curves;
-  Plot plot;
-  for (const BenchCurve& curve : bench.curves) {
-    if (curve.parameter != parameter || curve.points.empty()) continue;
-    Decades seen;
-    for (const BenchPoint& point : curve.points) {
-      plot.x.Take(point.value);
-      seen.Take(ValueOf(point, measure));
-    }
-    if (seen.IsEmpty()) continue;
-    plot.y.Take(seen.low);
-    plot.y.Take(seen.high);
-    curves.push_back(&curve);
-  }
-  if (curves.empty() || plot.x.IsEmpty()) return {};
-  plot.y.Round();
-  std::string svg = AxesOf(plot, bench.parameters[parameter], measure);
-  for (const BenchCurve* curve : curves) svg += LineOf(bench, plot, *curve, measure);
-  return fmt::format(
-      "<svg class=\"plot curve\" role=\"img\" aria-label=\"{} by {}\" viewBox=\"0 0 {} {}\">{}{}"
-      "</svg>\n",
-      MeasureName(measure), Escaped(bench.parameters[parameter].name), kWidth, kHeight, svg,
-      EndNames(bench, plot, curves, measure));
-}
-
-// Those that no plot shows: 0 wrong at every value.
-std::string FlatNames(const BenchResult& bench, std::uint32_t parameter) {
+std::string NamesOf(const BenchResult& bench, const CliffRow& row) {
   std::string names;
-  for (const BenchCurve& curve : bench.curves) {
-    const bool is_flat =
-        std::ranges::all_of(curve.points, [](const BenchPoint& point) { return point.wrong == 0; });
-    if (curve.parameter != parameter || !is_flat) continue;
-    names += (names.empty() ? "" : ", ") + Escaped(FullName(bench.methods[curve.method]));
+  for (const std::uint32_t method : row.methods) {
+    names += fmt::format("{}<span class=\"name\">{}</span>", names.empty() ? "" : ", ",
+                         Escaped(FullName(bench.methods[method])));
   }
-  return names.empty() ? ""
-                       : fmt::format("<p class=\"why\">0 wrong at every value: {}.</p>\n", names);
+  return names +
+         (bench.methods[row.methods[0]].is_users ? " <span class=\"yours\">yours</span>" : "");
 }
 
-std::string CaseOf(const BenchResult& bench, const BenchCliff& cliff, std::string_view folder) {
-  if (!cliff.scene) return "–";
-  const BenchMethod& method = bench.methods[cliff.method];
-  return Command(fmt::format("rasterproof explain {}/{} --{} {} --pixel {} {}", folder,
-                             CliffFile(bench, cliff), method.is_users ? "plugin" : "subject",
-                             method.name, cliff.x, cliff.y));
+std::string CaseName(std::size_t row, std::size_t parameter) {
+  return fmt::format("cliff-{}-{}", row, parameter);
+}
+
+bool HasCase(const std::vector<const BenchCliff*>& cell) {
+  return std::ranges::any_of(cell,
+                             [](const BenchCliff* cliff) { return cliff->scene.has_value(); });
+}
+
+std::string CliffCell(const BenchResult& bench, const std::vector<const BenchCliff*>& cell,
+                      const std::string& name) {
+  if (cell.empty()) return "<td></td>";
+  const BenchCliff& cliff = *cell.front();
+  const bool is_failing = !std::isnan(cliff.first_failing);
+  const bool is_proved = !std::isnan(cliff.proved_to);
+  return fmt::format("<td class=\"number {}\" title=\"{}: {}\"{}><b>{}</b><i>{}</i></td>",
+                     is_failing  ? "fails"
+                     : is_proved ? "holds"
+                                 : "held",
+                     Escaped(bench.parameters[cliff.parameter].name), Escaped(CliffText(cliff)),
+                     HasCase(cell) ? fmt::format(" data-case=\"{}\"", name) : "",
+                     is_proved ? "≤ " + RaisedText(ValueText(cliff.proved_to)) : "–",
+                     is_failing ? "✗ " + RaisedText(ValueText(cliff.first_failing)) : "–");
+}
+
+std::string CommandsOf(const BenchResult& bench, const std::vector<const BenchCliff*>& cell,
+                       std::string_view folder) {
+  std::string commands;
+  for (const BenchCliff* cliff : cell) {
+    if (!cliff->scene) continue;
+    const BenchMethod& method = bench.methods[cliff->method];
+    commands += Command(fmt::format(
+        "rasterproof explain {}/{} --{} {} --pixel {} {}", folder, CliffFile(bench, *cliff),
+        method.is_users ? "plugin" : "subject", method.name, cliff->x, cliff->y));
+  }
+  return commands;
+}
+
+// The columns: parameters that some method has a limit of.
+std::vector<std::size_t> ColumnsOf(const std::vector<CliffRow>& rows) {
+  std::vector<std::size_t> columns;
+  for (std::size_t k = 0; k < rows[0].cells.size(); ++k) {
+    const bool is_said =
+        std::ranges::any_of(rows, [&](const CliffRow& row) { return !row.cells[k].empty(); });
+    if (is_said) columns.push_back(k);
+  }
+  return columns;
+}
+
+std::string MatrixKey(const BenchResult& bench, const std::vector<std::size_t>& columns) {
+  std::vector<std::string> sentences;
+  for (const std::size_t k : columns) {
+    const BenchParameter& parameter = bench.parameters[k];
+    sentences.push_back(
+        Escaped(parameter.summary + (parameter.unit == "1" ? "" : "; in " + parameter.unit)));
+  }
+  std::vector<std::pair<std::string_view, std::string_view>> key{
+      {"≤", "proved right up to this value; –: nothing is proved"},
+      {"✗", "first seen failing at this value; –, shaded: never seen failing"}};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    key.emplace_back(bench.parameters[columns[k]].name, sentences[k]);
+  }
+  return ColumnKey(key);
+}
+
+// What the script shows below the matrix for the cell chosen.
+std::string CliffCases(const BenchResult& bench, const std::vector<CliffRow>& rows,
+                       std::string_view folder) {
+  std::string html;
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    for (std::size_t k = 0; k < rows[n].cells.size(); ++k) {
+      const auto& cell = rows[n].cells[k];
+      if (!HasCase(cell)) continue;
+      ++count;
+      html += fmt::format("<div id=\"{}\"><p class=\"why\">{}: {}</p>{}</div>\n", CaseName(n, k),
+                          Escaped(bench.parameters[k].name), Escaped(CliffText(*cell.front())),
+                          CommandsOf(bench, cell, folder));
+    }
+  }
+  if (count == 0) return {};
+  return fmt::format(
+      "<div id=\"cliff-cases\">{}</div>\n",
+      Folded(fmt::format("Commands that show the failing cases of {}", Several(count, "cell")),
+             html, false));
 }
 
 }  // namespace
 
-std::string CliffTable(const BenchResult& bench, std::string_view folder) {
-  if (bench.cliffs.empty()) return {};
-  std::string html =
-      "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>method</th><th>what grows</th>"
-      "<th class=\"number\">proved to</th><th class=\"number\">held to</th>"
-      "<th class=\"number\">first seen failing at</th><th>its case</th></tr></thead><tbody>\n";
-  for (const BenchCliff& cliff : bench.cliffs) {
-    const BenchParameter& parameter = bench.parameters[cliff.parameter];
-    html += fmt::format(
-        "<tr><th scope=\"row\" class=\"name\">{}</th><td>{} <span class=\"why\">{}</span></td>"
-        "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number {}\">{}</td>"
-        "<td>{}</td></tr>\n",
-        Escaped(FullName(bench.methods[cliff.method])), Escaped(parameter.name),
-        Escaped(parameter.unit == "1" ? "" : parameter.unit), ValueText(cliff.proved_to),
-        ValueText(cliff.held_to), std::isnan(cliff.first_failing) ? "zero" : "wrong",
-        ValueText(cliff.first_failing), CaseOf(bench, cliff, folder));
+std::string RaisedText(const std::string& text) {
+  constexpr std::array<std::string_view, 10> kRaised{"⁰", "¹", "²", "³", "⁴",
+                                                     "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string raised;
+  bool is_up = false;
+  for (const char c : text) {
+    if (c == '^') {
+      is_up = true;
+    } else if (is_up && c == '-') {
+      raised += "⁻";
+    } else if (is_up && c >= '0' && c <= '9') {
+      raised += kRaised[static_cast<std::size_t>(c - '0')];
+    } else {
+      is_up = false;
+      raised += c;
+    }
   }
-  return Folded(fmt::format("Cliffs: {} of methods over parameters", bench.cliffs.size()),
-                html + "</tbody></table></div>\n", true);
+  return raised;
 }
 
-std::string CurvePlots(const BenchResult& bench) {
-  std::string html;
-  for (std::uint32_t k = 0; k < bench.parameters.size(); ++k) {
-    const BenchParameter& parameter = bench.parameters[k];
-    std::string plots;
-    if (parameter.is_cost) {
-      plots = CurvePlot(bench, k, Measure::kTime);
-    } else {
-      plots = CurvePlot(bench, k, Measure::kBound) + CurvePlot(bench, k, Measure::kShare);
-    }
-    if (!parameter.is_cost) plots += FlatNames(bench, k);
-    if (plots.empty()) continue;
-    html += fmt::format("<h3>{}</h3>\n<p class=\"why\">{}</p>\n<div class=\"curves\">{}</div>\n",
-                        Escaped(parameter.name), Escaped(parameter.summary), plots);
+std::string CliffTable(const BenchResult& bench, std::string_view folder) {
+  if (bench.cliffs.empty()) return {};
+  const std::vector<CliffRow> rows = CliffRows(bench);
+  const std::vector<std::size_t> columns = ColumnsOf(rows);
+  std::string html = "<div class=\"scroll cliffs\"><table id=\"cliffs\"><thead><tr><th>method</th>";
+  for (const std::size_t k : columns) {
+    html += fmt::format("<th class=\"number\">{}</th>", Escaped(bench.parameters[k].name));
   }
-  return html;
+  html += "</tr></thead><tbody>\n";
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    html += fmt::format("<tr><th scope=\"row\">{}</th>", NamesOf(bench, rows[n]));
+    for (const std::size_t k : columns) {
+      html += CliffCell(bench, rows[n].cells[k], CaseName(n, k));
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n<div id=\"cliff-shown\" aria-live=\"polite\"></div>\n" +
+         CliffCases(bench, rows, folder) + MatrixKey(bench, columns);
 }
 
 std::string FingerprintPictures(const BenchResult& bench) {

@@ -43,9 +43,12 @@ std::string ParetoParts(const BenchResult& bench);
 /// A panel a family, the frontier alone.
 std::string FamilyPanels(const BenchResult& bench);
 
-/// Where each method ends, as a table. `folder`: of the page, in commands.
+/// "2^-24 + 1" with its exponent raised.
+std::string RaisedText(const std::string& text);
+/// Where each method ends: a row for methods that end alike, a column for each parameter, below it
+/// the commands that show the failing cases. `folder`: of the page, in commands.
 std::string CliffTable(const BenchResult& bench, std::string_view folder);
-/// A plot a parameter and measure.
+/// A plot for each parameter and measure; curves that can't be told apart are one line.
 std::string CurvePlots(const BenchResult& bench);
 std::string FingerprintPictures(const BenchResult& bench);
 /// Pictures and commands, folded by family.

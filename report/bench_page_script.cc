@@ -9,6 +9,51 @@ namespace rasterproof::report {
 // shown.
 const std::string_view kBenchScript = R"js("use strict";
 (() => {
+// The cell chosen of the matrix of cliffs: what it says, and the commands that show it.
+const cliffs = document.getElementById("cliffs");
+function chooseCell(cell) {
+  const before = cliffs.querySelector("td[tabindex='0']");
+  before.tabIndex = -1;
+  before.removeAttribute("aria-selected");
+  cell.tabIndex = 0;
+  cell.setAttribute("aria-selected", "true");
+  const text = document.createElement("p");
+  text.textContent = `${cell.parentNode.cells[0].textContent} over ${cell.dataset.said}.`;
+  const commands = document.getElementById(cell.dataset.case);
+  document.getElementById("cliff-shown").replaceChildren(text,
+    ...(commands ? commands.cloneNode(true).querySelectorAll("pre") : []));
+}
+function cellBeside(cell, key) {
+  const steps = {ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowDown: [0, 1], ArrowUp: [0, -1]};
+  if (!steps[key]) return null;
+  const [across, down] = steps[key];
+  let next = cell;
+  do {
+    next = cliffs.rows[next.parentNode.rowIndex + down]?.cells[next.cellIndex + across];
+  } while (next && next.localName === "td" && !next.dataset.said);
+  return next?.localName === "td" ? next : null;
+}
+if (cliffs) {
+  cliffs.setAttribute("role", "grid");
+  const cells = cliffs.querySelectorAll("td[title]");
+  for (const cell of cells) {
+    cell.dataset.said = cell.title;
+    cell.tabIndex = -1;
+    cell.addEventListener("focus", () => chooseCell(cell));
+    cell.addEventListener("keydown", (event) => {
+      const next = cellBeside(cell, event.key);
+      if (!next) return;
+      event.preventDefault();
+      next.focus();
+    });
+  }
+  cells[0].tabIndex = 0;
+  document.getElementById("cliff-shown").textContent =
+    "Choose a cell, or tab to one and go on with the arrows: its failing case is shown here.";
+  const list = document.getElementById("cliff-cases");
+  if (list) list.hidden = true;
+}
+
 const data = document.getElementById("bench-data");
 if (!data) return;
 const bench = JSON.parse(data.textContent);
@@ -390,6 +435,6 @@ fillTable();
 )js";
 
 // tests/tool/page_browser_test.py runs it under the page's policy, which allows nothing else.
-const std::string_view kBenchScriptHash = "1ANTcZurtKKPpq37JKPjjdDMkBybz7mxSS+pd+x/ACQ=";
+const std::string_view kBenchScriptHash = "Lnlc4ueziWsUGQ6tX0Gz4vwrrfixQngVz93BER80dYU=";
 
 }  // namespace rasterproof::report

@@ -59,7 +59,36 @@ const std::string_view kBenchStyle = R"(
 .panels, .curves, .prints, .cases {
   display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(24rem, 100%), 1fr));
 }
-.curves { grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); }
+.curves { grid-template-columns: repeat(auto-fill, minmax(min(22rem, 100%), 1fr)); }
+.curves.costs { grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); }
+.pair { display: contents; }
+.curve { margin: 0; }
+.curve figcaption { font-size: 0.85rem; }
+.curve figcaption .why { display: block; }
+.curve details { margin: 0; }
+.curve summary { padding: 0; }
+.curve p.why { margin: 0; }
+.curve ol { margin: 0.2rem 0; padding-left: 2.2rem; font-size: 0.8rem; columns: 2; column-gap: 2.2rem; }
+.curve li { break-inside: avoid; overflow-wrap: anywhere; }
+.curve li::marker { font-weight: 600; }
+.float32::marker { color: var(--f32); }
+.float64::marker { color: var(--f64); }
+.fixed-point::marker { color: var(--fixed); }
+.exact::marker { color: var(--exact); }
+li.yours::marker { color: var(--yours); }
+.plot .cliff { stroke: var(--bad); stroke-width: 1.8; fill: none; }
+.scroll.cliffs { max-height: 65vh; }
+#cliffs th, #cliffs td { padding: 0.3rem 0.45rem; }
+#cliffs tbody th { min-width: 12rem; max-width: 20rem; line-height: 1.35; }
+#cliffs tbody th .name { white-space: normal; overflow-wrap: anywhere; font-size: 0.78rem; }
+#cliffs td { border-left: 1px solid var(--line); font-size: 0.76rem; line-height: 1.35; }
+#cliffs td b, #cliffs td i { display: block; font-style: normal; font-weight: 400; }
+#cliffs .fails i { color: var(--bad); }
+#cliffs .holds, #cliffs .held { background: var(--good-wash); }
+#cliffs td[tabindex] { cursor: pointer; }
+#cliffs td[aria-selected] { outline: 2px solid var(--link); outline-offset: -2px; }
+#cliff-shown { min-height: 4.5rem; margin: 0.5rem 0; }
+#cliff-shown p { margin: 0; max-width: none; font-size: 0.9rem; }
 .prints { grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); }
 .prints figure, .cases figure { margin: 0; }
 .prints img { width: 100%; image-rendering: pixelated; border: 1px solid var(--line); }
@@ -68,6 +97,8 @@ const std::string_view kBenchStyle = R"(
   .pick, .save { display: none; }
   .panels { grid-template-columns: 1fr 1fr; }
   svg, tr, figure { break-inside: avoid; }
+  .scroll.cliffs { max-height: none; }
+  #cliff-shown { display: none; }
 }
 )";
 

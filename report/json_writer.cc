@@ -42,10 +42,18 @@ JsonWriter& JsonWriter::Begin(char bracket) {
   return *this;
 }
 
+JsonWriter& JsonWriter::BeginLine(char bracket) {
+  Begin(bracket);
+  if (line_depth_ == 0) line_depth_ = empty_.size();
+  return *this;
+}
+
 JsonWriter& JsonWriter::End(char bracket) {
   const bool empty = empty_.back();
+  const bool is_line = line_depth_ != 0;
+  if (empty_.size() == line_depth_) line_depth_ = 0;
   empty_.pop_back();
-  if (!empty) text_ += '\n' + std::string(2 * empty_.size(), ' ');
+  if (!empty && !is_line) text_ += '\n' + std::string(2 * empty_.size(), ' ');
   text_ += bracket;
   return *this;
 }
@@ -55,8 +63,8 @@ void JsonWriter::NextLine() {
   if (after_key_) {
     after_key_ = false;
   } else if (!empty_.empty()) {
-    text_ += empty_.back() ? "\n" : ",\n";
-    text_ += std::string(2 * empty_.size(), ' ');
+    if (!empty_.back()) text_ += ',';
+    if (line_depth_ == 0) text_ += '\n' + std::string(2 * empty_.size(), ' ');
     empty_.back() = false;
   }
 }

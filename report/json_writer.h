@@ -3,13 +3,14 @@
 #define RASTERPROOF_REPORT_JSON_WRITER_H_
 
 #include <concepts>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rasterproof::report {
 
-/// A JSON text under construction, one member or item a line.
+/// A JSON text under construction, one member or item a line unless it is asked for as one line.
 ///
 /// Domain:     the caller closes what it opens and gives every member of an object a key.
 class JsonWriter {
@@ -18,6 +19,9 @@ class JsonWriter {
   JsonWriter& EndObject() { return End('}'); }
   JsonWriter& BeginArray() { return Begin('['); }
   JsonWriter& EndArray() { return End(']'); }
+  /// An object or array whose members all stand on one line, and all within them.
+  JsonWriter& BeginObjectLine() { return BeginLine('{'); }
+  JsonWriter& BeginArrayLine() { return BeginLine('['); }
   JsonWriter& Key(std::string_view key);
 
   JsonWriter& Text(std::string_view text);
@@ -40,12 +44,14 @@ class JsonWriter {
 
  private:
   JsonWriter& Begin(char bracket);
+  JsonWriter& BeginLine(char bracket);
   JsonWriter& End(char bracket);
   void NextLine();
 
   std::string text_;
   std::vector<bool> empty_;  // of each open container: nothing in it yet
   bool after_key_ = false;
+  std::size_t line_depth_ = 0;  // of the container that stands on one line; 0: none does
 };
 
 }  // namespace rasterproof::report

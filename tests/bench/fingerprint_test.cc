@@ -136,5 +136,26 @@ TEST(Fingerprint, IsMadeOfEveryMethodAndKernelAndEmptyOfErrorsWhereZeroIsProved)
   }
 }
 
+// A whole run draws fingerprints before families, whose targets are of other sizes.
+TEST(Fingerprint, LeavesAKernelAbleToDrawTheNextFamily) {
+  Scene scene;
+  scene.width = scene.height = 48;
+  scene.precision = Precision::kFloat32;
+  scene.vertices = {{1, 1}, {1, 40}, {40, 40}};
+  scene.triangles = {{0, 1, 2}};
+  const FamilyInput next = FamilyOf(scene, "");
+  FingerprintPlaces places(kFingerprintSteps[2]);
+  for (const auto& contender : OwnContenders(ContenderChoice::kQuick)) {
+    if (contender->WhyNot(next) || contender->method().name != "kernel-exact") continue;
+    places.Of(*contender);
+    contender->Load(next);
+    std::vector<std::uint8_t> box(std::size_t{48} * 48);
+    contender->DrawAlone(0, {0, 0, 48, 48}, box);
+    EXPECT_EQ(box[std::size_t{30} * 48 + 10], 1);
+    return;
+  }
+  FAIL() << "no kernel-exact here";
+}
+
 }  // namespace
 }  // namespace rasterproof::bench

@@ -80,19 +80,7 @@ void AddCrowd(BenchResult& result) {
   }
 }
 
-void AddLimits(BenchResult& result) {
-  result.parameters = {{"steps", "Longer walks, the rest kept", "pixels", false},
-                       {"pixels", "Larger triangles", "pixels", true}};
-  BenchCurve errors{2, 0, {}};
-  BenchCurve costs{3, 1, {}};
-  for (const double value : {2.0, 64.0, 16777217.0}) {
-    BenchPoint point{value, 1000, value > 64 ? 12U : 0U, value > 64 ? 0.25 : 0, value / 1e8, {}};
-    errors.points.push_back(point);
-    point.share_of_bound = std::numeric_limits<double>::quiet_NaN();
-    point.time = {0.9e-9 * value, 1e-9 * value, 1.1e-9 * value};
-    costs.points.push_back(point);
-  }
-  result.curves = {errors, costs};
+Scene CliffScene() {
   Scene scene;
   scene.name = "cliff";
   scene.width = 8;
@@ -100,9 +88,52 @@ void AddLimits(BenchResult& result) {
   scene.vertices = {{0.1, 0, 0, 1}, {7, 1, 0, 1}, {3, 7, 0, 1}};
   scene.triangles = {{0, 1, 2}};
   scene.precision = Precision::kFloat64;
-  result.cliffs.resize(2);
-  result.cliffs[0] = {2, 0, 64, 4096, 4097, scene, 3, 2};
-  result.cliffs[1].method = 3;
+  return scene;
+}
+
+// The crowd but its last two end alike, kernel-exact nowhere; f32-direct and the first of the crowd
+// are one line, the last but one is another.
+void AddLimits(BenchResult& result) {
+  constexpr std::uint32_t kFirstOfCrowd = 6;
+  const auto methods = static_cast<std::uint32_t>(result.methods.size());
+  result.parameters = {{"steps", "Longer walks, the rest kept", "pixels", false},
+                       {"pixels", "Larger triangles", "pixels", true},
+                       {"w", "w of one corner over that of the others", "1", false}};
+  for (std::uint32_t k = 1; k < 11; ++k) {
+    result.parameters.push_back(
+        {"grid-" + std::to_string(k), "Larger sides on a grid", "pixels", false});
+  }
+  const auto add_curves = [&](std::uint32_t method, double error) {
+    BenchCurve errors{method, 0, {}};
+    BenchCurve costs{method, 1, {}};
+    for (const double value : {2.0, 64.0, 4096.0, 16777217.0}) {
+      BenchPoint point{value, 1000, value > 64 ? 12U : 0U, value > 64 ? error : 0, value / 1e8, {}};
+      // Float32 has no corners that far.
+      if (value <= 4096 || result.methods[method].kind != "float32") errors.points.push_back(point);
+      point = {value, 1000, 0, 0, std::numeric_limits<double>::quiet_NaN(), {}};
+      point.time = {0.9e-9 * value, 1e-9 * value / error, 1.1e-9 * value};
+      costs.points.push_back(point);
+    }
+    result.curves.push_back(errors);
+    result.curves.push_back(costs);
+  };
+  add_curves(2, 0.25);
+  for (std::uint32_t k = kFirstOfCrowd; k < methods; ++k) {
+    add_curves(k, k == methods - 1 ? 0.001 : k == methods - 2 ? 0.01 : 0.25);
+  }
+  result.cliffs.push_back({2, 0, 64, 2048, 2049, CliffScene(), 3, 2});
+  result.cliffs.emplace_back().method = kFirstOfCrowd;  // nothing is known
+  for (std::uint32_t parameter = 2; parameter < result.parameters.size(); ++parameter) {
+    for (std::uint32_t method = kFirstOfCrowd; method < methods - 2; ++method) {
+      result.cliffs.push_back(
+          {method, parameter, 94906265, 94906265, 94906266, CliffScene(), 3, 2});
+    }
+    result.cliffs.push_back({methods - 1, parameter, 4096, 8192, 8193, CliffScene(), 3, 2});
+    BenchCliff& endless = result.cliffs.emplace_back();
+    endless.method = 3;
+    endless.parameter = parameter;
+    endless.proved_to = endless.held_to = 16384;
+  }
 }
 
 }  // namespace

@@ -196,6 +196,63 @@ class PageInABrowser(unittest.TestCase):
         self.assertTrue(lines[0].startswith('"method","by","into"'), lines[0])
         self.assertEqual(self.browser.faults(), [])
 
+    def shown_case(self):
+        return self.value('document.getElementById("cliff-shown").innerText')
+
+    def test_the_matrix_shows_what_a_cell_says_and_its_commands(self):
+        self.open()
+        self.assertTrue(self.shown_case().startswith("Choose a cell"))
+        self.assertTrue(self.value('document.getElementById("cliff-cases").hidden'))
+        rows = self.value("""Array.from(document.querySelectorAll("#cliffs tbody th"),
+                             (head) => head.textContent)""")
+        alike = ", ".join(f"crowd-{k}" for k in range(1, 10))
+        # The first of the crowd has a cell of its own: nothing is known of its steps.
+        self.assertEqual(rows, ["f32-direct", "kernel-exact avx2", "crowd-0", alike, "crowd-11"])
+        cell = 'document.querySelectorAll("#cliffs tbody tr")[3].cells[2]'
+        self.assertEqual(self.value(cell + ".innerText.split(/\\s*\\n/)"),
+                         ["≤ 94906265", "✗ 94906266"])  # fmt: skip
+        self.value(cell + '.scrollIntoView({block: "center"})')
+        x, y = self.value(f"""(() => {{
+          const box = {cell}.getBoundingClientRect();
+          return [box.left + box.width / 2, box.top + box.height / 2];
+        }})()""")
+        self.browser.click(x, y)
+        text = " ".join(self.shown_case().split())
+        self.assertIn(alike + " over w: proved to 94906265, first seen failing at 94906266.", text)
+        for k in range(1, 10):
+            self.assertIn(f"explain out/bench/cliff-w-crowd-{k}.json --subject crowd-{k}", text)
+        self.assertEqual(self.browser.faults(), [])
+
+    def test_keys_alone_reach_every_cell_of_the_matrix(self):
+        self.open()
+        self.value("""document.querySelector("#limits h2").tabIndex = 0""")
+        self.value("""document.querySelector("#limits h2").focus()""")
+        self.browser.press("Tab")  # the box that scrolls
+        if not self.value('document.activeElement.localName === "td"'):
+            self.browser.press("Tab")
+        self.assertIn("f32-direct over steps: proved to 64", self.shown_case())
+        self.browser.press("ArrowDown")  # over the empty cell of kernel-exact
+        self.assertIn("crowd-0 over steps: nothing proved", self.shown_case())
+        self.assertNotIn("rasterproof explain", self.shown_case())
+        self.browser.press("ArrowRight")
+        self.assertIn("crowd-0 over w", self.shown_case())
+        self.assertIn("rasterproof explain", self.shown_case())
+        self.assertEqual(self.value('document.querySelectorAll("#cliffs [tabindex=\'0\']").length'), 1)
+
+    def test_curves_that_coincide_are_one_line(self):
+        self.open()
+        names = self.value("""Array.from(document.querySelectorAll("#curve-steps .curve"), (figure) =>
+          Array.from(figure.querySelectorAll("ol > li"), (line) => line.innerText.trim()))""")
+        self.assertEqual(names[0], ["f32-direct and 5 more", "crowd-0 and 4 more", "crowd-10",
+                                    "crowd-11"])  # fmt: skip
+        figure = 'document.querySelector("#curve-steps .curve")'
+        self.assertEqual(self.value(figure + '.querySelectorAll("svg .line").length'), 4)
+        self.assertEqual(self.value(figure + '.querySelectorAll("svg .place").length'), 4)
+        self.assertEqual(self.value(figure + '.querySelectorAll("svg .cliff").length'), 1)
+        title = self.value(figure + '.querySelector("svg .line title").textContent')
+        self.assertEqual(title, "f32-direct, crowd-1, crowd-3, crowd-5, crowd-7, crowd-9")
+        self.assertIn("float32 ends", self.value(figure + '.querySelector("svg").textContent'))
+
     def test_no_text_covers_another(self):
         for width in (1280, 800):
             self.open(width, dark=width == 800)
@@ -206,7 +263,7 @@ class PageInABrowser(unittest.TestCase):
                     self.choose("error", error)
                     self.browser.after_painting()
                     covered = self.value(COVERED)
-                    self.assertGreater(covered["count"], 300)
+                    self.assertGreater(covered["count"], 600)
                     self.assertEqual(covered["found"], [], (width, family, error))
                     self.assertEqual(self.value(CUT), [], (width, family, error))
 
@@ -221,6 +278,11 @@ class PageInABrowser(unittest.TestCase):
         self.assertEqual(self.value('document.querySelectorAll("#bench-plot svg").length'), 1)
         self.assertEqual(len(self.column(0)), 17)
         self.assertTrue(self.value('document.getElementById("bench-pick").hidden'))
+        self.assertFalse(self.value('document.getElementById("cliff-cases").hidden'))
+        commands = self.value("""Array.from(document.querySelectorAll("#cliff-cases pre"),
+                                 (line) => line.textContent.trim())""")
+        self.assertIn("rasterproof explain out/bench/cliff-w-crowd-3.json --subject crowd-3 "
+                      "--pixel 3 2", commands)  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -93,6 +93,14 @@ class Centroids final : public Subject {
     return q;
   }
 
+  // At any sample of the pixel.
+  static bool IsCovered(const CoverageCounts& counts, int x, int row) {
+    for (int s = 0; s < counts.samples; ++s) {
+      if (counts.Count(counts.Index(x, row, s)) != 0) return true;
+    }
+    return false;
+  }
+
   void ShowTriangle(const Scene& scene, std::size_t t, const CoverageCounts& alone,
                     const Outputs& wants, Drawing& drawing) const {
     const std::array<Vertex, 3> corners = Corners(scene, scene.triangles[t]);
@@ -106,8 +114,8 @@ class Centroids final : public Subject {
     const std::array<Point2, 3>& owners = snapped ? shown.placed : shown.given;
     for (int row = 0; row < alone.height; ++row) {
       for (int x = 0; x < alone.width; ++x) {
+        if (!IsCovered(alone, x, row)) continue;
         const CentroidQuestion q = QuestionAt(shown.placed, x, row, alone);
-        if (std::ranges::find(q.covered, true) == q.covered.end()) continue;
         const Barycentric3 centroid = drawing.centroids.empty()
                                           ? Barycentric3{}
                                           : BarycentricsAt(owners, stages_.centroid(q));

@@ -193,7 +193,7 @@ std::string BenchSections(const BenchResult& bench, std::string_view folder) {
   html += section("fingerprints", "Fingerprints",
                   "One end of an edge that two triangles share moves through 256 x 256 "
                   "neighbouring places: left what the method says of one sample, right its own "
-                  "model. Grey: the first triangle has it, white: the second, blue: both, "
+                  "model. Grey-blue: the first triangle has it, white: the second, blue: both, "
                   "vermilion: neither.",
                   FingerprintPictures(bench));
   html += section("worst", "Worst known cases",

@@ -191,8 +191,10 @@ std::string BenchSections(const BenchResult& bench, std::string_view folder) {
                   "between proved and first seen failing nothing is stated.",
                   Limits(bench, folder));
   html += section("fingerprints", "Fingerprints",
-                  "One vertex moved through 256 x 256 neighbouring places before a fixed edge and "
-                  "sample; exact beside it.",
+                  "One end of an edge that two triangles share moves through 256 x 256 "
+                  "neighbouring places: left what the method says of one sample, right its own "
+                  "model. Grey-blue: the first triangle has it, white: the second, blue: both, "
+                  "vermilion: neither.",
                   FingerprintPictures(bench));
   html += section("worst", "Worst known cases",
                   "The wrong sample farthest from its triangle's boundary, by real geometry, of "

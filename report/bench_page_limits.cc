@@ -201,19 +201,27 @@ std::string CliffTable(const BenchResult& bench, std::string_view folder) {
          CliffCases(bench, rows, folder) + MatrixKey(bench, columns);
 }
 
+// Pictures of those that are wrong somewhere; of the others the left half is the right one.
 std::string FingerprintPictures(const BenchResult& bench) {
-  if (bench.fingerprints.empty()) return {};
-  std::string html = "<div class=\"prints\">\n";
+  std::string html;
+  std::string right;
   for (const BenchFingerprint& print : bench.fingerprints) {
     const std::string name = Escaped(FullName(bench.methods[print.method]));
     const std::string step = Escaped(print.step);
+    if (print.wrong == 0) {
+      right += fmt::format("{}{} ({})", right.empty() ? "" : ", ", name, step);
+      continue;
+    }
     html += fmt::format(
-        "<figure><img alt=\"Fingerprint of {0} in steps of {1}\" loading=\"lazy\" "
-        "src=\"data:image/png;base64,{2}\"><figcaption><span class=\"name\">{0}</span> steps of "
-        "{1}: {3} of {4} places not as exact</figcaption></figure>\n",
-        name, step, Escaped(print.png), Grouped(print.wrong), Grouped(256ULL * 256));
+        "<figure><img alt=\"Fingerprint of {0} in steps of {1}\" src=\"data:image/png;base64,{2}\">"
+        "<figcaption><span class=\"name\">{0}</span> steps of {1}: {3} of {4} places wrong"
+        "</figcaption></figure>\n",
+        name, step, Escaped(print.png), Grouped(print.wrong), Grouped(print.places));
   }
-  return html + "</div>\n";
+  if (!html.empty()) html = "<div class=\"prints\">\n" + html + "</div>\n";
+  if (!right.empty())
+    html += Folded("0 wrong in every place", "<p class=\"why\">" + right + "</p>", false);
+  return html;
 }
 
 std::string StageBars(const BenchResult& bench) {

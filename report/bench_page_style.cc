@@ -68,7 +68,9 @@ const std::string_view kBenchStyle = R"(
 .curve details { margin: 0; }
 .curve summary { padding: 0; }
 .curve p.why { margin: 0; }
-.curve ol { margin: 0.2rem 0; padding-left: 2.2rem; font-size: 0.8rem; columns: 2; column-gap: 2.2rem; }
+.curve ol {
+  margin: 0.2rem 0; padding-left: 2.2rem; font-size: 0.8rem; columns: 2; column-gap: 2.2rem;
+}
 .curve li { break-inside: avoid; overflow-wrap: anywhere; }
 .curve li::marker { font-weight: 600; }
 .float32::marker { color: var(--f32); }

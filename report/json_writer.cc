@@ -12,7 +12,7 @@ namespace rasterproof::report {
 
 JsonWriter& JsonWriter::Key(std::string_view key) {
   NextLine();
-  text_ += io::JsonString(key) + ": ";
+  text_ += io::JsonString(key) + (line_depth_ == 0 ? ": " : ":");
   after_key_ = true;
   return *this;
 }

@@ -237,12 +237,14 @@ class PageInABrowser(unittest.TestCase):
         self.browser.press("ArrowRight")
         self.assertIn("crowd-0 over w", self.shown_case())
         self.assertIn("rasterproof explain", self.shown_case())
-        self.assertEqual(self.value('document.querySelectorAll("#cliffs [tabindex=\'0\']").length'), 1)
+        stops = self.value("""document.querySelectorAll("#cliffs [tabindex='0']").length""")
+        self.assertEqual(stops, 1)
 
     def test_curves_that_coincide_are_one_line(self):
         self.open()
-        names = self.value("""Array.from(document.querySelectorAll("#curve-steps .curve"), (figure) =>
-          Array.from(figure.querySelectorAll("ol > li"), (line) => line.innerText.trim()))""")
+        names = self.value("""Array.from(document.querySelectorAll("#curve-steps .curve"),
+          (figure) => Array.from(figure.querySelectorAll("ol > li"),
+            (line) => line.innerText.trim()))""")
         self.assertEqual(names[0], ["f32-direct and 5 more", "crowd-0 and 4 more", "crowd-10",
                                     "crowd-11"])  # fmt: skip
         figure = 'document.querySelector("#curve-steps .curve")'

@@ -109,19 +109,21 @@ std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod 
 /// draw of the same vertices without triangles: what it converts, which is told apart.
 ///
 /// What breaks down in this process ends it: `first`, a copy in a process of its own, is therefore
-/// asked to draw each family before; nullptr: nobody is.
+/// asked to draw each family before, and has `most_seconds` for it; nullptr: nobody is.
 ///
 /// Domain:     one sample a pixel, in its centre; the subjects outlive the contender.
 /// Error:      of Load(): what `first` throws.
-std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first = nullptr);
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first = nullptr,
+                                                double most_seconds = 10);
 
 /// A user's subject in a process of its own. Its time is the slope of the processor time of all its
 /// threads over k, 2 k and 4 k draws: of repeats in one request, so that starting, reading and
-/// answering drop out; of one that takes no repeats, over requests in one call.
+/// answering drop out; of one that takes no repeats, over requests in one call. Its first draw of a
+/// family may take `most_seconds`.
 ///
 /// Domain:     as MakeSubjectContender.
 /// Error:      of its calls: what the subject throws, where it breaks down over a family.
-std::unique_ptr<Contender> MakeProgramContender(Subject& subject);
+std::unique_ptr<Contender> MakeProgramContender(Subject& subject, double most_seconds = 10);
 
 /// Seconds that storing one pixel takes at least, by the widest vectors. Measured when first asked
 /// for.

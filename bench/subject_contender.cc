@@ -1,6 +1,7 @@
 // Subjects of the user's: libraries in this process, programs in their own.
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,7 @@
 #include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/subject.h"
+#include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "reference/kernels/kernel.h"
 
@@ -153,13 +155,32 @@ class SubjectContender : public Contender {
   std::uint64_t outside_ = 0;  // samples outside of the areas of triangles drawn alone
 };
 
+// Error: SubjectTooSlow if the draw is not done by then.
+template <class Draw>
+void InTime(Subject& subject, double seconds, const Draw& draw) {
+  using Clock = std::chrono::steady_clock;
+  subject.SetDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                         std::chrono::duration<double>(seconds)));
+  try {
+    draw();
+  } catch (const SubjectTooSlow&) {
+    subject.SetDeadline(Clock::time_point::max());
+    throw SubjectTooSlow("one draw takes more than " + std::to_string(std::lround(seconds)) +
+                         " s; give a larger --budget, or fewer families");
+  }
+  subject.SetDeadline(Clock::time_point::max());
+}
+
 class LibraryContender final : public SubjectContender {
  public:
-  LibraryContender(Subject& subject, Subject* first) : SubjectContender(subject), first_(first) {}
+  LibraryContender(Subject& subject, Subject* first, double most_seconds)
+      : SubjectContender(subject), first_(first), most_seconds_(most_seconds) {}
 
   void Load(const FamilyInput& family) override {
     SubjectContender::Load(family);
-    if (first_ != nullptr) first_->Show(Job(scene_));
+    if (first_ != nullptr) {
+      InTime(*first_, most_seconds_, [&] { first_->Show(Job(scene_)); });
+    }
   }
 
   DrawTime Draw() override {
@@ -173,6 +194,7 @@ class LibraryContender final : public SubjectContender {
 
  private:
   Subject* first_;
+  double most_seconds_;
 };
 
 // The least squares' slope of times over draws, not below 0, and where it meets 0 draws.
@@ -201,7 +223,8 @@ Line FittedLine(std::span<const double> draws, std::span<const double> seconds) 
 
 class ProgramContender final : public SubjectContender {
  public:
-  explicit ProgramContender(Subject& subject) : SubjectContender(subject) {
+  ProgramContender(Subject& subject, double most_seconds)
+      : SubjectContender(subject), most_seconds_(most_seconds) {
     method_.times_requests = !subject.Info().takes_repeats;
     if (method_.clock != BenchClock::kWall) method_.clock = BenchClock::kProgram;
   }
@@ -209,7 +232,7 @@ class ProgramContender final : public SubjectContender {
   // The first draw starts it, and the second one is warm.
   void Load(const FamilyInput& family) override {
     SubjectContender::Load(family);
-    TimeOf(Job(scene_), 1);
+    InTime(subject_, most_seconds_, [&] { TimeOf(Job(scene_), 1); });
     const double one = TimeOf(Job(scene_), 1).wall_seconds;
     if (method_.times_requests) {
       conversion_seconds_ = SlopeOf(Job(empty_), 1).seconds / Triangles();
@@ -244,17 +267,19 @@ class ProgramContender final : public SubjectContender {
     return {.seconds = line.slope, .wall_seconds = FittedLine(counts, walls).slope};
   }
 
+  double most_seconds_;
   int draws_ = 1;
 };
 
 }  // namespace
 
-std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first) {
-  return std::make_unique<LibraryContender>(subject, first);
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first,
+                                                double most_seconds) {
+  return std::make_unique<LibraryContender>(subject, first, most_seconds);
 }
 
-std::unique_ptr<Contender> MakeProgramContender(Subject& subject) {
-  return std::make_unique<ProgramContender>(subject);
+std::unique_ptr<Contender> MakeProgramContender(Subject& subject, double most_seconds) {
+  return std::make_unique<ProgramContender>(subject, most_seconds);
 }
 
 }  // namespace rasterproof::bench

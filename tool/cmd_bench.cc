@@ -200,14 +200,17 @@ struct Contenders {
   std::vector<std::unique_ptr<bench::Contender>> list;
 
   explicit Contenders(const BenchOptions& options) : list(ContendersOf(options)) {
+    // Of the first draw of a family: some of these follow.
+    const double most_seconds = std::max(5.0, options.budget / 10);
     for (const std::string& file : options.plugins) {
       subjects.push_back(PluginOf(file));
       copies.push_back(ResolveOutside(std::string(kPluginPrefix) + file)());
-      list.push_back(bench::MakeSubjectContender(*subjects.back(), copies.back().get()));
+      list.push_back(
+          bench::MakeSubjectContender(*subjects.back(), copies.back().get(), most_seconds));
     }
     for (const std::string& name : ProgramNames(options)) {
       subjects.push_back(ProgramOf(name));
-      list.push_back(bench::MakeProgramContender(*subjects.back()));
+      list.push_back(bench::MakeProgramContender(*subjects.back(), most_seconds));
     }
   }
 };

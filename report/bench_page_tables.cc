@@ -223,6 +223,13 @@ std::string UsersTable(const BenchResult& bench) {
   for (const BenchRow& row : bench.rows) {
     if (bench.methods[row.method].is_users) rows += UsersRow(bench, row);
   }
+  for (const BenchLeftOut& out : bench.left_out) {
+    if (!bench.methods[out.method].is_users) continue;
+    rows +=
+        fmt::format("<tr>{}<td>{}</td><td colspan=\"7\" class=\"none\">left out: {}</td></tr>\n",
+                    FamilyHead(bench.families[out.family]), NameOf(bench.methods[out.method]),
+                    Escaped(out.why));
+  }
   if (rows.empty()) return {};
   return "<div class=\"scroll\"><table class=\"decisions\"><thead><tr><th>triangles</th>"
          "<th>method</th><th class=\"number\">ns a triangle</th><th class=\"number\">over the "

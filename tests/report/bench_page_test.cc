@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "report/bench_decision.h"
+#include "report/bench_page_parts.h"
 #include "report/page.h"
 #include "tests/report/sample_bench.h"
 #include "tests/report/sample_results.h"
@@ -183,6 +184,14 @@ TEST(BenchPage, NamesEndNoScript) {
   BenchResult bench = SampleBench();
   bench.methods[5].name = "</script><b>";
   EXPECT_FALSE(Says(BenchSections(bench, "out"), "</script><b>"));
+}
+
+TEST(BenchPage, SaysWhyAUsersSubjectIsLeftOut) {
+  BenchResult bench = SampleBench();
+  std::erase_if(bench.rows, [](const BenchRow& row) { return row.method == 5; });
+  bench.left_out.push_back({0, 5, "it was killed by signal <11>"});
+  const std::string table = UsersTable(bench);
+  EXPECT_TRUE(Says(table, "left out: it was killed by signal &lt;11&gt;")) << table;
 }
 
 }  // namespace

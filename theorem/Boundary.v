@@ -1,4 +1,5 @@
-(** Every triangle covers, signed, what its boundary says: for any half-circle, flat triangles included.
+(** Every triangle covers, signed, what its boundary says: for any half-circle,
+    flat triangles included.
 
     [turn r p a b] is what the edge a b adds where the ray from p goes in the direction in which [r]
     shifts the sample. The winding number follows in Winding.v. *)
@@ -50,10 +51,12 @@ Proof.
 Qed.
 
 (** An outline is closed: what is a difference of its ends adds up to nothing. *)
-Lemma outline_closed (f : point -> Z) m c : outline m c -> sum (fun e => f (snd e) - f (fst e)) c = 0.
+Lemma outline_closed (f : point -> Z) m c : outline m c -> sum (fun e => f (snd e) - f (fst e)) c
+  = 0.
 Proof.
   intros H. rewrite <- (sum_outline _ m c); [|intros []; simpl; lia|assumption].
-  rewrite sum_boundary. apply sum_zero. intros []. unfold triangle_boundary; simpl. sums. simpl. lia.
+  rewrite sum_boundary. apply sum_zero. intros []. unfold triangle_boundary; simpl. sums. simpl.
+  lia.
 Qed.
 
 (** ** Points *)
@@ -109,7 +112,8 @@ Proof.
   intros K H. replace k with (Z.of_nat (S (Z.to_nat (k - 1)))) by lia.
   induction (Z.to_nat (k - 1)) as [|n IH].
   - change (Z.of_nat 1) with 1. replace (times 1 d) with d by points. assumption.
-  - replace (times (Z.of_nat (S (S n))) d) with (plus (times (Z.of_nat (S n)) d) d); [apply owned_plus; assumption|].
+  - replace (times (Z.of_nat (S (S n))) d) with (plus (times (Z.of_nat (S n)) d) d);
+    [apply owned_plus; assumption|].
     rewrite (Nat2Z.inj_succ (S n)). apply point_ext; unfold plus, times, Z.succ; cbn [px py]; ring.
 Qed.
 
@@ -187,10 +191,12 @@ Proof.
   assert (S : forall s, sign s * sign s = 1) by (intros []; reflexivity).
   destruct (Z.eq_dec (k * (sign (side p c) * edge a b p) + k * (sign (side p a) * edge b c p)
     + k * (sign (side p b) * edge c a p)) 0) as [Z|N]; [destruct K; subst; lia|exfalso].
-  eapply (owned_combination _ _ _ _ _ _ (owned_side p c C) (owned_side p a A) (owned_side p b B) I J L);
+  eapply (owned_combination _ _ _ _ _ _ (owned_side p c C) (owned_side p a A) (owned_side p b B) I
+    J L);
     [lia|].
   pose proof (corner_identity a b c p) as E.
-  apply (f_equal px) in E as X. apply (f_equal py) in E as Y. unfold plus, times, minus, origin in *.
+  apply (f_equal px) in E as X. apply (f_equal py) in E as Y. unfold plus, times, minus,
+    origin in *.
   cbn [px py] in *. pose proof (S (side p a)). pose proof (S (side p b)). pose proof (S (side p c)).
   f_equal.
   - transitivity (k * (sign (side p c) * sign (side p c)) * (edge a b p * (px c - px p))
@@ -210,7 +216,8 @@ Proof.
   unfold signed, area, turned, covers; simpl.
   replace (edge b c a) with (edge a b c) by (unfold edge; ring).
   destruct (0 <? edge a b c), (edge a b c <? 0); try reflexivity;
-    repeat match goal with |- context [inside ?s ?u ?v ?q] => destruct (inside s u v q) end; reflexivity.
+    repeat match goal with |- context [inside ?s ?u ?v ?q] => destruct (inside s u v q) end;
+      reflexivity.
 Qed.
 
 Lemma turns_rotated a b c p : turns p b c a = turns p a b c.

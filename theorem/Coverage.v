@@ -40,9 +40,11 @@ Proof.
   cbn [corner_a corner_b corner_c].
   destruct (Z.eq_dec (edge a b c) 0) as [Z|N]; [rewrite Z; reflexivity|].
   pose proof (edge_distinct a b c N).
-  pose proof (edge_distinct b c a ltac:(replace (edge b c a) with (edge a b c) by (unfold edge; ring);
+  pose proof (edge_distinct b c a ltac:(replace (edge b c a) with (edge a b c) by (unfold edge;
+    ring);
     assumption)).
-  pose proof (edge_distinct c a b ltac:(replace (edge c a b) with (edge a b c) by (unfold edge; ring);
+  pose proof (edge_distinct c a b ltac:(replace (edge c a b) with (edge a b c) by (unfold edge;
+    ring);
     assumption)).
   assert (I : forall u v, minus v u <> origin -> inside r u v p = inside s u v p).
   { intros u v D. unfold inside. rewrite H by assumption. reflexivity. }
@@ -92,7 +94,8 @@ Qed.
 
 (** ** Order, rotation, reversal, splitting *)
 
-Theorem order_changes_nothing r m n p : Permutation m n -> signed_coverage r m p = signed_coverage r n p.
+Theorem order_changes_nothing r m n p : Permutation m n -> signed_coverage r m p = signed_coverage
+  r n p.
 Proof. apply sum_permutation. Qed.
 
 Theorem rotation_changes_nothing r a b c p :
@@ -113,7 +116,8 @@ Proof.
     = signed_coverage r [Triangle a b c; Triangle a d b] p).
   { rewrite !coverage_is_turns by assumption. unfold boundary, triangle_boundary.
     cbn [flat_map app corner_a corner_b corner_c]. sums.
-    pose proof (turn_reverse (normal r) p (d, c)) as X. pose proof (turn_reverse (normal r) p (b, a)) as Y.
+    pose proof (turn_reverse (normal r) p (d, c)) as X. pose proof (turn_reverse (normal r) p (b,
+      a)) as Y.
     unfold reverse in *; cbn [fst snd] in *. lia. }
   rewrite E. unfold signed_coverage. sums. lia.
 Qed.
@@ -132,7 +136,8 @@ Proof.
   unfold reverse; cbn [fst snd]. rewrite X, Y. apply (turn_reverse to_the_right p (a, b)).
 Qed.
 
-Definition scaled (k : Z) (c : chain) : chain := map (fun e => (times k (fst e), times k (snd e))) c.
+Definition scaled (k : Z) (c : chain) : chain := map (fun e => (times k (fst e),
+  times k (snd e))) c.
 
 Theorem winding_scaled k c p : 0 < k -> winding (scaled k c) (times k p) = winding c p.
 Proof.
@@ -155,7 +160,8 @@ Proof.
 Qed.
 
 (** Left of, right of, above and below all corners it is 0. *)
-Definition all_corners (P : point -> Prop) (c : chain) := Forall (fun e => P (fst e) /\ P (snd e)) c.
+Definition all_corners (P : point -> Prop) (c : chain) := Forall (fun e => P (fst e) /\ P (snd e))
+  c.
 
 Theorem winding_far c p : closed c ->
   all_corners (fun v => px v < px p) c \/ all_corners (fun v => px p < px v) c

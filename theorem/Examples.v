@@ -4,7 +4,8 @@ From Coq Require Import Lia.
 
 Ltac evaluate := vm_compute; reflexivity.
 Ltac off_all :=
-  repeat constructor; cbn [fst snd]; intros [E D]; vm_compute in E, D; try discriminate; now apply D.
+  repeat constructor; cbn [fst snd]; intros [E D]; vm_compute in E, D; try discriminate;
+    now apply D.
 Ltac positive_all := repeat constructor.
 
 (** ** A hub: partitions, and one owner of a common edge is not enough *)
@@ -34,7 +35,8 @@ Definition halves : mesh :=
 
 Example halves_are_a_case : positive halves /\ on_segment (Point 0 0) (Point 8 8) (Point 4 4)
   /\ owners top_left halves (Point 4 4) = 1 /\ owners three_lobes halves (Point 4 4) = 1
-  /\ owners (fun _ => true) halves (Point 4 4) = 2 /\ owners (fun _ => false) halves (Point 4 4) = 0.
+  /\ owners (fun _ => true) halves (Point 4 4) = 2 /\ owners (fun _ => false) halves (Point 4 4) =
+    0.
 Proof.
   repeat split; try evaluate; [positive_all|vm_compute; discriminate].
 Qed.
@@ -58,7 +60,8 @@ Example folded_is_a_case : outline folded folded_outline
   /\ signed_coverage top_left folded (Point 4 4) = 2.
 Proof.
   split; [|split; [off_all|split; [off_all|repeat split; evaluate]]].
-  exists [(Point 0 0, Point 8 8); (Point 0 0, Point 8 8); (Point 8 8, Point 0 8); (Point 0 8, Point 0 0)].
+  exists [(Point 0 0, Point 8 8); (Point 0 0, Point 8 8); (Point 8 8, Point 0 8);
+    (Point 0 8, Point 0 0)].
   cbn. permutation.
 Qed.
 
@@ -68,7 +71,8 @@ Definition closed_mesh : mesh :=
   [Triangle a b d; Triangle b c d; Triangle c a d; Triangle a c b].
 
 Example closed_mesh_is_a_case : outline closed_mesh []
-  /\ map (fun p => signed_coverage top_left closed_mesh p) [Point 1 1; Point 3 3; Point 2 2] = [0; 0; 0]
+  /\ map (fun p => signed_coverage top_left closed_mesh p) [Point 1 1; Point 3 3; Point 2 2] = [0;
+    0; 0]
   /\ map (fun p => sum (fun t => Z.abs (signed top_left t p)) closed_mesh)
        [Point 1 1; Point 3 3; Point 2 2] = [2; 2; 2].
 Proof.
@@ -83,7 +87,8 @@ Qed.
 Example shift_is_a_case :
   map (fun e : directed => let (a, b) := e in
          (inside top_left a b (Point 4 4),
-          strictly_inside (times 10000 a) (times 10000 b) (Point (10000 * 4 + 100) (10000 * 4 + 1))))
+          strictly_inside (times 10000 a) (times 10000 b) (Point (10000 * 4 + 100) (10000 * 4 +
+            1))))
     [(Point 0 0, Point 8 8); (Point 8 8, Point 0 0); (Point 0 4, Point 8 4); (Point 8 4, Point 0 4)]
   = [(false, false); (true, true); (true, true); (false, false)].
 Proof. evaluate. Qed.
@@ -94,7 +99,8 @@ Example direct3d_is_a_case :
   let t := Triangle (Point 0 0) (Point 8 0) (Point 0 8) in
   map (fun p => (direct3d t p, direct3d (turned t) p))
     [Point 4 0; Point 0 4; Point 4 4; Point 0 0; Point 8 0; Point 0 8; Point 1 1]
-  = [(true, true); (true, true); (false, false); (true, true); (false, false); (false, false); (true, true)].
+  = [(true, true); (true, true); (false, false); (true, true); (false, false); (false, false);
+    (true, true)].
 Proof. evaluate. Qed.
 
 (** ** The eight rules differ: who owns the four sides of a square *)

@@ -21,7 +21,8 @@ Proof.
   assert (S : (inject_Z (edge b c p) + inject_Z (edge c a p) + inject_Z (edge a b p)
     == inject_Z (edge a b c))%Q).
   { rewrite <- !inject_Z_plus. rewrite <- (area_identity a b c p).
-    replace (edge b c p + edge c a p + edge a b p) with (edge a b p + edge b c p + edge c a p) by ring.
+    replace (edge b c p + edge c a p + edge a b p) with (edge a b p + edge b c p + edge c a p) by
+      ring.
     reflexivity. }
   transitivity ((inject_Z (edge b c p) + inject_Z (edge c a p) + inject_Z (edge a b p))
     / inject_Z (edge a b c))%Q; [field; assumption|].

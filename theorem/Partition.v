@@ -1,11 +1,13 @@
-(** The main theorem: a tie rule by direction partitions every mesh if and only if it is a half-circle. *)
+(** The main theorem: a tie rule by direction partitions every mesh if and only if it is a
+    half-circle. *)
 From Rasterproof Require Import Specification Boundary Winding Coverage.
 From Coq Require Import Lia.
 
 Definition cross (d e : point) := px d * py e - py d * px e.
 Definition dot (d e : point) := px d * px e + py d * py e.
 
-Lemma cons_permutation {A} (x : A) l m n : List.Add x m n -> Permutation l m -> Permutation (x :: l) n.
+Lemma cons_permutation {A} (x : A) l m n : List.Add x m n -> Permutation l m -> Permutation (x ::
+  l) n.
 Proof. intros D P. rewrite P. apply Permutation_Add; assumption. Qed.
 
 Ltac find := solve [apply Add_head | apply Add_cons; find].
@@ -44,7 +46,8 @@ Hypothesis parts : partitions r.
 Lemma opposite_of_partition d : d <> origin -> r (times (-1) d) = negb (r d).
 Proof.
   intros N. apply nonzero in N. destruct d as [x y]. unfold dot in N; cbn [px py] in N.
-  set (d := Point x y). set (e := Point (-x) (-y)). set (f := Point (-y) x). set (g := Point y (-x)).
+  set (d := Point x y). set (e := Point (-x) (-y)). set (f := Point (-y) x).
+  set (g := Point y (-x)).
   assert (S : edge e d f = 2 * (x * x + y * y) /\ edge d e g = 2 * (x * x + y * y)
     /\ edge d f origin = x * x + y * y /\ edge f e origin = x * x + y * y
     /\ edge e g origin = x * x + y * y /\ edge g d origin = x * x + y * y
@@ -75,11 +78,13 @@ Proof.
   intros C D E. destruct (r (plus d e)) eqn:F; [reflexivity|exfalso].
   set (u := times (-1) d). set (v := times (-1) (plus d e)). set (w := times (-1) e).
   set (f := plus d e) in *.
-  assert (S : edge origin d f = cross d e /\ edge origin f e = cross d e /\ edge origin e u = cross d e
+  assert (S : edge origin d f = cross d e /\ edge origin f e = cross d e /\ edge origin e u =
+    cross d e
     /\ edge origin u v = cross d e /\ edge origin v w = cross d e /\ edge origin w d = cross d e).
   { unfold edge, cross, u, v, w, f, plus, times, origin; cbn [px py]. repeat split; ring. }
   destruct S as (S1 & S2 & S3 & S4 & S5 & S6).
-  assert (T : forall a b, edge a b origin = edge origin a b) by (intros; unfold edge, origin; cbn [px py]; ring).
+  assert (T : forall a b, edge a b origin = edge origin a b) by (intros; unfold edge, origin;
+    cbn [px py]; ring).
   assert (P : owners r [Triangle origin d f; Triangle origin f e; Triangle origin e u;
     Triangle origin u v; Triangle origin v w; Triangle origin w d] origin = 1).
   { apply parts with (c := [(d, f); (f, e); (e, u); (u, v); (v, w); (w, d)]).
@@ -91,7 +96,8 @@ Proof.
     - unfold winding. sums. unfold crossing. rewrite !T, S1, S2, S3, S4, S5, S6.
       assert (Y : py d <> 0 \/ py e <> 0) by (unfold cross in C; nia).
       unfold u, v, w, f, plus, times, origin; cbn [px py].
-      rewrite (proj2 (Z.ltb_lt 0 (cross d e)) C), (proj2 (Z.ltb_ge (cross d e) 0)) by lia. clear - Y.
+      rewrite (proj2 (Z.ltb_lt 0 (cross d e)) C), (proj2 (Z.ltb_ge (cross d e) 0)) by lia.
+      clear - Y.
       destruct (Z.lt_trichotomy (py d) 0) as [|[|]], (Z.lt_trichotomy (py e) 0) as [|[|]],
         (Z.lt_trichotomy (py d + py e) 0) as [|[|]]; try lia; repeat settle; reflexivity. }
   assert (O : forall a, a <> origin -> r (minus origin a) = negb (r a)).
@@ -146,7 +152,8 @@ Proof. split; auto using opposite_of_partition, plus_of_partition. Qed.
 End Necessity.
 
 Theorem main r : by_direction r -> (partitions r <-> half_circle r).
-Proof. intros D. split; [apply partition_is_half_circle; assumption|apply half_circle_partitions]. Qed.
+Proof. intros D. split; [apply partition_is_half_circle; assumption|apply half_circle_partitions].
+Qed.
 
 (** That a rule is by direction need not be asked of a half-circle. *)
 Theorem half_circle_by_direction r d k : half_circle r -> 0 < k -> d <> origin ->

@@ -24,7 +24,8 @@ Proof.
 Qed.
 
 Lemma side_along s a : a <> s ->
-  side along s a = (0 <? cross (minus a s) u) || (cross (minus a s) u =? 0) && (0 <? dot (minus a s) u).
+  side along s a = (0 <? cross (minus a s) u) || (cross (minus a s) u =? 0) && (0 <? dot (minus a
+    s) u).
 Proof.
   intros N. unfold side, along. rewrite normal_same by (apply minus_not_origin; assumption).
   unfold shift_rule. do 3 f_equal. unfold cross, dot; cbn [px py]. ring.
@@ -44,7 +45,8 @@ Proof.
   { assert (Z : edge p q a * edge p q a = 0) by (rewrite E; reflexivity).
     transitivity (dot (minus p a) (minus q a) * dot u u - edge p q a * edge p q a);
       [unfold edge, dot, u, minus; cbn [px py]; ring|lia]. }
-  assert (P : 0 < dot (minus a p) u * dot (minus a q) u) by (rewrite X; apply Z.mul_pos_pos; assumption).
+  assert (P : 0 < dot (minus a p) u * dot (minus a q) u) by (rewrite X; apply Z.mul_pos_pos;
+    assumption).
   revert P. generalize (dot (minus a p) u) (dot (minus a q) u). clear. intros s t P.
   destruct (Z.lt_trichotomy s 0) as [L|[->|G]]; [left|lia|right]; split; nia.
 Qed.
@@ -74,13 +76,15 @@ Proof.
   { pose proof (same_way a N2). revert A. decide_all; simpl; intros; try discriminate; lia. }
   assert (SB : edge p q b < 0 \/ edge p q b = 0 /\ 0 < dot (minus b q) u).
   { pose proof (same_way b N3). revert B. decide_all; simpl; intros; try discriminate; lia. }
-  destruct (Z.leb_spec 0 (edge a b p)), (Z.leb_spec 0 (edge a b q)); try reflexivity; exfalso; [lia|].
+  destruct (Z.leb_spec 0 (edge a b p)), (Z.leb_spec 0 (edge a b q)); try reflexivity; exfalso;
+    [lia|].
   pose proof u_nonzero as U.
   destruct SA as [SA|[SA DA]], SB as [SB|[SB DB]].
   - destruct (Z.eq_dec (edge a b q) 0) as [Z|Z]; [|apply N4; nia].
     apply N1. split; [assumption|].
     (* q is on the line a b, and a and b are on either side of the line p q *)
-    assert (X : edge p q a * dot (minus b q) (minus b q) = edge p q b * dot (minus a q) (minus b q)).
+    assert (X : edge p q a * dot (minus b q) (minus b q) = edge p q b * dot (minus a q) (minus b
+      q)).
     { transitivity (edge p q b * dot (minus a q) (minus b q)
         - edge a b q * dot u (minus b q)); [unfold edge, dot, u, minus; cbn [px py]; ring|].
       rewrite Z. ring. }
@@ -138,9 +142,11 @@ Proof. intros. apply winding_is_turns; auto using normal_half, shift_rule_half. 
 
 (** Around a square it is 1 inside. *)
 Definition square (a b : point) : chain :=
-  [(a, Point (px b) (py a)); (Point (px b) (py a), b); (b, Point (px a) (py b)); (Point (px a) (py b), a)].
+  [(a, Point (px b) (py a)); (Point (px b) (py a), b); (b, Point (px a) (py b));
+    (Point (px a) (py b), a)].
 
-Theorem winding_square a b p : px a < px p < px b -> py a < py p < py b -> winding (square a b) p = 1.
+Theorem winding_square a b p : px a < px p < px b -> py a < py p < py b -> winding (square a b) p
+  = 1.
 Proof.
   intros X Y. unfold winding, square. sums. unfold crossing; cbn [px py].
   assert (0 < edge (Point (px b) (py a)) b p) by (unfold edge; cbn [px py]; nia).

@@ -1,4 +1,5 @@
-(** The rules that are in use: shifts, the eight along the axes, Direct3D's words; and those that fail. *)
+(** The rules that are in use: shifts, the eight along the axes, Direct3D's words;
+    and those that fail. *)
 From Rasterproof Require Import Specification Boundary Winding Coverage Partition.
 From Coq Require Import Lia Btauto.
 
@@ -45,7 +46,8 @@ Definition axis_rule (sign_x sign_y : Z) (y_first : bool) : tie_rule :=
   if y_first then shift_rule (Point 0 sign_y) (Point sign_x 0)
   else shift_rule (Point sign_x 0) (Point 0 sign_y).
 
-Theorem eight_rules_partition x y f : x = 1 \/ x = -1 -> y = 1 \/ y = -1 -> partitions (axis_rule x y f).
+Theorem eight_rules_partition x y f : x = 1 \/ x = -1 -> y = 1 \/ y = -1 -> partitions (axis_rule
+  x y f).
 Proof.
   intros X Y. apply half_circle_partitions. destruct f; apply shift_rule_half;
     unfold cross; cbn [px py]; lia.
@@ -120,10 +122,12 @@ Proof.
     pose proof (area_identity u v w p) as I. pose proof (corner_identity u v w p) as J.
     rewrite Z in I, J. apply (f_equal px) in J as X. apply (f_equal py) in J as Y.
     unfold edge in Z. unfold dot, plus, times, minus, origin in *; cbn [px py] in *.
-    assert (D1 : edge v w p * dot (minus u p) (minus v p) + edge w u p * dot (minus v p) (minus v p) = 0).
+    assert (D1 : edge v w p * dot (minus u p) (minus v p) + edge w u p * dot (minus v p) (minus v
+      p) = 0).
     { unfold dot, minus; cbn [px py]. apply (f_equal (Z.mul (px v - px p))) in X.
       apply (f_equal (Z.mul (py v - py p))) in Y. lia. }
-    assert (D2 : edge v w p * dot (minus u p) (minus u p) + edge w u p * dot (minus u p) (minus v p) = 0).
+    assert (D2 : edge v w p * dot (minus u p) (minus u p) + edge w u p * dot (minus u p) (minus v
+      p) = 0).
     { unfold dot, minus; cbn [px py]. apply (f_equal (Z.mul (px u - px p))) in X.
       apply (f_equal (Z.mul (py u - py p))) in Y. lia. }
     unfold dot, minus in D1, D2; cbn [px py] in D1, D2. clear X Y Z.
@@ -156,11 +160,13 @@ Proof.
 Qed.
 
 (** Ties that are inside for all, and for none. *)
-Theorem inclusive_ties_cover_twice a b c d p : 0 < edge a b c -> 0 < edge b a d -> on_segment a b p ->
+Theorem inclusive_ties_cover_twice a b c d p : 0 < edge a b c -> 0 < edge b a d -> on_segment a b
+  p ->
   p <> a -> p <> b -> owners (fun _ => true) [Triangle a b c; Triangle b a d] p = 2.
 Proof. intros. rewrite on_common_edge by assumption. reflexivity. Qed.
 
-Theorem exclusive_ties_leave_gaps a b c d p : 0 < edge a b c -> 0 < edge b a d -> on_segment a b p ->
+Theorem exclusive_ties_leave_gaps a b c d p : 0 < edge a b c -> 0 < edge b a d -> on_segment a b p
+  ->
   p <> a -> p <> b -> owners (fun _ => false) [Triangle a b c; Triangle b a d] p = 0.
 Proof. intros. rewrite on_common_edge by assumption. reflexivity. Qed.
 
@@ -173,11 +179,13 @@ Definition three_lobes (d : point) : bool :=
 Theorem three_lobes_common_edge : common_edge three_lobes.
 Proof.
   apply antisymmetric_common_edge. intros [x y] N. unfold three_lobes, times; cbn [px py].
-  replace (-1 * y * (3 * (-1 * x * (-1 * x)) - -1 * y * (-1 * y))) with (- (y * (3 * (x * x) - y * y)))
+  replace (-1 * y * (3 * (-1 * x * (-1 * x)) - -1 * y * (-1 * y))) with (- (y * (3 * (x * x) - y *
+    y)))
     by ring.
   assert (Z : y * (3 * (x * x) - y * y) = 0 -> x <> 0).
   { intros E X. subst x. assert (y = 0) by nia. subst y. now elim N. }
-  revert Z. generalize (y * (3 * (x * x) - y * y)). intros s Z. decide_all; simpl; lia || reflexivity.
+  revert Z. generalize (y * (3 * (x * x) - y * y)). intros s Z.
+  decide_all; simpl; lia || reflexivity.
 Qed.
 
 Theorem three_lobes_by_direction : by_direction three_lobes.
@@ -187,7 +195,8 @@ Proof.
     with (k * k * k * (y * (3 * (x * x) - y * y))) by ring.
   generalize (y * (3 * (x * x) - y * y)). intros s. assert (0 < k * k * k) by nia.
   destruct (Z.ltb_spec 0 s), (Z.ltb_spec 0 (k * k * k * s)), (Z.eqb_spec s 0),
-    (Z.eqb_spec (k * k * k * s) 0), (Z.ltb_spec 0 x), (Z.ltb_spec 0 (k * x)); simpl; try reflexivity;
+    (Z.eqb_spec (k * k * k * s) 0), (Z.ltb_spec 0 x), (Z.ltb_spec 0 (k * x)); simpl;
+      try reflexivity;
     exfalso; nia.
 Qed.
 
@@ -205,7 +214,8 @@ Proof. vm_compute. reflexivity. Qed.
 Example top_left_has_one_owner : owners top_left hub origin = 1.
 Proof. vm_compute. reflexivity. Qed.
 
-Theorem common_edge_does_not_partition : exists r, by_direction r /\ common_edge r /\ ~ partitions r.
+Theorem common_edge_does_not_partition : exists r, by_direction r /\ common_edge r /\ ~ partitions
+  r.
 Proof.
   exists three_lobes. repeat split; [apply three_lobes_by_direction|apply three_lobes_common_edge|].
   intros P. apply main in P as [_ S]; [|apply three_lobes_by_direction].

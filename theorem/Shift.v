@@ -1,5 +1,7 @@
-(** A half-circle is, on a finite mesh, an infinitesimal shift of the sample; so a sample on the outline
-    counts what the winding number is just beside it. The shift by e*u with e = n/m is written without
+(** A half-circle is, on a finite mesh, an infinitesimal shift of the sample;
+    so a sample on the outline
+    counts what the winding number is just beside it. The shift by e*u with e = n/m is written
+      without
     fractions: m*p + n*u among corners m*a. *)
 From Rasterproof Require Import Specification Boundary Winding Coverage Partition Rules.
 From Coq Require Import Lia.
@@ -41,7 +43,8 @@ Proof.
   destruct (extreme r (d :: l) H F) as (w & W & A); [discriminate|].
   destruct (bound (fun e => dot e w) (d :: l)) as (k & K & B).
   exists (plus (times k w) (Point (- py w) (px w))).
-  rewrite Forall_forall in *. intros e I. specialize (A e I). specialize (B e I). specialize (F e I).
+  rewrite Forall_forall in *. intros e I. specialize (A e I). specialize (B e I).
+  specialize (F e I).
   simpl in *.
   replace (cross e (plus (times k w) (Point (- py w) (px w)))) with (k * cross e w + dot e w)
     by (unfold cross, dot, plus, times; cbn [px py]; ring).
@@ -76,7 +79,8 @@ Proof.
   assert (I' : In d (filter (fun d => negb ((px d =? 0) && (py d =? 0))) l)).
   { apply filter_In. split; [assumption|]. destruct (Z.eqb_spec (px d) 0), (Z.eqb_spec (py d) 0);
       try reflexivity. elim D. apply point_ext; assumption. }
-  specialize (F ltac:(apply in_map; right; assumption)). unfold owned in F. rewrite normal_same in F by assumption.
+  specialize (F ltac:(apply in_map; right; assumption)). unfold owned in F.
+  rewrite normal_same in F by assumption.
   destruct (r d); [assumption|]. unfold cross, times in *; cbn [px py] in F. lia.
 Qed.
 
@@ -94,7 +98,8 @@ Proof.
   destruct (bound (fun e => cross (direction e) u) c) as (k & K & B).
   rewrite Forall_forall in F, B. exists u, k. split; [assumption|]. split; [assumption|].
   intros m n N M a b I D. specialize (F _ (in_map direction _ _ I)). specialize (B _ I).
-  unfold direction in F, B; cbn [fst snd] in F, B. specialize (F (minus_not_origin b a (not_eq_sym D))).
+  unfold direction in F, B; cbn [fst snd] in F, B. specialize (F (minus_not_origin b a (not_eq_sym
+    D))).
   unfold strictly_inside, inside. rewrite edge_moved.
   revert F B. generalize (edge a b p) (cross (minus b a) u). intros e s F B.
   assert (0 < m) by nia. assert (Z.abs (n * s) < m) by nia.
@@ -148,7 +153,8 @@ Proof.
       unfold moved, times, plus in L; cbn [px py] in L.
       apply squares in L as [X Y]. clear - X Y B1 B3 S N U Q K.
       assert (Z.abs (n * px u) < s) by nia. assert (Z.abs (n * py u) < s) by nia.
-      assert (A1 : px a = px p) by nia. assert (A2 : py a = py p) by nia. rewrite A1 in X. rewrite A2 in Y.
+      assert (A1 : px a = px p) by nia. assert (A2 : py a = py p) by nia. rewrite A1 in X.
+      rewrite A2 in Y.
       apply U, point_ext; unfold origin; cbn [px py]; nia.
     - intros [E _]. apply (D a b) in E; auto. apply in_or_app; auto. }
   split; [assumption|].
@@ -170,13 +176,16 @@ Proof.
   replace (edge (times s a) (times s b) (times s d)) with (s * s * edge a b d)
     by (unfold edge, times; cbn [px py]; ring).
   assert ((0 <? s * s * edge a b d) = (0 <? edge a b d)) as ->.
-  { destruct (Z.ltb_spec 0 (edge a b d)), (Z.ltb_spec 0 (s * s * edge a b d)); try reflexivity; nia. }
+  { destruct (Z.ltb_spec 0 (edge a b d)), (Z.ltb_spec 0 (s * s * edge a b d)); try reflexivity;
+    nia. }
   assert ((s * s * edge a b d <? 0) = (edge a b d <? 0)) as ->.
-  { destruct (Z.ltb_spec (edge a b d) 0), (Z.ltb_spec (s * s * edge a b d) 0); try reflexivity; nia. }
+  { destruct (Z.ltb_spec (edge a b d) 0), (Z.ltb_spec (s * s * edge a b d) 0); try reflexivity;
+    nia. }
   destruct (Z.eq_dec (edge a b d) 0) as [->|A]; [reflexivity|].
   destruct (J a b) as [-> ->]; [left; reflexivity|intros ->; apply A; unfold edge; ring|].
   destruct (J b d) as [-> ->]; [right; left; reflexivity|intros ->; apply A; unfold edge; ring|].
-  destruct (J d a) as [-> ->]; [right; right; left; reflexivity|intros ->; apply A; unfold edge; ring|].
+  destruct (J d a) as [-> ->]; [right; right; left; reflexivity|intros ->; apply A; unfold edge;
+    ring|].
   reflexivity.
 Qed.
 
@@ -190,7 +199,8 @@ Theorem top_left_is_the_shift a b p : a <> b -> exists k, 0 < k /\
 Proof.
   intros D. set (x := px b - px a). set (y := py b - py a).
   exists (1 + Z.abs x + Z.abs y). split; [lia|]. intros m n N M. cbn zeta.
-  assert (E : edge (times (m * m) a) (times (m * m) b) (Point (m * m * px p + m * n) (m * m * py p + n * n))
+  assert (E : edge (times (m * m) a) (times (m * m) b) (Point (m * m * px p + m * n) (m * m * py p
+    + n * n))
     = m * m * (m * m * edge a b p + n * (n * x - m * y))).
   { unfold edge, times, x, y; cbn [px py]; ring. }
   unfold strictly_inside, inside, top_left, minus; cbn [px py]. rewrite E. fold x y.

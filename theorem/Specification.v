@@ -1,7 +1,8 @@
 (** What the theorems are about. It is all that has to be read to know what is proved.
 
-    Coordinates are integers; with a common denominator that is every finite number of a file. x points
-    right and y points down, as in Direct3D. A triangle is positive if [edge] is positive inside. *)
+    Coordinates are integers; with a common denominator that is every finite number of a file.
+    x points right and y points down, as in Direct3D. A triangle is positive if [edge] is positive
+    inside. *)
 From Coq Require Export ZArith List Permutation Bool.
 Export ListNotations.
 Global Open Scope Z_scope.
@@ -44,8 +45,10 @@ Definition signed (r : tie_rule) (t : triangle) (p : point) : Z :=
 (** A mesh is any list of triangles: flat, repeated, folded and overlapping ones included. *)
 Definition mesh := list triangle.
 Definition sum {A} (f : A -> Z) (l : list A) : Z := fold_right (fun e s => f e + s) 0 l.
-Definition signed_coverage (r : tie_rule) (m : mesh) (p : point) : Z := sum (fun t => signed r t p) m.
-Definition owners (r : tie_rule) (m : mesh) (p : point) : Z := sum (fun t => Z.b2z (covers r t p)) m.
+Definition signed_coverage (r : tie_rule) (m : mesh) (p : point) : Z :=
+  sum (fun t => signed r t p) m.
+Definition owners (r : tie_rule) (m : mesh) (p : point) : Z :=
+  sum (fun t => Z.b2z (covers r t p)) m.
 Definition positive (m : mesh) := Forall (fun t => 0 < area t) m.
 
 (** ** Winding number, which knows no triangle and no tie rule *)
@@ -94,8 +97,8 @@ Definition common_edge (r : tie_rule) : Prop := forall a b c d p,
 
 (** ** Direct3D's words *)
 
-(** Of the triangle with the edge a b and the third corner c. A top edge is exactly horizontal, and the
-    triangle is below it. A left edge is not horizontal, and the triangle is right of it. *)
+(** Of the triangle with the edge a b and the third corner c. A top edge is exactly horizontal,
+    and the triangle is below it. A left edge is not horizontal, and the triangle is right of it. *)
 Definition top (a b c : point) : bool := (py a =? py b) && (py a <? py c).
 Definition left (a b c : point) : bool :=
   let right_of_line (upper lower : point) :=

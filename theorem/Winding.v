@@ -126,7 +126,8 @@ Proof.
   2: { unfold minus; cbn [px py]. decide_all; lia. }
   replace (py p <? py b) with (0 <? py (minus b p)).
   2: { unfold minus; cbn [px py]. decide_all; lia. }
-  revert E M. generalize (edge a b p) (px (minus a p)) (py (minus a p)) (px (minus b p)) (py (minus b p)).
+  revert E M. generalize (edge a b p) (px (minus a p)) (py (minus a p)) (px (minus b p)) (py
+    (minus b p)).
   clear. intros e u v x y E M.
   assert (S : e = 0 -> v * y < 0 -> False).
   { intros Z L. specialize (M Z). assert (u * x > 0) by lia. assert (u * y = v * x) by lia.
@@ -138,7 +139,8 @@ Proof.
     try specialize (T eq_refl eq_refl); nia.
 Qed.
 
-Theorem winding_is_turns r c p : half_circle_0 r -> closed c -> off c p -> winding c p = sum (turn r p) c.
+Theorem winding_is_turns r c p : half_circle_0 r -> closed c -> off c p -> winding c p = sum (turn
+  r p) c.
 Proof.
   intros R C O. rewrite (any_ray r to_the_right); auto using to_the_right_half.
   apply sum_ext. intros [a b] I. apply crossing_is_turn. eapply off_in; eassumption.

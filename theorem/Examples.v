@@ -1,5 +1,5 @@
 (** No main statement is empty: of each, a case that satisfies all that it assumes, evaluated. *)
-From Rasterproof Require Import Specification Boundary Winding Coverage Partition Rules Shift Path.
+From Rasterproof Require Import Specification Boundary Winding Coverage Reduced Partition Rules Shift Path.
 From Coq Require Import Lia.
 
 Ltac evaluate := vm_compute; reflexivity.
@@ -27,6 +27,10 @@ Example hub_is_a_case : positive hub /\ outline hub hub_outline /\ off hub_outli
 Proof.
   repeat split; try evaluate; [positive_all|apply hub_has_outline|off_all].
 Qed.
+
+(** The spokes cancel. *)
+Example hub_reduced : reduced (boundary hub) = hub_outline.
+Proof. evaluate. Qed.
 
 (** ** A common edge: both halves of a square, the sample on the diagonal *)
 

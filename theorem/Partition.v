@@ -174,3 +174,26 @@ Proof.
   - rewrite (proj1 H) in T by auto. destruct (r (times k d)); [discriminate|reflexivity].
   - unfold times; cbn [px py]; f_equal; ring.
 Qed.
+
+(** A half-circle is an order of the plane that a translation does not change: of two points one is
+    before the other, and what is before something before a third is before the third. *)
+Theorem half_circle_is_an_order r : half_circle r <->
+  (forall a b, a <> b -> r (minus a b) = negb (r (minus b a)))
+  /\ (forall a b c, a <> b -> b <> c -> r (minus b a) = true -> r (minus c b) = true ->
+      r (minus c a) = true).
+Proof.
+  split; intros [O S]; split.
+  - intros a b N. rewrite <- O by (apply minus_not_origin; congruence). f_equal; points.
+  - intros a b c N M A B. replace (minus c a) with (plus (minus b a) (minus c b)) by points.
+    apply S; auto; apply minus_not_origin; congruence.
+  - intros d N. specialize (O origin d (not_eq_sym N)).
+    replace (minus origin d) with (times (-1) d) in O by points.
+    replace (minus d origin) with d in O by points. assumption.
+  - intros d e N M D E. replace (plus d e) with (minus e (times (-1) d)) by points.
+    apply (S _ origin).
+    + intros Z. apply N. apply point_ext; [apply (f_equal px) in Z|apply (f_equal py) in Z];
+        unfold times, origin in *; cbn [px py] in *; lia.
+    + congruence.
+    + replace (minus origin (times (-1) d)) with d by points. assumption.
+    + replace (minus e origin) with e by points. assumption.
+Qed.

@@ -1,5 +1,6 @@
 (** No main statement is empty: of each, a case that satisfies all that it assumes, evaluated. *)
-From Rasterproof Require Import Specification Boundary Winding Coverage Reduced Partition Rules Shift Path.
+From Rasterproof Require Import Specification Boundary Winding Coverage Reduced Partition Rules
+  Shift Path.
 From Coq Require Import Lia.
 
 Ltac evaluate := vm_compute; reflexivity.

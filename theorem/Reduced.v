@@ -1,5 +1,5 @@
-(** A boundary can be reduced until no two opposite edges are left; and what follows from its winding
-    number for meshes of positive triangles. *)
+(** A boundary can be reduced until no two opposite edges are left; and what its winding number says
+    of meshes of positive triangles. *)
 From Rasterproof Require Import Specification Boundary Winding Coverage.
 From Coq Require Import Lia.
 

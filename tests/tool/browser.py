@@ -96,7 +96,8 @@ class Browser:
         self.value("document.body.animate([], 20).finished.then(() => true)")  # two frames
 
     def press(self, key):
-        code = {"Tab": 9, "ArrowRight": 39, "ArrowLeft": 37, "ArrowDown": 40, "Enter": 13, " ": 32}[key]
+        codes = {"Tab": 9, "ArrowRight": 39, "ArrowLeft": 37, "ArrowDown": 40, "Enter": 13, " ": 32}
+        code = codes[key]
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key,
                       windowsVirtualKeyCode=code, text="\r" if key == "Enter" else "")  # fmt: skip

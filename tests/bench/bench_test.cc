@@ -147,6 +147,21 @@ TEST(RunFamily, TheRatesAreThoseOfASecondDecider) {
   EXPECT_EQ(found.Wrong(), wrong);
 }
 
+TEST(RunFamily, DrawsTheLeastRoundsThoughItsTimeIsOver) {
+  const auto kinds = FamilyKinds();
+  const auto kind = std::ranges::find(kinds, "ties", &FamilyKind::name);
+  auto contenders = OwnContenders(ContenderChoice::kQuick);
+  contenders.resize(2);  // the baseline and its twin
+  BenchOptions options;
+  options.seconds_per_family = 0;
+  options.least_rounds = 6;
+  options.judged_pixels = 1;
+  BenchResult result;
+  RunFamily(MakeFamily(*kind, FamilySize::kQuick, 1), contenders, options, result);
+  ASSERT_EQ(result.rows.size(), 2U);
+  for (const BenchRow& row : result.rows) EXPECT_EQ(row.seconds.size(), 6U);
+}
+
 // A target of the family before is none of this one's.
 TEST(KernelContender, DrawsAloneOnTheLoadedFamilysTarget) {
   const auto kernel = MakeKernelContender(reference::kernels::KernelMethod::kExact,

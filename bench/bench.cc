@@ -31,7 +31,7 @@ namespace kernels = reference::kernels;
 
 // Shorter draws are repeated until they add up to this: clocks cost some tenths of a microsecond.
 constexpr double kLeastSeconds = 1e-4;
-constexpr int kMostDraws = 16;
+constexpr int kMostDraws = 8;
 constexpr std::string_view kAgain = " again";
 
 // Measures the same method under another name.
@@ -48,6 +48,7 @@ class Twin final : public Contender {
   }
   void Load(const FamilyInput& family) override { same_->Load(family); }
   DrawTime Draw() override { return same_->Draw(); }
+  DrawTime DrawForNothing() override { return same_->DrawForNothing(); }
   std::optional<CoverageCounts> Drawn() override { return same_->Drawn(); }
   bool DrawsAlone() const override { return false; }
   void DrawAlone(std::size_t triangle, const PixelRect& area,
@@ -77,7 +78,7 @@ void Measure(Run& run) {
   constexpr double kLong = 0.25;
   const double begun = WallSeconds();
   const DrawTime first =
-      run.seconds_each > kLong ? DrawTime{.seconds = kLong} : run.contender->Draw();
+      run.seconds_each > kLong ? DrawTime{.seconds = kLong} : run.contender->DrawForNothing();
   if (run.seconds.empty()) {
     const double wanted = kLeastSeconds / std::max(first.seconds, 1e-9);
     run.draws = std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostDraws);
@@ -211,10 +212,9 @@ std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice) {
   const bool is_full = choice == ContenderChoice::kFull;
   for (const kernels::Target target : targets) {
     const bool is_widest = target == targets.back();
-    if (!is_full && !is_widest && target != kernels::Target::kAvx2) continue;
+    if (!is_full && !is_widest) continue;
     for (const kernels::Sink sink : kernels::kSinks) {
-      const bool is_quick =
-          sink == kernels::Sink::kFacing || (is_widest && sink == kernels::Sink::kMask);
+      const bool is_quick = sink == kernels::Sink::kFacing || sink == kernels::Sink::kMask;
       if (!is_full && !is_quick) continue;
       for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
         if (!kernels::Draws(kernel, sink)) continue;

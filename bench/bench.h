@@ -40,7 +40,7 @@ struct BenchOptions {
 
 /// Which of the built-in methods and kernels are drawn.
 enum class ContenderChoice : std::uint8_t {
-  /// Every method; kernels by AVX2 and the widest vectors into counts, by the widest into masks.
+  /// Every method; kernels by the widest vectors into counts and masks.
   kQuick,
   /// Every method; kernels by every instruction set into every sink.
   kFull

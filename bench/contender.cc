@@ -79,6 +79,10 @@ class MethodContender final : public Contender {
   DrawTime Draw() override {
     std::ranges::fill(counts_.front, 0);
     std::ranges::fill(counts_.back, 0);
+    return DrawForNothing();
+  }
+
+  DrawTime DrawForNothing() override {
     return Timed([&] { reference::Rasterize(family_->scene, row_, {}, counts_); });
   }
 
@@ -224,6 +228,10 @@ class KernelContender final : public Contender {
 
   DrawTime Draw() override {
     surface_->Clear();
+    return DrawForNothing();
+  }
+
+  DrawTime DrawForNothing() override {
     const kernels::KernelScene scene = family_->KernelScene();
     return Timed([&] { kernels::Draw(kernel_, target_, scene, *surface_); });
   }

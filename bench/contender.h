@@ -60,6 +60,9 @@ class Contender {
   ///
   /// Domain:     behind Load().
   virtual DrawTime Draw() = 0;
+  /// Draws onto what is there, to have everything at hand for the draw that counts: the target need
+  /// not be cleared for that, which costs more than most draws.
+  virtual DrawTime DrawForNothing() { return Draw(); }
   /// What the last Draw() drew, as counts; nothing of sinks that keep no counts.
   virtual std::optional<CoverageCounts> Drawn() = 0;
   /// Whether triangles can be drawn alone, so that its decisions are judged one by one.

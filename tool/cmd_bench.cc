@@ -257,7 +257,7 @@ BenchResult Measured(const BenchOptions& options) {
   bench::BenchOptions bench_options;
   // Six are the least that give an interval of 95 %.
   bench_options.least_rounds = options.budget < kFullFrom ? 6 : 9;
-  bench_options.judged_pixels = options.budget < kFullFrom ? 300'000 : 4'000'000;
+  bench_options.judged_pixels = options.budget < kFullFrom ? 200'000 : 4'000'000;
   bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
   const double end = WallSeconds() + options.budget;
   for (const auto& contender : contenders.list) result.methods.push_back(contender->method());

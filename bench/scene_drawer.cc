@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bench/family.h"
@@ -41,16 +42,8 @@ class ContenderDrawer final : public SceneDrawer {
 
 class SubjectDrawer final : public SceneDrawer {
  public:
-  explicit SubjectDrawer(Subject& subject) : subject_(subject) {
-    const SubjectInfo& info = subject.Info();
-    method_.name = info.name;
-    method_.summary = info.summary;
-    method_.kind = "yours";
-    method_.target = "its own";
-    method_.model = info.profile.name;
-    method_.is_users = true;
-    method_.coordinate_limit = info.profile.coordinate_limit;
-  }
+  SubjectDrawer(Subject& subject, BenchMethod method)
+      : subject_(subject), method_(std::move(method)) {}
 
   const BenchMethod& method() const override { return method_; }
   const Profile& model() const override { return subject_.Info().profile; }
@@ -86,7 +79,20 @@ std::unique_ptr<SceneDrawer> DrawerOf(Contender& contender) {
 }
 
 std::unique_ptr<SceneDrawer> DrawerOf(Subject& subject) {
-  return std::make_unique<SubjectDrawer>(subject);
+  const SubjectInfo& info = subject.Info();
+  BenchMethod method;
+  method.name = info.name;
+  method.summary = info.summary;
+  method.kind = "yours";
+  method.target = "its own";
+  method.model = info.profile.name;
+  method.is_users = true;
+  method.coordinate_limit = info.profile.coordinate_limit;
+  return DrawerOf(subject, std::move(method));
+}
+
+std::unique_ptr<SceneDrawer> DrawerOf(Subject& subject, BenchMethod method) {
+  return std::make_unique<SubjectDrawer>(subject, std::move(method));
 }
 
 }  // namespace rasterproof::bench

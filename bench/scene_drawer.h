@@ -44,6 +44,8 @@ std::unique_ptr<SceneDrawer> DrawerOf(Contender& contender);
 ///
 /// Domain:     a subject of one sample a pixel that outlives the drawer.
 std::unique_ptr<SceneDrawer> DrawerOf(Subject& subject);
+/// The same, as a method that a result has already.
+std::unique_ptr<SceneDrawer> DrawerOf(Subject& subject, BenchMethod method);
 
 }  // namespace rasterproof::bench
 

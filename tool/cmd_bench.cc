@@ -194,57 +194,65 @@ std::vector<std::string> ProgramNames(const BenchOptions& options) {
 
 // All that is asked for, the user's own behind the project's.
 struct Contenders {
-  std::vector<std::unique_ptr<Subject>> subjects;
-  /// Copies of libraries in processes of their own, which draw each family first.
-  std::vector<std::unique_ptr<Subject>> copies;
+  std::vector<std::unique_ptr<Subject>> libraries;
+  /// The user's own, each in a process of its own: the programs, and copies of the libraries, which
+  /// draw each family first. In the order of the contenders.
+  std::vector<std::unique_ptr<Subject>> outside;
   std::vector<std::unique_ptr<bench::Contender>> list;
+  std::size_t own = 0;  ///< of the list: the project's
 
   explicit Contenders(const BenchOptions& options) : list(ContendersOf(options)) {
+    own = list.size();
     // Of the first draw of a family: some of these follow.
     const double most_seconds = std::max(5.0, options.budget / 10);
     for (const std::string& file : options.plugins) {
-      subjects.push_back(PluginOf(file));
-      copies.push_back(ResolveOutside(std::string(kPluginPrefix) + file)());
+      libraries.push_back(PluginOf(file));
+      outside.push_back(ResolveOutside(std::string(kPluginPrefix) + file)());
       list.push_back(
-          bench::MakeSubjectContender(*subjects.back(), copies.back().get(), most_seconds));
+          bench::MakeSubjectContender(*libraries.back(), outside.back().get(), most_seconds));
     }
     for (const std::string& name : ProgramNames(options)) {
-      subjects.push_back(ProgramOf(name));
-      list.push_back(bench::MakeProgramContender(*subjects.back(), most_seconds));
+      outside.push_back(ProgramOf(name));
+      list.push_back(bench::MakeProgramContender(*outside.back(), most_seconds));
     }
+  }
+
+  std::span<const std::unique_ptr<bench::Contender>> Own() const {
+    return std::span(list).first(own);
   }
 };
 
-// What is asked beside the families: where each method ends and how it gets there, what it says of
-// one sample over neighbouring inputs, what the stages of a frame move. Costs of all sizes where
-// there is time; fingerprints of what is drawn in this process.
-void AddLimits(const Contenders& contenders, std::size_t programs, Progress& progress,
-               BenchResult& result) {
+// Where each method ends, and how it gets there: costs of all sizes where there is time.
+void AddLimits(const Contenders& contenders, Progress& progress, BenchResult& result) {
   bench::LimitOptions limits;
   limits.progress = [&](const std::string& stage) { progress.Stage(stage); };
   bench::CurveOptions curves;
   curves.progress = limits.progress;
-  const bool is_quick = result.setting.is_quick;
-  if (is_quick) {
+  if (result.setting.is_quick) {
     for (const bench::Parameter& parameter : bench::Parameters()) {
       curves.parameters.emplace_back(parameter.name);
     }
   } else {
     curves.most_triangles = 1'000'000;
   }
-  bench::RunCliffs(contenders.list, limits, result);
-  bench::RunCurves(contenders.list, curves, result);
-  for (const std::unique_ptr<Subject>& subject : contenders.subjects) {
-    const auto drawer = bench::DrawerOf(*subject);
+  bench::RunCliffs(contenders.Own(), limits, result);
+  bench::RunCurves(contenders.Own(), curves, result);
+  for (std::size_t k = 0; k < contenders.outside.size(); ++k) {
+    const bench::Contender& contender = *contenders.list[contenders.own + k];
+    const auto drawer = bench::DrawerOf(*contenders.outside[k], contender.method());
     bench::RunCliffs(*drawer, limits, result);
     bench::RunCurves(*drawer, curves, result);
   }
+}
+
+// What methods say of one sample over neighbouring inputs, and what the stages of a frame move. Of
+// the project's own: a user's library might break down over inputs that no family has.
+void AddPictures(const Contenders& contenders, Progress& progress, BenchResult& result) {
   progress.Stage("fingerprints");
   const std::array steps{bench::kFingerprintSteps[0], bench::kFingerprintSteps[2]};
-  const std::span list(contenders.list);
-  RunFingerprints(list.first(list.size() - programs), steps, "", result);
+  RunFingerprints(contenders.Own(), steps, "", result);
   progress.Stage("stages");
-  bench::RunStages(is_quick ? 4 : 2, result);
+  bench::RunStages(result.setting.is_quick ? 4 : 2, result);
 }
 
 BenchResult Measured(const BenchOptions& options) {
@@ -262,7 +270,10 @@ BenchResult Measured(const BenchOptions& options) {
   const double end = WallSeconds() + options.budget;
   for (const auto& contender : contenders.list) result.methods.push_back(contender->method());
   const bool is_whole = options.families.empty() && options.scenes.empty();
-  if (is_whole) AddLimits(contenders, ProgramNames(options).size(), progress, result);
+  if (is_whole) {
+    AddLimits(contenders, progress, result);
+    AddPictures(contenders, progress, result);
+  }
   auto left = static_cast<double>(families.size());
   for (const bench::FamilyInput& family : families) {
     bench_options.seconds_per_family = (end - WallSeconds()) / left--;

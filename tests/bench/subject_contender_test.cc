@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "bench/bench.h"
+#include "bench/cliff.h"
 #include "bench/contender.h"
 #include "bench/errors.h"
+#include "bench/scene_drawer.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/subject.h"
@@ -136,6 +138,20 @@ TEST(RunFamily, LeavesOutAUsersSubjectThatBreaksDown) {
   EXPECT_TRUE(result.rows.empty());
   ASSERT_EQ(result.left_out.size(), 1U);
   EXPECT_EQ(result.left_out.front().why, "it was killed by signal 11");
+}
+
+// In a whole run limits come first: they are the contender's, under its own name.
+TEST(RunCliffs, AddsNoSecondMethodForAUsersSubject) {
+  Scripted nothing;
+  const auto contender = MakeSubjectContender(nothing);
+  BenchResult result;
+  result.methods.push_back(contender->method());
+  LimitOptions options;
+  options.parameters = {"grid-8"};
+  RunCliffs(*DrawerOf(nothing, contender->method()), options, result);
+  EXPECT_EQ(result.methods.size(), 1U);
+  ASSERT_EQ(result.cliffs.size(), 1U);
+  EXPECT_EQ(result.cliffs.front().method, 0U);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace rasterproof::legal {
 namespace {
 
-// A thousand triples at most of twenty samples, and of few edges more.
+// C(28, 3) triples of an edge at most, its four bounds at the ends counted.
 constexpr std::size_t kMostBeside = 24;
 
 // A sample beside the edge, or an end of the stretch that the moved edge passes within the reach.

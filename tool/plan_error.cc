@@ -58,7 +58,8 @@ double LargestOnRow(const EdgeBounds& edges, Point2 a, Point2 b, Point2 p, int s
   return largest;
 }
 
-// Over all edges: bounds grow away from an edge, so that the first and the last row tell.
+// Over all edges. Bounds are sums of magnitudes of linear functions of the sample, convex along a
+// column, so that the first and the last row tell; where both are exact all between are.
 double LargestOverScene(const EdgeBounds& edges, const Scene& scene) {
   double largest = 0;
   for (const Triangle& triangle : scene.triangles) {

@@ -62,8 +62,8 @@ TEST(ProvedErrorOf, StatesNothingWhereNothingIsProved) {
   }
   scene.vertices[0].x = 0x1p20;  // beyond what fixed tiles draw
   EXPECT_TRUE(std::isnan(ProvedErrorOf("kernel-fixed-tiles", scene).pixels));
-  EXPECT_TRUE(std::isnan(ProvedErrorOf("i32-snap4", scene).pixels) ||
-              ProvedErrorOf("i32-snap4", scene).pixels > 0);
+  EXPECT_TRUE(std::isnan(ProvedErrorOf("i32-snap4", scene).pixels));
+  EXPECT_EQ(ProvedErrorOf("kernel-exact", scene).pixels, 0);
 }
 
 BenchResult TwoFamilies() {

@@ -221,16 +221,18 @@ struct CoverageJudge::Answers {
   // Of all areas, in the order of the judged triangles, and where each begins.
   std::vector<std::uint8_t> covered;
   std::vector<std::size_t> starts;
-  std::vector<std::uint64_t> boundary_pairs;  // of each triangle
+  std::vector<std::uint64_t> boundary_pairs;  // of each triangle, of real geometry alone
 
   Answers(const Scene& scene, const Profile& of, const std::vector<std::size_t>& triangles)
       : model(of), exact(scene, of) {
     std::vector<std::uint8_t> one;
+    const bool is_real = SameModel(of, Profile{});
     for (const std::size_t t : triangles) {
       const PixelRect area = JudgedArea(scene, t);
       exact.Cover(t, area, one);
       starts.push_back(covered.size());
       covered.insert(covered.end(), one.begin(), one.end());
+      if (!is_real) continue;
       const std::array<Point2, 3> corners = exact.CornersOf(t);
       std::uint64_t& near = boundary_pairs.emplace_back(0);
       ForEachPixel(area, [&](int x, int y, std::size_t) {

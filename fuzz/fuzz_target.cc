@@ -17,7 +17,7 @@
 #include "props/judging/gate.h"
 #include "props/judging/witness.h"
 #include "props/properties/contract_properties.h"
-#include "props/run/judged_case.h"
+#include "props/run/description.h"
 #include "props/run/trial.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"

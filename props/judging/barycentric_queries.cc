@@ -11,6 +11,7 @@
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -27,7 +28,8 @@ int PixelOf(double x, int size) {
 
 // The samples of the pixels at the centroid and half-way from it to each vertex: some are inside
 // unless the triangle is thinner than a pixel.
-void AddInner(const Case& c, const std::array<Point2, 3>& v, std::vector<SamplePlace>& places) {
+void AddInner(const PlacedCase& c, const std::array<Point2, 3>& v,
+              std::vector<SamplePlace>& places) {
   const Point2 centroid{v[0].x / 3 + v[1].x / 3 + v[2].x / 3, v[0].y / 3 + v[1].y / 3 + v[2].y / 3};
   const auto add = [&](Point2 p) {
     const int line = PixelOf(p.y, c.scene.height);
@@ -50,7 +52,7 @@ bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p) {
   return true;
 }
 
-std::vector<CornersPlace> SomeProperTriangles(const Case& c) {
+std::vector<CornersPlace> SomeProperTriangles(const PlacedCase& c) {
   constexpr int kLookedAt = 64;
   std::vector<CornersPlace> proper = SomeTriangles(c, kLookedAt);
   std::erase_if(proper, [](const CornersPlace& place) { return exact::Facing(place.at) == 0; });
@@ -58,7 +60,7 @@ std::vector<CornersPlace> SomeProperTriangles(const Case& c) {
   return proper;
 }
 
-std::vector<BarycentricQuery> SomeBarycentricQueries(const Case& c) {
+std::vector<BarycentricQuery> SomeBarycentricQueries(const PlacedCase& c) {
   std::vector<BarycentricQuery> queries;
   for (const CornersPlace& corners : SomeProperTriangles(c)) {
     std::vector<SamplePlace> places;
@@ -138,7 +140,7 @@ std::array<exact::Rational, 3> ExactBarycentrics(const BarycentricQuery& q) {
   return *exact::Barycentrics(q.v, q.place.at);
 }
 
-std::vector<std::array<double, 3>> SomeAttributes(const Case& c, const BarycentricQuery& q) {
+std::vector<std::array<double, 3>> SomeAttributes(const PlacedCase& c, const BarycentricQuery& q) {
   std::vector<std::array<double, 3>> sets{{0.25, 1, 0.625}, {3, 3, 3}};
   const std::array<Vertex, 3> v =
       Corners(c.scene, c.scene.triangles[static_cast<std::size_t>(q.triangle)]);

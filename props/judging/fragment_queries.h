@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "core/case.h"
 #include "core/drawing.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "props/judging/barycentric_queries.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -50,7 +50,7 @@ inline constexpr Outputs kDepthsAlone{.primitive_ids = true, .barycentrics = fal
 ///
 /// Of a subject that does not say whose barycentrics it shows a fragment holds if it does by the
 /// vertices as given or by those on the grid.
-Asked AskFragments(const Case& c, const Description& subject, const Outputs& alone,
+Asked AskFragments(const PlacedCase& c, const Description& subject, const Outputs& alone,
                    FragmentJudge judge);
 
 /// How far the barycentrics of p may be off: the stated error for each. If none is stated, the most

@@ -9,6 +9,7 @@
 #include "core/call_end.h"
 #include "core/error.h"
 #include "core/target_size.h"
+#include "props/placed_case.h"
 #include "props/run/parts.h"
 
 namespace rasterproof::props {
@@ -28,19 +29,20 @@ void Guarded(Answers& answers, const Call& call) {
 
 // A draw as the subject is given it: where its own transform takes the vertices to their places.
 // Nothing, and a stop, if it can't be.
-std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Answers& answers) {
+std::optional<DrawJob> AsGiven(const PlacedCase& placed, const std::string& subject,
+                               const DrawJob& job, Answers& answers) {
   if (const auto error =
           TargetSizeError("scene", job.scene->width, job.scene->height, job.samples)) {
     End(answers, Stop::kNotDrawable, error->what());
     return std::nullopt;
   }
-  if (!judged.places) return job;
-  if (std::optional<Scene> scene = judged.places->AsGiven(*job.scene)) {
+  if (!placed.before) return job;
+  if (std::optional<Scene> scene = placed.before->AsGiven(*job.scene)) {
     DrawJob given = job;
     given.scene = std::make_shared<const Scene>(*std::move(scene));
     return given;
   }
-  const InputError error("subject " + judged.subject.info.name, judged.places->WhyNot(*job.scene),
+  const InputError error("subject " + subject, placed.before->WhyNot(*job.scene),
                          "choose another property");
   End(answers, Stop::kNotDrawable, error.what());
   return std::nullopt;
@@ -66,6 +68,7 @@ class Putting {
  public:
   Putting(Subject& subject, std::span<const Request> requests)
       : subject_(subject),
+        info_(subject.Info()),
         is_outside_(subject.SharesCalls()),
         requests_(requests),
         answers_(requests.size()),
@@ -88,11 +91,17 @@ class Putting {
   }
 
  private:
-  CoverageKind Coverage(std::size_t r) const { return requests_[r].judged->subject.info.coverage; }
+  std::optional<DrawJob> GivenOf(std::size_t r, const DrawJob& job, Answers& answers) const {
+    return AsGiven(*requests_[r].placed, info_.name, job, answers);
+  }
 
+  // Facings are those of the question's scene; what is drawn is the scene as it is given.
   std::vector<Part> PartsOf(std::size_t r, const DrawQuestion& question, const DrawJob& job) const {
     if (question.parts == Parts::kWhole) return {{job, false}};
-    return FacingParts(job, Coverage(r), requests_[r].judged->stated);
+    std::vector<Part> parts =
+        FacingParts(question.job, info_.coverage, requests_[r].placed->stated);
+    for (Part& part : parts) part.job.scene = job.scene;
+    return parts;
   }
 
   // What a subject outside draws is added to its target here, whatever that held.
@@ -112,13 +121,13 @@ class Putting {
     std::shared_ptr<const Drawing> last;
     for (const DrawQuestion& question : questions.draws) {
       answers.stopped_at = static_cast<std::size_t>(&question - questions.draws.data());
-      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, question.job, answers);
+      const std::optional<DrawJob> job = GivenOf(r, question.job, answers);
       if (!job) return true;
       auto drawing = std::make_shared<Drawing>();
       const std::vector<Part> parts = PartsOf(r, question, *job);
       Guarded(answers, [&] {
         Subject& draws = question.by_twin ? *subject_.Twin() : subject_;
-        DrawOnto(draws, r, question, *job, parts, last.get(), *drawing);
+        DrawOnto(draws, question, *job, parts, last.get(), *drawing);
       });
       if (answers.stop != Stop::kNone) return true;
       last = drawing;
@@ -128,7 +137,7 @@ class Putting {
     return true;
   }
 
-  void DrawOnto(Subject& subject, std::size_t r, const DrawQuestion& question, const DrawJob& job,
+  void DrawOnto(Subject& subject, const DrawQuestion& question, const DrawJob& job,
                 const std::vector<Part>& parts, const Drawing* last, Drawing& drawing) {
     if (question.parts == Parts::kWhole && !NeedsItsTarget(question)) {
       drawing = subject.Show(job);
@@ -136,7 +145,7 @@ class Putting {
     }
     drawing.counts = Filled(question.fill, job);
     if (question.onto_the_last && last != nullptr) drawing.counts = last->counts;
-    if (Coverage(r) == CoverageKind::kFacingCounts) {
+    if (info_.coverage == CoverageKind::kFacingCounts) {
       subject.Draw(SceneOf(job), job.options, drawing.counts);
       return;
     }
@@ -146,7 +155,7 @@ class Putting {
   void AddShares(std::size_t r) {
     const std::vector<DrawQuestion>& draws = requests_[r].check->questions.draws;
     for (std::size_t d = 0; d < draws.size(); ++d) {
-      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, draws[d].job, not_given_[r]);
+      const std::optional<DrawJob> job = GivenOf(r, draws[d].job, not_given_[r]);
       if (!job) return;
       drawings_.push_back(std::make_shared<Drawing>());
       const bool is_added = draws[d].parts == Parts::kFacings || draws[d].fill != 0;
@@ -218,7 +227,7 @@ class Putting {
     if (share.is_whole) {
       drawing = std::move(outcome.drawing);
     } else {
-      AddPart(share.part, Coverage(share.request), outcome.drawing.counts, drawing.counts);
+      AddPart(share.part, info_.coverage, outcome.drawing.counts, drawing.counts);
     }
   }
 
@@ -241,6 +250,7 @@ class Putting {
   }
 
   Subject& subject_;
+  SubjectInfo info_;
   bool is_outside_;
   std::span<const Request> requests_;
   std::vector<Answers> answers_;

@@ -171,7 +171,7 @@ class Model final : public Subject {
   void AddBarycentrics(const Scene& seen, Drawing& drawing) const {
     const bool snaps =
         info_.fragments.barycentrics_of == BarycentricsOf::kSnapped && !seen.clip_space;
-    const Scene placed = snaps ? SnapScene(seen, window_profile_) : seen;
+    const Scene placed = snaps ? SnapScene(seen, {window_profile_, seen}) : seen;
     drawing.barycentrics.resize(drawing.counts.size());
     drawing.depths.resize(drawing.counts.size());
     const auto samples = static_cast<std::size_t>(drawing.counts.samples);

@@ -12,7 +12,7 @@
 #include "core/verdict.h"
 #include "exact/coverage.h"
 #include "props/judging/gate.h"
-#include "props/run/judged_case.h"
+#include "props/run/description.h"
 #include "props/run/trial.h"
 
 namespace rasterproof::generators {
@@ -78,7 +78,7 @@ Wrong CountWrong(Subject& subject, CaseStream& cases, std::uint64_t count, doubl
   const double start = CoreSeconds();
   for (std::uint64_t k = 0; k < count && CoreSeconds() - start < cap; ++k) {
     const Case c = cases.Next();
-    if (!WithinLimits(c.scene, c.profile) || exact::WhyNotDecided(c.scene, c.profile)) continue;
+    if (!WithinLimits(c.scene, c.profile) || exact::WhyNotDecided({c.scene, c.profile})) continue;
     CoverageCounts drawn(c.scene.width, c.scene.height, c.profile.pattern.samples());
     subject.Draw(c.scene, c.options, drawn);
     ++result.cases;

@@ -152,7 +152,7 @@ TEST(Campaign, ContainsASubjectThatThrows) {
 TEST(Campaign, ThatExercisesNothingIsNoPass) {
   auto subject = testing::Sound(RealInfo());
   Property property = ModelProperty(kDomains);
-  property.ask = [](const Case&, const Description&) { return Asked{}; };
+  property.ask = [](const PlacedCase&, const Description&) { return Asked{}; };
   const PropertyResult idle = RunCampaign(subject, property, {.cases = 20});
   EXPECT_EQ(idle.outcome, Outcome::kNotExercised);
   EXPECT_EQ(idle.cases, 20U);
@@ -172,7 +172,7 @@ int blamings = 0;  // a property's functions hold no state
 TEST(Campaign, BlamesOnceOnTheSmallestCase) {
   auto subject = testing::DropsLastColumn(RealInfo());
   Property property = ModelProperty(kDomains);
-  property.blame = [](const Case&, const Verdict&, const Description&) {
+  property.blame = [](const PlacedCase&, const Verdict&, const Description&) {
     ++blamings;
     return Asked{};
   };

@@ -10,7 +10,7 @@
 #include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "props/domains/domain.h"
 #include "props/domains/input_lattice.h"
 #include "props/infer/infer.h"
@@ -193,8 +193,9 @@ TEST(PrimitiveExtentEnds, LieOnBothSidesOfTheLargestExtent) {
 TEST(GuardBandEnds, LieOnBothSidesOfTheRectangle) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.guard_band = WindowBox{-100, -100, 200, 200};
-  const Sides sides = SidesOf("guard-band-ends", info,
-                              [&](const Case& c) { return IsUnclipped(c.scene, info.profile); });
+  const Sides sides = SidesOf("guard-band-ends", info, [&](const Case& c) {
+    return IsUnclipped(c.scene, {info.profile, c.scene});
+  });
   EXPECT_GT(sides.one, 3);
   EXPECT_GT(sides.other, 20);
 }
@@ -203,7 +204,7 @@ TEST(TargetSizeEnds, LieOnBothSidesOfTheLargestTarget) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.by_target_size = {{.max_width = 64, .max_height = 64, .snap = {4}}};
   const Sides sides = SidesOf("target-size-ends", info, [&](const Case& c) {
-    return ForTarget(c.profile, c.scene.width, c.scene.height).snap.bits == 4;
+    return TargetProfile(c.profile, c.scene).snap.bits == 4;
   });
   EXPECT_GT(sides.one, 20);
   EXPECT_GT(sides.other, 10);
@@ -249,8 +250,7 @@ TEST(Targets, AreJudgedEachByItsOwnModel) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.by_target_size = {{.max_width = 9, .max_height = 9, .snap = {0, SnapRule::kFloor}}};
   PlantedSubject sound = Sound(info);
-  Profile always_small = ForTarget(info.profile, 1, 1);
-  always_small.by_target_size.clear();
+  const TargetProfile always_small(info.profile, 1, 1);
   PlantedSubject wrong(
       info, [always_small](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         counts = exact::Coverage(scene, always_small, options);

@@ -10,6 +10,7 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -18,7 +19,7 @@ namespace rasterproof::props {
 namespace {
 
 // The corners of a triangle and every sample near it that lies exactly on one of its edge lines.
-std::vector<BarycentricQuery> CornersAndTies(const Case& c) {
+std::vector<BarycentricQuery> CornersAndTies(const PlacedCase& c) {
   std::vector<BarycentricQuery> queries;
   for (const CornersPlace& corners : SomeProperTriangles(c)) {
     for (const Point2& vertex : corners.at) {
@@ -60,7 +61,7 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(CornersAndTies(c), *subject.barycentrics, Judge);
 }
 

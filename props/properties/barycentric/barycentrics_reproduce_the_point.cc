@@ -11,6 +11,7 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -64,7 +65,7 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
 }
 

@@ -10,6 +10,7 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -47,7 +48,7 @@ Verdict Judge(const std::vector<BoundedSum>& sums, const Answers& answers) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedSum> sums;
   Questions questions;
   for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {

@@ -10,6 +10,7 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/centroid_queries.h"
 #include "props/judging/exact_comparison.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -35,7 +36,9 @@ Verdict Judge(const std::vector<CentroidFragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) { return AskCentroids(c, subject, Judge); }
+Asked Ask(const PlacedCase& c, const Description& subject) {
+  return AskCentroids(c, subject, Judge);
+}
 
 constexpr std::array kRules{ProfileRule{
     [](const Profile& p) {

@@ -7,6 +7,7 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/interpolation_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -38,7 +39,7 @@ Verdict Judge(const std::vector<BoundedPair>& pairs, const Answers& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedPair> pairs;
   Questions questions;
   for (const InterpolationQuery& q : SomeInterpolations(c)) {

@@ -9,6 +9,7 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -41,7 +42,7 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kBarycentricsAlone, Judge);
 }
 

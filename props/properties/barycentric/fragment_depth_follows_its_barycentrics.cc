@@ -11,6 +11,7 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -46,7 +47,7 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kDepthsAlone, Judge);
 }
 

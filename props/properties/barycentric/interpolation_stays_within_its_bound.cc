@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "props/judging/interpolation_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -9,7 +10,7 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<InterpolationQuery> affine = SomeInterpolations(c);
   // w plays no part in the affine forms: the queries that differ in it alone are left out.
   std::erase_if(affine, [](const InterpolationQuery& q) {

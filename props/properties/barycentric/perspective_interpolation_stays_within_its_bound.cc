@@ -1,5 +1,6 @@
 // Perspective-correct interpolation stays within the bound stated of the exact quotient.
 #include "props/judging/interpolation_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -7,7 +8,7 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskInterpolations(SomeInterpolations(c), {InterpolationForm::kPerspective},
                            *subject.barycentrics, InterpolationsStayWithinTheirBound);
 }

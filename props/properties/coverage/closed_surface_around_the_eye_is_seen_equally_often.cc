@@ -15,6 +15,7 @@
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/signed_coverage.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -35,7 +36,7 @@ bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
   return !in_front && !behind && exact::DeterminantSign(v) == 0;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (c.scene.triangles.empty() || !IsClosed(c.scene)) {
     return NothingAsked("the surface is not closed");
   }
@@ -43,8 +44,7 @@ Asked Ask(const Case& c, const Description& subject) {
     if (MayHoldTheEye(Corners(c.scene, t))) return NothingAsked("the eye may lie on the surface");
   }
   // The surface winds equally often around the eye in every direction: one ray tells it for all.
-  const CoverageCounts one =
-      exact::Coverage(c.scene, c.profile, {.scissor = PixelRect{0, 0, 1, 1}});
+  const CoverageCounts one = exact::Coverage(c, {.scissor = PixelRect{0, 0, 1, 1}});
   Spared spared;
   if (!HasOneModel(c.profile) && !TellsFacings(subject)) spared.open = OpenTriangles(c);
   return CompareSignedCoverage(c, std::vector<std::int64_t>(one.size(), one.Signed(0)),

@@ -3,6 +3,7 @@
 // That needs no coverage oracle: inside is where the boundary's winding number is not zero.
 #include "props/judging/planar_mesh.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -11,7 +12,9 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& subject) { return CompareWithItsWinding(c, subject); }
+Asked Ask(const PlacedCase& c, const Description& subject) {
+  return CompareWithItsWinding(c, subject);
+}
 
 }  // namespace
 
@@ -36,7 +39,7 @@ constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
              "in clip space as seen from the eye, and does not overlap itself; where vertices may "
              "move away from the outline and from triangles that a legal choice turns"},
     .ask = Ask,
-    .blame = [](const Case& c, const Verdict& verdict,
+    .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };
 

@@ -13,6 +13,7 @@
 #include "core/ulp.h"
 #include "model/snap_scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -31,7 +32,7 @@ std::optional<double> ExactSum(double x, double shift, Precision precision) {
   return sum;
 }
 
-std::optional<Scene> Moved(const Case& c, int dx, int dy) {
+std::optional<Scene> Moved(const PlacedCase& c, int dx, int dy) {
   Scene moved = c.scene;
   for (Vertex& v : moved.vertices) {
     const std::optional<double> x = ExactSum(v.x, dx, c.scene.precision);
@@ -61,7 +62,7 @@ CoverageCounts MovedCounts(const CoverageCounts& counts, int dx, int dy) {
   return moved;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const auto& [dx, dy] : kShifts) {

@@ -7,6 +7,7 @@
 
 #include "core/scene.h"
 #include "props/judging/planar_mesh.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/coverage/shared_edge_samples_are_covered_once.h"
 #include "props/properties/domain_lists.h"
@@ -26,7 +27,7 @@ bool LeavesTarget(const Scene& scene, std::size_t triangle) {
                              [&](const Vertex& v) { return IsSeenOutside(v, scene); });
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return CoverSharedEdgesOnce(c, subject, Clipped::kAlike, [&](const Neighbours& pair) {
     return LeavesTarget(c.scene, pair.first) || LeavesTarget(c.scene, pair.second);
   });

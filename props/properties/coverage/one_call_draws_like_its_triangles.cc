@@ -20,6 +20,7 @@
 #include "props/judging/open_by_call.h"
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -47,7 +48,8 @@ std::array<CallOrder, 2> OrdersOf(std::size_t count, std::size_t times) {
 }
 
 // A call for each order, and then one for each triangle.
-Questions WholesAndSingles(const Case& c, std::span<const CallOrder> orders, std::size_t count) {
+Questions WholesAndSingles(const PlacedCase& c, std::span<const CallOrder> orders,
+                           std::size_t count) {
   const DrawQuestion question = WholeCallOf(c.scene, c.profile, c.options);
   Questions questions;
   const auto ask = [&](const CallOrder& order) {
@@ -85,7 +87,7 @@ Verdict LikeItsTriangles(const SubjectInfo& info, const Drawing& mesh, const Cal
                     "that of its triangles drawn alone");
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (c.scene.triangles.size() < 2) return NothingAsked("a mesh of one triangle");
   const auto open = WhereCallsMayDiffer(c, c.profile.freedom.ties == TieOwnership::kOpen);
   if (!open) return NothingAsked(kPlacesNotKnown);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "props/judging/planar_mesh.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -15,9 +16,10 @@ namespace rasterproof::props {
 namespace {
 
 // The mesh, judged as under a profile that is the case's but for its owners.
-Asked AskForOnce(const Case& c, const Description& subject) {
-  const auto owned = std::make_shared<Case>(c);
-  owned->profile.freedom.ties = TieOwnership::kStated;
+Asked AskForOnce(const PlacedCase& c, const Description& subject) {
+  Freedom freedom = c.profile.freedom;
+  freedom.ties = TieOwnership::kStated;
+  const auto owned = std::make_shared<PlacedCase>(c.Under(freedom));
   Asked asked = CompareWithItsWinding(*owned, subject);
   for (Check& check : asked.checks) {
     check.judge = [owned, judge = std::move(check.judge)](const Answers& answers) {

@@ -4,6 +4,7 @@
 #include "core/coverage.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -11,7 +12,7 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   Scene reversed = c.scene;
   for (Triangle& t : reversed.triangles) t = {t[0], t[2], t[1]};
   Questions questions;

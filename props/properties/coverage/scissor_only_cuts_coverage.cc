@@ -5,6 +5,7 @@
 #include "core/scene.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -21,7 +22,7 @@ std::array<PixelRect, 3> Scissors(const Scene& scene) {
           PixelRect{0, h - 1, w, h}};
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   const auto open = WhereCallsMayDiffer(c, MayChooseByCall(c.profile));
   if (!open) return NothingAsked(kPlacesNotKnown);
   DrawOptions options = WholeTarget(c);

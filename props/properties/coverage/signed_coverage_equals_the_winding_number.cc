@@ -7,6 +7,7 @@
 #include "props/judging/outline.h"
 #include "props/judging/signed_coverage.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -15,7 +16,7 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   Spared spared;
   if (!IsUnclipped(c.scene, c.profile)) {
     spared.open = OpenTriangles(c);
@@ -44,7 +45,7 @@ constinit const Property kSignedCoverageEqualsTheWindingNumber{
              .rules = kSignedCoverageRules,
              .asks_oracle = true},
     .ask = Ask,
-    .blame = [](const Case& c, const Verdict& verdict,
+    .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };
 

@@ -8,6 +8,7 @@
 #include "core/scene.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -21,7 +22,7 @@ constexpr auto kMapDomains =
     Both(kCoverageAnySpace, std::to_array<std::string_view>({"deciding-snap-ties"}));
 
 // Three tiles along the longer side: origins that are no powers of two from the target's.
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   const auto open = WhereCallsMayDiffer(c, MayChooseByCall(c.profile));
   if (!open) return NothingAsked(kPlacesNotKnown);
   DrawOptions options = WholeTarget(c);

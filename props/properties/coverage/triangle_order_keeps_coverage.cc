@@ -9,6 +9,7 @@
 #include "core/scene.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -17,7 +18,7 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   if (c.scene.triangles.size() < 2) return NothingAsked("one triangle has one order");
   const auto open = WhereCallsMayDiffer(c, c.profile.freedom.ties == TieOwnership::kOpen);
   if (!open) return NothingAsked(kPlacesNotKnown);

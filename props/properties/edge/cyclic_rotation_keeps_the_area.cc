@@ -8,6 +8,7 @@
 #include "props/judging/edge_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -61,7 +62,7 @@ Verdict Judge(const std::vector<Rotation>& rotations, const Answers& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<Rotation> rotations;
   Questions questions;
   for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {

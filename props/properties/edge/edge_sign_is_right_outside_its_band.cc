@@ -11,6 +11,7 @@
 #include "props/judging/edge_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -18,7 +19,7 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
   Questions questions = ValuesAt(edges);
   return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {

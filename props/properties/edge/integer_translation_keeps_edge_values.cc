@@ -2,6 +2,7 @@
 #include <array>
 
 #include "props/judging/edge_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -17,7 +18,7 @@ constexpr std::array<EdgeMap, 4> kTranslations{{
     {.tx = -4096, .ty = -4096},
 }};
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kTranslations, "edge value changes under translation");
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "props/judging/edge_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -15,7 +16,7 @@ constexpr std::array<EdgeMap, 3> kMirrors{{
     {.transpose = true, .factor = -1},
 }};
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kMirrors, "edge value is not negated by a mirror");
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "props/judging/edge_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -16,7 +17,7 @@ constexpr std::array<EdgeMap, 3> kScalings{{
     {.sx = 0x1p20, .sy = 0x1p20, .factor = 0x1p40},
 }};
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kScalings, "edge value does not scale by 4^k");
 }
 

@@ -6,6 +6,7 @@
 #include "props/judging/edge_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -18,7 +19,7 @@ struct EdgeBothWays {
   double reversed_bound = 0;
 };
 
-std::vector<EdgeBothWays> SomeEdgesBothWays(const Case& c, const EdgeBounds& bounds) {
+std::vector<EdgeBothWays> SomeEdgesBothWays(const PlacedCase& c, const EdgeBounds& bounds) {
   std::vector<EdgeBothWays> edges;
   for (const BoundedEdge& edge : SomeBoundedEdges(c, bounds)) {
     const EdgeQuery& q = edge.query;
@@ -54,7 +55,7 @@ Verdict Judge(const std::vector<EdgeBothWays>& edges, const Answers& answers) {
   return Verdict::Held(edges.size());
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<EdgeBothWays> edges = SomeEdgesBothWays(c, *subject.edges);
   Questions questions = ValuesOf(edges);
   return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {

@@ -10,6 +10,7 @@
 #include "core/scene.h"
 #include "core/ulp.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -41,7 +42,7 @@ std::optional<Scene> Scaled(const Scene& scene) {
   return scaled;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   const std::optional<Scene> scaled = Scaled(c.scene);
   if (!scaled || !WithinLimits(*scaled, c.profile)) {
     return NothingAsked("a scaled vertex is not exact or beyond the limit");

@@ -9,6 +9,7 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -63,7 +64,7 @@ Verdict LookAround(const CoverageCounts& counts, const CoverageCounts& before,
 }
 
 // A draw into a rectangle of a guarded target.
-Check GuardedDraw(const Case& c, const Scene& scene, const PixelRect& rect) {
+Check GuardedDraw(const PlacedCase& c, const Scene& scene, const PixelRect& rect) {
   DrawOptions options = WholeTarget(c);
   const PixelRect whole{0, 0, scene.width, scene.height};
   if (rect != whole) options.scissor = rect;
@@ -79,7 +80,7 @@ Check GuardedDraw(const Case& c, const Scene& scene, const PixelRect& rect) {
   return check;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   const int w = c.scene.width;
   const int h = c.scene.height;
   Asked asked;

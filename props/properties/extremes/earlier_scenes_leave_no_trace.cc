@@ -14,6 +14,7 @@
 #include "props/judging/gate.h"
 #include "props/judging/moved_scenes.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -39,9 +40,8 @@ Verdict AreAlike(const Answers& answers, const std::vector<std::string>& changes
   return Verdict::Held(changes.size());
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
-  Case canonical = c;
-  canonical.profile.freedom = Freedom{};
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+  const PlacedCase canonical = c.Under(Freedom{});
   if (auto why = WhyNotMoved(canonical)) return NothingAsked(*why);
   const std::vector<MovedScene> moved = MovedScenes(canonical).ByOneVertex();
   if (moved.empty()) return NothingAsked("no vertex that moves changes what is covered");

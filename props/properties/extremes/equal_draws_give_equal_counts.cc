@@ -4,6 +4,7 @@
 
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -12,7 +13,7 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Questions questions;
   questions.company = Company::kInOrderAlone;
   const DrawQuestion once = WholeCallOf(c.scene, c.profile, c.options);

@@ -15,6 +15,7 @@
 #include "props/judging/legal_counts.h"
 #include "props/judging/moved_scenes.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -24,7 +25,7 @@ namespace rasterproof::props {
 namespace {
 
 // The case, each successor behind it, and the case again.
-std::vector<DrawQuestion> DrawsOf(const Case& c, const std::vector<MovedScene>& successors) {
+std::vector<DrawQuestion> DrawsOf(const PlacedCase& c, const std::vector<MovedScene>& successors) {
   std::vector<DrawQuestion> draws{LegalCounts::QuestionOf(c.scene, c)};
   for (const MovedScene& successor : successors) {
     draws.push_back(LegalCounts::QuestionOf(successor.scene, c));
@@ -49,7 +50,7 @@ Verdict Judged(const Answers& answers, bool counts, const LegalCounts& first,
   return Verdict::Held(changed);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (auto why = WhyNotMoved(c)) return NothingAsked(*why);
   const MovedScenes of(c);
   std::vector<MovedScene> successors = of.ByOneVertex();

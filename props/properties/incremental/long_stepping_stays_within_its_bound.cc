@@ -1,5 +1,6 @@
 // A stepping across the largest target drifts no further than the bound stated for it.
 #include "props/judging/stepping.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -9,7 +10,7 @@ namespace {
 
 constexpr int kSteps = 16384;  // the side of the largest target of the APIs in use
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return StepsStayWithinTheirBound(LongRows(c, kSteps), *subject.edges);
 }
 

@@ -5,6 +5,7 @@
 
 #include "props/judging/stepping.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -48,7 +49,7 @@ Check CheckOf(const SteppingQuery& stepping, const EdgeBounds& stated) {
   return check;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   Asked asked;
   for (const SteppingQuery& stepping : SomeSteppingQueries(c))
     asked.checks.push_back(CheckOf(stepping, *subject.edges));

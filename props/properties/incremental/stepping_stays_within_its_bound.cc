@@ -2,6 +2,7 @@
 //
 // They go along x or y, either way, by one pixel or by L.
 #include "props/judging/stepping.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -9,7 +10,7 @@
 namespace rasterproof::props {
 namespace {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return StepsStayWithinTheirBound(SomeSteppingQueries(c), *subject.edges);
 }
 

@@ -7,6 +7,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -24,7 +25,7 @@ CoverageCounts RowsFromZero(const CoverageCounts& high, int height, YAxis y_axis
   return part;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const int height : {c.scene.height + 1, 2 * c.scene.height + 7}) {

@@ -4,6 +4,7 @@
 #include "core/coverage.h"
 #include "core/scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -24,7 +25,7 @@ CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
   return part;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const int width : {c.scene.width + 1, 2 * c.scene.width + 7}) {

@@ -4,6 +4,7 @@
 
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -14,7 +15,7 @@ namespace {
 // One pixel, an odd size that fits no target, the usual ones, and one larger than most targets.
 constexpr std::array<int, 4> kTiles{1, 5, 8, 64};
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
   options.tile = 0;
   Asked asked;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "props/judging/squares.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
@@ -20,7 +21,7 @@ constexpr std::array kRules{
                 "the profile lets squares be covered that do not lie within a triangle", true},
     kDrawsLargeTriangles};
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kLess,
                            "squares: a pixel is covered whose centre is not", CentresOf);
 }

@@ -3,6 +3,7 @@
 
 #include "exact/square_coverage.h"
 #include "props/judging/squares.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
@@ -12,11 +13,11 @@ namespace {
 
 constexpr std::array kRules{kMayCoverSquares, kDrawsLargeTriangles};
 
-CoverageCounts MostOf(const Case& c, const DrawOptions& options) {
-  return exact::MayCover(c.scene, c.profile, options);
+CoverageCounts MostOf(const PlacedCase& c, const DrawOptions& options) {
+  return exact::MayCover(c, options);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kLess,
                            "squares: one that may not be covered is covered", MostOf);
 }

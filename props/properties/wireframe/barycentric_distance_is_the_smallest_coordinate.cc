@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "props/judging/wireframe_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -17,7 +18,7 @@ std::optional<WireframeScale> InBarycentricSpace(const BarycentricQuery& q, int 
   return WireframeScale{lambda * lambda, 1};
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kBarycentric, InBarycentricSpace,
                       "barycentric-space distance is not the barycentric");
 }

@@ -5,6 +5,7 @@
 
 #include "exact/edge.h"
 #include "props/judging/wireframe_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -27,7 +28,7 @@ std::optional<WireframeScale> InTheL1Norm(const BarycentricQuery& q, int edge) {
   return WireframeScale{distance * distance, (area / reach).ToDouble()};
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kDerivative, InTheL1Norm,
                       "derivative-weighted distance is not that of the L1 norm");
 }

@@ -4,6 +4,7 @@
 
 #include "exact/attributes.h"
 #include "props/judging/wireframe_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -20,7 +21,7 @@ std::optional<WireframeScale> InPixels(const BarycentricQuery& q, int edge) {
   return WireframeScale{*distance, RoundedRoot(*height)};
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kHeight, InPixels,
                       "height-compensated distance is not the distance in pixels");
 }

@@ -1,5 +1,5 @@
-"""Tests of what keeps documents true: the list of decisions, the drawing of the layers, the
-commands that a document shows, and the figures that it quotes."""
+"""Tests of what keeps documents true: links, the drawing of the layers, the commands
+that a document shows, and the figures that it quotes."""
 
 import importlib.machinery
 import importlib.util
@@ -27,51 +27,33 @@ def read(path):
     return (ROOT / path).read_text(encoding="utf-8")
 
 
-class DecisionsTest(unittest.TestCase):
-    FIRST = "# 0001: Words\n\nDate: 2026-01-02. Status: {}.\n\nText.\n"
-    SECOND = "# 0002: Other words\n\nDate: 2026-02-03. Status: accepted.\n\nText.\n"
-
-    def run_check(self, files, *options):
-        """Returns status and output of the check, and the list that is there afterwards."""
+class LinksTest(unittest.TestCase):
+    def run_check(self, text):
+        """Returns status and output of the check, of a page with a neighbour."""
         with tempfile.TemporaryDirectory() as root:
-            folder = pathlib.Path(root) / "docs/decisions"
-            folder.mkdir(parents=True)
-            for name, text in files.items():
-                (folder / name).write_text(text, encoding="utf-8")
-            command = [sys.executable, "-B", SCRIPTS / "check_decisions", *options, root]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
-            index = folder / "README.md"
-            text = index.read_text(encoding="utf-8") if index.exists() else ""
-            return done.returncode, done.stdout + done.stderr, text
+            folder = pathlib.Path(root) / "docs"
+            folder.mkdir()
+            (folder / "b.md").write_text("# A, `b`\n## I have a C++ type\n", encoding="utf-8")
+            (folder / "a.md").write_text(text, encoding="utf-8")
+            done = subprocess.run([sys.executable, "-B", SCRIPTS / "check_links", root],
+                                  capture_output=True, text=True, check=False)  # fmt: skip
+            return done.returncode, done.stdout
 
-    def expect_head(self, text, said):
-        status, output, _ = self.run_check({"0001-words.md": text, "0002-other.md": self.SECOND})
-        self.assertEqual(status, 1)
-        self.assertIn(said, output)
+    def expect_dead(self, text, link):
+        status, output = self.run_check(text)
+        self.assertEqual(status, 1, output)
+        self.assertIn(f"docs/a.md:2: the link to {link} is dead\n", output)
 
-    def test_the_list_is_written_and_kept(self):
-        files = {"0001-words.md": self.FIRST.format("superseded in part by 0002"),
-                 "0002-other.md": self.SECOND, "README.md": "# Decisions\n\nRead these.\n\n"
-                 "| number | decision | date | status |\n| --- | --- | --- | --- |\n"}  # fmt: skip
-        status, output, _ = self.run_check(files)
-        self.assertEqual(status, 1)
-        self.assertIn("the list is stale; run scripts/check_decisions --fix", output)
-        status, output, index = self.run_check(files, "--fix")
-        self.assertEqual(status, 0, output)
-        self.assertTrue(index.startswith("# Decisions\n\nRead these.\n\n| number |"), index)
-        self.assertIn("| [0001](0001-words.md) | Words | 2026-01-02 "
-                      "| superseded in part by [0002](0002-other.md) |\n"
-                      "| [0002](0002-other.md) | Other words |", index)  # fmt: skip
-        self.assertEqual(self.run_check({**files, "README.md": index})[0], 0)
+    def test_a_link_to_a_file_that_is_not_there_is_dead(self):
+        self.expect_dead("# A\n[c](c.md)\n", "c.md")
 
-    def test_a_head_without_date_and_status_is_seen(self):
-        self.expect_head("# 0001: Words\n\nText.\n", "0001-words.md:1: the head is not")
-        self.expect_head(self.FIRST.format("rejected"), "0001-words.md:1: the head is not")
+    def test_a_link_to_a_heading_that_is_not_there_is_dead(self):
+        self.expect_dead("# A\n[b](b.md#a--b)\n", "b.md#a--b")
+        self.expect_dead("# A\n[d](#d)\n", "#d")
 
-    def test_a_head_that_contradicts_its_file_or_the_others_is_seen(self):
-        self.expect_head(self.SECOND, "the title says 0002, the file 0001")
-        self.expect_head(self.FIRST.format("superseded by 0003"), "0003 is no later decision")
-        self.expect_head(self.FIRST.format("superseded by 0001"), "0001 is no later decision")
+    def test_a_link_that_leads_somewhere_is_let_be(self):
+        good = "[a](#a) [b](b.md#a-b) [c](b.md#i-have-a-c-type) [d](../docs) [e](https://e)\n# A"
+        self.assertEqual(self.run_check(good)[0], 0)
 
 
 class DrawingTest(unittest.TestCase):
@@ -161,14 +143,6 @@ class ShownCommandsTest(unittest.TestCase):
         self.assertEqual(self.script.missing_line("three 3\none 1\n", printed), "one 1")
         self.assertEqual(self.script.missing_line("one\n", printed), "one")
 
-    def test_a_link_to_a_heading_that_is_not_there_is_dead(self):
-        self.assertEqual(self.script.anchors("# A\n## I have a C++ type\n"),
-                         {"a", "i-have-a-c-type"})  # fmt: skip
-        links = "[a](run) [b](absent.md) [c](#a-b) [d](#c) [e](https://a.b/c)\n# A, b\n"
-        self.assertEqual(list(self.script.dead_links("README.md", links)),
-                         ["absent.md", "#a-b", "#c"])  # fmt: skip
-
-
 class FiguresTest(unittest.TestCase):
     """Numbers and names in sentences are those of what the sentences are about."""
 
@@ -240,7 +214,7 @@ class FiguresTest(unittest.TestCase):
     def test_the_decision_about_layers_has_the_table_that_is_checked(self):
         checked = load("check_layers")
         folders = set(checked.LAYERS)
-        text = read("docs/decisions/0002-layers.md")
+        text = read("docs/decisions/layers-and-build.md")
         rows = re.findall(r"^\| `(\w+)/` \| (.*?) \|", text, re.M)
         self.assertEqual({row[0] for row in rows}, folders - {"tests"})
         for folder, sees in rows:

@@ -1,5 +1,5 @@
-"""Tests of what keeps documents true: links, the drawing of the layers, the commands
-that a document shows, and the figures that it quotes."""
+"""Tests of what keeps documents true: links, the commands that a document shows, and
+the figures that it quotes."""
 
 import importlib.machinery
 import importlib.util
@@ -54,60 +54,6 @@ class LinksTest(unittest.TestCase):
     def test_a_link_that_leads_somewhere_is_let_be(self):
         good = "[a](#a) [b](b.md#a-b) [c](b.md#i-have-a-c-type) [d](../docs) [e](https://e)\n# A"
         self.assertEqual(self.run_check(good)[0], 0)
-
-
-class DrawingTest(unittest.TestCase):
-    def setUp(self):
-        self.script = load("draw_layers")
-        self.layers = self.script.read_layers()
-
-    def test_the_drawing_in_the_tree_is_the_one_of_the_table(self):
-        there = self.script.DRAWING.read_text(encoding="utf-8")
-        self.assertEqual(there, self.script.drawing(self.layers))
-
-    def test_what_changes_in_the_table_changes_in_the_drawing(self):
-        before = self.script.drawing(self.layers)
-        for change in (lambda t: t.LAYERS["exact"].discard("model"),
-                       lambda t: t.LAYERS["core"].add("tests"),
-                       lambda t: t.ALSO.pop("subjects/builtin/")):  # fmt: skip
-            table = self.script.read_layers()
-            change(table)
-            self.assertNotEqual(before, self.script.drawing(table))
-
-    def test_every_text_stays_in_its_box_and_on_the_page(self):
-        """By the width of DejaVu Sans' letters, half their size or more on the average."""
-        letters = {15: 9.5, 13: 7.0, 12: 6.3}
-        svg = self.script.drawing(self.layers)
-        boxes = [tuple(map(int, box)) for box in re.findall(
-            r'<rect x="(\d+)" y="(\d+)" width="(\d+)" height="(\d+)" rx', svg)]  # fmt: skip
-        texts = re.findall(r'<text x="(\d+)" y="(\d+)" font-size="(15|13|12)"[^>]*>([^<]*)<', svg)
-        self.assertEqual(len(boxes), len(self.layers.LAYERS))
-        width, height = map(int, re.search(r'width="(\d+)" height="(\d+)"', svg).groups())
-        for x, y, size, text in texts:
-            x, y, end = int(x), int(y), int(x) + letters[int(size)] * len(text)
-            self.assertLess(end, width, text)
-            self.assertLess(y, height, text)
-            for left, top, wide, high in boxes:
-                if left < x < left + wide and top < y < top + high:
-                    self.assertLess(end, left + wide, text)
-                else:
-                    self.assertFalse(top - 6 < y < top + high and x < left + wide and end > left,
-                                     f"{text} runs into the box at {left}, {top}")  # fmt: skip
-
-    def test_no_arrow_runs_behind_a_box(self):
-        svg = self.script.drawing(self.layers)
-        lines = re.findall(r'<line x1="([\d.]+)" y1="([\d.]+)" x2="([\d.]+)" y2="([\d.]+)"', svg)
-        self.assertTrue(lines)
-        for x0, y0, x1, y1 in (map(float, line) for line in lines):
-            for name, (left, top, wide, _) in self.script.BOXES.items():
-                for part in range(1, 100):
-                    x, y = x0 + (x1 - x0) * part / 100, y0 + (y1 - y0) * part / 100
-                    inside = left <= x <= left + wide and top < y < top + self.script.HEIGHT
-                    self.assertFalse(inside, f"{x0, y0} to {x1, y1} runs behind {name}")
-
-    def test_an_arrow_leaves_out_what_another_leads_to(self):
-        layers = {"a": set(), "b": {"a"}, "c": {"a", "b"}, "d": {"a", "c"}}
-        self.assertEqual(list(self.script.arrows(layers)), [("b", "a"), ("c", "b"), ("d", "c")])
 
 
 class ShownCommandsTest(unittest.TestCase):
@@ -211,10 +157,10 @@ class FiguresTest(unittest.TestCase):
                                   r"at 8 and has (\d+) at most", "CONTRIBUTING.md"),
                          (str(lines), function))  # fmt: skip
 
-    def test_the_decision_about_layers_has_the_table_that_is_checked(self):
+    def test_how_it_works_has_the_table_of_layers_that_is_checked(self):
         checked = load("check_layers")
         folders = set(checked.LAYERS)
-        text = read("docs/decisions/layers-and-build.md")
+        text = read("docs/how-it-works.md")
         rows = re.findall(r"^\| `(\w+)/` \| (.*?) \|", text, re.M)
         self.assertEqual({row[0] for row in rows}, folders - {"tests"})
         for folder, sees in rows:

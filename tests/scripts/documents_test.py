@@ -157,6 +157,15 @@ class FiguresTest(unittest.TestCase):
                                   r"at 8 and has (\d+) at most", "CONTRIBUTING.md"),
                          (str(lines), function))  # fmt: skip
 
+    def test_the_page_of_formats_has_every_key_of_the_readers(self):
+        page = read("docs/scene-format.md")
+        for path, name in (("scene_file", "kKeys"), ("case_file", "kCaseKeys"),
+                           ("case_file", "kOptionKeys"), ("case_file", "kDrawnKeys"),
+                           ("scene_set", "kSetKeys"), ("scene_set", "kEntryKeys")):  # fmt: skip
+            keys = re.search(rf"{name}\{{([^}}]*)\}}", read(f"io/{path}.cc"))[1]
+            for key in re.findall(r'"(\w+)"', keys):
+                self.assertRegex(page, rf'[`"]{key}[`"]', f"{key} of io/{path}.cc")
+
     def test_how_it_works_has_the_table_of_layers_that_is_checked(self):
         checked = load("check_layers")
         folders = set(checked.LAYERS)

@@ -23,7 +23,7 @@ namespace rasterproof::exact {
 ///             Triangles with a non-finite x, y or w cover nothing.
 /// Cost:       of point coverage of the same triangles, 1.5 to 2.8 times for 8 pixels, 1.12 to 1.26
 ///             for 64, 1.06 to 1.08 for 1024, over all presets (bench/square_ratio.cc, 2026-11-23).
-/// Source:     the bounds: docs/decisions/0103-square-coverage.md.
+/// Source:     the bounds: docs/decisions/profiles.md.
 CoverageCounts MustCover(const PlacedScene& scene, const DrawOptions& options = {});
 CoverageCounts MayCover(const PlacedScene& scene, const DrawOptions& options = {});
 

@@ -202,7 +202,7 @@ class DefinitionsTest(unittest.TestCase):
 
 class PathsTest(unittest.TestCase):
     def expect(self, path, text, said=None):
-        files = {"docs/decisions/0007-a.md": "A page.\n", "props/run/tally.h": "", path: text}
+        files = {"docs/decisions/why.md": "A page.\n", "props/run/tally.h": "", path: text}
         status, output = run_check("check_paths", files)
         self.assertEqual(status, 0 if said is None else 1, output)
         self.assertIn(f"{said} is neither" if said else "0 violations", output)
@@ -211,15 +211,15 @@ class PathsTest(unittest.TestCase):
         self.expect("core/a.h", "// see core/scene.cc.\n", "core/scene.cc")
         self.expect("core/a.h", "int n;  /* see plugin/host.h */\n", "plugin/host.h")
         self.expect("core/a.h", "// As tally.cc does.\n", "tally.cc")
-        self.expect("docs/a.md", "| `core/absent/` | [page](decisions/0008-b.md) |\n",
+        self.expect("docs/a.md", "| `core/absent/` | [page](decisions/b.md) |\n",
                     "core/absent")  # fmt: skip
-        self.expect("docs/a.md", "docs/decisions/0008 says why\n", "docs/decisions/0008")
+        self.expect("docs/a.md", "docs/decisions/no.md says why\n", "docs/decisions/no.md")
         self.expect("scripts/a", "#!/bin/sh\nrun  " + "# as in core/gone.h\n", "core/gone.h")
         self.expect("tests/a.py", 'def f():\n    """Of core/gone.h."""\n', "core/gone.h")
 
     def test_a_path_that_is_there_is_let_be(self):
-        self.expect("core/a.h", "// core/scene.h, scene.h, run/tally.h, and docs/decisions/0007.\n")
-        self.expect("docs/a.md", "[page](decisions/0007-a.md), core/NAME.h, build/core/x.h\n")
+        self.expect("core/a.h", "// core/scene.h, scene.h, run/tally.h, docs/decisions/why.md.\n")
+        self.expect("docs/a.md", "[page](decisions/why.md), core/NAME.h, build/core/x.h\n")
         self.expect("docs/a.md", "https://example.org/core/absent.h and scene_main.cc\n")
         self.expect("core/a.cc", 'Read("core/absent.h");\n')
 

@@ -221,6 +221,7 @@ class PathsTest(unittest.TestCase):
         self.expect("core/a.h", "// core/scene.h, scene.h, run/tally.h, and docs/decisions/0007.\n")
         self.expect("docs/a.md", "[page](decisions/0007-a.md), core/NAME.h, build/core/x.h\n")
         self.expect("docs/a.md", "https://example.org/core/absent.h and scene_main.cc\n")
+        self.expect("docs/a.md", "`a62ee8b:core/absent.h` of a commit\n")
         self.expect("core/a.cc", 'Read("core/absent.h");\n')
 
 

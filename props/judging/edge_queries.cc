@@ -64,7 +64,7 @@ struct ImageValue {
   double scaled_bound = 0;
 };
 
-// Nothing where the image is no input, or a bound states nothing.
+// Nothing where the image is no input, or a bound promises nothing.
 std::optional<ImageValue> ImageOf(const Case& c, const Description& subject,
                                   const BoundedEdge& edge, const EdgeMap& map) {
   const EdgeQuery& q = edge.query;

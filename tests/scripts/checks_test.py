@@ -150,12 +150,6 @@ class TextTest(unittest.TestCase):
         self.expect("core/scene.cc", "// TO" + "DO: all of it\n", "unfinished")
         glued = "//" + "/ one value. Error: none.\n"
         self.expect("core/scene.cc", glued, "in the middle of a line")
-        self.expect("core/scene.cc", "int winner = 0;\n", "say primitive id")
-        self.expect("core/scene.cc", "// a claim of ours\n", "say property")
-        self.expect("core/scene.cc", "// Properties the bounds.\n", "say states")
-        self.expect("core/scene.cc", "// Whoever states to be exact.\n", "say is stated to be")
-        self.expect("core/scene.cc", "// Properties: the sign. The properties are stated to be.\n")
-        self.expect("docs/build.md", "style: font-weight, the weighted sum\n")
         self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
         self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
         self.expect("core/scene_utils.cc", "int width;\n", "says nothing")

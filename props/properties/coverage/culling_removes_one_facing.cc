@@ -107,7 +107,8 @@ Verdict RemovesOneSide(const CoverageCounts& without_front, const CoverageCounts
     Witness witness = FirstCovered(kept > 0 ? without_back : without_front);
     witness.expected = "0";
     return Verdict::Violated(
-        1, "the side of positive area is stated to be the front, and culling takes the other",
+        1,
+        "the profile says that the side of positive area is the front, and culling takes the other",
         witness);
   }
   const CoverageCounts& left = kept > 0 ? without_back : without_front;

@@ -1,6 +1,6 @@
 // Where |E| exceeds the bound that the subject states, its value has the sign of E.
 //
-// Where the value is stated to be exact that is everywhere, zero included.
+// Where the subject claims an exact value, that is everywhere, zero included.
 #include <cstddef>
 #include <cstdint>
 #include <utility>

@@ -1,4 +1,5 @@
-// Where both a stepping and direct evaluation are stated to be exact they give the same number.
+// Where the subject claims that stepping and direct evaluation are both exact, they give the same
+// number.
 #include <cstddef>
 #include <iterator>
 #include <vector>
@@ -12,7 +13,7 @@
 namespace rasterproof::props {
 namespace {
 
-// The answers: the stepping, and direct values at its steps where both are stated to be exact.
+// The answers: the stepping, and direct values at its steps where both claim to be exact.
 Verdict Judge(const SteppingQuery& stepping, const std::vector<int>& exact_steps,
               const Answers& answers) {
   const EdgeQuery& q = stepping.from;

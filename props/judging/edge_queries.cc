@@ -16,7 +16,7 @@ namespace rasterproof::props {
 namespace {
 
 // Together about a thousand queries for a case, a fraction of a millisecond.
-constexpr int kTriangles = 4;
+constexpr int kEdgeTriangles = 4;
 constexpr int kPerEdge = 4;
 
 // scale * x + shift if that is exact, else nothing.
@@ -44,7 +44,7 @@ std::optional<Point2> Image(const EdgeMap& map, Point2 p, const SubjectInfo& inf
 
 std::vector<EdgeQuery> SomeEdgeQueries(const Case& c) {
   std::vector<EdgeQuery> queries;
-  for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
+  for (const CornersPlace& corners : SomeTriangles(c, kEdgeTriangles)) {
     for (const SamplePlace& place : SamplesNearEdges(c, corners.at, kPerEdge)) {
       for (int i = 0; i < 3; ++i) {
         queries.push_back(

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/vertex.h"
 #include "exact/rational.h"
 #include "props/domains/bit_source.h"
 #include "props/statements/statement.h"
@@ -26,6 +27,8 @@ inline bool operator==(const Vec2& a, const Vec2& b) { return a.x == b.x && a.y 
 inline Rational Dot(const Vec2& a, const Vec2& b) { return a.x * b.x + a.y * b.y; }
 /// The z of the cross product: det[a; b].
 inline Rational Cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+/// Its coordinates rounded to the nearest doubles.
+inline Point2 ToPoint(const Vec2& v) { return {v.x.ToDouble(), v.y.ToDouble()}; }
 /// Rotation by x' = -y, y' = x: counter-clockwise with y up.
 inline Vec2 Rotated(const Vec2& a) { return {-a.y, a.x}; }
 

@@ -14,7 +14,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentric_signs_agree_with_the_edges {
 
 Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   std::uint64_t exercised = 0;
@@ -47,7 +47,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentric_signs_agree_with_the_edges
 
 constinit const Property kBarycentricSignsAgreeWithTheEdges{
     .name = "BarycentricSignsAgreeWithTheEdges",
@@ -61,7 +61,7 @@ constinit const Property kBarycentricSignsAgreeWithTheEdges{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentric_signs_agree_with_the_edges::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -15,7 +15,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_sum_to_one {
 
 // A query in a form that the subject states a bound on the sum of.
 struct BoundedSum {
@@ -63,7 +63,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace barycentrics_sum_to_one
 
 constinit const Property kBarycentricsSumToOne{
     .name = "BarycentricsSumToOne",
@@ -76,7 +76,7 @@ constinit const Property kBarycentricsSumToOne{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentrics_sum_to_one::Ask,
 };
 
 }  // namespace rasterproof::props

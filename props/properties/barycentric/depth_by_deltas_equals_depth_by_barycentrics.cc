@@ -12,7 +12,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace depth_by_deltas_equals_depth_by_barycentrics {
 
 // A query with the bounds that the subject states on both values.
 struct BoundedPair {
@@ -60,7 +60,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace depth_by_deltas_equals_depth_by_barycentrics
 
 constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
     .name = "DepthByDeltasEqualsDepthByBarycentrics",
@@ -74,7 +74,7 @@ constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = depth_by_deltas_equals_depth_by_barycentrics::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_depth_follows_its_barycentrics {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -50,7 +50,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return AskFragments(c, subject, kDepthsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_depth_follows_its_barycentrics
 
 constinit const Property kFragmentDepthFollowsItsBarycentrics{
     .name = "FragmentDepthFollowsItsBarycentrics",
@@ -66,7 +66,7 @@ constinit const Property kFragmentDepthFollowsItsBarycentrics{
              .any_owners = true,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = fragment_depth_follows_its_barycentrics::Ask,
 };
 
 }  // namespace rasterproof::props

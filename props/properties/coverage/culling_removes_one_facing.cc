@@ -20,7 +20,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace culling_removes_one_facing {
 
 constexpr std::size_t kMostCulled = 8;
 
@@ -224,7 +224,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return TellsFacings(subject) ? AgainstItsFacings(c) : AgainstTheOtherSide(c);
 }
 
-}  // namespace
+}  // namespace culling_removes_one_facing
 
 constinit const Property kCullingRemovesOneFacing{
     .name = "CullingRemovesOneFacing",
@@ -239,7 +239,7 @@ constinit const Property kCullingRemovesOneFacing{
              .shows = Shows::kCulling,
              .any_model = true,
              .where = "with legal choices: window space, triangles that none of them turns"},
-    .ask = Ask,
+    .ask = culling_removes_one_facing::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -9,7 +9,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace duplicated_vertices_keep_coverage {
 
 Asked Ask(const Case& c, const Description& /*subject*/) {
   Scene unindexed = c.scene;
@@ -24,7 +24,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return CompareVariations(c, {{unindexed, "that of the indexed triangles"}});
 }
 
-}  // namespace
+}  // namespace duplicated_vertices_keep_coverage
 
 constinit const Property kDuplicatedVerticesKeepCoverage{
     .name = "DuplicatedVerticesKeepCoverage",
@@ -33,7 +33,7 @@ constinit const Property kDuplicatedVerticesKeepCoverage{
     .tolerance = kExact,
     .domains = kMeshes,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = duplicated_vertices_keep_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

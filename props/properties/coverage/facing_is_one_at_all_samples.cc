@@ -19,7 +19,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace facing_is_one_at_all_samples {
 
 constexpr std::size_t kMostDrawn = 32;
 
@@ -176,7 +176,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace facing_is_one_at_all_samples
 
 constinit const Property kFacingIsOneAtAllSamples{
     .name = "FacingIsOneAtAllSamples",
@@ -194,7 +194,7 @@ constinit const Property kFacingIsOneAtAllSamples{
              .judges_clipped = true,
              .where = "which facing it is: contract sample-exact, a triangle that no legal choice "
                       "of places and no clipping turns"},
-    .ask = Ask,
+    .ask = facing_is_one_at_all_samples::Ask,
 };
 
 }  // namespace rasterproof::props

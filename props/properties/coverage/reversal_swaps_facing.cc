@@ -9,7 +9,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace reversal_swaps_facing {
 
 Asked Ask(const Case& c, const Description& subject) {
   Scene reversed = c.scene;
@@ -27,7 +27,7 @@ Asked Ask(const Case& c, const Description& subject) {
                   });
 }
 
-}  // namespace
+}  // namespace reversal_swaps_facing
 
 constinit const Property kReversalSwapsFacing{
     .name = "ReversalSwapsFacing",
@@ -36,7 +36,7 @@ constinit const Property kReversalSwapsFacing{
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = reversal_swaps_facing::Ask,
 };
 
 }  // namespace rasterproof::props

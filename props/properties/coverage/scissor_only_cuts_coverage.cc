@@ -11,7 +11,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace scissor_only_cuts_coverage {
 
 // The inner half, the left half and the bottom row: cuts on every side.
 std::array<PixelRect, 3> Scissors(const Scene& scene) {
@@ -39,7 +39,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace scissor_only_cuts_coverage
 
 constinit const Property kScissorOnlyCutsCoverage{
     .name = "ScissorOnlyCutsCoverage",
@@ -54,7 +54,7 @@ constinit const Property kScissorOnlyCutsCoverage{
              .shows = Shows::kScissor,
              .any_model = true,
              .judges_clipped = true},
-    .ask = Ask,
+    .ask = scissor_only_cuts_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

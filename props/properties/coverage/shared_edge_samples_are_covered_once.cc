@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace shared_edge_samples_are_covered_once {
 
 // The counts of the pair drawn alone: beside the edge that they share, neither a gap nor an
 // overlap.
@@ -43,7 +43,7 @@ Asked Ask(const Case& c, const Description& subject) {
                               [](const Neighbours&) { return true; });
 }
 
-}  // namespace
+}  // namespace shared_edge_samples_are_covered_once
 
 Asked CoverSharedEdgesOnce(const Case& c, const Description& subject, Clipped clipped,
                            const std::function<bool(const Neighbours&)>& takes) {
@@ -58,7 +58,8 @@ Asked CoverSharedEdgesOnce(const Case& c, const Description& subject, Clipped cl
     const bool as_shown = IsJudgedAsShown(subject, alone);
     asked.checks.push_back(
         {std::move(questions), [pair, as_shown, clipped](const Answers& answers) {
-           const Verdict verdict = CoveredOnce(*pair, answers.draws[0]->counts, clipped);
+           const Verdict verdict = shared_edge_samples_are_covered_once::CoveredOnce(
+               *pair, answers.draws[0]->counts, clipped);
            return as_shown ? NeverHolds(verdict) : verdict;
          }});
   }
@@ -82,7 +83,7 @@ constinit const Property kSharedEdgeSamplesAreCoveredOnce{
              .asks_oracle = true,
              .where = "shared ties: at least once; two triangles of one facing with an edge in "
                       "opposite directions; samples nearer to it than to any other edge of theirs"},
-    .ask = Ask,
+    .ask = shared_edge_samples_are_covered_once::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -13,7 +13,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace signed_coverage_equals_the_winding_number {
 
 Asked Ask(const Case& c, const Description& subject) {
   Spared spared;
@@ -27,7 +27,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return CompareSignedCoverage(c, WindingOf(c), what, std::move(spared));
 }
 
-}  // namespace
+}  // namespace signed_coverage_equals_the_winding_number
 
 constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .name = "SignedCoverageEqualsTheWindingNumber",
@@ -43,7 +43,7 @@ constinit const Property kSignedCoverageEqualsTheWindingNumber{
              .needs_facings = true,
              .rules = kSignedCoverageRules,
              .asks_oracle = true},
-    .ask = Ask,
+    .ask = signed_coverage_equals_the_winding_number::Ask,
     .blame = [](const Case& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };

@@ -13,7 +13,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace cyclic_rotation_keeps_the_area {
 
 constexpr int kTriangles = 64;
 
@@ -72,7 +72,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace cyclic_rotation_keeps_the_area
 
 constinit const Property kCyclicRotationKeepsTheArea{
     .name = "CyclicRotationKeepsTheArea",
@@ -81,7 +81,7 @@ constinit const Property kCyclicRotationKeepsTheArea{
     .tolerance = kBothBounds,
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = cyclic_rotation_keeps_the_area::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace edge_sign_is_right_outside_its_band {
 
 Asked Ask(const Case& c, const Description& subject) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
@@ -41,7 +41,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace edge_sign_is_right_outside_its_band
 
 constinit const Property kEdgeSignIsRightOutsideItsBand{
     .name = "EdgeSignIsRightOutsideItsBand",
@@ -52,7 +52,7 @@ constinit const Property kEdgeSignIsRightOutsideItsBand{
     .tolerance = kOwnBound,
     .domains = kNearEdges,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = edge_sign_is_right_outside_its_band::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -20,7 +20,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace batch_draws_like_single_calls {
 
 constexpr std::size_t kSingles = 5;
 
@@ -111,7 +111,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace batch_draws_like_single_calls
 
 constinit const Property kBatchDrawsLikeSingleCalls{
     .name = "BatchDrawsLikeSingleCalls",
@@ -124,7 +124,7 @@ constinit const Property kBatchDrawsLikeSingleCalls{
              .shows = Shows::kBatches,
              .contract = ContractNeeded::kAny,
              .judges_degenerates = true},
-    .ask = Ask,
+    .ask = batch_draws_like_single_calls::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -11,7 +11,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace stepping_equals_direct_where_exact {
 
 // The answers: the stepping, and direct values at its steps where both claim to be exact.
 Verdict Judge(const SteppingQuery& stepping, const std::vector<int>& exact_steps,
@@ -56,7 +56,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace stepping_equals_direct_where_exact
 
 constinit const Property kSteppingEqualsDirectWhereExact{
     .name = "SteppingEqualsDirectWhereExact",
@@ -67,7 +67,7 @@ constinit const Property kSteppingEqualsDirectWhereExact{
     .tolerance = kExact,
     .domains = kOnTheLattice,
     .gate = Where(kAsksSteps, "both stated bounds are 0"),
-    .ask = Ask,
+    .ask = stepping_equals_direct_where_exact::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -12,7 +12,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace target_height_keeps_coverage {
 
 // The rows from y = 0 on; the top row is stored first.
 CoverageCounts RowsFromZero(const CoverageCounts& high, int height, YAxis y_axis) {
@@ -46,7 +46,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace target_height_keeps_coverage
 
 constinit const Property kTargetHeightKeepsCoverage{
     .name = "TargetHeightKeepsCoverage",
@@ -55,7 +55,7 @@ constinit const Property kTargetHeightKeepsCoverage{
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = target_height_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

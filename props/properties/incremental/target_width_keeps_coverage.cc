@@ -9,7 +9,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace target_width_keeps_coverage {
 
 CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
   CoverageCounts part(width, wide.height, wide.samples);
@@ -41,7 +41,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace target_width_keeps_coverage
 
 constinit const Property kTargetWidthKeepsCoverage{
     .name = "TargetWidthKeepsCoverage",
@@ -50,7 +50,7 @@ constinit const Property kTargetWidthKeepsCoverage{
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = target_width_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -10,7 +10,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace met_squares_include_covered_centres {
 
 constexpr std::array kRules{
     ProfileRule{[](const Profile& p) {
@@ -35,7 +35,7 @@ Asked Ask(const Case& c, const Description& subject) {
                            "squares: a pixel whose centre is covered is left out", CentresOfSolid);
 }
 
-}  // namespace
+}  // namespace met_squares_include_covered_centres
 
 constinit const Property kMetSquaresIncludeCoveredCentres{
     .name = "MetSquaresIncludeCoveredCentres",
@@ -46,8 +46,8 @@ constinit const Property kMetSquaresIncludeCoveredCentres{
     .required_by = kSquaresMetClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(met_squares_include_covered_centres::kRules),
+    .ask = met_squares_include_covered_centres::Ask,
 };
 
 }  // namespace rasterproof::props

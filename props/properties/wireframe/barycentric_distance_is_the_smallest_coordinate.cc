@@ -10,7 +10,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentric_distance_is_the_smallest_coordinate {
 
 std::optional<WireframeScale> InBarycentricSpace(const BarycentricQuery& q, int edge) {
   const exact::Rational lambda = ExactBarycentrics(q)[static_cast<std::size_t>(edge)];
@@ -22,7 +22,7 @@ Asked Ask(const Case& c, const Description& subject) {
                       "barycentric-space distance is not the barycentric");
 }
 
-}  // namespace
+}  // namespace barycentric_distance_is_the_smallest_coordinate
 
 constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
     .name = "BarycentricDistanceIsTheSmallestCoordinate",
@@ -34,7 +34,7 @@ constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kInTheTriangle},
-    .ask = Ask,
+    .ask = barycentric_distance_is_the_smallest_coordinate::Ask,
 };
 
 }  // namespace rasterproof::props

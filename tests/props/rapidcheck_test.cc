@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/ulp.h"
-#include "props/rapidcheck/rapidcheck_bridge.h"
 #include "tests/props/planted_subjects.h"
+#include "tests/props/rapidcheck_bridge.h"
 
 namespace rasterproof::props {
 namespace {

@@ -57,7 +57,6 @@ class LayersTest(unittest.TestCase):
     def expect(self, path, line, said=None):
         """A file of this one line is a violation of which `said` is reported, or fine if None."""
         files = {path: line + "\n", "exact/edge.h": "", "model/snap.h": "", "reference/plan.h": "",
-                 "props/rapidcheck/gen.h": "",
                  "subjects/gl/gl.h": ""}  # fmt: skip
         status, output = run_check("check_layers", files)
         if said is None:
@@ -94,14 +93,10 @@ class LayersTest(unittest.TestCase):
     def test_third_parties_stay_in_their_folder(self):
         self.expect("exact/backend_cgal.cc", "#include <CGAL/Epick.h>")
         self.expect("exact/coverage.cc", "#include <CGAL/Epick.h>", "cgal is not for this file")
-        self.expect("props/rapidcheck/gen.cc", "#include <rapidcheck.h>")
+        self.expect("tests/props/gen.cc", "#include <rapidcheck.h>")
         self.expect("props/judging/sum.cc", "#include <rapidcheck.h>", "rapidcheck is not")
         self.expect("tool/main.cc", '#include "CLI/CLI.hpp"')
         self.expect("report/page.cc", '#include "CLI/CLI.hpp"', "cli11 is not for this file")
-
-    def test_rapidcheck_stays_behind_its_folder(self):
-        self.expect("props/judging/sum.cc", '#include "props/rapidcheck/gen.h"', "is not for")
-        self.expect("fuzz/edge.cc", '#include "props/rapidcheck/gen.h"', "is not for this file")
 
     def test_what_is_unknown_is_a_violation(self):
         self.expect("core/scene.cc", "#include <vector>")

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "exact/homogeneous.h"
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {

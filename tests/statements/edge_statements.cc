@@ -4,7 +4,7 @@
 #include <span>
 
 #include "exact/edge.h"
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {

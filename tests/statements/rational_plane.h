@@ -1,6 +1,6 @@
 // Points and vectors of rational numbers, and how random ones are drawn.
-#ifndef RASTERPROOF_PROPS_STATEMENTS_RATIONAL_PLANE_H_
-#define RASTERPROOF_PROPS_STATEMENTS_RATIONAL_PLANE_H_
+#ifndef RASTERPROOF_TESTS_STATEMENTS_RATIONAL_PLANE_H_
+#define RASTERPROOF_TESTS_STATEMENTS_RATIONAL_PLANE_H_
 
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "core/vertex.h"
 #include "exact/rational.h"
 #include "props/domains/bit_source.h"
-#include "props/statements/statement.h"
+#include "tests/statements/statement.h"
 
 namespace rasterproof::props {
 
@@ -94,4 +94,4 @@ StatementTally Over(std::uint64_t seed, int count,
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_STATEMENTS_RATIONAL_PLANE_H_
+#endif  // RASTERPROOF_TESTS_STATEMENTS_RATIONAL_PLANE_H_

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "exact/coverage.h"
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -65,28 +63,6 @@ TEST(Catalog, EveryDomainThatAPropertyNamesExists) {
     for (const std::string_view name : property.domains) {
       EXPECT_NE(FindDomain(name), nullptr) << property.name << ": " << name;
     }
-  }
-}
-
-// As Markdown takes it literally.
-std::string Literally(std::string_view text) {
-  std::string literal;
-  for (const char c : text) {
-    if (c == '|' || c == '_') literal += '\\';
-    literal += c;
-  }
-  return literal;
-}
-
-TEST(Catalog, EveryPropertyIsInTheTableOfTheDocumentAsItsGateSays) {
-  std::ifstream file("docs/mathematics.md");
-  const std::string document{std::istreambuf_iterator<char>(file), {}};
-  for (const Property& property : Catalog()) {
-    const std::string row =
-        "\n| " + std::string(property.group) + " | `" + std::string(property.name) + "` | " +
-        Literally(WordsOf(property.gate)) + " | " + Literally(property.tolerance) + " |\n";
-    EXPECT_NE(document.find(row), std::string::npos)
-        << "scripts/property_table writes it anew:" << row;
   }
 }
 

@@ -368,14 +368,4 @@ Scene UnsnappedScene(const Case& c) {
   return scene;
 }
 
-bool IsUnclippedInEveryModel(const Case& c) {
-  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  if (!profile.guard_band) return true;
-  const Reach reach = ReachOf(c, profile);
-  return std::ranges::none_of(c.scene.triangles, [&](const Triangle& t) {
-    const std::array<Vertex, 3> v = Corners(c.scene, t);
-    return std::ranges::all_of(v, IsFinite) && PlacedCorners(v, false, profile, reach)->is_clipped;
-  });
-}
-
 }  // namespace rasterproof::props

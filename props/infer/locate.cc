@@ -187,7 +187,7 @@ std::string ComplaintAgainst(const ProbeSize& size, const Profile& stated) {
         Exceeds({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])},
                 *small.max_primitive_extent)) {
       return "it needs triangles of " + std::to_string(farthest - 2) +
-             " pixels a side, larger than what is stated to be drawn";
+             " pixels a side, larger than what it promises to draw";
     }
   }
   return "";

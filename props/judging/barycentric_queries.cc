@@ -17,7 +17,7 @@ namespace rasterproof::props {
 namespace {
 
 // Exact barycentrics are rationals, some ten microseconds each: a few dozen for a case.
-constexpr int kTriangles = 2;
+constexpr int kBarycentricTriangles = 2;
 constexpr std::size_t kNearEdges = 5;
 constexpr double kLargestAttribute = 0x1p20;
 
@@ -56,7 +56,7 @@ std::vector<CornersPlace> SomeProperTriangles(const PlacedCase& c) {
   constexpr int kLookedAt = 64;
   std::vector<CornersPlace> proper = SomeTriangles(c, kLookedAt);
   std::erase_if(proper, [](const CornersPlace& place) { return exact::Facing(place.at) == 0; });
-  if (proper.size() > kTriangles) proper.resize(kTriangles);
+  if (proper.size() > kBarycentricTriangles) proper.resize(kBarycentricTriangles);
   return proper;
 }
 

@@ -17,7 +17,7 @@ namespace rasterproof::props {
 namespace {
 
 // Together about a thousand queries for a case, a fraction of a millisecond.
-constexpr int kTriangles = 4;
+constexpr int kEdgeTriangles = 4;
 constexpr int kPerEdge = 4;
 
 // scale * x + shift if that is exact, else nothing.
@@ -45,7 +45,7 @@ std::optional<Point2> Image(const EdgeMap& map, Point2 p, const SubjectInfo& inf
 
 std::vector<EdgeQuery> SomeEdgeQueries(const PlacedCase& c) {
   std::vector<EdgeQuery> queries;
-  for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
+  for (const CornersPlace& corners : SomeTriangles(c, kEdgeTriangles)) {
     for (const SamplePlace& place : SamplesNearEdges(c, corners.at, kPerEdge)) {
       for (int i = 0; i < 3; ++i) {
         queries.push_back(
@@ -65,7 +65,7 @@ struct ImageValue {
   double scaled_bound = 0;
 };
 
-// Nothing where the image is no input, or a bound states nothing.
+// Nothing where the image is no input, or a bound promises nothing.
 std::optional<ImageValue> ImageOf(const PlacedCase& c, const Description& subject,
                                   const BoundedEdge& edge, const EdgeMap& map) {
   const EdgeQuery& q = edge.query;

@@ -38,7 +38,7 @@ struct BoundedEdge {
 };
 
 /// Every edge of a few triangles, at samples near any of that triangle's edges, where the subject's
-/// bound properties anything.
+/// bound promises anything.
 std::vector<BoundedEdge> SomeBoundedEdges(const PlacedCase& c, const EdgeBounds& bounds);
 
 /// Asks for the value at each.

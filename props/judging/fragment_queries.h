@@ -61,7 +61,7 @@ Asked AskFragments(const PlacedCase& c, const Description& subject, const Output
 /// with S the sum of the absolute products, because computed values e = E_i + d_i and a = area + d
 /// give |e / a - E_i / area| = |d_i area - E_i d| / |area a|; and one minus the other two,
 ///     q_j + q_k + u (1 + max(|l_j|, |l_k|) + |l_i|).
-/// It grows with the triangle's conditioning, and states nothing (NaN) where the area itself may
+/// It grows with the triangle's conditioning, and promises nothing (NaN) where the area itself may
 /// vanish.
 std::array<double, 3> BarycentricTolerances(const SubjectInfo& info, const BarycentricQuery& q);
 

@@ -369,14 +369,4 @@ Scene UnsnappedScene(const PlacedCase& c) {
   return scene;
 }
 
-bool IsUnclippedInEveryModel(const PlacedCase& c) {
-  const TargetProfile& profile = c.profile;
-  if (!profile.guard_band) return true;
-  const Reach reach = ReachOf(c, profile);
-  return std::ranges::none_of(c.scene.triangles, [&](const Triangle& t) {
-    const std::array<Vertex, 3> v = Corners(c.scene, t);
-    return std::ranges::all_of(v, IsFinite) && PlacedCorners(v, false, profile, reach)->is_clipped;
-  });
-}
-
 }  // namespace rasterproof::props

@@ -102,12 +102,6 @@ bool TellsFacings(const Description& subject);
 /// every legal model, and what is not need not be.
 Scene UnsnappedScene(const PlacedCase& c);
 
-/// Returns whether no legal model puts a vertex that a triangle uses outside the profile's
-/// guard-band rectangle.
-///
-/// Domain:     a window-space case.
-bool IsUnclippedInEveryModel(const PlacedCase& c);
-
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_JUDGING_FREE_CHOICES_H_

@@ -41,7 +41,7 @@ struct InterpolationAnswer {
   double value = 0;
 };
 
-/// Asks for the values at the queries, in those of the forms where the subject's bound properties
+/// Asks for the values at the queries, in those of the forms where the subject's bound promises
 /// anything, and judges them all at once.
 Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
                         const std::vector<InterpolationForm>& forms,

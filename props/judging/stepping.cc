@@ -16,7 +16,7 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr int kTriangles = 2;
+constexpr int kSteppingTriangles = 2;
 constexpr int kLongRowTriangles = 1;
 constexpr std::array<int, 4> kLengths{1, 2, 8, 16};
 // Every step of a short stepping is looked at; of a long one the first ones and then an even
@@ -77,7 +77,7 @@ Point2 AfterSteps(const SteppingQuery& stepping, int n) {
 std::vector<SteppingQuery> SomeSteppingQueries(const PlacedCase& c) {
   constexpr int kLongestShortStepping = 64;
   std::vector<SteppingQuery> steppings;
-  for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
+  for (const CornersPlace& corners : SomeTriangles(c, kSteppingTriangles)) {
     const std::vector<SamplePlace> places = SamplesNearEdges(c, corners.at, 1);
     for (int i = 0; i < 3; ++i) {
       const SamplePlace& place = places[static_cast<std::size_t>(i) % places.size()];

@@ -57,7 +57,6 @@ class LayersTest(unittest.TestCase):
     def expect(self, path, line, said=None):
         """A file of this one line is a violation of which `said` is reported, or fine if None."""
         files = {path: line + "\n", "exact/edge.h": "", "model/snap.h": "", "reference/plan.h": "",
-                 "props/rapidcheck/gen.h": "",
                  "subjects/gl/gl.h": ""}  # fmt: skip
         status, output = run_check("check_layers", files)
         if said is None:
@@ -94,14 +93,10 @@ class LayersTest(unittest.TestCase):
     def test_third_parties_stay_in_their_folder(self):
         self.expect("exact/backend_cgal.cc", "#include <CGAL/Epick.h>")
         self.expect("exact/coverage.cc", "#include <CGAL/Epick.h>", "cgal is not for this file")
-        self.expect("props/rapidcheck/gen.cc", "#include <rapidcheck.h>")
+        self.expect("tests/props/gen.cc", "#include <rapidcheck.h>")
         self.expect("props/judging/sum.cc", "#include <rapidcheck.h>", "rapidcheck is not")
         self.expect("tool/main.cc", '#include "CLI/CLI.hpp"')
         self.expect("report/page.cc", '#include "CLI/CLI.hpp"', "cli11 is not for this file")
-
-    def test_rapidcheck_stays_behind_its_folder(self):
-        self.expect("props/judging/sum.cc", '#include "props/rapidcheck/gen.h"', "is not for")
-        self.expect("fuzz/edge.cc", '#include "props/rapidcheck/gen.h"', "is not for this file")
 
     def test_what_is_unknown_is_a_violation(self):
         self.expect("core/scene.cc", "#include <vector>")
@@ -150,12 +145,6 @@ class TextTest(unittest.TestCase):
         self.expect("core/scene.cc", "// TO" + "DO: all of it\n", "unfinished")
         glued = "//" + "/ one value. Error: none.\n"
         self.expect("core/scene.cc", glued, "in the middle of a line")
-        self.expect("core/scene.cc", "int winner = 0;\n", "say primitive id")
-        self.expect("core/scene.cc", "// a claim of ours\n", "say property")
-        self.expect("core/scene.cc", "// Properties the bounds.\n", "say states")
-        self.expect("core/scene.cc", "// Whoever states to be exact.\n", "say is stated to be")
-        self.expect("core/scene.cc", "// Properties: the sign. The properties are stated to be.\n")
-        self.expect("docs/build.md", "style: font-weight, the weighted sum\n")
         self.expect("docs/build.md", "cd /ho" + "me/me/rasterproof\n", "a path of one machine")
         self.expect("core/vertex.h", GUARDED, "RASTERPROOF_CORE_VERTEX_H_")
         self.expect("core/scene_utils.cc", "int width;\n", "says nothing")
@@ -221,6 +210,7 @@ class PathsTest(unittest.TestCase):
         self.expect("core/a.h", "// core/scene.h, scene.h, run/tally.h, docs/decisions/why.md.\n")
         self.expect("docs/a.md", "[page](decisions/why.md), core/NAME.h, build/core/x.h\n")
         self.expect("docs/a.md", "https://example.org/core/absent.h and scene_main.cc\n")
+        self.expect("docs/a.md", "`a62ee8b:core/absent.h` of a commit\n")
         self.expect("core/a.cc", 'Read("core/absent.h");\n')
 
 

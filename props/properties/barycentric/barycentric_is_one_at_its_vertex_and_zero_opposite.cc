@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentric_is_one_at_its_vertex_and_zero_opposite {
 
 // The corners of a triangle and every sample near it that lies exactly on one of its edge lines.
 std::vector<BarycentricQuery> CornersAndTies(const PlacedCase& c) {
@@ -65,7 +65,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(CornersAndTies(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentric_is_one_at_its_vertex_and_zero_opposite
 
 constinit const Property kBarycentricIsOneAtItsVertexAndZeroOpposite{
     .name = "BarycentricIsOneAtItsVertexAndZeroOpposite",
@@ -77,7 +77,7 @@ constinit const Property kBarycentricIsOneAtItsVertexAndZeroOpposite{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = "area not zero; at vertices and at samples exactly on an edge line"},
-    .ask = Ask,
+    .ask = barycentric_is_one_at_its_vertex_and_zero_opposite::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -15,7 +15,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentric_signs_agree_with_the_edges {
 
 Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   std::uint64_t exercised = 0;
@@ -48,7 +48,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentric_signs_agree_with_the_edges
 
 constinit const Property kBarycentricSignsAgreeWithTheEdges{
     .name = "BarycentricSignsAgreeWithTheEdges",
@@ -62,7 +62,7 @@ constinit const Property kBarycentricSignsAgreeWithTheEdges{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentric_signs_agree_with_the_edges::Ask,
 };
 
 }  // namespace rasterproof::props

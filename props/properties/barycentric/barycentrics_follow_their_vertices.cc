@@ -15,7 +15,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_follow_their_vertices {
 
 using CornerOrder = std::array<std::size_t, 3>;
 constexpr std::array<CornerOrder, 5> kOrders{
@@ -78,7 +78,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace barycentrics_follow_their_vertices
 
 constinit const Property kBarycentricsFollowTheirVertices{
     .name = "BarycentricsFollowTheirVertices",
@@ -90,7 +90,7 @@ constinit const Property kBarycentricsFollowTheirVertices{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentrics_follow_their_vertices::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -17,7 +17,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_reproduce_the_point {
 
 using exact::Rational;
 
@@ -69,7 +69,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentrics_reproduce_the_point
 
 constinit const Property kBarycentricsReproduceThePoint{
     .name = "BarycentricsReproduceThePoint",
@@ -83,7 +83,7 @@ constinit const Property kBarycentricsReproduceThePoint{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentrics_reproduce_the_point::Ask,
 };
 
 }  // namespace rasterproof::props

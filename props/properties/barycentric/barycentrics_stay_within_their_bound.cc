@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_stay_within_their_bound {
 
 Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   std::uint64_t exercised = 0;
@@ -45,7 +45,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentrics_stay_within_their_bound
 
 constinit const Property kBarycentricsStayWithinTheirBound{
     .name = "BarycentricsStayWithinTheirBound",
@@ -59,7 +59,7 @@ constinit const Property kBarycentricsStayWithinTheirBound{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = "area not zero; unsigned areas: closed triangle only"},
-    .ask = Ask,
+    .ask = barycentrics_stay_within_their_bound::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_sum_to_one {
 
 // A query in a form that the subject states a bound on the sum of.
 struct BoundedSum {
@@ -64,7 +64,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace barycentrics_sum_to_one
 
 constinit const Property kBarycentricsSumToOne{
     .name = "BarycentricsSumToOne",
@@ -77,7 +77,7 @@ constinit const Property kBarycentricsSumToOne{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentrics_sum_to_one::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -16,7 +16,7 @@
 #include "props/properties/domain_lists.h"
 
 namespace rasterproof::props {
-namespace {
+namespace centroids_lie_where_stated {
 
 Verdict Judge(const std::vector<CentroidFragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -48,7 +48,7 @@ constexpr std::array kRules{ProfileRule{
     "centroid inside, or centroid direct3d and stated sample positions",
     "the profile does not state where centroids lie"}};
 
-}  // namespace
+}  // namespace centroids_lie_where_stated
 
 constinit const Property kCentroidsLieWhereStated{
     .name = "CentroidsLieWhereStated",
@@ -65,9 +65,9 @@ constinit const Property kCentroidsLieWhereStated{
     .gate = {.shows = Shows::kCentroids,
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
-             .rules = kRules,
+             .rules = centroids_lie_where_stated::kRules,
              .where = "area not zero; no legal model clips the triangle"},
-    .ask = Ask,
+    .ask = centroids_lie_where_stated::Ask,
 };
 
 }  // namespace rasterproof::props

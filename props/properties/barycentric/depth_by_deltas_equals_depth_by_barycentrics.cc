@@ -13,7 +13,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace depth_by_deltas_equals_depth_by_barycentrics {
 
 // A query with the bounds that the subject states on both values.
 struct BoundedPair {
@@ -61,7 +61,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace depth_by_deltas_equals_depth_by_barycentrics
 
 constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
     .name = "DepthByDeltasEqualsDepthByBarycentrics",
@@ -75,7 +75,7 @@ constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = depth_by_deltas_equals_depth_by_barycentrics::Ask,
 };
 
 }  // namespace rasterproof::props

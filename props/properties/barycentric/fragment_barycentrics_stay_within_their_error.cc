@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_barycentrics_stay_within_their_error {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -47,7 +47,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kBarycentricsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_barycentrics_stay_within_their_error
 
 constinit const Property kFragmentBarycentricsStayWithinTheirError{
     .name = "FragmentBarycentricsStayWithinTheirError",
@@ -63,7 +63,7 @@ constinit const Property kFragmentBarycentricsStayWithinTheirError{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = fragment_barycentrics_stay_within_their_error::Ask,
 };
 
 }  // namespace rasterproof::props

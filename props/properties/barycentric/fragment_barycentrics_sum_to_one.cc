@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_barycentrics_sum_to_one {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -46,7 +46,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kBarycentricsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_barycentrics_sum_to_one
 
 constinit const Property kFragmentBarycentricsSumToOne{
     .name = "FragmentBarycentricsSumToOne",
@@ -61,7 +61,7 @@ constinit const Property kFragmentBarycentricsSumToOne{
              .any_owners = true,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = fragment_barycentrics_sum_to_one::Ask,
 };
 
 }  // namespace rasterproof::props

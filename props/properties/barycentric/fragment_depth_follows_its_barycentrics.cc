@@ -17,7 +17,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_depth_follows_its_barycentrics {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -51,7 +51,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kDepthsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_depth_follows_its_barycentrics
 
 constinit const Property kFragmentDepthFollowsItsBarycentrics{
     .name = "FragmentDepthFollowsItsBarycentrics",
@@ -67,7 +67,7 @@ constinit const Property kFragmentDepthFollowsItsBarycentrics{
              .any_owners = true,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = fragment_depth_follows_its_barycentrics::Ask,
 };
 
 }  // namespace rasterproof::props

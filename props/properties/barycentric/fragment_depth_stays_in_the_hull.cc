@@ -14,7 +14,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_depth_stays_in_the_hull {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -37,7 +37,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kDepthsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_depth_stays_in_the_hull
 
 constinit const Property kFragmentDepthStaysInTheHull{
     .name = "FragmentDepthStaysInTheHull",
@@ -51,7 +51,7 @@ constinit const Property kFragmentDepthStaysInTheHull{
              .any_owners = true,
              .unwrapped = true,
              .where = "samples in the closed triangle of the vertices that it names"},
-    .ask = Ask,
+    .ask = fragment_depth_stays_in_the_hull::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -13,7 +13,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace interpolated_values_stay_in_the_hull {
 
 Verdict Judge(const std::vector<InterpolationAnswer>& answers) {
   std::uint64_t exercised = 0;
@@ -42,7 +42,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                            *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace interpolated_values_stay_in_the_hull
 
 constinit const Property kInterpolatedValuesStayInTheHull{
     .name = "InterpolatedValuesStayInTheHull",
@@ -54,7 +54,7 @@ constinit const Property kInterpolatedValuesStayInTheHull{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = "area not zero; samples in the closed triangle; every w positive"},
-    .ask = Ask,
+    .ask = interpolated_values_stay_in_the_hull::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -8,7 +8,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace interpolation_stays_within_its_bound {
 
 Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<InterpolationQuery> affine = SomeInterpolations(c);
@@ -20,7 +20,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                            *subject.barycentrics, InterpolationsStayWithinTheirBound);
 }
 
-}  // namespace
+}  // namespace interpolation_stays_within_its_bound
 
 constinit const Property kInterpolationStaysWithinItsBound{
     .name = "InterpolationStaysWithinItsBound",
@@ -34,7 +34,7 @@ constinit const Property kInterpolationStaysWithinItsBound{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = interpolation_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -6,14 +6,14 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace perspective_interpolation_stays_within_its_bound {
 
 Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskInterpolations(SomeInterpolations(c), {InterpolationForm::kPerspective},
                            *subject.barycentrics, InterpolationsStayWithinTheirBound);
 }
 
-}  // namespace
+}  // namespace perspective_interpolation_stays_within_its_bound
 
 constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
     .name = "PerspectiveInterpolationStaysWithinItsBound",
@@ -27,7 +27,7 @@ constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = "area not zero; every w positive"},
-    .ask = Ask,
+    .ask = perspective_interpolation_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -20,7 +20,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace closed_mesh_cancels {
 
 // What is closed before it is snapped stays closed, whatever grid points are chosen.
 bool IsClosedInEveryModel(const PlacedCase& c) {
@@ -58,7 +58,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                                std::move(spared));
 }
 
-}  // namespace
+}  // namespace closed_mesh_cancels
 
 constinit const Property kClosedMeshCancels{
     .name = "ClosedMeshCancels",
@@ -75,7 +75,7 @@ constinit const Property kClosedMeshCancels{
              .rules = kSignedCoverageRules,
              .where = "every edge is walked as often each way; in clip space in front of the eye; "
                       "facings told, or no legal choice turns a triangle there"},
-    .ask = Ask,
+    .ask = closed_mesh_cancels::Ask,
 };
 
 }  // namespace rasterproof::props

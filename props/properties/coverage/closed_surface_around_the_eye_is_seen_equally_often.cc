@@ -21,7 +21,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace closed_surface_around_the_eye_is_seen_equally_often {
 
 constexpr std::array kRules{
     kCountsTies, kOwnsEdges,
@@ -51,7 +51,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                                "the winding number around the eye", std::move(spared));
 }
 
-}  // namespace
+}  // namespace closed_surface_around_the_eye_is_seen_equally_often
 
 constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
     .name = "ClosedSurfaceAroundTheEyeIsSeenEquallyOften",
@@ -63,10 +63,10 @@ constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
              .contract = ContractNeeded::kClosed,
              .any_model = true,
              .needs_facings = true,
-             .rules = kRules,
+             .rules = closed_surface_around_the_eye_is_seen_equally_often::kRules,
              .asks_oracle = true,
              .where = "a closed surface that does not pass through the eye"},
-    .ask = Ask,
+    .ask = closed_surface_around_the_eye_is_seen_equally_often::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -22,7 +22,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace coverage_keeps_to_its_side_of_the_model {
 
 constexpr std::size_t kMostSingles = 64;
 
@@ -84,7 +84,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace coverage_keeps_to_its_side_of_the_model
 
 constinit const Property kCoverageKeepsToItsSideOfTheModel{
     .name = "CoverageKeepsToItsSideOfTheModel",
@@ -96,9 +96,9 @@ constinit const Property kCoverageKeepsToItsSideOfTheModel{
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither,
              .contract = ContractNeeded::kAny,
-             .rules = kRules,
+             .rules = coverage_keeps_to_its_side_of_the_model::kRules,
              .asks_oracle = true},
-    .ask = Ask,
+    .ask = coverage_keeps_to_its_side_of_the_model::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -21,7 +21,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace culling_removes_one_facing {
 
 constexpr std::size_t kMostCulled = 8;
 
@@ -108,7 +108,8 @@ Verdict RemovesOneSide(const CoverageCounts& without_front, const CoverageCounts
     Witness witness = FirstCovered(kept > 0 ? without_back : without_front);
     witness.expected = "0";
     return Verdict::Violated(
-        1, "the side of positive area is stated to be the front, and culling takes the other",
+        1,
+        "the profile says that the side of positive area is the front, and culling takes the other",
         witness);
   }
   const CoverageCounts& left = kept > 0 ? without_back : without_front;
@@ -224,7 +225,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return TellsFacings(subject) ? AgainstItsFacings(c) : AgainstTheOtherSide(c);
 }
 
-}  // namespace
+}  // namespace culling_removes_one_facing
 
 constinit const Property kCullingRemovesOneFacing{
     .name = "CullingRemovesOneFacing",
@@ -239,7 +240,7 @@ constinit const Property kCullingRemovesOneFacing{
              .shows = Shows::kCulling,
              .any_model = true,
              .where = "with legal choices: window space, triangles that none of them turns"},
-    .ask = Ask,
+    .ask = culling_removes_one_facing::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -15,7 +15,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace degenerate_triangles_cover_nothing {
 
 constexpr std::array kRules{ProfileRule{
     [](const Profile& p) { return p.degenerate_triangles != DegenerateTriangles::kUnspecified; },
@@ -37,7 +37,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   });
 }
 
-}  // namespace
+}  // namespace degenerate_triangles_cover_nothing
 
 constinit const Property kDegenerateTrianglesCoverNothing{
     .name = "DegenerateTrianglesCoverNothing",
@@ -48,8 +48,10 @@ constinit const Property kDegenerateTrianglesCoverNothing{
     .required_by = kZeroAreaClauses,
     .tolerance = kExact,
     .domains = kDegenerate,
-    .gate = {.space = Space::kEither, .rules = kRules, .where = "triangles of zero area"},
-    .ask = Ask,
+    .gate = {.space = Space::kEither,
+             .rules = degenerate_triangles_cover_nothing::kRules,
+             .where = "triangles of zero area"},
+    .ask = degenerate_triangles_cover_nothing::Ask,
     .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };

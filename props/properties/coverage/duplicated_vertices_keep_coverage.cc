@@ -10,7 +10,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace duplicated_vertices_keep_coverage {
 
 Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Scene unindexed = c.scene;
@@ -25,7 +25,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return CompareVariations(c, {{unindexed, "that of the indexed triangles"}});
 }
 
-}  // namespace
+}  // namespace duplicated_vertices_keep_coverage
 
 constinit const Property kDuplicatedVerticesKeepCoverage{
     .name = "DuplicatedVerticesKeepCoverage",
@@ -34,7 +34,7 @@ constinit const Property kDuplicatedVerticesKeepCoverage{
     .tolerance = kExact,
     .domains = kMeshes,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = duplicated_vertices_keep_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

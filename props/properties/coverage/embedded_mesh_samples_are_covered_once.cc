@@ -10,13 +10,13 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace embedded_mesh_samples_are_covered_once {
 
 Asked Ask(const PlacedCase& c, const Description& subject) {
   return CompareWithItsWinding(c, subject);
 }
 
-}  // namespace
+}  // namespace embedded_mesh_samples_are_covered_once
 
 constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
     .name = "EmbeddedMeshSamplesAreCoveredOnce",
@@ -38,7 +38,7 @@ constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
              "shared ties: at least once, away from edges once; the snapped mesh has one facing, "
              "in clip space as seen from the eye, and does not overlap itself; where vertices may "
              "move away from the outline and from triangles that a legal choice turns"},
-    .ask = Ask,
+    .ask = embedded_mesh_samples_are_covered_once::Ask,
     .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };

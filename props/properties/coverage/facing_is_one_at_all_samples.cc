@@ -20,7 +20,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace facing_is_one_at_all_samples {
 
 constexpr std::size_t kMostDrawn = 32;
 
@@ -177,7 +177,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace facing_is_one_at_all_samples
 
 constinit const Property kFacingIsOneAtAllSamples{
     .name = "FacingIsOneAtAllSamples",
@@ -195,7 +195,7 @@ constinit const Property kFacingIsOneAtAllSamples{
              .judges_clipped = true,
              .where = "which facing it is: contract sample-exact, a triangle that no legal choice "
                       "of places and no clipping turns"},
-    .ask = Ask,
+    .ask = facing_is_one_at_all_samples::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -20,7 +20,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace integer_translation_moves_coverage {
 
 constexpr std::array<std::pair<int, int>, 3> kShifts{{{1, 0}, {-3, 2}, {5, -4}}};
 
@@ -90,7 +90,7 @@ bool StatesTranslation(const Profile& profile) {
   return profile.translation_invariant || profile.freedom.IsNone();
 }
 
-}  // namespace
+}  // namespace integer_translation_moves_coverage
 
 constinit const Property kIntegerTranslationMovesCoverage{
     .name = "IntegerTranslationMovesCoverage",
@@ -99,16 +99,16 @@ constinit const Property kIntegerTranslationMovesCoverage{
         "Moving a scene by whole pixels moves its image (OpenGL 4.6 section 14.2, "
         "Invariance; Vulkan does not state it by itself, a sample-exact model does).",
     .required_by = kTranslationClauses,
-    .stated_by = StatesTranslation,
+    .stated_by = integer_translation_moves_coverage::StatesTranslation,
     .tolerance = kExact,
     .domains = kMoved,
     .gate = {.any_model = true,
              .unwrapped = true,
-             .rules = kRules,
+             .rules = integer_translation_moves_coverage::kRules,
              .where =
                  "the moved coordinates are exact, of the input format and within the limit, and "
                  "nothing is clipped before or after"},
-    .ask = Ask,
+    .ask = integer_translation_moves_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

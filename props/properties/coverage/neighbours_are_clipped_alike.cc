@@ -14,7 +14,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace neighbours_are_clipped_alike {
 
 // In clip space |x / w| against the target's sides; the product may round: it is a choice of pairs.
 bool IsSeenOutside(const Vertex& v, const Scene& scene) {
@@ -33,7 +33,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace neighbours_are_clipped_alike
 
 constinit const Property kNeighboursAreClippedAlike{
     .name = "NeighboursAreClippedAlike",
@@ -51,7 +51,7 @@ constinit const Property kNeighboursAreClippedAlike{
              .where = "shared ties: at least once; an edge shared in opposite directions by "
                       "triangles of one facing of which one leaves the target or passes behind the "
                       "eye; samples nearer to it than to any other edge of theirs"},
-    .ask = Ask,
+    .ask = neighbours_are_clipped_alike::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -27,7 +27,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace one_call_draws_like_its_triangles {
 
 // A mesh of more triangles is judged by its first ones: what a rasterizer does with neighbours in
 // the list shows among them.
@@ -113,7 +113,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace one_call_draws_like_its_triangles
 
 constinit const Property kOneCallDrawsLikeItsTriangles{
     .name = "OneCallDrawsLikeItsTriangles",
@@ -129,7 +129,7 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
              .any_model = true,
              .judges_clipped = true,
              .where = kTwoTriangles},
-    .ask = Ask,
+    .ask = one_call_draws_like_its_triangles::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -32,7 +32,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace one_legal_model_explains_the_mesh {
 
 constexpr std::array kRules{ProfileRule{[](const Profile& p) { return !p.freedom.IsNone(); },
                                         "a grid, grid points or owners left free",
@@ -212,7 +212,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace one_legal_model_explains_the_mesh
 
 constinit const Property kOneLegalModelExplainsTheMesh{
     .name = "OneLegalModelExplainsTheMesh",
@@ -229,9 +229,9 @@ constinit const Property kOneLegalModelExplainsTheMesh{
              .contract = ContractNeeded::kWatertight,
              .any_model = true,
              .judges_clipped = true,
-             .rules = kRules,
+             .rules = one_legal_model_explains_the_mesh::kRules,
              .where = "clip space in front of the eye and on a grid"},
-    .ask = Ask,
+    .ask = one_legal_model_explains_the_mesh::Ask,
 };
 
 }  // namespace rasterproof::props

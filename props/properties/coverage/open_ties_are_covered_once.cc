@@ -13,7 +13,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace open_ties_are_covered_once {
 
 // The mesh, judged as under a profile that is the case's but for its owners.
 Asked AskForOnce(const PlacedCase& c, const Description& subject) {
@@ -38,7 +38,7 @@ constexpr std::array kRulesForOnce{
                 "the profile states an owner for every sample, so other properties judge them"},
     kCountsTies, kOwnsEdges};
 
-}  // namespace
+}  // namespace open_ties_are_covered_once
 
 constinit const Property kOpenTiesAreCoveredOnce{
     .name = "OpenTiesAreCoveredOnce",
@@ -52,10 +52,10 @@ constinit const Property kOpenTiesAreCoveredOnce{
     .gate = {.space = Space::kEither,
              .contract = ContractNeeded::kWatertight,
              .judges_clipped = true,
-             .rules = kRulesForOnce,
+             .rules = open_ties_are_covered_once::kRulesForOnce,
              .asks_oracle = true,
              .where = "as EmbeddedMeshSamplesAreCoveredOnce"},
-    .ask = AskForOnce,
+    .ask = open_ties_are_covered_once::AskForOnce,
 };
 
 }  // namespace rasterproof::props

@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace primitive_id_follows_the_stated_order {
 
 // The mesh is drawn over itself until so many triangles are: more than a byte can number.
 constexpr std::size_t kFewestDrawn = 300;
@@ -46,7 +46,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
       });
 }
 
-}  // namespace
+}  // namespace primitive_id_follows_the_stated_order
 
 constinit const Property kPrimitiveIdFollowsTheStatedOrder{
     .name = "PrimitiveIdFollowsTheStatedOrder",
@@ -58,7 +58,7 @@ constinit const Property kPrimitiveIdFollowsTheStatedOrder{
     .tolerance = kExact,
     .domains = kAnyMesh,
     .gate = {.space = Space::kEither, .shows = Shows::kPrimitiveIds, .asks_oracle = true},
-    .ask = Ask,
+    .ask = primitive_id_follows_the_stated_order::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -10,7 +10,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace reversal_swaps_facing {
 
 Asked Ask(const PlacedCase& c, const Description& subject) {
   Scene reversed = c.scene;
@@ -28,7 +28,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                   });
 }
 
-}  // namespace
+}  // namespace reversal_swaps_facing
 
 constinit const Property kReversalSwapsFacing{
     .name = "ReversalSwapsFacing",
@@ -37,7 +37,7 @@ constinit const Property kReversalSwapsFacing{
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = reversal_swaps_facing::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -12,7 +12,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace scissor_only_cuts_coverage {
 
 // The inner half, the left half and the bottom row: cuts on every side.
 std::array<PixelRect, 3> Scissors(const Scene& scene) {
@@ -40,7 +40,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace scissor_only_cuts_coverage
 
 constinit const Property kScissorOnlyCutsCoverage{
     .name = "ScissorOnlyCutsCoverage",
@@ -55,7 +55,7 @@ constinit const Property kScissorOnlyCutsCoverage{
              .shows = Shows::kScissor,
              .any_model = true,
              .judges_clipped = true},
-    .ask = Ask,
+    .ask = scissor_only_cuts_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -17,7 +17,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace shared_edge_samples_are_covered_once {
 
 // The counts of the pair drawn alone: beside the edge that they share, neither a gap nor an
 // overlap.
@@ -44,7 +44,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                               [](const Neighbours&) { return true; });
 }
 
-}  // namespace
+}  // namespace shared_edge_samples_are_covered_once
 
 Asked CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clipped clipped,
                            const std::function<bool(const Neighbours&)>& takes) {
@@ -59,7 +59,8 @@ Asked CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clip
     const bool as_shown = IsJudgedAsShown(subject.info, alone.scene);
     asked.checks.push_back(
         {std::move(questions), [pair, as_shown, clipped](const Answers& answers) {
-           const Verdict verdict = CoveredOnce(*pair, answers.draws[0]->counts, clipped);
+           const Verdict verdict = shared_edge_samples_are_covered_once::CoveredOnce(
+               *pair, answers.draws[0]->counts, clipped);
            return as_shown ? NeverHolds(verdict) : verdict;
          }});
   }
@@ -83,7 +84,7 @@ constinit const Property kSharedEdgeSamplesAreCoveredOnce{
              .asks_oracle = true,
              .where = "shared ties: at least once; two triangles of one facing with an edge in "
                       "opposite directions; samples nearer to it than to any other edge of theirs"},
-    .ask = Ask,
+    .ask = shared_edge_samples_are_covered_once::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -14,7 +14,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace signed_coverage_equals_the_winding_number {
 
 Asked Ask(const PlacedCase& c, const Description& subject) {
   Spared spared;
@@ -28,7 +28,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return CompareSignedCoverage(c, WindingOf(c), what, std::move(spared));
 }
 
-}  // namespace
+}  // namespace signed_coverage_equals_the_winding_number
 
 constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .name = "SignedCoverageEqualsTheWindingNumber",
@@ -44,7 +44,7 @@ constinit const Property kSignedCoverageEqualsTheWindingNumber{
              .needs_facings = true,
              .rules = kSignedCoverageRules,
              .asks_oracle = true},
-    .ask = Ask,
+    .ask = signed_coverage_equals_the_winding_number::Ask,
     .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };

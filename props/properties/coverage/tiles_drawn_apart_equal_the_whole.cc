@@ -15,7 +15,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace tiles_drawn_apart_equal_the_whole {
 
 // What a place rounds otherwise by an ulp shows where the snap has a tie.
 constexpr auto kMapDomains =
@@ -47,7 +47,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace tiles_drawn_apart_equal_the_whole
 
 constinit const Property kTilesDrawnApartEqualTheWhole{
     .name = "TilesDrawnApartEqualTheWhole",
@@ -57,12 +57,12 @@ constinit const Property kTilesDrawnApartEqualTheWhole{
         "wherever their origins lie.",
     .required_by = kScissorClauses,
     .tolerance = kExact,
-    .domains = kMapDomains,
+    .domains = tiles_drawn_apart_equal_the_whole::kMapDomains,
     .gate = {.space = Space::kEither,
              .shows = Shows::kScissor,
              .any_model = true,
              .judges_clipped = true},
-    .ask = Ask,
+    .ask = tiles_drawn_apart_equal_the_whole::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace triangle_order_keeps_coverage {
 
 Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   if (c.scene.triangles.size() < 2) return NothingAsked("one triangle has one order");
@@ -32,7 +32,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return CompareVariations(c, {{reversed, kInTheOrderGiven}, {turned, kInTheOrderGiven}}, *open);
 }
 
-}  // namespace
+}  // namespace triangle_order_keeps_coverage
 
 constinit const Property kTriangleOrderKeepsCoverage{
     .name = "TriangleOrderKeepsCoverage",
@@ -45,7 +45,7 @@ constinit const Property kTriangleOrderKeepsCoverage{
              .any_model = true,
              .judges_clipped = true,
              .where = kTwoTriangles},
-    .ask = Ask,
+    .ask = triangle_order_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

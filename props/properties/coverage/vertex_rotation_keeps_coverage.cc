@@ -10,7 +10,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace vertex_rotation_keeps_coverage {
 
 Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   std::vector<Variation> rotations;
@@ -23,7 +23,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return CompareVariations(c, rotations);
 }
 
-}  // namespace
+}  // namespace vertex_rotation_keeps_coverage
 
 constinit const Property kVertexRotationKeepsCoverage{
     .name = "VertexRotationKeepsCoverage",
@@ -32,7 +32,7 @@ constinit const Property kVertexRotationKeepsCoverage{
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = vertex_rotation_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

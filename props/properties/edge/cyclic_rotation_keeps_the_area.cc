@@ -14,7 +14,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace cyclic_rotation_keeps_the_area {
 
 constexpr int kTriangles = 64;
 
@@ -73,7 +73,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace cyclic_rotation_keeps_the_area
 
 constinit const Property kCyclicRotationKeepsTheArea{
     .name = "CyclicRotationKeepsTheArea",
@@ -82,7 +82,7 @@ constinit const Property kCyclicRotationKeepsTheArea{
     .tolerance = kBothBounds,
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = cyclic_rotation_keeps_the_area::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -13,7 +13,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace edge_error_stays_within_its_bound {
 
 Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
@@ -35,7 +35,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace edge_error_stays_within_its_bound
 
 constinit const Property kEdgeErrorStaysWithinItsBound{
     .name = "EdgeErrorStaysWithinItsBound",
@@ -46,7 +46,7 @@ constinit const Property kEdgeErrorStaysWithinItsBound{
     .tolerance = "the subject's proven ErrorBound",
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = edge_error_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -13,7 +13,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace edge_is_zero_at_its_ends {
 
 constexpr int kTriangles = 64;
 
@@ -47,7 +47,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace edge_is_zero_at_its_ends
 
 constinit const Property kEdgeIsZeroAtItsEnds{
     .name = "EdgeIsZeroAtItsEnds",
@@ -56,7 +56,7 @@ constinit const Property kEdgeIsZeroAtItsEnds{
     .tolerance = kOwnBound,
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = edge_is_zero_at_its_ends::Ask,
 };
 
 }  // namespace rasterproof::props

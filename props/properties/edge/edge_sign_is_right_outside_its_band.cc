@@ -1,6 +1,6 @@
 // Where |E| exceeds the bound that the subject states, its value has the sign of E.
 //
-// Where the value is stated to be exact that is everywhere, zero included.
+// Where the subject claims an exact value, that is everywhere, zero included.
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -17,7 +17,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace edge_sign_is_right_outside_its_band {
 
 Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
@@ -42,7 +42,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace edge_sign_is_right_outside_its_band
 
 constinit const Property kEdgeSignIsRightOutsideItsBand{
     .name = "EdgeSignIsRightOutsideItsBand",
@@ -53,7 +53,7 @@ constinit const Property kEdgeSignIsRightOutsideItsBand{
     .tolerance = kOwnBound,
     .domains = kNearEdges,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = edge_sign_is_right_outside_its_band::Ask,
 };
 
 }  // namespace rasterproof::props

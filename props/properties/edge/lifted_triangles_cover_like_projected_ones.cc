@@ -20,7 +20,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace lifted_triangles_cover_like_projected_ones {
 
 constexpr std::array<double, 5> kDepths{1, 0.25, 8, 2, 0x1p-4};
 
@@ -75,7 +75,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                   });
 }
 
-}  // namespace
+}  // namespace lifted_triangles_cover_like_projected_ones
 
 constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
     .name = "LiftedTrianglesCoverLikeProjectedOnes",
@@ -86,7 +86,7 @@ constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
     .tolerance = kExact,
     .domains = kClipSpace,
     .gate = {.space = Space::kClip, .where = "the lifted coordinates are exact"},
-    .ask = Ask,
+    .ask = lifted_triangles_cover_like_projected_ones::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -8,7 +8,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace mirror_negates_edge_values {
 
 constexpr std::array<EdgeMap, 3> kMirrors{{
     {.sx = -1, .factor = -1},
@@ -20,7 +20,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kMirrors, "edge value is not negated by a mirror");
 }
 
-}  // namespace
+}  // namespace mirror_negates_edge_values
 
 constinit const Property kMirrorNegatesEdgeValues{
     .name = "MirrorNegatesEdgeValues",
@@ -33,7 +33,7 @@ constinit const Property kMirrorNegatesEdgeValues{
     .gate = Where(kAsksEdgeValues,
                   "the mirrored coordinates are of the input format, on the subpixel grid and "
                   "within the limit"),
-    .ask = Ask,
+    .ask = mirror_negates_edge_values::Ask,
 };
 
 }  // namespace rasterproof::props

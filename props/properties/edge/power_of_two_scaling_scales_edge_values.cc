@@ -8,7 +8,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace power_of_two_scaling_scales_edge_values {
 
 // Upwards only: the way down is the same property read backwards, and could meet subnormals.
 constexpr std::array<EdgeMap, 3> kScalings{{
@@ -21,7 +21,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kScalings, "edge value does not scale by 4^k");
 }
 
-}  // namespace
+}  // namespace power_of_two_scaling_scales_edge_values
 
 constinit const Property kPowerOfTwoScalingScalesEdgeValues{
     .name = "PowerOfTwoScalingScalesEdgeValues",
@@ -32,7 +32,7 @@ constinit const Property kPowerOfTwoScalingScalesEdgeValues{
     .gate = Where(kAsksEdgeValues,
                   "the scaled coordinates are exact, of the input format, on the subpixel grid and "
                   "within the limit"),
-    .ask = Ask,
+    .ask = power_of_two_scaling_scales_edge_values::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -12,7 +12,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace reversed_edge_changes_sign {
 
 struct EdgeBothWays {
   BoundedEdge edge;
@@ -63,7 +63,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace reversed_edge_changes_sign
 
 constinit const Property kReversedEdgeChangesSign{
     .name = "ReversedEdgeChangesSign",
@@ -73,7 +73,7 @@ constinit const Property kReversedEdgeChangesSign{
     .tolerance = "the sum of both proven ErrorBounds; where both are 0, none: exact",
     .domains = kNearEdges,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = reversed_edge_changes_sign::Ask,
 };
 
 }  // namespace rasterproof::props

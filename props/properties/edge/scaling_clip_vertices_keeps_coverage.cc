@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace scaling_clip_vertices_keeps_coverage {
 
 constexpr std::array<double, 7> kFactors{2, 1, 0x1p-3, 16, 0.5, 0x1p6, 4};
 
@@ -50,7 +50,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return CompareVariations(c, {{*scaled, "that of the unscaled vertices"}});
 }
 
-}  // namespace
+}  // namespace scaling_clip_vertices_keeps_coverage
 
 constinit const Property kScalingClipVerticesKeepsCoverage{
     .name = "ScalingClipVerticesKeepsCoverage",
@@ -61,7 +61,7 @@ constinit const Property kScalingClipVerticesKeepsCoverage{
     .tolerance = kExact,
     .domains = kClipSpace,
     .gate = {.space = Space::kClip, .where = "the scaled coordinates are exact"},
-    .ask = Ask,
+    .ask = scaling_clip_vertices_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -23,7 +23,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace bad_triangles_poison_no_others {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -105,7 +105,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   });
 }
 
-}  // namespace
+}  // namespace bad_triangles_poison_no_others
 
 constinit const Property kBadTrianglesPoisonNoOthers{
     .name = "BadTrianglesPoisonNoOthers",
@@ -118,9 +118,9 @@ constinit const Property kBadTrianglesPoisonNoOthers{
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
              .beyond_limits = true,
-             .rules = kRules,
+             .rules = bad_triangles_poison_no_others::kRules,
              .where = "the other triangles finite and within the limit"},
-    .ask = Ask,
+    .ask = bad_triangles_poison_no_others::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -21,7 +21,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace batch_draws_like_single_calls {
 
 constexpr std::size_t kSingles = 5;
 
@@ -112,7 +112,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace batch_draws_like_single_calls
 
 constinit const Property kBatchDrawsLikeSingleCalls{
     .name = "BatchDrawsLikeSingleCalls",
@@ -125,7 +125,7 @@ constinit const Property kBatchDrawsLikeSingleCalls{
              .shows = Shows::kBatches,
              .contract = ContractNeeded::kAny,
              .judges_degenerates = true},
-    .ask = Ask,
+    .ask = batch_draws_like_single_calls::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -16,7 +16,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace draw_stays_inside_its_target {
 
 // Any value will do that a subject would not write by itself and that leaves room to count up.
 constexpr std::uint32_t kGuard = 0x5a5a0000;
@@ -96,7 +96,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace draw_stays_inside_its_target
 
 constinit const Property kDrawStaysInsideItsTarget{
     .name = "DrawStaysInsideItsTarget",
@@ -111,7 +111,7 @@ constinit const Property kDrawStaysInsideItsTarget{
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
              .beyond_limits = true},
-    .ask = Ask,
+    .ask = draw_stays_inside_its_target::Ask,
 };
 
 }  // namespace rasterproof::props

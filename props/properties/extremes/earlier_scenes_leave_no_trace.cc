@@ -21,7 +21,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace earlier_scenes_leave_no_trace {
 
 DrawQuestion ByTwin(DrawQuestion draw) {
   draw.by_twin = true;
@@ -62,7 +62,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
-}  // namespace
+}  // namespace earlier_scenes_leave_no_trace
 
 constinit const Property kEarlierScenesLeaveNoTrace{
     .name = "EarlierScenesLeaveNoTrace",
@@ -72,10 +72,13 @@ constinit const Property kEarlierScenesLeaveNoTrace{
     .tolerance = kExact,
     .domains = kNearEdges,
     .is_about_sequence = true,
-    .gate = Where({.shows = Shows::kTwin, .any_model = true, .rules = kRules, .asks_oracle = true},
+    .gate = Where({.shows = Shows::kTwin,
+                   .any_model = true,
+                   .rules = earlier_scenes_leave_no_trace::kRules,
+                   .asks_oracle = true},
                   "a vertex of its first triangle that can move and change what the canonical "
                   "model covers"),
-    .ask = Ask,
+    .ask = earlier_scenes_leave_no_trace::Ask,
 };
 
 }  // namespace rasterproof::props

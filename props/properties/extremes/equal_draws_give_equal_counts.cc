@@ -11,7 +11,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace equal_draws_give_equal_counts {
 
 Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Questions questions;
@@ -27,7 +27,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   });
 }
 
-}  // namespace
+}  // namespace equal_draws_give_equal_counts
 
 constinit const Property kEqualDrawsGiveEqualCounts{
     .name = "EqualDrawsGiveEqualCounts",
@@ -41,7 +41,7 @@ constinit const Property kEqualDrawsGiveEqualCounts{
              .contract = ContractNeeded::kAny,
              .judges_clipped = true,
              .judges_degenerates = true},
-    .ask = Ask,
+    .ask = equal_draws_give_equal_counts::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -22,7 +22,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace new_vertices_give_new_coverage {
 
 // The case, each successor behind it, and the case again.
 std::vector<DrawQuestion> DrawsOf(const PlacedCase& c, const std::vector<MovedScene>& successors) {
@@ -70,7 +70,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
-}  // namespace
+}  // namespace new_vertices_give_new_coverage
 
 constinit const Property kNewVerticesGiveNewCoverage{
     .name = "NewVerticesGiveNewCoverage",
@@ -80,9 +80,10 @@ constinit const Property kNewVerticesGiveNewCoverage{
     .tolerance = kExact,
     .domains = kNearEdges,
     .is_about_sequence = true,
-    .gate = Where({.any_model = true, .rules = kRules, .asks_oracle = true},
-                  "a vertex of its first triangle that can move and change what is covered"),
-    .ask = Ask,
+    .gate = Where(
+        {.any_model = true, .rules = new_vertices_give_new_coverage::kRules, .asks_oracle = true},
+        "a vertex of its first triangle that can move and change what is covered"),
+    .ask = new_vertices_give_new_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -18,7 +18,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace non_finite_triangles_cover_nothing {
 
 // What is finite of it must be within the limit: beyond that nothing is stated.
 bool IsWithin(double x, double limit) { return !std::isfinite(x) || std::fabs(x) <= limit; }
@@ -91,7 +91,7 @@ constexpr std::array kRules{
                 "a NaN or an infinity that covers nothing",
                 "the profile leaves open what triangles with a NaN or an infinity cover"}};
 
-}  // namespace
+}  // namespace non_finite_triangles_cover_nothing
 
 constinit const Property kNonFiniteTrianglesCoverNothing{
     .name = "NonFiniteTrianglesCoverNothing",
@@ -106,10 +106,10 @@ constinit const Property kNonFiniteTrianglesCoverNothing{
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
              .beyond_limits = true,
-             .rules = kRules,
+             .rules = non_finite_triangles_cover_nothing::kRules,
              .where = "a vertex that is NaN, or infinite where the profile says what it covers"},
-    .ask = Ask,
-    .blame = Blame,
+    .ask = non_finite_triangles_cover_nothing::Ask,
+    .blame = non_finite_triangles_cover_nothing::Blame,
 };
 
 }  // namespace rasterproof::props

@@ -6,7 +6,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace long_stepping_stays_within_its_bound {
 
 constexpr int kSteps = 16384;  // the side of the largest target of the APIs in use
 
@@ -14,7 +14,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return StepsStayWithinTheirBound(LongRows(c, kSteps), *subject.edges);
 }
 
-}  // namespace
+}  // namespace long_stepping_stays_within_its_bound
 
 constinit const Property kLongSteppingStaysWithinItsBound{
     .name = "LongSteppingStaysWithinItsBound",
@@ -26,7 +26,7 @@ constinit const Property kLongSteppingStaysWithinItsBound{
     .domains = kLongRows,
     .takes_long = true,
     .gate = kAsksSteps,
-    .ask = Ask,
+    .ask = long_stepping_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

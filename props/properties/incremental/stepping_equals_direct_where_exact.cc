@@ -1,4 +1,5 @@
-// Where both a stepping and direct evaluation are stated to be exact they give the same number.
+// Where the subject claims that stepping and direct evaluation are both exact, they give the same
+// number.
 #include <cstddef>
 #include <iterator>
 #include <vector>
@@ -11,9 +12,9 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace stepping_equals_direct_where_exact {
 
-// The answers: the stepping, and direct values at its steps where both are stated to be exact.
+// The answers: the stepping, and direct values at its steps where both claim to be exact.
 Verdict Judge(const SteppingQuery& stepping, const std::vector<int>& exact_steps,
               const Answers& answers) {
   const EdgeQuery& q = stepping.from;
@@ -56,7 +57,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace stepping_equals_direct_where_exact
 
 constinit const Property kSteppingEqualsDirectWhereExact{
     .name = "SteppingEqualsDirectWhereExact",
@@ -67,7 +68,7 @@ constinit const Property kSteppingEqualsDirectWhereExact{
     .tolerance = kExact,
     .domains = kOnTheLattice,
     .gate = Where(kAsksSteps, "both stated bounds are 0"),
-    .ask = Ask,
+    .ask = stepping_equals_direct_where_exact::Ask,
 };
 
 }  // namespace rasterproof::props

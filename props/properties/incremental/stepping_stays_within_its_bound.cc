@@ -8,13 +8,13 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace stepping_stays_within_its_bound {
 
 Asked Ask(const PlacedCase& c, const Description& subject) {
   return StepsStayWithinTheirBound(SomeSteppingQueries(c), *subject.edges);
 }
 
-}  // namespace
+}  // namespace stepping_stays_within_its_bound
 
 constinit const Property kSteppingStaysWithinItsBound{
     .name = "SteppingStaysWithinItsBound",
@@ -25,7 +25,7 @@ constinit const Property kSteppingStaysWithinItsBound{
     .tolerance = kSteppingBounds,
     .domains = kMagnitudes,
     .gate = kAsksSteps,
-    .ask = Ask,
+    .ask = stepping_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -13,7 +13,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace target_height_keeps_coverage {
 
 // The rows from y = 0 on; the top row is stored first.
 CoverageCounts RowsFromZero(const CoverageCounts& high, int height, YAxis y_axis) {
@@ -47,7 +47,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace target_height_keeps_coverage
 
 constinit const Property kTargetHeightKeepsCoverage{
     .name = "TargetHeightKeepsCoverage",
@@ -56,7 +56,7 @@ constinit const Property kTargetHeightKeepsCoverage{
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = target_height_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -10,7 +10,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace target_width_keeps_coverage {
 
 CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
   CoverageCounts part(width, wide.height, wide.samples);
@@ -42,7 +42,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace target_width_keeps_coverage
 
 constinit const Property kTargetWidthKeepsCoverage{
     .name = "TargetWidthKeepsCoverage",
@@ -51,7 +51,7 @@ constinit const Property kTargetWidthKeepsCoverage{
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = target_width_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -9,7 +9,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace thread_count_keeps_coverage {
 
 Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
@@ -28,7 +28,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace thread_count_keeps_coverage
 
 constinit const Property kThreadCountKeepsCoverage{
     .name = "ThreadCountKeepsCoverage",
@@ -40,7 +40,7 @@ constinit const Property kThreadCountKeepsCoverage{
              .shows = Shows::kThreads,
              .any_model = true,
              .judges_clipped = true},
-    .ask = Ask,
+    .ask = thread_count_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -9,7 +9,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace held_squares_have_covered_centres {
 
 constexpr std::array kRules{
     ProfileRule{[](const Profile& p) {
@@ -26,7 +26,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                            "squares: a pixel is covered whose centre is not", CentresOf);
 }
 
-}  // namespace
+}  // namespace held_squares_have_covered_centres
 
 constinit const Property kHeldSquaresHaveCoveredCentres{
     .name = "HeldSquaresHaveCoveredCentres",
@@ -37,8 +37,8 @@ constinit const Property kHeldSquaresHaveCoveredCentres{
     .required_by = kSquaresHeldClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(held_squares_have_covered_centres::kRules),
+    .ask = held_squares_have_covered_centres::Ask,
 };
 
 }  // namespace rasterproof::props

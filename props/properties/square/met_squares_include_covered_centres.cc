@@ -11,7 +11,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace met_squares_include_covered_centres {
 
 constexpr std::array kRules{
     ProfileRule{[](const Profile& p) {
@@ -37,7 +37,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                            "squares: a pixel whose centre is covered is left out", CentresOfSolid);
 }
 
-}  // namespace
+}  // namespace met_squares_include_covered_centres
 
 constinit const Property kMetSquaresIncludeCoveredCentres{
     .name = "MetSquaresIncludeCoveredCentres",
@@ -48,8 +48,8 @@ constinit const Property kMetSquaresIncludeCoveredCentres{
     .required_by = kSquaresMetClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(met_squares_include_covered_centres::kRules),
+    .ask = met_squares_include_covered_centres::Ask,
 };
 
 }  // namespace rasterproof::props

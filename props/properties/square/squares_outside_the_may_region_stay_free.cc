@@ -9,7 +9,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace squares_outside_the_may_region_stay_free {
 
 constexpr std::array kRules{kMayCoverSquares, kDrawsLargeTriangles};
 
@@ -22,7 +22,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                            "squares: one that may not be covered is covered", MostOf);
 }
 
-}  // namespace
+}  // namespace squares_outside_the_may_region_stay_free
 
 constinit const Property kSquaresOutsideTheMayRegionStayFree{
     .name = "SquaresOutsideTheMayRegionStayFree",
@@ -34,8 +34,8 @@ constinit const Property kSquaresOutsideTheMayRegionStayFree{
     .required_by = kSquaresThatMayBeClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(squares_outside_the_may_region_stay_free::kRules),
+    .ask = squares_outside_the_may_region_stay_free::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -19,7 +19,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace squares_that_must_be_are_covered {
 
 constexpr std::array kRules{kMustCoverSquares, kDrawsLargeTriangles};
 
@@ -71,7 +71,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace squares_that_must_be_are_covered
 
 constinit const Property kSquaresThatMustBeAreCovered{
     .name = "SquaresThatMustBeAreCovered",
@@ -83,8 +83,8 @@ constinit const Property kSquaresThatMustBeAreCovered{
     .required_by = kSquaresThatMustBeClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(squares_that_must_be_are_covered::kRules),
+    .ask = squares_that_must_be_are_covered::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -17,7 +17,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace subdivision_leaves_no_square_untouched {
 
 constexpr std::array kRules{
     ProfileRule{[](const Profile& p) {
@@ -91,7 +91,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   return NothingAsked("no triangle can be cut exactly into four that are surely not flat");
 }
 
-}  // namespace
+}  // namespace subdivision_leaves_no_square_untouched
 
 constinit const Property kSubdivisionLeavesNoSquareUntouched{
     .name = "SubdivisionLeavesNoSquareUntouched",
@@ -102,8 +102,9 @@ constinit const Property kSubdivisionLeavesNoSquareUntouched{
     .required_by = kSquaresMetClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules, "a triangle with area that halves exactly"),
-    .ask = Ask,
+    .gate = SquareGate(subdivision_leaves_no_square_untouched::kRules,
+                       "a triangle with area that halves exactly"),
+    .ask = subdivision_leaves_no_square_untouched::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -11,7 +11,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentric_distance_is_the_smallest_coordinate {
 
 std::optional<WireframeScale> InBarycentricSpace(const BarycentricQuery& q, int edge) {
   const exact::Rational lambda = ExactBarycentrics(q)[static_cast<std::size_t>(edge)];
@@ -23,7 +23,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                       "barycentric-space distance is not the barycentric");
 }
 
-}  // namespace
+}  // namespace barycentric_distance_is_the_smallest_coordinate
 
 constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
     .name = "BarycentricDistanceIsTheSmallestCoordinate",
@@ -35,7 +35,7 @@ constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kInTheTriangle},
-    .ask = Ask,
+    .ask = barycentric_distance_is_the_smallest_coordinate::Ask,
 };
 
 }  // namespace rasterproof::props

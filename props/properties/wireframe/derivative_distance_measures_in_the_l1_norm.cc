@@ -11,7 +11,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace derivative_distance_measures_in_the_l1_norm {
 
 using exact::Rational;
 
@@ -33,7 +33,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                       "derivative-weighted distance is not that of the L1 norm");
 }
 
-}  // namespace
+}  // namespace derivative_distance_measures_in_the_l1_norm
 
 constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
     .name = "DerivativeDistanceMeasuresInTheL1Norm",
@@ -47,7 +47,7 @@ constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kInTheTriangle},
-    .ask = Ask,
+    .ask = derivative_distance_measures_in_the_l1_norm::Ask,
 };
 
 }  // namespace rasterproof::props

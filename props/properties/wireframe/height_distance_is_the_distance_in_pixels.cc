@@ -10,7 +10,7 @@
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace height_distance_is_the_distance_in_pixels {
 
 std::optional<WireframeScale> InPixels(const BarycentricQuery& q, int edge) {
   const Point2 a = EdgeStart(q.v, edge);
@@ -26,7 +26,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
                       "height-compensated distance is not the distance in pixels");
 }
 
-}  // namespace
+}  // namespace height_distance_is_the_distance_in_pixels
 
 constinit const Property kHeightDistanceIsTheDistanceInPixels{
     .name = "HeightDistanceIsTheDistanceInPixels",
@@ -38,7 +38,7 @@ constinit const Property kHeightDistanceIsTheDistanceInPixels{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kInTheTriangle},
-    .ask = Ask,
+    .ask = height_distance_is_the_distance_in_pixels::Ask,
 };
 
 }  // namespace rasterproof::props

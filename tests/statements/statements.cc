@@ -2,7 +2,7 @@
 #include <string_view>
 #include <vector>
 
-#include "props/statements/statement.h"
+#include "tests/statements/statement.h"
 
 namespace rasterproof::props {
 

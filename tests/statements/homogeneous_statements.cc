@@ -5,7 +5,7 @@
 #include <span>
 
 #include "exact/homogeneous.h"
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {
@@ -226,7 +226,7 @@ StatementTally DivisionMovesVerticesIntoTheImage(std::uint64_t seed, int count) 
   });
 }
 
-constexpr std::array kStatements{
+constexpr std::array kHomogeneousStatements{
     Statement{"E1", "e(P) = (P - V0)_xy . R(V1/z1 - V0/z0)_xy is the projected edge's function.",
               Truth::kWrong,
               "anchored at V0/z0; as printed only if z0 = 1 or the projected line meets the origin",
@@ -270,6 +270,6 @@ constexpr std::array kStatements{
 
 }  // namespace
 
-std::span<const Statement> HomogeneousStatements() { return kStatements; }
+std::span<const Statement> HomogeneousStatements() { return kHomogeneousStatements; }
 
 }  // namespace rasterproof::props

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {
@@ -104,7 +104,7 @@ bool SurfaceColourIsNotAffineOnScreen() {
   return on_the_surface == Rational(1) / Rational(5) && on_the_surface != Rational(0.5);
 }
 
-constexpr std::array kStatements{
+constexpr std::array kInterpolationStatements{
     Statement{"C8", "Z is Z0 + l1 (Z1 - Z0) + l2 (Z2 - Z0): two multiplications, two additions.",
               Truth::kTrue, "", "", DeltasEqualBarycentrics, nullptr},
     Statement{"C9", "The camera depth is the weighted sum of the vertices' camera depths.",
@@ -121,6 +121,6 @@ constexpr std::array kStatements{
 
 }  // namespace
 
-std::span<const Statement> InterpolationStatements() { return kStatements; }
+std::span<const Statement> InterpolationStatements() { return kInterpolationStatements; }
 
 }  // namespace rasterproof::props

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "exact/edge.h"
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {
@@ -14,8 +14,6 @@ using std::optional;
 
 Vec2 At(double x, double y) { return {Rational(x), Rational(y)}; }
 Vec2 Negated(const Vec2& v) { return {-v.x, -v.y}; }
-Point2 ToPoint(const Vec2& v) { return {v.x.ToDouble(), v.y.ToDouble()}; }
-
 // Right of a direction as seen on the page. Turning clockwise is x' = y, y' = -x with y up, and the
 // opposite with y down.
 Vec2 RightOf(const Vec2& direction, bool y_up) {
@@ -228,7 +226,7 @@ bool InteriorIsAllNegativeForTheOtherWinding() {
   return IsInside(t, At(1, 1)) && !AllPositive(t, At(1, 1));
 }
 
-constexpr std::array kStatements{
+constexpr std::array kEdgeStatements{
     Statement{"H1", "The edge function is the determinant of the point's and the edge's vectors.",
               Truth::kTrue, "", "", IsADeterminant, nullptr},
     Statement{"H2", "It is positive to the right of the directed edge and negative to the left.",
@@ -269,6 +267,6 @@ constexpr std::array kStatements{
 
 }  // namespace
 
-std::span<const Statement> EdgeStatements() { return kStatements; }
+std::span<const Statement> EdgeStatements() { return kEdgeStatements; }
 
 }  // namespace rasterproof::props

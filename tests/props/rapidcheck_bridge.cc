@@ -1,4 +1,4 @@
-#include "props/rapidcheck/rapidcheck_bridge.h"
+#include "tests/props/rapidcheck_bridge.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // Published statements about edge functions, barycentrics, windings, tie rules and wireframes, each
 // with its verdict, executable.
-#ifndef RASTERPROOF_PROPS_STATEMENTS_STATEMENT_H_
-#define RASTERPROOF_PROPS_STATEMENTS_STATEMENT_H_
+#ifndef RASTERPROOF_TESTS_STATEMENTS_STATEMENT_H_
+#define RASTERPROOF_TESTS_STATEMENTS_STATEMENT_H_
 
 #include <cstdint>
 #include <span>
@@ -54,4 +54,4 @@ std::span<const Statement> WireframeStatements();      ///< W1 to W16
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_STATEMENTS_STATEMENT_H_
+#endif  // RASTERPROOF_TESTS_STATEMENTS_STATEMENT_H_

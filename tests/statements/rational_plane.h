@@ -1,15 +1,16 @@
 // Points and vectors of rational numbers, and how random ones are drawn.
-#ifndef RASTERPROOF_PROPS_STATEMENTS_RATIONAL_PLANE_H_
-#define RASTERPROOF_PROPS_STATEMENTS_RATIONAL_PLANE_H_
+#ifndef RASTERPROOF_TESTS_STATEMENTS_RATIONAL_PLANE_H_
+#define RASTERPROOF_TESTS_STATEMENTS_RATIONAL_PLANE_H_
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 
+#include "core/vertex.h"
 #include "exact/rational.h"
 #include "props/domains/bit_source.h"
-#include "props/statements/statement.h"
+#include "tests/statements/statement.h"
 
 namespace rasterproof::props {
 
@@ -26,6 +27,8 @@ inline bool operator==(const Vec2& a, const Vec2& b) { return a.x == b.x && a.y 
 inline Rational Dot(const Vec2& a, const Vec2& b) { return a.x * b.x + a.y * b.y; }
 /// The z of the cross product: det[a; b].
 inline Rational Cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+/// Its coordinates rounded to the nearest doubles.
+inline Point2 ToPoint(const Vec2& v) { return {v.x.ToDouble(), v.y.ToDouble()}; }
 /// Rotation by x' = -y, y' = x: counter-clockwise with y up.
 inline Vec2 Rotated(const Vec2& a) { return {-a.y, a.x}; }
 
@@ -91,4 +94,4 @@ StatementTally Over(std::uint64_t seed, int count,
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_STATEMENTS_RATIONAL_PLANE_H_
+#endif  // RASTERPROOF_TESTS_STATEMENTS_RATIONAL_PLANE_H_

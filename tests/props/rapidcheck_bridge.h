@@ -1,6 +1,6 @@
 // The properties as RapidCheck properties. The only place that knows RapidCheck.
-#ifndef RASTERPROOF_PROPS_RAPIDCHECK_RAPIDCHECK_BRIDGE_H_
-#define RASTERPROOF_PROPS_RAPIDCHECK_RAPIDCHECK_BRIDGE_H_
+#ifndef RASTERPROOF_TESTS_PROPS_RAPIDCHECK_BRIDGE_H_
+#define RASTERPROOF_TESTS_PROPS_RAPIDCHECK_BRIDGE_H_
 
 #include <rapidcheck.h>
 
@@ -37,4 +37,4 @@ PropertyResult CheckWithRapidCheck(Subject& subject, const Property& property,
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_RAPIDCHECK_RAPIDCHECK_BRIDGE_H_
+#endif  // RASTERPROOF_TESTS_PROPS_RAPIDCHECK_BRIDGE_H_

@@ -1,4 +1,4 @@
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "props/statements/statement.h"
 #include "tests/share.h"
+#include "tests/statements/statement.h"
 
 namespace rasterproof::props {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {
@@ -325,7 +325,7 @@ StatementTally BarycentricVanishesOnItsEdge(std::uint64_t seed, int count) {
   });
 }
 
-constexpr std::array kStatements{
+constexpr std::array kWireframeStatements{
     Statement{"W1", "lambda_0 = ABP/ABC, lambda_1 = BCP/ABC, lambda_2 = PCA/ABC go with C, A, B.",
               Truth::kTrue, "", "", EdgeBarycentricsBelongToCAB, nullptr},
     Statement{"W2", "At A the barycentrics are (0,1,0), at B (0,0,1), at C (1,0,0).", Truth::kTrue,
@@ -383,6 +383,6 @@ constexpr std::array kStatements{
 
 }  // namespace
 
-std::span<const Statement> WireframeStatements() { return kStatements; }
+std::span<const Statement> WireframeStatements() { return kWireframeStatements; }
 
 }  // namespace rasterproof::props

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "exact/coverage.h"
-#include "props/statements/rational_plane.h"
+#include "tests/statements/rational_plane.h"
 
 namespace rasterproof::props {
 namespace {
@@ -15,8 +15,6 @@ using std::nullopt;
 using std::optional;
 
 Vec2 At(double x, double y) { return {Rational(x), Rational(y)}; }
-Point2 ToPoint(const Vec2& v) { return {v.x.ToDouble(), v.y.ToDouble()}; }
-
 StatementTally RightOfAnUpwardEdgeIsPositive(std::uint64_t seed, int count) {
   // "Right" told without a rotation: of two points at one height beside an upward edge, the one of
   // greater x is the right one.
@@ -300,7 +298,7 @@ StatementTally ReversalNegates(std::uint64_t seed, int count) {
   });
 }
 
-constexpr std::array kStatements{
+constexpr std::array kCoverageStatements{
     Statement{"C1", "A point to the right of the edge has a positive value.", Truth::kConditional,
               "y up", "y down: (0,4) -> (0,0) goes up the page, (1,2) is to its right, E = -4",
               RightOfAnUpwardEdgeIsPositive, RightIsNegativeWithYDown},
@@ -350,6 +348,6 @@ constexpr std::array kStatements{
 
 }  // namespace
 
-std::span<const Statement> CoverageStatements() { return kStatements; }
+std::span<const Statement> CoverageStatements() { return kCoverageStatements; }
 
 }  // namespace rasterproof::props

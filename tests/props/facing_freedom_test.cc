@@ -14,7 +14,6 @@
 
 #include "core/profile.h"
 #include "core/vertex.h"
-#include "props/properties/all.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
@@ -104,7 +103,8 @@ TEST(Facings, OfLegalVariantsAreTaken) {
   for (const char* name : {"legal:vulkan-facing-exchanged", "legal:d3d11-facing-exchanged",
                            "legal:webgpu-facing-exchanged", "legal:vulkan-facing-4-bits",
                            "legal:vulkan-facing-clipped", "legal:d3d11-facing-clipped"}) {
-    for (const Property* property : {&kFacingIsOneAtAllSamples, &kCullingRemovesOneFacing}) {
+    for (const Property* property :
+         {FindProperty("FacingIsOneAtAllSamples"), FindProperty("CullingRemovesOneFacing")}) {
       const PropertyResult result = RunOn(name, *property, 1);
       EXPECT_EQ(result.outcome, Outcome::kHolds) << name << ": " << result.message;
       const bool exchanged = std::string(name).ends_with("exchanged");
@@ -120,11 +120,14 @@ TEST(Facings, ExchangedByTriangleCallOrTargetAreFound) {
                            "mutant:vulkan-facing-by-place", "mutant:vulkan-facing-by-call",
                            "mutant:vulkan-facing-by-target"}) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      EXPECT_EQ(RunOn(name, kFacingIsOneAtAllSamples, seed).outcome, Outcome::kViolated) << name;
+      EXPECT_EQ(RunOn(name, *FindProperty("FacingIsOneAtAllSamples"), seed).outcome,
+                Outcome::kViolated)
+          << name;
     }
   }
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    EXPECT_EQ(RunOn("mutant:vulkan-culls-the-other", kCullingRemovesOneFacing, seed).outcome,
+    EXPECT_EQ(RunOn("mutant:vulkan-culls-the-other", *FindProperty("CullingRemovesOneFacing"), seed)
+                  .outcome,
               Outcome::kViolated);
   }
 }

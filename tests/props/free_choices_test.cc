@@ -23,7 +23,6 @@
 #include "exact/coverage.h"
 #include "model/snap.h"
 #include "props/domains/domain.h"
-#include "props/properties/all.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tests/props/planted_subjects.h"

@@ -8,7 +8,6 @@
 
 #include "core/profile.h"
 #include "props/judging/open_by_call.h"
-#include "props/properties/all.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
@@ -45,25 +44,25 @@ TEST(MayChooseByCall, WhereNoClauseSaysThatEqualDrawsAreEqual) {
 
 TEST(LegalCalls, AnotherLegalModelInAnotherCallIsTaken) {
   for (const char* name : {"legal:d3d11-snap-by-call", "legal:webgpu-grid-by-call"}) {
-    ExpectLegal(name, kOneLegalModelExplainsTheMesh);
+    ExpectLegal(name, *FindProperty("OneLegalModelExplainsTheMesh"));
   }
-  ExpectLegal("legal:webgpu-grid-by-call", kTriangleOrderKeepsCoverage);
-  ExpectLegal("legal:webgpu-grid-by-call", kOneCallDrawsLikeItsTriangles);
-  ExpectLegal("legal:d3d11-snap-by-call", kBadTrianglesPoisonNoOthers);
+  ExpectLegal("legal:webgpu-grid-by-call", *FindProperty("TriangleOrderKeepsCoverage"));
+  ExpectLegal("legal:webgpu-grid-by-call", *FindProperty("OneCallDrawsLikeItsTriangles"));
+  ExpectLegal("legal:d3d11-snap-by-call", *FindProperty("BadTrianglesPoisonNoOthers"));
 }
 
 TEST(LegalCalls, AnotherModelForAnotherTriangleIsFound) {
-  ExpectFound("mutant:d3d11-snap-by-triangle", kOneLegalModelExplainsTheMesh);
+  ExpectFound("mutant:d3d11-snap-by-triangle", *FindProperty("OneLegalModelExplainsTheMesh"));
 }
 
 TEST(LegalCalls, OwnersThatChangeFromCallToCallAreTakenWhereTheyAreOpen) {
-  ExpectLegal("legal:webgpu-owner-by-number", kTriangleOrderKeepsCoverage);
-  ExpectLegal("legal:webgpu-owner-by-number", kOneCallDrawsLikeItsTriangles);
+  ExpectLegal("legal:webgpu-owner-by-number", *FindProperty("TriangleOrderKeepsCoverage"));
+  ExpectLegal("legal:webgpu-owner-by-number", *FindProperty("OneCallDrawsLikeItsTriangles"));
 }
 
 TEST(LegalCalls, SamplesOffEdgesThatChangeFromCallToCallAreFound) {
-  ExpectFound("mutant:webgpu-lost-by-number", kTriangleOrderKeepsCoverage);
-  ExpectFound("mutant:webgpu-lost-by-number", kOneCallDrawsLikeItsTriangles);
+  ExpectFound("mutant:webgpu-lost-by-number", *FindProperty("TriangleOrderKeepsCoverage"));
+  ExpectFound("mutant:webgpu-lost-by-number", *FindProperty("OneCallDrawsLikeItsTriangles"));
 }
 
 // An edge through samples, to a vertex at the far end; what lies on it is not covered.
@@ -75,7 +74,7 @@ Verdict OfEdgeTo(double far, const std::string& name) {
   c.scene.triangles = {{0, 1, 2}, {0, 2, 1}};
   const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
   c.profile = subject->Info().profile;
-  return RunCase(*subject, kOneLegalModelExplainsTheMesh, c);
+  return RunCase(*subject, *FindProperty("OneLegalModelExplainsTheMesh"), c);
 }
 
 TEST(LegalRange, EndsAtWhatSixteenPointEightHolds) {
@@ -85,13 +84,13 @@ TEST(LegalRange, EndsAtWhatSixteenPointEightHolds) {
   EXPECT_EQ(OfEdgeTo(0x1p15 + 0.5, "legal:d3d11-clamps-to-range").outcome, Outcome::kNotExercised);
   EXPECT_EQ(OfEdgeTo(0x1p15, "legal:d3d11-clamps-to-range").outcome, Outcome::kNotExercised);
   EXPECT_EQ(OfEdgeTo(kEnd, "mutant:d3d11-clamps-to-half-range").outcome, Outcome::kViolated);
-  ExpectLegal("legal:d3d11-clamps-to-range", kOneLegalModelExplainsTheMesh);
+  ExpectLegal("legal:d3d11-clamps-to-range", *FindProperty("OneLegalModelExplainsTheMesh"));
 }
 
 TEST(LegalGrids, AreOfAnyNumberOfBitsFromTheFewest) {
-  ExpectLegal("legal:vulkan-17-bits", kOneLegalModelExplainsTheMesh);
-  ExpectLegal("legal:vulkan-23-bits", kOneLegalModelExplainsTheMesh);
-  ExpectFound("mutant:vulkan-17-bits-some-3", kOneLegalModelExplainsTheMesh);
+  ExpectLegal("legal:vulkan-17-bits", *FindProperty("OneLegalModelExplainsTheMesh"));
+  ExpectLegal("legal:vulkan-23-bits", *FindProperty("OneLegalModelExplainsTheMesh"));
+  ExpectFound("mutant:vulkan-17-bits-some-3", *FindProperty("OneLegalModelExplainsTheMesh"));
 }
 
 }  // namespace

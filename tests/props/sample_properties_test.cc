@@ -15,7 +15,7 @@
 #include "exact/primitive_ids.h"
 #include "props/domains/domain.h"
 #include "props/infer/infer.h"
-#include "props/properties/all.h"
+#include "props/property.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
 #include "tests/props/planted_subjects.h"
@@ -43,15 +43,15 @@ Outcome FoundOf(std::string_view mutant, const Property& property) {
 
 TEST(Samples, EachMutantIsFoundByTheSentenceThatItBreaks) {
   for (const auto& [mutant, property] : std::vector<std::pair<std::string_view, const Property*>>{
-           {"mutant:samples-exchanged", &kCoverageEqualsTheModel},
-           {"mutant:samples-one-reused", &kOneLegalModelExplainsTheMesh},
-           {"mutant:samples-centre-for-all", &kOneLegalModelExplainsTheMesh},
-           {"mutant:samples-exchanged-under-vulkan", &kOneLegalModelExplainsTheMesh},
-           {"mutant:samples-vary", &kOneLegalModelExplainsTheMesh},
-           {"mutant:samples-vary-where-fixed", &kIntegerTranslationMovesCoverage},
-           {"mutant:samples-by-triangle", &kSharedEdgeSamplesAreCoveredOnce},
-           {"mutant:facing-by-sample", &kFacingIsOneAtAllSamples},
-           {"mutant:facing-by-sample-where-open", &kFacingIsOneAtAllSamples}}) {
+           {"mutant:samples-exchanged", FindProperty("CoverageEqualsTheModel")},
+           {"mutant:samples-one-reused", FindProperty("OneLegalModelExplainsTheMesh")},
+           {"mutant:samples-centre-for-all", FindProperty("OneLegalModelExplainsTheMesh")},
+           {"mutant:samples-exchanged-under-vulkan", FindProperty("OneLegalModelExplainsTheMesh")},
+           {"mutant:samples-vary", FindProperty("OneLegalModelExplainsTheMesh")},
+           {"mutant:samples-vary-where-fixed", FindProperty("IntegerTranslationMovesCoverage")},
+           {"mutant:samples-by-triangle", FindProperty("SharedEdgeSamplesAreCoveredOnce")},
+           {"mutant:facing-by-sample", FindProperty("FacingIsOneAtAllSamples")},
+           {"mutant:facing-by-sample-where-open", FindProperty("FacingIsOneAtAllSamples")}}) {
     EXPECT_EQ(FoundOf(mutant, *property), Outcome::kViolated) << mutant << ", " << property->name;
   }
 }
@@ -61,15 +61,21 @@ TEST(Samples, WhatIsOpenIsNotJudgedAndMeshesAre) {
   for (const std::string_view legal :
        {"legal:samples-mirrored-under-gl", "legal:samples-in-corners",
         "legal:samples-vary-under-gl", "legal:samples-centre-under-vulkan"}) {
-    EXPECT_EQ(FoundOf(legal, kSharedEdgeSamplesAreCoveredOnce), Outcome::kHolds) << legal;
-    EXPECT_EQ(FoundOf(legal, kEmbeddedMeshSamplesAreCoveredOnce), Outcome::kHolds) << legal;
-    EXPECT_EQ(FoundOf(legal, kFacingIsOneAtAllSamples), Outcome::kHolds) << legal;
-    EXPECT_EQ(FoundOf(legal, kOneLegalModelExplainsTheMesh), Outcome::kNotApplicable) << legal;
+    EXPECT_EQ(FoundOf(legal, *FindProperty("SharedEdgeSamplesAreCoveredOnce")), Outcome::kHolds)
+        << legal;
+    EXPECT_EQ(FoundOf(legal, *FindProperty("EmbeddedMeshSamplesAreCoveredOnce")), Outcome::kHolds)
+        << legal;
+    EXPECT_EQ(FoundOf(legal, *FindProperty("FacingIsOneAtAllSamples")), Outcome::kHolds) << legal;
+    EXPECT_EQ(FoundOf(legal, *FindProperty("OneLegalModelExplainsTheMesh")),
+              Outcome::kNotApplicable)
+        << legal;
   }
-  EXPECT_EQ(FoundOf("legal:samples-mirrored-under-gl", kIntegerTranslationMovesCoverage),
-            Outcome::kHolds);
-  EXPECT_EQ(FoundOf("legal:samples-vary-under-gl", kIntegerTranslationMovesCoverage),
-            Outcome::kNotApplicable);
+  EXPECT_EQ(
+      FoundOf("legal:samples-mirrored-under-gl", *FindProperty("IntegerTranslationMovesCoverage")),
+      Outcome::kHolds);
+  EXPECT_EQ(
+      FoundOf("legal:samples-vary-under-gl", *FindProperty("IntegerTranslationMovesCoverage")),
+      Outcome::kNotApplicable);
 }
 
 // Shows the last triangle on each of four samples, or on the pixel's first one for all.
@@ -106,9 +112,10 @@ class ShowsIds final : public Subject {
 
 TEST(Samples, PrimitiveIdsFollowTheOrderAtEachSample) {
   ShowsIds sound(false);
-  EXPECT_EQ(Found(sound, kPrimitiveIdFollowsTheStatedOrder, 40), Outcome::kHolds);
+  EXPECT_EQ(Found(sound, *FindProperty("PrimitiveIdFollowsTheStatedOrder"), 40), Outcome::kHolds);
   ShowsIds by_pixel(true);
-  EXPECT_EQ(Found(by_pixel, kPrimitiveIdFollowsTheStatedOrder, 200), Outcome::kViolated);
+  EXPECT_EQ(Found(by_pixel, *FindProperty("PrimitiveIdFollowsTheStatedOrder"), 200),
+            Outcome::kViolated);
 }
 
 Inference InferOf(std::string_view name) { return Infer(*subjects::MakeMutant(name)); }

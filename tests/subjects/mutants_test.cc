@@ -148,7 +148,7 @@ TEST(LegalVariants, UseWhatFreedomThereIs) {
 }
 
 TEST(Hunt, CountsTheCasesOfEveryPropertyAndEndsWithTheFirstViolation) {
-  const std::unique_ptr<Subject> subject = subjects::MakeMutant("mutant:ties-inclusive");
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant("mutant:tile-seams");
   std::uint64_t reported = 0;
   const tool::Hunt hunt =
       tool::HuntBug(*subject, {.cases = 100, .progress = [&](std::uint64_t n) { reported = n; }});

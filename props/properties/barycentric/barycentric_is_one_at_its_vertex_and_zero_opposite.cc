@@ -11,9 +11,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace barycentric_is_one_at_its_vertex_and_zero_opposite {
@@ -67,6 +67,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentric_is_one_at_its_vertex_and_zero_opposite
 
+extern const Property kBarycentricIsOneAtItsVertexAndZeroOpposite;
 constinit const Property kBarycentricIsOneAtItsVertexAndZeroOpposite{
     .name = "BarycentricIsOneAtItsVertexAndZeroOpposite",
     .group = "barycentric",

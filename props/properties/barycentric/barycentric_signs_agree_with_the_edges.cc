@@ -10,9 +10,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace barycentric_signs_agree_with_the_edges {
@@ -50,6 +50,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentric_signs_agree_with_the_edges
 
+extern const Property kBarycentricSignsAgreeWithTheEdges;
 constinit const Property kBarycentricSignsAgreeWithTheEdges{
     .name = "BarycentricSignsAgreeWithTheEdges",
     .group = "barycentric",

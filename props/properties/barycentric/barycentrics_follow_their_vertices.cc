@@ -10,9 +10,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace barycentrics_follow_their_vertices {
@@ -80,6 +80,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentrics_follow_their_vertices
 
+extern const Property kBarycentricsFollowTheirVertices;
 constinit const Property kBarycentricsFollowTheirVertices{
     .name = "BarycentricsFollowTheirVertices",
     .group = "barycentric",

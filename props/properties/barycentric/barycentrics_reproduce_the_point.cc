@@ -12,9 +12,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace barycentrics_reproduce_the_point {
@@ -71,6 +71,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentrics_reproduce_the_point
 
+extern const Property kBarycentricsReproduceThePoint;
 constinit const Property kBarycentricsReproduceThePoint{
     .name = "BarycentricsReproduceThePoint",
     .group = "barycentric",

@@ -11,9 +11,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace barycentrics_stay_within_their_bound {
@@ -47,6 +47,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentrics_stay_within_their_bound
 
+extern const Property kBarycentricsStayWithinTheirBound;
 constinit const Property kBarycentricsStayWithinTheirBound{
     .name = "BarycentricsStayWithinTheirBound",
     .group = "barycentric",

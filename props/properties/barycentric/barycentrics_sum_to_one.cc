@@ -11,9 +11,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace barycentrics_sum_to_one {
@@ -66,6 +66,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentrics_sum_to_one
 
+extern const Property kBarycentricsSumToOne;
 constinit const Property kBarycentricsSumToOne{
     .name = "BarycentricsSumToOne",
     .group = "barycentric",

@@ -11,9 +11,9 @@
 #include "props/judging/centroid_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace centroids_lie_where_stated {
@@ -50,6 +50,7 @@ constexpr std::array kRules{ProfileRule{
 
 }  // namespace centroids_lie_where_stated
 
+extern const Property kCentroidsLieWhereStated;
 constinit const Property kCentroidsLieWhereStated{
     .name = "CentroidsLieWhereStated",
     .group = "barycentric",

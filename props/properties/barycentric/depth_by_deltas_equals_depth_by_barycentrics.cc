@@ -8,9 +8,9 @@
 #include "props/judging/interpolation_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace depth_by_deltas_equals_depth_by_barycentrics {
@@ -63,6 +63,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace depth_by_deltas_equals_depth_by_barycentrics
 
+extern const Property kDepthByDeltasEqualsDepthByBarycentrics;
 constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
     .name = "DepthByDeltasEqualsDepthByBarycentrics",
     .group = "barycentric",

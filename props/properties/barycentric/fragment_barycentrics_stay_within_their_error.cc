@@ -11,9 +11,9 @@
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace fragment_barycentrics_stay_within_their_error {
@@ -49,6 +49,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace fragment_barycentrics_stay_within_their_error
 
+extern const Property kFragmentBarycentricsStayWithinTheirError;
 constinit const Property kFragmentBarycentricsStayWithinTheirError{
     .name = "FragmentBarycentricsStayWithinTheirError",
     .group = "barycentric",

@@ -10,10 +10,10 @@
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace fragment_barycentrics_sum_to_one {
@@ -48,6 +48,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace fragment_barycentrics_sum_to_one
 
+extern const Property kFragmentBarycentricsSumToOne;
 constinit const Property kFragmentBarycentricsSumToOne{
     .name = "FragmentBarycentricsSumToOne",
     .group = "barycentric",

@@ -12,9 +12,9 @@
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace fragment_depth_follows_its_barycentrics {
@@ -53,6 +53,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace fragment_depth_follows_its_barycentrics
 
+extern const Property kFragmentDepthFollowsItsBarycentrics;
 constinit const Property kFragmentDepthFollowsItsBarycentrics{
     .name = "FragmentDepthFollowsItsBarycentrics",
     .group = "barycentric",

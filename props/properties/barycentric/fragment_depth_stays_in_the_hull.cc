@@ -8,10 +8,10 @@
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace fragment_depth_stays_in_the_hull {
@@ -39,6 +39,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace fragment_depth_stays_in_the_hull
 
+extern const Property kFragmentDepthStaysInTheHull;
 constinit const Property kFragmentDepthStaysInTheHull{
     .name = "FragmentDepthStaysInTheHull",
     .group = "barycentric",

@@ -8,9 +8,9 @@
 #include "props/judging/interpolation_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace interpolated_values_stay_in_the_hull {
@@ -44,6 +44,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace interpolated_values_stay_in_the_hull
 
+extern const Property kInterpolatedValuesStayInTheHull;
 constinit const Property kInterpolatedValuesStayInTheHull{
     .name = "InterpolatedValuesStayInTheHull",
     .group = "barycentric",

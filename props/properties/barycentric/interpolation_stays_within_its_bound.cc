@@ -3,9 +3,9 @@
 
 #include "props/judging/interpolation_queries.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace interpolation_stays_within_its_bound {
@@ -22,6 +22,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace interpolation_stays_within_its_bound
 
+extern const Property kInterpolationStaysWithinItsBound;
 constinit const Property kInterpolationStaysWithinItsBound{
     .name = "InterpolationStaysWithinItsBound",
     .group = "barycentric",

@@ -1,9 +1,9 @@
 // Perspective-correct interpolation stays within the bound stated of the exact quotient.
 #include "props/judging/interpolation_queries.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace perspective_interpolation_stays_within_its_bound {
@@ -15,6 +15,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace perspective_interpolation_stays_within_its_bound
 
+extern const Property kPerspectiveInterpolationStaysWithinItsBound;
 constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
     .name = "PerspectiveInterpolationStaysWithinItsBound",
     .group = "barycentric",

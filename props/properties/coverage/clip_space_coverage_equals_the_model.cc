@@ -2,12 +2,13 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
+extern const Property kClipSpaceCoverageEqualsTheModel;
 constinit const Property kClipSpaceCoverageEqualsTheModel{
     .name = "ClipSpaceCoverageEqualsTheModel",
     .group = "coverage",

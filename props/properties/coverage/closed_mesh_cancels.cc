@@ -14,10 +14,10 @@
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/signed_coverage.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace closed_mesh_cancels {
@@ -60,6 +60,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace closed_mesh_cancels
 
+extern const Property kClosedMeshCancels;
 constinit const Property kClosedMeshCancels{
     .name = "ClosedMeshCancels",
     .group = "coverage",

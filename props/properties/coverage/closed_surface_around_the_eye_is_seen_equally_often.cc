@@ -16,9 +16,9 @@
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/signed_coverage.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace closed_surface_around_the_eye_is_seen_equally_often {
@@ -53,6 +53,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace closed_surface_around_the_eye_is_seen_equally_often
 
+extern const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften;
 constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
     .name = "ClosedSurfaceAroundTheEyeIsSeenEquallyOften",
     .group = "coverage",

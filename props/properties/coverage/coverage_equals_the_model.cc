@@ -2,13 +2,14 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 
+extern const Property kCoverageEqualsTheModel;
 constinit const Property kCoverageEqualsTheModel{
     .name = "CoverageEqualsTheModel",
     .group = "coverage",

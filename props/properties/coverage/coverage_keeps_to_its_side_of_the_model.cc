@@ -17,9 +17,9 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace coverage_keeps_to_its_side_of_the_model {
@@ -86,6 +86,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace coverage_keeps_to_its_side_of_the_model
 
+extern const Property kCoverageKeepsToItsSideOfTheModel;
 constinit const Property kCoverageKeepsToItsSideOfTheModel{
     .name = "CoverageKeepsToItsSideOfTheModel",
     .group = "coverage",

@@ -15,10 +15,10 @@
 #include "props/judging/sides.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace culling_removes_one_facing {
@@ -227,6 +227,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace culling_removes_one_facing
 
+extern const Property kCullingRemovesOneFacing;
 constinit const Property kCullingRemovesOneFacing{
     .name = "CullingRemovesOneFacing",
     .group = "coverage",

@@ -9,10 +9,10 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace degenerate_triangles_cover_nothing {
@@ -39,6 +39,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace degenerate_triangles_cover_nothing
 
+extern const Property kDegenerateTrianglesCoverNothing;
 constinit const Property kDegenerateTrianglesCoverNothing{
     .name = "DegenerateTrianglesCoverNothing",
     .group = "coverage",

@@ -5,9 +5,9 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace duplicated_vertices_keep_coverage {
@@ -27,6 +27,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace duplicated_vertices_keep_coverage
 
+extern const Property kDuplicatedVerticesKeepCoverage;
 constinit const Property kDuplicatedVerticesKeepCoverage{
     .name = "DuplicatedVerticesKeepCoverage",
     .group = "coverage",

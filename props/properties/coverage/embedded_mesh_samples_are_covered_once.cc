@@ -4,10 +4,10 @@
 #include "props/judging/planar_mesh.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace embedded_mesh_samples_are_covered_once {
@@ -18,6 +18,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace embedded_mesh_samples_are_covered_once
 
+extern const Property kEmbeddedMeshSamplesAreCoveredOnce;
 constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
     .name = "EmbeddedMeshSamplesAreCoveredOnce",
     .group = "coverage",

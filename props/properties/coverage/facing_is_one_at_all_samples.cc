@@ -14,10 +14,10 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace facing_is_one_at_all_samples {
@@ -179,6 +179,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace facing_is_one_at_all_samples
 
+extern const Property kFacingIsOneAtAllSamples;
 constinit const Property kFacingIsOneAtAllSamples{
     .name = "FacingIsOneAtAllSamples",
     .group = "coverage",

@@ -14,10 +14,10 @@
 #include "model/snap_scene.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace integer_translation_moves_coverage {
@@ -92,6 +92,7 @@ bool StatesTranslation(const Profile& profile) {
 
 }  // namespace integer_translation_moves_coverage
 
+extern const Property kIntegerTranslationMovesCoverage;
 constinit const Property kIntegerTranslationMovesCoverage{
     .name = "IntegerTranslationMovesCoverage",
     .group = "coverage",

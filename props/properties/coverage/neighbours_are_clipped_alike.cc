@@ -8,10 +8,10 @@
 #include "core/scene.h"
 #include "props/judging/planar_mesh.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/coverage/shared_edge_samples_are_covered_once.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace neighbours_are_clipped_alike {
@@ -35,6 +35,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace neighbours_are_clipped_alike
 
+extern const Property kNeighboursAreClippedAlike;
 constinit const Property kNeighboursAreClippedAlike{
     .name = "NeighboursAreClippedAlike",
     .group = "coverage",

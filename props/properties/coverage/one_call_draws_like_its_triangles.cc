@@ -21,10 +21,10 @@
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace one_call_draws_like_its_triangles {
@@ -115,6 +115,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace one_call_draws_like_its_triangles
 
+extern const Property kOneCallDrawsLikeItsTriangles;
 constinit const Property kOneCallDrawsLikeItsTriangles{
     .name = "OneCallDrawsLikeItsTriangles",
     .group = "coverage",

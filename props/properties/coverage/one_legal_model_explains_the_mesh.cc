@@ -26,10 +26,10 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace one_legal_model_explains_the_mesh {
@@ -214,6 +214,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace one_legal_model_explains_the_mesh
 
+extern const Property kOneLegalModelExplainsTheMesh;
 constinit const Property kOneLegalModelExplainsTheMesh{
     .name = "OneLegalModelExplainsTheMesh",
     .group = "coverage",

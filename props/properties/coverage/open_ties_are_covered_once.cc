@@ -8,9 +8,9 @@
 
 #include "props/judging/planar_mesh.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace open_ties_are_covered_once {
@@ -40,6 +40,7 @@ constexpr std::array kRulesForOnce{
 
 }  // namespace open_ties_are_covered_once
 
+extern const Property kOpenTiesAreCoveredOnce;
 constinit const Property kOpenTiesAreCoveredOnce{
     .name = "OpenTiesAreCoveredOnce",
     .group = "coverage",

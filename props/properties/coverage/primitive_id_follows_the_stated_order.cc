@@ -10,10 +10,10 @@
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace primitive_id_follows_the_stated_order {
@@ -48,6 +48,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace primitive_id_follows_the_stated_order
 
+extern const Property kPrimitiveIdFollowsTheStatedOrder;
 constinit const Property kPrimitiveIdFollowsTheStatedOrder{
     .name = "PrimitiveIdFollowsTheStatedOrder",
     .group = "coverage",

@@ -5,9 +5,9 @@
 #include "props/judging/free_choices.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace reversal_swaps_facing {
@@ -30,6 +30,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace reversal_swaps_facing
 
+extern const Property kReversalSwapsFacing;
 constinit const Property kReversalSwapsFacing{
     .name = "ReversalSwapsFacing",
     .group = "coverage",

@@ -6,10 +6,10 @@
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace scissor_only_cuts_coverage {
@@ -42,6 +42,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace scissor_only_cuts_coverage
 
+extern const Property kScissorOnlyCutsCoverage;
 constinit const Property kScissorOnlyCutsCoverage{
     .name = "ScissorOnlyCutsCoverage",
     .group = "coverage",

@@ -11,10 +11,10 @@
 #include "props/judging/planar_mesh.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace shared_edge_samples_are_covered_once {
@@ -67,6 +67,7 @@ Asked CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clip
   return asked;
 }
 
+extern const Property kSharedEdgeSamplesAreCoveredOnce;
 constinit const Property kSharedEdgeSamplesAreCoveredOnce{
     .name = "SharedEdgeSamplesAreCoveredOnce",
     .group = "coverage",

@@ -8,10 +8,10 @@
 #include "props/judging/signed_coverage.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace signed_coverage_equals_the_winding_number {
@@ -30,6 +30,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace signed_coverage_equals_the_winding_number
 
+extern const Property kSignedCoverageEqualsTheWindingNumber;
 constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .name = "SignedCoverageEqualsTheWindingNumber",
     .group = "coverage",

@@ -9,10 +9,10 @@
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace tiles_drawn_apart_equal_the_whole {
@@ -49,6 +49,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace tiles_drawn_apart_equal_the_whole
 
+extern const Property kTilesDrawnApartEqualTheWhole;
 constinit const Property kTilesDrawnApartEqualTheWhole{
     .name = "TilesDrawnApartEqualTheWhole",
     .group = "coverage",

@@ -10,10 +10,10 @@
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace triangle_order_keeps_coverage {
@@ -34,6 +34,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace triangle_order_keeps_coverage
 
+extern const Property kTriangleOrderKeepsCoverage;
 constinit const Property kTriangleOrderKeepsCoverage{
     .name = "TriangleOrderKeepsCoverage",
     .group = "coverage",

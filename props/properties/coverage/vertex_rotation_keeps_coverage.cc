@@ -5,9 +5,9 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace vertex_rotation_keeps_coverage {
@@ -25,6 +25,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace vertex_rotation_keeps_coverage
 
+extern const Property kVertexRotationKeepsCoverage;
 constinit const Property kVertexRotationKeepsCoverage{
     .name = "VertexRotationKeepsCoverage",
     .group = "coverage",

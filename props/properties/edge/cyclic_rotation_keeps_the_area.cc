@@ -9,9 +9,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace cyclic_rotation_keeps_the_area {
@@ -75,6 +75,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace cyclic_rotation_keeps_the_area
 
+extern const Property kCyclicRotationKeepsTheArea;
 constinit const Property kCyclicRotationKeepsTheArea{
     .name = "CyclicRotationKeepsTheArea",
     .group = "edge",

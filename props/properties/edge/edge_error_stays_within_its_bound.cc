@@ -8,9 +8,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace edge_error_stays_within_its_bound {
@@ -37,6 +37,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace edge_error_stays_within_its_bound
 
+extern const Property kEdgeErrorStaysWithinItsBound;
 constinit const Property kEdgeErrorStaysWithinItsBound{
     .name = "EdgeErrorStaysWithinItsBound",
     .group = "edge",

@@ -8,9 +8,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace edge_is_zero_at_its_ends {
@@ -49,6 +49,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace edge_is_zero_at_its_ends
 
+extern const Property kEdgeIsZeroAtItsEnds;
 constinit const Property kEdgeIsZeroAtItsEnds{
     .name = "EdgeIsZeroAtItsEnds",
     .group = "edge",

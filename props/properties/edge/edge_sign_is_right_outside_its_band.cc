@@ -12,9 +12,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace edge_sign_is_right_outside_its_band {
@@ -44,6 +44,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace edge_sign_is_right_outside_its_band
 
+extern const Property kEdgeSignIsRightOutsideItsBand;
 constinit const Property kEdgeSignIsRightOutsideItsBand{
     .name = "EdgeSignIsRightOutsideItsBand",
     .group = "edge",

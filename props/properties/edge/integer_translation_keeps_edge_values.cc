@@ -3,9 +3,9 @@
 
 #include "props/judging/edge_queries.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace integer_translation_keeps_edge_values {
@@ -24,6 +24,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace integer_translation_keeps_edge_values
 
+extern const Property kIntegerTranslationKeepsEdgeValues;
 constinit const Property kIntegerTranslationKeepsEdgeValues{
     .name = "IntegerTranslationKeepsEdgeValues",
     .group = "edge",

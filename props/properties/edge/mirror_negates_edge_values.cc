@@ -3,9 +3,9 @@
 
 #include "props/judging/edge_queries.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace mirror_negates_edge_values {
@@ -22,6 +22,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace mirror_negates_edge_values
 
+extern const Property kMirrorNegatesEdgeValues;
 constinit const Property kMirrorNegatesEdgeValues{
     .name = "MirrorNegatesEdgeValues",
     .group = "edge",

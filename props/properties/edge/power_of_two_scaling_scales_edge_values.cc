@@ -3,9 +3,9 @@
 
 #include "props/judging/edge_queries.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace power_of_two_scaling_scales_edge_values {
@@ -23,6 +23,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace power_of_two_scaling_scales_edge_values
 
+extern const Property kPowerOfTwoScalingScalesEdgeValues;
 constinit const Property kPowerOfTwoScalingScalesEdgeValues{
     .name = "PowerOfTwoScalingScalesEdgeValues",
     .group = "edge",

@@ -7,9 +7,9 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace reversed_edge_changes_sign {
@@ -65,6 +65,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace reversed_edge_changes_sign
 
+extern const Property kReversedEdgeChangesSign;
 constinit const Property kReversedEdgeChangesSign{
     .name = "ReversedEdgeChangesSign",
     .group = "edge",

@@ -17,10 +17,10 @@
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace bad_triangles_poison_no_others {
@@ -107,6 +107,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace bad_triangles_poison_no_others
 
+extern const Property kBadTrianglesPoisonNoOthers;
 constinit const Property kBadTrianglesPoisonNoOthers{
     .name = "BadTrianglesPoisonNoOthers",
     .group = "extremes",

@@ -16,9 +16,9 @@
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace batch_draws_like_single_calls {
@@ -114,6 +114,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace batch_draws_like_single_calls
 
+extern const Property kBatchDrawsLikeSingleCalls;
 constinit const Property kBatchDrawsLikeSingleCalls{
     .name = "BatchDrawsLikeSingleCalls",
     .group = "extremes",

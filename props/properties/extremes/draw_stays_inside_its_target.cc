@@ -10,10 +10,10 @@
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace draw_stays_inside_its_target {
@@ -98,6 +98,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace draw_stays_inside_its_target
 
+extern const Property kDrawStaysInsideItsTarget;
 constinit const Property kDrawStaysInsideItsTarget{
     .name = "DrawStaysInsideItsTarget",
     .group = "extremes",

@@ -15,10 +15,10 @@
 #include "props/judging/moved_scenes.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace earlier_scenes_leave_no_trace {
@@ -64,6 +64,7 @@ constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
 }  // namespace earlier_scenes_leave_no_trace
 
+extern const Property kEarlierScenesLeaveNoTrace;
 constinit const Property kEarlierScenesLeaveNoTrace{
     .name = "EarlierScenesLeaveNoTrace",
     .group = "extremes",

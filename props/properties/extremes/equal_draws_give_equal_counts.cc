@@ -5,10 +5,10 @@
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace equal_draws_give_equal_counts {
@@ -29,6 +29,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace equal_draws_give_equal_counts
 
+extern const Property kEqualDrawsGiveEqualCounts;
 constinit const Property kEqualDrawsGiveEqualCounts{
     .name = "EqualDrawsGiveEqualCounts",
     .group = "extremes",

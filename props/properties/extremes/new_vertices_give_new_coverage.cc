@@ -16,10 +16,10 @@
 #include "props/judging/moved_scenes.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace new_vertices_give_new_coverage {
@@ -72,6 +72,7 @@ constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
 }  // namespace new_vertices_give_new_coverage
 
+extern const Property kNewVerticesGiveNewCoverage;
 constinit const Property kNewVerticesGiveNewCoverage{
     .name = "NewVerticesGiveNewCoverage",
     .group = "extremes",

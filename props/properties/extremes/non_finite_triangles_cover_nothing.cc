@@ -12,10 +12,10 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace non_finite_triangles_cover_nothing {
@@ -93,6 +93,7 @@ constexpr std::array kRules{
 
 }  // namespace non_finite_triangles_cover_nothing
 
+extern const Property kNonFiniteTrianglesCoverNothing;
 constinit const Property kNonFiniteTrianglesCoverNothing{
     .name = "NonFiniteTrianglesCoverNothing",
     .group = "extremes",

@@ -1,9 +1,9 @@
 // A stepping across the largest target drifts no further than the bound stated for it.
 #include "props/judging/stepping.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace long_stepping_stays_within_its_bound {
@@ -16,6 +16,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace long_stepping_stays_within_its_bound
 
+extern const Property kLongSteppingStaysWithinItsBound;
 constinit const Property kLongSteppingStaysWithinItsBound{
     .name = "LongSteppingStaysWithinItsBound",
     .group = "incremental",

@@ -7,9 +7,9 @@
 #include "props/judging/stepping.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace stepping_equals_direct_where_exact {
@@ -59,6 +59,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace stepping_equals_direct_where_exact
 
+extern const Property kSteppingEqualsDirectWhereExact;
 constinit const Property kSteppingEqualsDirectWhereExact{
     .name = "SteppingEqualsDirectWhereExact",
     .group = "incremental",

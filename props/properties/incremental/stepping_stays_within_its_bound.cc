@@ -3,9 +3,9 @@
 // They go along x or y, either way, by one pixel or by L.
 #include "props/judging/stepping.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace stepping_stays_within_its_bound {
@@ -16,6 +16,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace stepping_stays_within_its_bound
 
+extern const Property kSteppingStaysWithinItsBound;
 constinit const Property kSteppingStaysWithinItsBound{
     .name = "SteppingStaysWithinItsBound",
     .group = "incremental",

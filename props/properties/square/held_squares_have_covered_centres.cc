@@ -4,9 +4,9 @@
 
 #include "props/judging/squares.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace held_squares_have_covered_centres {
@@ -28,6 +28,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace held_squares_have_covered_centres
 
+extern const Property kHeldSquaresHaveCoveredCentres;
 constinit const Property kHeldSquaresHaveCoveredCentres{
     .name = "HeldSquaresHaveCoveredCentres",
     .group = "square",

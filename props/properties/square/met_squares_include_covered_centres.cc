@@ -6,9 +6,9 @@
 #include "exact/square_coverage.h"
 #include "props/judging/squares.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace met_squares_include_covered_centres {
@@ -39,6 +39,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace met_squares_include_covered_centres
 
+extern const Property kMetSquaresIncludeCoveredCentres;
 constinit const Property kMetSquaresIncludeCoveredCentres{
     .name = "MetSquaresIncludeCoveredCentres",
     .group = "square",

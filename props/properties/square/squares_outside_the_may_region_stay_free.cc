@@ -4,9 +4,9 @@
 #include "exact/square_coverage.h"
 #include "props/judging/squares.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace squares_outside_the_may_region_stay_free {
@@ -24,6 +24,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace squares_outside_the_may_region_stay_free
 
+extern const Property kSquaresOutsideTheMayRegionStayFree;
 constinit const Property kSquaresOutsideTheMayRegionStayFree{
     .name = "SquaresOutsideTheMayRegionStayFree",
     .group = "square",

@@ -14,9 +14,9 @@
 #include "props/judging/redraw.h"
 #include "props/judging/squares.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace squares_that_must_be_are_covered {
@@ -73,6 +73,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace squares_that_must_be_are_covered
 
+extern const Property kSquaresThatMustBeAreCovered;
 constinit const Property kSquaresThatMustBeAreCovered{
     .name = "SquaresThatMustBeAreCovered",
     .group = "square",

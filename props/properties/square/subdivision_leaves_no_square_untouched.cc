@@ -12,9 +12,9 @@
 #include "props/judging/redraw.h"
 #include "props/judging/squares.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace subdivision_leaves_no_square_untouched {
@@ -93,6 +93,7 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace subdivision_leaves_no_square_untouched
 
+extern const Property kSubdivisionLeavesNoSquareUntouched;
 constinit const Property kSubdivisionLeavesNoSquareUntouched{
     .name = "SubdivisionLeavesNoSquareUntouched",
     .group = "square",

@@ -6,9 +6,9 @@
 
 #include "props/judging/wireframe_queries.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace barycentric_distance_is_the_smallest_coordinate {
@@ -25,6 +25,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentric_distance_is_the_smallest_coordinate
 
+extern const Property kBarycentricDistanceIsTheSmallestCoordinate;
 constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
     .name = "BarycentricDistanceIsTheSmallestCoordinate",
     .group = "wireframe",

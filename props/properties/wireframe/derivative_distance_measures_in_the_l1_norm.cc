@@ -6,9 +6,9 @@
 #include "exact/edge.h"
 #include "props/judging/wireframe_queries.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace derivative_distance_measures_in_the_l1_norm {
@@ -35,6 +35,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace derivative_distance_measures_in_the_l1_norm
 
+extern const Property kDerivativeDistanceMeasuresInTheL1Norm;
 constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
     .name = "DerivativeDistanceMeasuresInTheL1Norm",
     .group = "wireframe",

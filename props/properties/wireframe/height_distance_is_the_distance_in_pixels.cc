@@ -5,9 +5,9 @@
 #include "exact/attributes.h"
 #include "props/judging/wireframe_queries.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace height_distance_is_the_distance_in_pixels {
@@ -28,6 +28,7 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace height_distance_is_the_distance_in_pixels
 
+extern const Property kHeightDistanceIsTheDistanceInPixels;
 constinit const Property kHeightDistanceIsTheDistanceInPixels{
     .name = "HeightDistanceIsTheDistanceInPixels",
     .group = "wireframe",

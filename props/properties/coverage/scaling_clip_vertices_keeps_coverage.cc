@@ -11,9 +11,9 @@
 #include "core/ulp.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace scaling_clip_vertices_keeps_coverage {
@@ -52,9 +52,10 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace scaling_clip_vertices_keeps_coverage
 
+extern const Property kScalingClipVerticesKeepsCoverage;
 constinit const Property kScalingClipVerticesKeepsCoverage{
     .name = "ScalingClipVerticesKeepsCoverage",
-    .group = "edge",
+    .group = "coverage",
     .clause =
         "A homogeneous edge needs no division: multiplying a clip-space vertex by a "
         "positive number changes no sign (McCool, Wales and Moule, Graphics Hardware 2001).",

@@ -4,9 +4,9 @@
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace thread_count_keeps_coverage {
@@ -30,9 +30,10 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace thread_count_keeps_coverage
 
+extern const Property kThreadCountKeepsCoverage;
 constinit const Property kThreadCountKeepsCoverage{
     .name = "ThreadCountKeepsCoverage",
-    .group = "incremental",
+    .group = "coverage",
     .clause = "Sharing the work among threads is not observable.",
     .tolerance = kExact,
     .domains = kCoverage,

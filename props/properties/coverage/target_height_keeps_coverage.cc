@@ -8,9 +8,9 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace target_height_keeps_coverage {
@@ -49,9 +49,10 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace target_height_keeps_coverage
 
+extern const Property kTargetHeightKeepsCoverage;
 constinit const Property kTargetHeightKeepsCoverage{
     .name = "TargetHeightKeepsCoverage",
-    .group = "incremental",
+    .group = "coverage",
     .clause = "A sample is covered alike whatever rows lie beyond it.",
     .tolerance = kExact,
     .domains = kCoverage,

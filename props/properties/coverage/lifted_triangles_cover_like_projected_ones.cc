@@ -15,9 +15,9 @@
 #include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace lifted_triangles_cover_like_projected_ones {
@@ -77,9 +77,10 @@ Asked Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace lifted_triangles_cover_like_projected_ones
 
+extern const Property kLiftedTrianglesCoverLikeProjectedOnes;
 constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
     .name = "LiftedTrianglesCoverLikeProjectedOnes",
-    .group = "edge",
+    .group = "coverage",
     .clause =
         "N_ij . (p, 1) with N_ij = V_j x V_i is w_i w_j E of the projected edge (Olano and "
         "Greer, Graphics Hardware 1997).",

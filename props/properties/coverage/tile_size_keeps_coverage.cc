@@ -5,9 +5,9 @@
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace tile_size_keeps_coverage {
@@ -34,9 +34,10 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace tile_size_keeps_coverage
 
+extern const Property kTileSizeKeepsCoverage;
 constinit const Property kTileSizeKeepsCoverage{
     .name = "TileSizeKeepsCoverage",
-    .group = "incremental",
+    .group = "coverage",
     .clause =
         "How a rasterizer walks its target is not observable: D3D11.3 functional "
         "specification 3.4.2.1 (top-left rule) decides by the sample's position alone.",

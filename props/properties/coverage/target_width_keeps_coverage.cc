@@ -5,9 +5,9 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
-#include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
+#include "props/property.h"
 
 namespace rasterproof::props {
 namespace target_width_keeps_coverage {
@@ -44,9 +44,10 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace target_width_keeps_coverage
 
+extern const Property kTargetWidthKeepsCoverage;
 constinit const Property kTargetWidthKeepsCoverage{
     .name = "TargetWidthKeepsCoverage",
-    .group = "incremental",
+    .group = "coverage",
     .clause = "Coverage depends on the sample and the triangle, not on the size of the target.",
     .tolerance = kExact,
     .domains = kCoverage,

@@ -1,4 +1,4 @@
-// Drives a fuzz target without libFuzzer, so that every compiler replays the corpora:
+// Drives a fuzz target without libFuzzer, so that every compiler replays the seeds:
 //
 //     TARGET [-seconds=N] [-runs=N [-seed=S]] [FILE or FOLDER]...
 //

@@ -10,5 +10,5 @@ for target in "$WORK"/rasterproof/fuzz/*_fuzzer; do
   name=$(basename "$target")
   cp "$target" "$OUT/$name"
   cp "$SRC/rasterproof/fuzz/oss-fuzz/all.options" "$OUT/$name.options"
-  zip -q -j -r "$OUT/${name}_seed_corpus.zip" "$SRC/rasterproof/fuzz/corpus/${name%_fuzzer}"
+  zip -q -j -r "$OUT/${name}_seed_corpus.zip" "$WORK/rasterproof/fuzz/seeds/${name%_fuzzer}/"
 done

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/case.h"
@@ -40,14 +39,6 @@ std::vector<std::uint8_t> EncodeCase(const Case& c, const SubjectInfo& info);
 /// Returns whether two cases are equal; of numbers, whether their bits are: a NaN equals itself,
 /// and -0 is not +0.
 bool SameCase(const Case& a, const Case& b);
-
-/// Seeds for a fuzzer's corpus: a named byte string for each hard place of the code, and one for
-/// each domain.
-struct CodecExample {
-  std::string name;  ///< [a-z0-9-]+
-  std::vector<std::uint8_t> bytes;
-};
-std::vector<CodecExample> CodecExamples();
 
 }  // namespace rasterproof::props
 

@@ -24,12 +24,13 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-Bytes ExampleNamed(std::string_view name) {
-  for (const props::CodecExample& example : props::CodecExamples()) {
-    if (example.name == name) return example.bytes;
-  }
-  return {};
-}
+// Spelled out on 12x12 pixels: a square between pixel centres split by its diagonal, and four
+// triangles around a pixel centre.
+constexpr auto kQuadThroughCentres = std::to_array<std::uint8_t>(
+    {0, 11, 11, 1, 9, 0, 9, 0, 9, 0, 29, 0, 29, 0, 29, 0, 29, 0, 9, 0, 1, 0, 0, 0, 3, 0, 0});
+constexpr auto kFanOnACentre =
+    std::to_array<std::uint8_t>({0, 11, 11, 2, 19, 0, 19, 0, 8, 0, 8, 0, 8, 0, 30, 0, 30, 0, 30,
+                                 0, 30, 0,  8, 0,  3, 0,  0, 0, 4, 0, 0, 3, 0, 0,  2, 0,  1});
 
 Bytes RandomBytes(std::uint64_t index) {
   props::PhiloxSource random(1, index);
@@ -45,9 +46,10 @@ Bound BoundTo(const std::array<Checked, n>& checked) {
 
 TEST(BoundDeathTest, AViolationShowsTheCaseInHexAndTheCommand) {
   const Bound bound = BoundTo(std::array{Checked{"textbook", "SharedEdgeSamplesAreCoveredOnce"}});
-  const Bytes bytes = ExampleNamed("quad-through-centres");
-  EXPECT_DEATH(bound.PutToTheTest(bytes), "replay INPUT --subject textbook --property Shared");
-  EXPECT_DEATH(bound.PutToTheTest(bytes), "12x12 float32 window space\n  0x1p-1 0x1p-1");
+  EXPECT_DEATH(bound.PutToTheTest(kQuadThroughCentres),
+               "replay INPUT --subject textbook --property Shared");
+  EXPECT_DEATH(bound.PutToTheTest(kQuadThroughCentres),
+               "12x12 float32 window space\n  0x1p-1 0x1p-1");
 }
 
 TEST(BoundDeathTest, ANameThatThereIsNoneOfIsSaid) {
@@ -68,10 +70,9 @@ TEST(Bound, NotesHowWrongEachSubjectIsUnderEachProperty) {
 
 TEST(Bound, PassesOverWhatIsLargerThanItsLimits) {
   const std::array checked{Checked{"f32-direct", "DrawStaysInsideItsTarget"}};
-  const Bytes bytes = ExampleNamed("fan-on-a-centre");  // 12 x 12, four triangles
-  EXPECT_EQ(Bound(checked, Limits{144, 4}).PutToTheTest(bytes), kLookedAt);
-  EXPECT_EQ(Bound(checked, Limits{143, 4}).PutToTheTest(bytes), kPassedOver);
-  EXPECT_EQ(Bound(checked, Limits{144, 3}).PutToTheTest(bytes), kPassedOver);
+  EXPECT_EQ(Bound(checked, Limits{144, 4}).PutToTheTest(kFanOnACentre), kLookedAt);
+  EXPECT_EQ(Bound(checked, Limits{143, 4}).PutToTheTest(kFanOnACentre), kPassedOver);
+  EXPECT_EQ(Bound(checked, Limits{144, 3}).PutToTheTest(kFanOnACentre), kPassedOver);
 }
 
 TEST(Bound, DecodesOnceForSubjectsOfOneLattice) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -15,12 +14,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/question.h"
 #include "core/quoted.h"
 #include "core/result.h"
 #include "core/subject.h"
-#include "core/subject_errors.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
@@ -56,14 +55,6 @@ class FarEnd : public Subject {
  public:
   explicit FarEnd(const SubjectInfo& info) : info_(info) {}
   const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += Show({scene, options, counts.samples}).counts;
-  }
-  Drawing Show(const DrawJob& job) override {
-    DrawOutcome outcome = std::move(DrawMany({&job, 1}).front());
-    outcome.Get();  // or it throws
-    return std::move(outcome.drawing);
-  }
 
  protected:
   const SubjectInfo& info() const { return info_; }
@@ -110,7 +101,7 @@ class AnswerLines {
   }
   void RequireEndOfAnswer() {
     if (!Peek() || subjects::AnsweredRequest(line_) != 0) return;
-    throw SubjectFault("it said more than its answer: " + Quoted(line_, 60));
+    BreakDown("it said more than its answer: " + Quoted(line_, 60));
   }
   // The answer to request `id` was a bad one.
   void PassOver(std::uint64_t id) {
@@ -157,16 +148,15 @@ class Answering final : public FarEnd {
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     std::vector<DrawOutcome> outcomes(jobs.size());
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-      try {
-        outcomes[k].drawing = subjects::ReadAnswer(
-            ++id_, jobs[k], info(), [this](std::size_t /*most_bytes*/) { return lines_.Next(); });
+      auto& [drawing, end] = outcomes[k];
+      Drawing& drawn = drawing;
+      end = EndOf([&] {
+        drawn = subjects::ReadAnswer(++id_, jobs[k], info(),
+                                     [this](std::size_t /*most_bytes*/) { return lines_.Next(); });
+        if (jobs[k].onto != nullptr) drawn.counts += *jobs[k].onto;
         lines_.RequireEndOfAnswer();
-      } catch (const SubjectFault&) {
-        outcomes[k].error = std::current_exception();
-        lines_.PassOver(id_);
-      } catch (const InputError&) {  // it refused
-        outcomes[k].error = std::current_exception();
-      }
+      });
+      if (IsBreakdown(end.stop)) lines_.PassOver(id_);
     }
     return outcomes;
   }
@@ -241,7 +231,7 @@ AllAnswers PutAll(const PutOne& put_one, const props::CaseJudge& hand) {
 }
 
 bool IsAnyRefused(const AllAnswers& all) {
-  const auto is_refused = [](const Answers& answers) { return answers.stop == Stop::kRefused; };
+  const auto is_refused = [](const Answers& answers) { return answers.end.stop == Stop::kRefused; };
   return is_refused(all.of_picture) || std::ranges::any_of(all.of_checks, is_refused);
 }
 

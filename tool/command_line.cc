@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "CLI/CLI.hpp"
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "core/suggestion.h"
 #include "fmt/format.h"
 #include "report/text.h"
@@ -467,12 +467,17 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
     // The words of a file or a program may be in it: nothing of theirs steers the terminal.
     std::cerr << "rasterproof: " << report::CleanText(error.what()) << '\n';
     return kExitUsage;
-  } catch (const SubjectFault& fault) {
-    std::cerr << "rasterproof: the subject failed: " << report::CleanText(fault.what()) << '\n';
-    return kExitViolated;
-  } catch (const SubjectTooSlow& slow) {
-    std::cerr << "rasterproof: the subject was too slow to judge: "
-              << report::CleanText(slow.what()) << '\n';
+  } catch (const SubjectStop& stop) {
+    const std::string why = report::CleanText(stop.what());
+    if (!EndsTheCall(stop.stop())) {
+      std::cerr << "rasterproof: " << why << '\n';
+      return kExitUsage;
+    }
+    if (IsBreakdown(stop.stop())) {
+      std::cerr << "rasterproof: the subject failed: " << why << '\n';
+      return kExitViolated;
+    }
+    std::cerr << "rasterproof: the subject was too slow to judge: " << why << '\n';
     return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "exact/environment.h"
 #include "fmt/format.h"
@@ -126,8 +126,9 @@ std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& s
                                                 const DrawOptions& options, std::string& reason) {
   try {
     return Draw(subject, scene, options);
-  } catch (const SubjectFault& fault) {
-    reason = std::string("the subject failed: ") + fault.what();
+  } catch (const SubjectStop& stop) {
+    if (!IsBreakdown(stop.stop())) throw;
+    reason = std::string("the subject failed: ") + stop.what();
     return std::nullopt;
   }
 }

@@ -41,12 +41,11 @@ std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes, bool ma
   for (Answers& answers : Put(subject_, requests)) {
     ++draws_;
     last_scene_ = scenes[seen.size()];
-    if (may_refuse && answers.stop == Stop::kRefused) {
+    if (may_refuse && answers.end.stop == Stop::kRefused) {
       seen.emplace_back();
       continue;
     }
-    stop_ = answers.stop;
-    why_ = std::move(answers.why);
+    end_ = std::move(answers.end);
     if (HasBrokenOff()) break;
     seen.push_back(answers.draws.front()->counts);
   }

@@ -139,9 +139,10 @@ class Campaign {
       const Trial& trial = trials[k];
       const bool no_answer = trial.verdict.outcome == Outcome::kInconclusive;
       // What breaks down as the run is stopped may have been stopped with it.
-      if ((no_answer || trial.broke_down) && budget_.IsStopped()) return Ended(End::kInterrupted);
+      if ((no_answer || IsBreakdown(trial.stop)) && budget_.IsStopped())
+        return Ended(End::kInterrupted);
       // The case does not count: it is the run's time that was up, not the subject's.
-      if (trial.met_a_deadline && budget_.IsUp()) return Ended(End::kTimeUp);
+      if (trial.stop == Stop::kDeadline && budget_.IsUp()) return Ended(End::kTimeUp);
       const std::uint64_t index = block.indices[first + k];
       tally_.AddCase(index, cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
@@ -171,7 +172,7 @@ class Campaign {
   }
 
   CampaignPart Failed(const Failure& failure) {
-    if (failure.trial.hung) pace_.hangs = true;
+    if (failure.trial.stop == Stop::kHung) pace_.hangs = true;
     CampaignPart part = Ended(End::kFailed);
     part.found = Investigate(subject_, property_, failure, options_, budget_);
     part.failing_case = failure.company[failure.at].origin;

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "props/run/look_ahead.h"
 #include "props/shrink/shrink.h"
 
@@ -48,7 +48,7 @@ class FreshSubject {
       made_ = options.afresh();
     } catch (const InputError&) {
       return;
-    } catch (const SubjectTooSlow&) {
+    } catch (const SubjectStop&) {  // it was interrupted
       return;
     }
     budget.GiveAll(*made_);
@@ -70,7 +70,7 @@ class Shrinking {
         property_(property),
         options_(options),
         budget_(budget),
-        hung_(failure.trial.hung),
+        hung_(failure.trial.stop == Stop::kHung),
         first_(failure.trial.verdict),
         last_(first_) {}
 
@@ -101,7 +101,8 @@ class Shrinking {
     const auto began = budget_.Now();
     if (options_.time_limit > 0) budget_.GiveSubject(options_.time_limit);
     const Trial trial = TryCase(subject_, property_, c);
-    const bool no_answer = trial.broke_down || trial.verdict.outcome == Outcome::kInconclusive;
+    const bool no_answer =
+        IsBreakdown(trial.stop) || trial.verdict.outcome == Outcome::kInconclusive;
     const bool took_a_limit =
         options_.time_limit > 0 && budget_.Since(began) >= options_.time_limit;
     if (!no_answer || !took_a_limit) return trial.verdict;
@@ -214,7 +215,7 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
   if (options.shrinking) options.shrinking(0);
   // Earlier draws are company as well. Whoever breaks down is on a fresh process already.
   const bool may_be_company =
-      options.afresh && !property.is_about_sequence && !failure.trial.broke_down;
+      options.afresh && !property.is_about_sequence && !IsBreakdown(failure.trial.stop);
   if ((failure.company.size() > 1 || may_be_company) && MayGoOn(budget)) {
     const Verdict alone = shrinking.JudgeAlone(failing);
     const bool could_be_judged = alone.outcome != Outcome::kInconclusive;

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/case.h"
 #include "core/question.h"
 #include "core/subject.h"
-#include "core/subject_errors.h"
 #include "core/verdict.h"
 #include "props/property.h"
 #include "props/run/judged_case.h"

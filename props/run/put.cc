@@ -14,24 +14,12 @@
 namespace rasterproof::props {
 namespace {
 
-void End(Answers& answers, Stop stop, std::string why) {
-  answers.stop = stop;
-  answers.why = std::move(why);
-}
-
-// Makes a call of the subject's own. What it throws is a stop.
-template <class Call>
-void Guarded(Answers& answers, const Call& call) {
-  CallEnd end = EndOf(call);
-  if (end.stop != Stop::kNone) End(answers, end.stop, std::move(end.why));
-}
-
 // A draw as the subject is given it: where its own transform takes the vertices to their places.
 // Nothing, and a stop, if it can't be.
-std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Answers& answers) {
+std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, CallEnd& end) {
   if (const auto error =
           TargetSizeError("scene", job.scene->width, job.scene->height, job.samples)) {
-    End(answers, Stop::kNotDrawable, error->what());
+    end = {Stop::kNotDrawable, error->what()};
     return std::nullopt;
   }
   if (!judged.places) return job;
@@ -42,7 +30,7 @@ std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, Ans
   }
   const InputError error("subject " + judged.subject.info.name, judged.places->WhyNot(*job.scene),
                          "choose another property");
-  End(answers, Stop::kNotDrawable, error.what());
+  end = {Stop::kNotDrawable, error.what()};
   return std::nullopt;
 }
 
@@ -81,8 +69,8 @@ class Putting {
     DrawShares();
     for (std::size_t r = 0; r < answers_.size(); ++r) {
       Answers& answers = answers_[r];
-      if (answers.stop == Stop::kNone) End(answers, not_given_[r].stop, not_given_[r].why);
-      if (answers.stop == Stop::kNone) Evaluate(requests_[r].check->questions, answers);
+      if (answers.end.stop == Stop::kNone) answers.end = not_given_[r];
+      if (answers.end.stop == Stop::kNone) Evaluate(requests_[r].check->questions, answers);
     }
     return std::move(answers_);
   }
@@ -112,15 +100,11 @@ class Putting {
     std::shared_ptr<const Drawing> last;
     for (const DrawQuestion& question : questions.draws) {
       answers.stopped_at = static_cast<std::size_t>(&question - questions.draws.data());
-      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, question.job, answers);
+      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, question.job, answers.end);
       if (!job) return true;
       auto drawing = std::make_shared<Drawing>();
-      const std::vector<Part> parts = PartsOf(r, question, *job);
-      Guarded(answers, [&] {
-        Subject& draws = question.by_twin ? *subject_.Twin() : subject_;
-        DrawOnto(draws, r, question, *job, parts, last.get(), *drawing);
-      });
-      if (answers.stop != Stop::kNone) return true;
+      answers.end = DrawInOrder(r, question, *job, last.get(), *drawing);
+      if (answers.end.stop != Stop::kNone) return true;
       last = drawing;
       answers.draws.push_back(std::move(drawing));
     }
@@ -128,19 +112,22 @@ class Putting {
     return true;
   }
 
-  void DrawOnto(Subject& subject, std::size_t r, const DrawQuestion& question, const DrawJob& job,
-                const std::vector<Part>& parts, const Drawing* last, Drawing& drawing) {
-    if (question.parts == Parts::kWhole && !NeedsItsTarget(question)) {
-      drawing = subject.Show(job);
-      return;
+  CallEnd DrawInOrder(std::size_t r, const DrawQuestion& question, const DrawJob& job,
+                      const Drawing* last, Drawing& drawing) {
+    Subject& subject = question.by_twin ? *subject_.Twin() : subject_;
+    const bool goes_on = question.onto_the_last && last != nullptr;
+    CoverageCounts target = goes_on ? last->counts : Filled(question.fill, job);
+    const bool has_target = goes_on || question.fill != 0;
+    if (Coverage(r) != CoverageKind::kFacingCounts &&
+        (has_target || question.parts == Parts::kFacings)) {
+      drawing.counts = std::move(target);
+      return DrawParts(subject, PartsOf(r, question, job), drawing.counts);
     }
-    drawing.counts = Filled(question.fill, job);
-    if (question.onto_the_last && last != nullptr) drawing.counts = last->counts;
-    if (Coverage(r) == CoverageKind::kFacingCounts) {
-      subject.Draw(SceneOf(job), job.options, drawing.counts);
-      return;
-    }
-    DrawParts(subject, parts, drawing.counts);
+    DrawJob onto = job;
+    if (has_target) onto.onto = std::make_shared<const CoverageCounts>(std::move(target));
+    DrawOutcome outcome = std::move(subject.DrawMany({&onto, 1}).front());
+    drawing = std::move(outcome.drawing);
+    return std::move(outcome.end);
   }
 
   void AddShares(std::size_t r) {
@@ -164,10 +151,7 @@ class Putting {
       const std::size_t last = EndOfCall(first);
       const std::size_t drawn = DrawCall(first, last);
       const std::size_t end = shares_[first + (drawn == 0 ? 0 : drawn - 1)].request;
-      const Stop stop = answers_[end].stop;
-      const bool broke_down =
-          stop != Stop::kNone && stop != Stop::kRefused && stop != Stop::kNotDrawable;
-      if (first + drawn < last || broke_down) {
+      if (first + drawn < last || EndsTheCall(answers_[end].end.stop)) {
         // What lies behind a breakdown is not drawn: the case that caused it is judged first.
         answers_.resize(end + 1);
         break;
@@ -177,7 +161,7 @@ class Putting {
     for (std::size_t d = 0; d < drawings_.size(); ++d) {
       if (owners_[d] >= answers_.size()) break;
       Answers& answers = answers_[owners_[d]];
-      if (answers.stop == Stop::kNone) answers.draws.push_back(std::move(drawings_[d]));
+      if (answers.end.stop == Stop::kNone) answers.draws.push_back(std::move(drawings_[d]));
     }
   }
 
@@ -198,20 +182,17 @@ class Putting {
   std::size_t DrawCall(std::size_t first, std::size_t last) {
     std::vector<DrawJob> jobs;
     for (std::size_t n = first; n < last; ++n) jobs.push_back(shares_[n].part.job);
-    std::vector<DrawOutcome> outcomes;
-    Answers& blamed = answers_[shares_[first].request];
-    Guarded(blamed, [&] { outcomes = subject_.DrawMany(jobs); });
-    if (blamed.stop != Stop::kNone && jobs.size() == 1) blamed.stopped_at = shares_[first].question;
+    std::vector<DrawOutcome> outcomes = subject_.DrawMany(jobs);
     for (std::size_t n = 0; n < outcomes.size(); ++n) Take(shares_[first + n], outcomes[n]);
     return outcomes.size();
   }
 
   void Take(const Share& share, DrawOutcome& outcome) {
     Answers& answers = answers_[share.request];
-    if (answers.stop != Stop::kNone) return;
-    if (outcome.error != nullptr) {
-      Guarded(answers, [&] { outcome.Get(); });
-      if (answers.stop != Stop::kNone) answers.stopped_at = share.question;
+    if (answers.end.stop != Stop::kNone) return;
+    if (outcome.end.stop != Stop::kNone) {
+      answers.end = std::move(outcome.end);
+      answers.stopped_at = share.question;
       return;
     }
     Drawing& drawing = *drawings_[share.draw];
@@ -223,7 +204,7 @@ class Putting {
   }
 
   void Evaluate(const Questions& questions, Answers& answers) {
-    Guarded(answers, [&] {
+    answers.end = EndOf([&] {
       const EdgeEvaluator* const edges = subject_.Edges();
       if (!questions.edges.empty()) answers.edges = edges->Values(questions.edges);
       if (!questions.steps.empty()) answers.steps = edges->Steps(questions.steps);
@@ -244,7 +225,7 @@ class Putting {
   bool is_outside_;
   std::span<const Request> requests_;
   std::vector<Answers> answers_;
-  std::vector<Answers> not_given_;  ///< why, if a request has a draw that can't be given
+  std::vector<CallEnd> not_given_;  ///< why, if a request has a draw that can't be given
   std::vector<Share> shares_;
   std::vector<std::shared_ptr<Drawing>> drawings_;
   std::vector<std::size_t> owners_;  ///< the request of each of them

@@ -52,15 +52,14 @@ double Since(Clock::time_point began) {
 // What came of one case.
 struct Look {
   bool is_judged = false;
-  Stop stop = Stop::kNone;
-  std::string why;        ///< of the stop
+  CallEnd end;
   CoverageCounts counts;  ///< all in front
   bool batch_differs = false;
   double whole_seconds = 0;
   double alone_seconds = 0;
 
-  bool IsWhole() const { return is_judged && stop == Stop::kNone; }
-  bool Ended() const { return stop == Stop::kBrokeDown || stop == Stop::kHung; }
+  bool IsWhole() const { return is_judged && end.stop == Stop::kNone; }
+  bool Ended() const { return IsBreakdown(end.stop); }
 };
 
 class Looker {
@@ -86,8 +85,7 @@ class Looker {
     const Clock::time_point began = Clock::now();
     Answers answers = std::move(props::Put(subject_, {&request, 1}).front());
     seconds += Since(began);
-    look.stop = answers.stop;
-    look.why = std::move(answers.why);
+    look.end = std::move(answers.end);
     std::vector<CoverageCounts> drawn;
     for (const auto& drawing : answers.draws) {
       drawn.push_back(drawing->counts);
@@ -103,7 +101,7 @@ class Looker {
     Check check;
     check.questions.draws = {whole};
     std::vector<CoverageCounts> drawn = Put(judged, check, look, look.whole_seconds);
-    if (look.stop != Stop::kNone) return;
+    if (look.end.stop != Stop::kNone) return;
     look.counts = std::move(drawn.front());
     if (c.scene.triangles.size() < 2) return;
     check.questions.draws.assign(c.scene.triangles.size(), whole);
@@ -111,7 +109,7 @@ class Looker {
       check.questions.draws[t].job.triangles = {c.scene.triangles[t]};
     }
     drawn = Put(judged, check, look, look.alone_seconds);
-    if (look.stop != Stop::kNone) return;
+    if (look.end.stop != Stop::kNone) return;
     CoverageCounts sum(c.scene.width, c.scene.height, look.counts.samples);
     for (const CoverageCounts& one : drawn) sum += one;
     const CoverageKind kind = description_.info.coverage;
@@ -253,14 +251,14 @@ class Surveying {
     survey_.alone_seconds += look.alone_seconds;
     if (look.IsWhole()) return Count(given, c, look);
     if (look.Ended()) {
-      if (survey_.Faulty(Fault::kEnd) == 0) end_ = look.why;
-      hung_ = hung_ || look.stop == Stop::kHung;
+      if (survey_.Faulty(Fault::kEnd) == 0) end_ = look.end.why;
+      hung_ = hung_ || look.end.stop == Stop::kHung;
       Note(Fault::kEnd, given);
     }
-    const bool is_slow = look.stop == Stop::kTooSlow || look.stop == Stop::kDeadline;
+    const bool is_slow = look.end.stop == Stop::kTooSlow || look.end.stop == Stop::kDeadline;
     stops_ += look.Ended() || is_slow ? 1 : 0;
-    survey_.refused += look.stop == Stop::kRefused ? 1 : 0;
-    const bool is_unjudged = !look.is_judged || is_slow || look.stop == Stop::kNotDrawable;
+    survey_.refused += look.end.stop == Stop::kRefused ? 1 : 0;
+    const bool is_unjudged = !look.is_judged || is_slow || look.end.stop == Stop::kNotDrawable;
     survey_.unjudged += is_unjudged ? 1 : 0;
   }
 

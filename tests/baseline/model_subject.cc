@@ -8,10 +8,10 @@
 #include <string_view>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/drawing.h"
 #include "core/profile.h"
 #include "core/scene.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "model/transform.h"
@@ -146,16 +146,16 @@ class Model final : public Subject {
     AddDrawn(scene, digest);
     const std::uint64_t chance = digest.value() >> 32;
     if (settings_.manner == ModelManner::kRefuses && chance % (IsSplit() ? 12 : 3) == 0) {
-      throw SubjectRefusal(info_.name, "it refuses this scene", "give another one");
+      throw SubjectStop(Stop::kRefused, "it refuses this scene");
     }
     if (settings_.manner != ModelManner::kBreaksDown) return;
     switch (chance % 64) {
       case 0:
-        throw SubjectFault("it crashed");
+        BreakDown("it crashed");
       case 1:
-        throw SubjectHang("it gave no answer");
+        throw SubjectStop(Stop::kHung, "it gave no answer");
       case 2:
-        throw SubjectTooSlow("it took longer than it may");
+        throw SubjectStop(Stop::kTooSlow, "it took longer than it may");
       case 3:
         throw std::runtime_error("something went wrong");
       default:

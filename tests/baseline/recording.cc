@@ -118,36 +118,18 @@ class RecordingSubject final : public Subject {
     subject_->SetDeadline(deadline);
   }
 
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    RecordCall(Call::kDraw, 1);
-    RecordDraw(scene, options, counts.samples);
-    const auto is_drawn = [](std::uint32_t n) { return n != 0; };
-    if (std::ranges::any_of(counts.front, is_drawn) || std::ranges::any_of(counts.back, is_drawn)) {
-      Add(counts, record_.draws.digest);
-    }
-    subject_->Draw(scene, options, counts);
-  }
-  Drawing Show(const DrawJob& job) override {
-    RecordCall(Call::kShow, 1);
-    RecordDraw(SceneOf(job), job.options, job.samples);
-    return subject_->Show(job);
-  }
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     std::vector<DrawOutcome> outcomes = subject_->DrawMany(jobs);
     // Behind a breakdown none is drawn.
-    RecordCall(Call::kDrawMany, outcomes.size());
+    record_.calls.Next().Word(outcomes.size());
     for (const DrawJob& job : jobs.first(std::min(jobs.size(), outcomes.size()))) {
       RecordDraw(SceneOf(job), job.options, job.samples);
+      if (job.onto != nullptr) Add(*job.onto, record_.draws.digest);
     }
     return outcomes;
   }
 
  private:
-  enum class Call : std::uint8_t { kDraw, kShow, kDrawMany };
-
-  void RecordCall(Call call, std::size_t jobs) {
-    record_.calls.Next().Integer(static_cast<int>(call)).Word(jobs);
-  }
   void RecordDraw(const Scene& scene, const DrawOptions& options, int samples) {
     Add(scene, record_.calls.digest);
     Digest& digest = record_.draws.Next().Integer(samples);

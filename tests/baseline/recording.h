@@ -13,7 +13,7 @@ namespace rasterproof::baseline {
 struct Record {
   /// Scenes to draw as a rasterizer sees them, whichever call they came by.
   Stream draws;
-  /// Calls as they were made: Draw, Show or DrawMany, indices and unused vertices included.
+  /// Calls as they were made, indices and unused vertices included.
   Stream calls;
   // Queries, each kind by itself: no two kinds have an order among them. Bounds are no queries.
   Stream edges;

@@ -80,7 +80,7 @@ Wrong CountWrong(Subject& subject, CaseStream& cases, std::uint64_t count, doubl
     const Case c = cases.Next();
     if (!WithinLimits(c.scene, c.profile) || exact::WhyNotDecided(c.scene, c.profile)) continue;
     CoverageCounts drawn(c.scene.width, c.scene.height, c.profile.pattern.samples());
-    subject.Draw(c.scene, c.options, drawn);
+    DrawOnto(subject, c.scene, c.options, drawn);
     ++result.cases;
     if (drawn != exact::Coverage(c.scene, c.profile, c.options)) ++result.wrong;
   }

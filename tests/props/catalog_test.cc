@@ -256,7 +256,7 @@ Verdict Judge(std::string_view property, Bug bug, const Case& c) {
 Bug ExtraCount() {
   return {.draw = [](Subject& sound, const Scene& scene, const DrawOptions& options,
                      CoverageCounts& counts) {
-    sound.Draw(scene, options, counts);
+    DrawOnto(sound, scene, options, counts);
     const Triangle second{0, 3, 2};
     if (std::ranges::find(scene.triangles, second) != scene.triangles.end()) {
       ++counts.front[counts.Index(5, 2)];
@@ -322,7 +322,7 @@ TEST(Fairness, AWatertightSubjectIsJudgedOnMeshesOnlyAndAwayFromTheirOutline) {
   const auto extra = [](int x, int y) {
     return Bug{.draw = [x, y](Subject& sound, const Scene& scene, const DrawOptions& options,
                               CoverageCounts& counts) {
-      sound.Draw(scene, options, counts);
+      DrawOnto(sound, scene, options, counts);
       ++counts.front[counts.Index(x, y)];
     }};
   };

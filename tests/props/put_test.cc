@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "props/judging/redraw.h"
 #include "props/run/judge.h"
 #include "tests/props/planted_subjects.h"
@@ -27,7 +27,7 @@ class Empty final : public Subject {
  public:
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions&, CoverageCounts&) override {
-    if (scene.vertices.size() == breaks_over) throw SubjectFault("it crashed");
+    if (scene.vertices.size() == breaks_over) BreakDown("it crashed");
   }
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     calls.push_back(jobs.size());
@@ -75,11 +75,11 @@ TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
   Empty subject;
   Requests requests(subject);
   requests.Add({Blank(8, 8, 3), Blank(kMaxTargetSide, kMaxTargetSide, 3)});
-  EXPECT_EQ(requests.PutTo(subject)[0].stop, Stop::kNotDrawable);
+  EXPECT_EQ(requests.PutTo(subject)[0].end.stop, Stop::kNotDrawable);
   subject.breaks_over = 3;
   const Answers crashed = requests.PutTo(subject)[0];
-  EXPECT_EQ(crashed.stop, Stop::kBrokeDown);
-  EXPECT_EQ(crashed.why, "it crashed");
+  EXPECT_EQ(crashed.end.stop, Stop::kBrokeDown);
+  EXPECT_EQ(crashed.end.why, "it crashed");
   EXPECT_TRUE(crashed.draws.empty());
 }
 
@@ -96,9 +96,9 @@ TEST(Questions, BehindABreakdownAtTheEndOfACallAreNotPut) {
   subject.breaks_over = 4;  // the last job of the third call
   const std::vector<Answers> answers = requests.PutTo(subject);
   ASSERT_EQ(answers.size(), 2U);
-  EXPECT_EQ(answers[0].stop, Stop::kNone);
+  EXPECT_EQ(answers[0].end.stop, Stop::kNone);
   EXPECT_EQ(answers[0].draws.size(), 3U);
-  EXPECT_EQ(answers[1].stop, Stop::kBrokeDown);
+  EXPECT_EQ(answers[1].end.stop, Stop::kBrokeDown);
   EXPECT_EQ(subject.calls, (std::vector<std::size_t>{2, 1, 2}));
 }
 

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "props/judging/redraw.h"
 #include "props/run/campaign.h"
@@ -41,7 +41,7 @@ void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& c
   counts += exact::Coverage(scene, Profile{}, options);
 }
 
-SubjectRefusal Refusal() { return {"subject planted", "it refused the scene", "give another"}; }
+SubjectStop Refusal() { return {Stop::kRefused, "it refused the scene"}; }
 
 Case SomeCase() { return DrawCase(RealInfo(), ModelProperty(kDomains), kDefaultSeed, 0); }
 
@@ -112,7 +112,7 @@ TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {
   for (Subject* const each : {static_cast<Subject*>(&subject), static_cast<Subject*>(&outside)}) {
     const Trial trial = TryCase(*each, ModelProperty(kDomains), SomeCase());
     EXPECT_EQ(trial.verdict.outcome, Outcome::kViolated);
-    EXPECT_TRUE(trial.broke_down);
+    EXPECT_EQ(trial.stop, Stop::kBrokeDown);
     EXPECT_EQ(trial.verdict.message, "the subject failed: it threw: negative column");
   }
 }
@@ -305,7 +305,7 @@ struct Time {
     Pass(seconds);
     if (now <= deadline) return;
     now = std::max(began, deadline);
-    throw SubjectDeadline("it was given no more time");
+    throw SubjectStop(Stop::kDeadline, "it was given no more time");
   }
 };
 
@@ -337,7 +337,8 @@ PropertyResult RunTimed(Time& time, Timed::Take take, CampaignOptions options) {
 TEST(ASlowSubject, IsNeverViolatedForIt) {
   const auto slow_over_the_50th = [n = 0](const Scene&, Time& time) mutable {
     time.Pass(0.01);
-    if (++n == 50) throw SubjectTooSlow("no answer within 10 s; --time-limit gives it more");
+    if (++n == 50)
+      throw SubjectStop(Stop::kTooSlow, "no answer within 10 s; --time-limit gives it more");
   };
   Time time;
   const PropertyResult result = RunTimed(time, slow_over_the_50th, {.cases = 120});
@@ -363,7 +364,8 @@ TEST(ASlowSubject, ThatTookAWholeTimeLimitIsTooSlowThoughTheRunsTimeWasUpToo) {
   Time time;
   const auto hangs_late = [n = 0](const Scene&, Time& t) mutable {
     t.Work(++n < 5 ? 0.01 : 10);
-    if (n >= 5) throw SubjectTooSlow("no answer within 10 s, and no time left to try it longer");
+    if (n >= 5)
+      throw SubjectStop(Stop::kTooSlow, "no answer within 10 s, and no time left to try it longer");
   };
   const PropertyResult result =
       RunTimed(time, hangs_late, {.cases = 1000, .seconds = 15, .time_limit = 10});
@@ -401,7 +403,7 @@ class Hanging {
     if (scene.width < 3) return;
     ++hangs;
     time.Work(11 * kLimit);
-    throw SubjectHang("it gave no answer within 100 s");
+    throw SubjectStop(Stop::kHung, "it gave no answer within 100 s");
   }
   int hangs = 0;
 };
@@ -433,7 +435,7 @@ TEST(AHang, IsNoCrashThatTookItsTime) {
   Time time;
   const auto crashes_once = [n = 0](const Scene&, Time& t) mutable {
     t.Work(11);
-    if (++n == 3) throw SubjectFault("it was killed by signal 6");
+    if (++n == 3) BreakDown("it was killed by signal 6");
   };
   const PropertyResult result = RunTimed(time, crashes_once, {.cases = 9, .time_limit = 10});
   EXPECT_TRUE(Says(result.message, "not deterministic")) << result.message;
@@ -491,7 +493,7 @@ TEST(ARunThatIsStopped, BlamesNoSubjectForWhatWasStoppedWithIt) {
   options.stop = [&] { return stopped; };
   const auto killed = [&](const Scene&, const DrawOptions&, CoverageCounts&) {
     stopped = true;
-    throw SubjectFault("it was killed by signal 9");
+    BreakDown("it was killed by signal 9");
   };
   EXPECT_EQ(RunInside(killed, options).outcome, Outcome::kInconclusive);
 }

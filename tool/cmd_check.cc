@@ -278,8 +278,7 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
   result.property = property.name;
   props::SetGrounds(props::AuthorityOf(property, subject.Info().profile), result);
   result.outcome = verdict.outcome;
-  result.cases = 1;
-  result.exercised = verdict.exercised;
+  result.AddCase(verdict);
   result.message = verdict.message;
   if (WasNotAsked(result)) return;
   share.text = fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}; {}\n",

@@ -207,8 +207,8 @@ Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
 
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options) {
-  const CampaignPart part = RunPart(subject, property, options);
-  return ResultOf(subject, property, options.seed, options.world, {&part, 1});
+  return ResultOf(subject, property, options.seed, options.world,
+                  RunPart(subject, property, options));
 }
 
 CampaignPart RunPart(Subject& subject, const Property& property, const CampaignOptions& options) {

@@ -11,6 +11,7 @@
 
 #include "core/call_end.h"
 #include "core/drawing.h"
+#include "core/result.h"
 
 namespace rasterproof {
 namespace {
@@ -85,6 +86,31 @@ TEST(RasterizerSubject, AddsToWhatItsTargetHolds) {
     EXPECT_EQ(counts.front[0], 1U);
     job.onto = nullptr;
     EXPECT_EQ(DrawOne(*subject, job).counts.back[0], 0U);
+  }
+}
+
+TEST(Counts, OfTwoRunsAddUpToThoseOfOne) {
+  Verdict wrong = Verdict::Violated(5, "", {});
+  wrong.not_judged = 2;
+  Counts both;
+  Counts first;
+  Counts second;
+  for (const Verdict& verdict : {Verdict::Held(3, 0.5), Verdict::Refused("odd")}) {
+    first.AddCase(verdict);
+    both.AddCase(verdict);
+  }
+  for (const Verdict& verdict : {Verdict::Held(0), wrong}) {
+    second.AddCase(verdict);
+    both.AddCase(verdict);
+  }
+  first.Add(second);
+  for (const Counts& counts : {first, both}) {
+    EXPECT_EQ(counts.cases, 4U);
+    EXPECT_EQ(counts.cases_exercised, 2U);
+    EXPECT_EQ(counts.exercised, 8U);
+    EXPECT_EQ(counts.cases_refused, 1U);
+    EXPECT_EQ(counts.not_judged, 2U);
+    EXPECT_EQ(counts.worst_ratio, 0.5);
   }
 }
 

@@ -138,15 +138,11 @@ props::CampaignPart Certification::RunTest(Subject& subject, const Test& test) {
   CaseRange cases{0, total};
   if (source_.range) cases = *source_.range;
   if (source_.shard) cases = CasesOf(*source_.shard, total);
-  props::CampaignOptions campaign;
-  campaign.seed = options_.campaign.seed;
+  props::CampaignOptions campaign =
+      CampaignOn(subject, options_.campaign, [&] { return subject_.Make(); });
   campaign.world = test.world;
   campaign.first_case = cases.first;
   campaign.cases = cases.end - cases.first;
-  campaign.seconds = options_.campaign.seconds;
-  campaign.time_limit = TimeLimitOf(subject);
-  if (IsOutside(info_.name)) campaign.afresh = [&] { return subject_.Make(); };
-  campaign.stop = &Interrupted;
   campaign.pace = &pace_;
   return props::RunPart(subject, *test.property, campaign);
 }

@@ -45,20 +45,21 @@ void AddSubjects(CLI::App* app, std::vector<std::string>& subjects) {
   });
 }
 
-void AddSeed(CLI::App* app, CampaignChoice& campaign) {
+void AddSeed(CLI::App* app, props::CampaignOptions& campaign) {
   app->add_option_function<std::string>(
          "--seed", [&](const std::string& text) { campaign.seed = ParseSeed(text); },
          "Seed of the generators, or 'random' (the one taken is printed)")
       ->default_str("1");
 }
 
-void AddSeconds(CLI::App* app, CampaignChoice& campaign, const std::string& of) {
+void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::string& of) {
   app->add_option("--seconds", campaign.seconds, "Most seconds a " + of + " (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }
 
-void AddCampaign(CLI::App* app, CampaignChoice& campaign, const std::string& of = "property") {
+void AddCampaign(CLI::App* app, props::CampaignOptions& campaign,
+                 const std::string& of = "property") {
   AddSeed(app, campaign);
   app->add_option("--cases", campaign.cases, "Cases a " + of)
       ->check(Positive())
@@ -155,8 +156,8 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   AddFailOn(verb, options.fail_on);
   AddCount(
       verb, "--batch", "Cases whose draws share calls, of a subject outside", kMostInABatch,
-      [](int count) { options.batch = static_cast<std::size_t>(count); },
-      static_cast<int>(options.batch));
+      [](int count) { options.campaign.batch = static_cast<std::size_t>(count); },
+      static_cast<int>(options.campaign.batch));
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunCheck(options); }); }; });
 }
@@ -277,7 +278,8 @@ void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
   CLI::App* verb = app.add_subcommand("shrink", "Make a failing case as small as it gets");
   AddCase(verb, options.choice);
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->add_option("--budget", options.budget, "Most evaluations")->capture_default_str();
+  verb->add_option("--evaluations,--budget", options.campaign.shrink_budget, "Most evaluations")
+      ->capture_default_str();
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
 }

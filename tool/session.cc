@@ -29,6 +29,7 @@
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/asked.h"
+#include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/shared_files.h"
 #include "tool/shell.h"
@@ -279,6 +280,15 @@ void WriteOutput(const std::string& path, std::string_view content) {
   } else {
     io::WriteFile(path, content);
   }
+}
+
+props::CampaignOptions CampaignOn(const Subject& subject, props::CampaignOptions options,
+                                  SubjectMaker make) {
+  options.stop = Interrupted;
+  if (!IsOutside(subject.Info().name)) return options;
+  options.time_limit = OutsideLimits().seconds;
+  options.afresh = std::move(make);
+  return options;
 }
 
 }  // namespace rasterproof::tool

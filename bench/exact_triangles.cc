@@ -73,8 +73,8 @@ struct ExactTriangles::State {
   exact::SpanTarget target;
 
   State(const Scene& scene, const Profile& model)
-      : placed(scene.clip_space ? scene : SnapScene(scene, model)),
-        frame(scene, model, {}),
+      : placed(scene.clip_space ? scene : SnapScene(scene, {model, scene})),
+        frame(scene, {model, scene}, {}),
         counts(scene.width, scene.height),
         target(counts) {}
 };

@@ -73,7 +73,7 @@ FingerprintPlaces::FingerprintPlaces(const FingerprintStep& step)
     : window_(FamilyPlaced(step.pixels, false)), clip_(FamilyPlaced(step.pixels, true)) {}
 
 std::optional<std::string> FingerprintPlaces::WhyNot(const Contender& contender) const {
-  if (const auto why = exact::WhyNotDecided(window_.scene, contender.model())) return why->what();
+  if (const auto why = exact::WhyNotDecided({window_.scene, contender.model()})) return why->what();
   const auto why = contender.WhyNot(window_);
   return why && contender.WhyNot(clip_) ? why : std::nullopt;
 }

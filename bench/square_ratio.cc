@@ -61,9 +61,9 @@ double Ratio(const Scene& scene, const Profile& squares, const Profile& points, 
     const double of_points = Seconds([&] { exact::Coverage(scene, points); });
     const double of_squares = Seconds([&] {
       if (must) {
-        exact::MustCover(scene, squares);
+        exact::MustCover({scene, squares});
       } else {
-        exact::MayCover(scene, squares);
+        exact::MayCover({scene, squares});
       }
     });
     ratio = (of_squares - of_target) / (of_points - of_target);

@@ -69,29 +69,15 @@ if(RASTERPROOF_FUZZING_ENGINE)
 endif()
 
 # Reading headers is more than half of what a file costs. RASTERPROOF_LUMPS compiles the files of a
-# target several at a time, as one that includes them, so that they read their headers once. Local
-# names that several files use, and no header, are told apart on the way: these. A file whose names
-# clash otherwise, or that has options or definitions of its own, is compiled alone.
-set(own_names
-  Ask Clips ExpectReadsBack Infos IsWithin Judge MakeScene MessageFor OnLattice
-  RequireVersion ToPoint WithRule kDeciders kDomains kInfinity kMax kMostPixels kRules kSeed
-  kStatements kTiny kTriangles kVersion)
-set(apart "#define RASTERPROOF_PASTE(a, b) a##b
-#define RASTERPROOF_APART(a, b) RASTERPROOF_PASTE(a, b)")
-set(together "")
-foreach(name ${own_names})
-  string(APPEND apart "\n#define ${name} RASTERPROOF_APART(${name}_, RASTERPROOF_LUMPED)")
-  string(APPEND together "#undef ${name}\n")
-endforeach()
+# target several at a time, as one that includes them, so that they read their headers once. So a
+# local name is unique in its target; a file that can't keep to that, or that has options or
+# definitions of its own, is compiled alone.
 
 # rasterproof_lump(TARGET SIZE)
 function(rasterproof_lump target size)
   set_target_properties(${target} PROPERTIES
     UNITY_BUILD ${RASTERPROOF_LUMPS}
-    UNITY_BUILD_BATCH_SIZE ${size} # headers cost little then, and no core waits long for the last
-    UNITY_BUILD_UNIQUE_ID RASTERPROOF_LUMPED
-    UNITY_BUILD_CODE_BEFORE_INCLUDE "${apart}"
-    UNITY_BUILD_CODE_AFTER_INCLUDE "${together}")
+    UNITY_BUILD_BATCH_SIZE ${size}) # headers cost little then, and no core waits long for the last
 endfunction()
 
 # rasterproof_alone(SOURCE ...)

@@ -165,7 +165,7 @@ struct Profile {
   /// other one that has the edge. Meshes are then covered at least once.
   bool shares_edge_samples = false;
   /// Models of smaller targets. The first entry that fits a target holds there, else what the
-  /// profile itself says. See ForTarget.
+  /// profile itself says. See TargetProfile.
   std::vector<TargetModel> by_target_size;
   /// The integers that coordinates come as, for a subject that takes no floats.
   std::optional<FixedInput> fixed;

@@ -9,7 +9,7 @@ namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
-// Old, new. docs/decisions/0098 has the same table with reasons.
+// Old, new. Reasons: docs/decisions/layers-and-build.md, "One word for one thing".
 constexpr auto kRenamed = std::to_array<Pair>({
     // Keys of profiles and their values.
     {"any_tie_rule", "tie_ownership (stated, axis-aligned, per-edge, open)"},

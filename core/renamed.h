@@ -8,7 +8,7 @@
 namespace rasterproof {
 
 /// What an error message says behind an unknown word: ", which is NEW now" for one that was
-/// replaced (docs/decisions/0098), else nothing.
+/// replaced, else nothing.
 std::string RenamedText(std::string_view word);
 
 }  // namespace rasterproof

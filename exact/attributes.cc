@@ -3,10 +3,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
-#include "core/ulp.h"
 #include "core/vertex.h"
 #include "exact/edge.h"
 #include "exact/rational.h"
@@ -14,39 +14,24 @@
 namespace rasterproof::exact {
 namespace {
 
-// The value of T's bit pattern, the one after the largest being 2^max_exponent: rounding to nearest
-// treats infinity as if it stood there.
-template <class T>
-Rational Place(BitsOf<T> bits) {
-  const T value = std::bit_cast<T>(bits);
-  if (std::isinf(value))
-    return Place<T>(bits - 1) +
-           std::ldexp(T{1}, std::numeric_limits<T>::max_exponent - std::numeric_limits<T>::digits);
-  return Rational(value);
+// The value of a bit pattern, the one after the largest being 2^1024: rounding to nearest treats
+// infinity as if it stood there.
+Rational Place(std::uint64_t bits) {
+  const auto value = std::bit_cast<double>(bits);
+  return std::isinf(value) ? Place(bits - 1) + 0x1p971 : Rational(value);
 }
 
-// The largest value of T whose square is at most `square`, as a bit pattern: patterns of
-// non-negative values are ordered as the values are.
-template <class T>
-BitsOf<T> FloorOfSquareRoot(const Rational& square) {
-  BitsOf<T> low = 0;
-  BitsOf<T> high = std::bit_cast<BitsOf<T>>(std::numeric_limits<T>::infinity());
+// The largest double whose square is at most `square`, as a bit pattern: patterns of non-negative
+// values are ordered as the values are.
+std::uint64_t FloorOfSquareRoot(const Rational& square) {
+  std::uint64_t low = 0;
+  auto high = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
   while (high - low > 1) {
-    const BitsOf<T> middle = low + (high - low) / 2;
-    const Rational candidate = Place<T>(middle);
+    const std::uint64_t middle = low + (high - low) / 2;
+    const Rational candidate = Place(middle);
     (candidate * candidate <= square ? low : high) = middle;
   }
   return low;
-}
-
-template <class T>
-T RoundedSquareRoot(const Rational& square) {
-  const BitsOf<T> low = FloorOfSquareRoot<T>(square);
-  // Rounds up if the root lies beyond the midpoint, or on it with the lower neighbour odd.
-  const Rational twice_midpoint = Place<T>(low) + Place<T>(low + 1);
-  const auto against = square * 4.0 <=> twice_midpoint * twice_midpoint;
-  const bool up = against > 0 || (against == 0 && (low & 1) != 0);
-  return std::bit_cast<T>(up ? low + 1 : low);
 }
 
 }  // namespace
@@ -89,7 +74,13 @@ std::optional<Rational> SquaredLineDistance(Point2 a, Point2 b, Point2 p) {
   return e * e / (dx * dx + dy * dy);
 }
 
-double NearestSquareRoot(const Rational& square) { return RoundedSquareRoot<double>(square); }
-float NearestSquareRootFloat(const Rational& square) { return RoundedSquareRoot<float>(square); }
+double NearestSquareRoot(const Rational& square) {
+  const std::uint64_t low = FloorOfSquareRoot(square);
+  // Rounds up if the root lies beyond the midpoint, or on it with the lower neighbour odd.
+  const Rational twice_midpoint = Place(low) + Place(low + 1);
+  const auto against = square * 4.0 <=> twice_midpoint * twice_midpoint;
+  const bool up = against > 0 || (against == 0 && (low & 1) != 0);
+  return std::bit_cast<double>(up ? low + 1 : low);
+}
 
 }  // namespace rasterproof::exact

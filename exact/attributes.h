@@ -31,7 +31,6 @@ std::optional<Rational> SquaredLineDistance(Point2 a, Point2 b, Point2 p);
 
 /// The square root of a non-negative rational, rounded to nearest (by comparing squares).
 double NearestSquareRoot(const Rational& square);
-float NearestSquareRootFloat(const Rational& square);
 
 }  // namespace rasterproof::exact
 

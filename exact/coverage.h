@@ -12,6 +12,7 @@
 #include "core/scene.h"
 #include "core/vertex.h"
 #include "exact/edge.h"
+#include "exact/placed_scene.h"
 
 namespace rasterproof::exact {
 
@@ -31,13 +32,17 @@ namespace rasterproof::exact {
 /// Cost:       kFast: spans, a guess in double per edge and row of samples, and exact signs by
 ///             bisection where the guess cannot tell. The other deciders: one sign per edge and
 ///             sample of the triangle's box, for cross-checking.
-CoverageCounts Coverage(const Scene& scene, const Profile& profile, const DrawOptions& options = {},
+CoverageCounts Coverage(const PlacedScene& scene, const DrawOptions& options = {},
                         Decider decider = Decider::kFast);
+inline CoverageCounts Coverage(const Scene& scene, const Profile& profile,
+                               const DrawOptions& options = {}, Decider decider = Decider::kFast) {
+  return Coverage(PlacedScene(scene, profile), options, decider);
+}
 
 /// Why the oracle does not decide what the scene counts under the profile: the scene is none of
 /// Coverage()'s domain, or a sample location no fraction that it takes. Nothing if it does, and
-/// then neither Coverage() by kFast throws, nor ShapeOf(), nor SnapClipScene() where it applies.
-std::optional<InputError> WhyNotDecided(const Scene& scene, const Profile& profile);
+/// then neither Coverage() by kFast throws, nor ShapeOf().
+std::optional<InputError> WhyNotDecided(const PlacedScene& scene);
 
 /// Returns whether the triangle (window space, already snapped, finite) covers the point p under
 /// the rule; either winding.

@@ -7,9 +7,8 @@
 
 #include "core/draw_options.h"
 #include "core/drawing.h"
-#include "core/profile.h"
-#include "core/scene.h"
 #include "core/subject_info.h"
+#include "exact/placed_scene.h"
 
 namespace rasterproof::exact {
 
@@ -20,8 +19,8 @@ namespace rasterproof::exact {
 /// Shape:      as CoverageCounts.
 /// Error:      none; throws WhyNotDecided() where Coverage's domain is left.
 /// Cost:       as Coverage, and the target's width for each row that a triangle meets.
-std::vector<std::int32_t> PrimitiveIds(const Scene& scene, const Profile& profile,
-                                       const DrawOptions& options, Visible order);
+std::vector<std::int32_t> PrimitiveIds(const PlacedScene& scene, const DrawOptions& options,
+                                       Visible order);
 
 }  // namespace rasterproof::exact
 

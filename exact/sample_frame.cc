@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::exact {
 namespace {
@@ -29,14 +29,12 @@ std::optional<InputError> LocationError(const Profile& profile) {
                     "state the locations as fractions of a pixel on a power-of-two grid");
 }
 
-SampleFrame::SampleFrame(const Scene& scene, const Profile& own, const DrawOptions& options)
-    : clip{0, 0, scene.width, scene.height}, y_up(own.y_axis == YAxis::kUp) {
-  std::optional<Profile> resolved;
-  const Profile& profile = own.by_target_size.empty()
-                               ? own
-                               : resolved.emplace(ForTarget(own, scene.width, scene.height));
-  rule = profile.tie_rule;
-  scanline_rounding = profile.scanline_rounding;
+SampleFrame::SampleFrame(const Scene& scene, const TargetProfile& profile,
+                         const DrawOptions& options)
+    : clip{0, 0, scene.width, scene.height},
+      rule(profile.tie_rule),
+      scanline_rounding(profile.scanline_rounding),
+      y_up(profile.y_axis == YAxis::kUp) {
   if (const auto error = LocationError(profile)) throw InputError(*error);
   for (const Point2& l : profile.pattern.locations) {
     offsets.push_back(y_up ? Point2{l.x, -(scene.height - 1) - l.y} : l);

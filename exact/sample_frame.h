@@ -13,6 +13,7 @@
 #include "core/scene.h"
 #include "core/tie_rule.h"
 #include "core/vertex.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::exact {
 
@@ -27,9 +28,9 @@ struct SampleFrame {
   Snap scanline_rounding;  ///< of the profile
   bool y_up = false;
 
-  /// Of the profile: what it says of targets of the scene's size.
+  /// Of the scene's target.
   /// Error: LocationError().
-  SampleFrame(const Scene& scene, const Profile& profile, const DrawOptions& options);
+  SampleFrame(const Scene& scene, const TargetProfile& profile, const DrawOptions& options);
 
   Point2 At(int i, int row, std::size_t s) const { return {i + offsets[s].x, row + offsets[s].y}; }
   /// The vertex in screen axes.

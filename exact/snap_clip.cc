@@ -14,7 +14,7 @@
 #include "exact/coverage.h"
 #include "exact/signs.h"
 #include "model/snap.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::exact {
 namespace {
@@ -68,8 +68,7 @@ std::optional<int> SnappedClipFacing(const std::array<Vertex, 3>& v, const Snap&
   return Facing(at);
 }
 
-std::optional<InputError> SnapClipError(const Scene& scene, const Profile& own) {
-  const Profile profile = ForTarget(own, scene.width, scene.height);
+std::optional<InputError> SnapClipError(const Scene& scene, const TargetProfile& profile) {
   if (profile.snap.form != SnapForm::kCoordinate) {
     return InputError("profile \"" + profile.name + "\"",
                       "its snap form says nothing of the quotient x / w",
@@ -92,9 +91,8 @@ std::optional<InputError> SnapClipError(const Scene& scene, const Profile& own) 
   return std::nullopt;
 }
 
-Scene SnapClipScene(const Scene& scene, const Profile& own) {
-  if (const auto error = SnapClipError(scene, own)) throw InputError(*error);
-  const Profile profile = ForTarget(own, scene.width, scene.height);
+Scene SnapClipScene(const Scene& scene, const TargetProfile& profile) {
+  if (const auto error = SnapClipError(scene, profile)) throw InputError(*error);
   Scene snapped = scene;
   snapped.precision = Precision::kFloat64;
   snapped.clip_space = false;

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/profile.h"
 #include "core/scene.h"
 #include "core/snap.h"
 #include "core/vertex.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::exact {
 
@@ -33,13 +33,13 @@ std::optional<int> SnappedClipFacing(const std::array<Vertex, 3>& v, const Snap&
 /// are of window coordinates. Nothing if they have.
 ///
 /// Domain:     clip space, a profile that snaps.
-std::optional<InputError> SnapClipError(const Scene& scene, const Profile& profile);
+std::optional<InputError> SnapClipError(const Scene& scene, const TargetProfile& profile);
 
 /// Returns the window-space scene of the snapped vertices.
 ///
 /// Domain:     clip space, a profile that snaps.
 /// Error:      SnapClipError().
-Scene SnapClipScene(const Scene& scene, const Profile& profile);
+Scene SnapClipScene(const Scene& scene, const TargetProfile& profile);
 
 }  // namespace rasterproof::exact
 

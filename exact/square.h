@@ -42,7 +42,7 @@ using SquareRow = std::function<void(int row, Columns columns)>;
 /// Cost:       per row one guessed crossing for each edge that passes it, two as a rule, and exact
 ///             signs where the guess cannot tell; no work per pixel. Growth by edges: three
 ///             crossings in every row of the clip.
-/// Source:     separating axes of convex polygons: docs/decisions/0103-square-coverage.md.
+/// Source:     separating axes of convex polygons: docs/decisions/oracle.md.
 void ForEachSquareSpan(const std::array<Point2, 3>& v, const SquareRegion& region,
                        const SquareFrame& frame, const SquareRow& row);
 

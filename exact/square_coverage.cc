@@ -12,8 +12,6 @@
 #include "exact/coverage.h"
 #include "exact/spans.h"
 #include "exact/square.h"
-#include "model/snap_scene.h"
-#include "model/target_model.h"
 
 namespace rasterproof::exact {
 namespace {
@@ -61,22 +59,23 @@ bool MoveCanFlatten(const std::array<Point2, 3>& v, double t) {
 
 class Painter {
  public:
-  Painter(const Scene& given, const Profile& profile, const DrawOptions& options)
-      : given_(&given),
-        placed_(SnapScene(given, profile)),
-        frame_{{0, 0, given.width, given.height}, profile.y_axis == YAxis::kUp, 0},
-        rule_(*profile.squares),
-        reach_(PlacingReach(ForTarget(profile, given.width, given.height).snap, profile.freedom)),
+  Painter(const PlacedScene& scene, const DrawOptions& options)
+      : given_(scene.scene),
+        placed_(scene.placed),
+        frame_{{0, 0, given_.width, given_.height}, scene.profile.y_axis == YAxis::kUp, 0},
+        rule_(*scene.profile.squares),
+        reach_(PlacingReach(scene.profile.snap, scene.profile.freedom)),
         cull_(options.cull) {
-    if (frame_.y_up) frame_.lift = given.height;
+    if (frame_.y_up) frame_.lift = given_.height;
     if (const auto& s = options.scissor) {
-      frame_.clip = {std::max(0, s->x0), std::max(0, s->y0), std::min(given.width, s->x1),
-                     std::min(given.height, s->y1)};
+      frame_.clip = {std::max(0, s->x0), std::max(0, s->y0), std::min(given_.width, s->x1),
+                     std::min(given_.height, s->y1)};
     }
   }
 
+  bool MayBeFlat(std::size_t t) const { return MayBeFlat(given_.triangles[t]); }
   bool MayBeFlat(const Triangle& t) const {
-    if (reach_ != 0) return MoveCanFlatten(PointsOf(*given_, t, frame_), reach_);
+    if (reach_ != 0) return MoveCanFlatten(PointsOf(given_, t, frame_), reach_);
     return Facing(PointsOf(placed_, t, frame_)) == 0;
   }
 
@@ -86,8 +85,8 @@ class Painter {
     const SquareRegion region = WhateverIsChosen(*stated, reach_, bound);
     if (region.half_width < kLeastHalfWidth) return;  // of no pixel
     SpanTarget target(counts);
-    for (std::size_t k = 0; k < given_->triangles.size(); ++k) {
-      const Triangle& t = given_->triangles[k];
+    for (std::size_t k = 0; k < given_.triangles.size(); ++k) {
+      const Triangle& t = given_.triangles[k];
       if (IsDrawn(t) && Paints(t, bound)) PaintOne(t, region, target, counts);
     }
     target.Sum();
@@ -96,7 +95,7 @@ class Painter {
  private:
   // A z that is no number may discard a triangle, which placing tells.
   bool IsDrawn(const Triangle& t) const {
-    return IsFiniteTriangle(*given_, t) && IsFiniteTriangle(placed_, t);
+    return IsFiniteTriangle(given_, t) && IsFiniteTriangle(placed_, t);
   }
 
   bool Paints(const Triangle& t, Bound bound) const {
@@ -114,7 +113,7 @@ class Painter {
     const int facing = Facing(PointsOf(placed_, t, frame_)) > 0 ? +1 : -1;
     if (cull_ == (facing > 0 ? Cull::kFront : Cull::kBack)) return;
     const bool given = region.geometry == SquareGeometry::kGiven;
-    const std::array<Point2, 3> v = PointsOf(given ? *given_ : placed_, t, frame_);
+    const std::array<Point2, 3> v = PointsOf(given ? given_ : placed_, t, frame_);
     ForEachSquareSpan(v, region, frame_, [&](int row, Columns columns) {
       for (int s = 0; s < counts.samples; ++s) {
         target.Row(row, s, facing).Add(columns.first, columns.last);
@@ -122,18 +121,17 @@ class Painter {
     });
   }
 
-  const Scene* given_;
-  Scene placed_;
+  const Scene& given_;
+  const Scene& placed_;
   SquareFrame frame_;
   SquareRule rule_;
   double reach_;
   Cull cull_;
 };
 
-CoverageCounts Painted(const Scene& scene, const Profile& profile, const DrawOptions& options,
-                       Bound bound) {
-  CoverageCounts counts(scene.width, scene.height, profile.pattern.samples());
-  Painter(scene, profile, options).Paint(bound, counts);
+CoverageCounts Painted(const PlacedScene& scene, const DrawOptions& options, Bound bound) {
+  CoverageCounts counts(scene.scene.width, scene.scene.height, scene.profile.pattern.samples());
+  Painter(scene, options).Paint(bound, counts);
   return counts;
 }
 
@@ -148,22 +146,18 @@ double PlacingReach(const Snap& snap, const Freedom& freedom) {
   return std::ceil(reach / kSquareStep) * kSquareStep;
 }
 
-CoverageCounts MustCover(const Scene& scene, const Profile& profile, const DrawOptions& options) {
-  return Painted(scene, profile, options, Bound::kMust);
+CoverageCounts MustCover(const PlacedScene& scene, const DrawOptions& options) {
+  return Painted(scene, options, Bound::kMust);
 }
 
-CoverageCounts MayCover(const Scene& scene, const Profile& profile, const DrawOptions& options) {
-  return Painted(scene, profile, options, Bound::kMay);
+CoverageCounts MayCover(const PlacedScene& scene, const DrawOptions& options) {
+  return Painted(scene, options, Bound::kMay);
 }
 
-bool MayBeFlat(const Scene& scene, const Profile& profile, const Triangle& t) {
-  return Painter(scene, profile, {}).MayBeFlat(t);
-}
+bool MayBeFlat(const PlacedScene& scene, std::size_t t) { return Painter(scene, {}).MayBeFlat(t); }
 
-CoverageCounts SquareCoverage(const Scene& scene, const Profile& profile,
-                              const DrawOptions& options) {
-  return profile.squares->must ? MustCover(scene, profile, options)
-                               : MayCover(scene, profile, options);
+CoverageCounts SquareCoverage(const PlacedScene& scene, const DrawOptions& options) {
+  return scene.profile.squares->must ? MustCover(scene, options) : MayCover(scene, options);
 }
 
 }  // namespace rasterproof::exact

@@ -2,10 +2,12 @@
 #ifndef RASTERPROOF_EXACT_SQUARE_COVERAGE_H_
 #define RASTERPROOF_EXACT_SQUARE_COVERAGE_H_
 
+#include <cstddef>
+
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/profile.h"
-#include "core/scene.h"
+#include "exact/placed_scene.h"
 
 namespace rasterproof::exact {
 
@@ -21,25 +23,22 @@ namespace rasterproof::exact {
 ///             Triangles with a non-finite x, y or w cover nothing.
 /// Cost:       of point coverage of the same triangles, 1.5 to 2.8 times for 8 pixels, 1.12 to 1.26
 ///             for 64, 1.06 to 1.08 for 1024, over all presets (bench/square_ratio.cc, 2026-11-23).
-/// Source:     the bounds: docs/decisions/0103-square-coverage.md.
-CoverageCounts MustCover(const Scene& scene, const Profile& profile,
-                         const DrawOptions& options = {});
-CoverageCounts MayCover(const Scene& scene, const Profile& profile,
-                        const DrawOptions& options = {});
+/// Source:     the bounds: docs/decisions/profiles.md.
+CoverageCounts MustCover(const PlacedScene& scene, const DrawOptions& options = {});
+CoverageCounts MayCover(const PlacedScene& scene, const DrawOptions& options = {});
 
 /// How far, in pixels on each axis, a legal place of a vertex may be from the given one, rounded up
 /// to a multiple of kSquareStep; 0 where the profile names one place. A rounding that is not stated
 /// moves by a step of the coarsest legal grid at most, as does a stated one on a grid that is not.
 double PlacingReach(const Snap& snap, const Freedom& freedom);
 
-/// Returns whether the triangle has no area where the profile places it, or may have none.
-bool MayBeFlat(const Scene& scene, const Profile& profile, const Triangle& t);
+/// Returns whether triangle t has no area where the profile places it, or may have none.
+bool MayBeFlat(const PlacedScene& scene, std::size_t t);
 
 /// The least that a subject of the profile covers: MustCover, or MayCover where nothing must be.
 ///
 /// Domain:     profile.squares.
-CoverageCounts SquareCoverage(const Scene& scene, const Profile& profile,
-                              const DrawOptions& options = {});
+CoverageCounts SquareCoverage(const PlacedScene& scene, const DrawOptions& options = {});
 
 }  // namespace rasterproof::exact
 

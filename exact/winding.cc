@@ -12,11 +12,9 @@
 #include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
-#include "exact/coverage.h"
 #include "exact/row_edge.h"
 #include "exact/sample_frame.h"
 #include "exact/signs.h"
-#include "model/snap_scene.h"
 
 namespace rasterproof::exact {
 namespace {
@@ -43,16 +41,15 @@ struct Mesh {
   std::vector<DirectedEdge> edges;  // sorted; none of length zero
 };
 
-Mesh MeshOf(const Scene& scene, const Profile& profile, const SampleFrame& frame) {
-  if (scene.clip_space) {
-    throw InputError("scene \"" + scene.name + "\"",
+Mesh MeshOf(const PlacedScene& scene, const SampleFrame& frame) {
+  if (scene.placed.clip_space) {
+    throw InputError("scene \"" + scene.scene.name + "\"",
                      "boundary winding is a matter of window space, and its vertices have w",
                      "project the scene, or use homogeneous coverage");
   }
-  const Scene snapped = SnapScene(scene, profile);
   Mesh mesh;
-  for (const Triangle& t : snapped.triangles) {
-    const std::optional<std::array<Vertex, 3>> v = ScreenTriangle(snapped, t, frame);
+  for (const Triangle& t : scene.placed.triangles) {
+    const std::optional<std::array<Vertex, 3>> v = ScreenTriangle(scene.placed, t, frame);
     if (!v) continue;
     mesh.triangles.push_back({WindowPoint((*v)[0]), WindowPoint((*v)[1]), WindowPoint((*v)[2])});
     for (unsigned k = 0; k < 3; ++k) {
@@ -122,15 +119,15 @@ void AddCrossings(const BoundaryEdge& b, const SampleFrame& frame, const Coverag
 
 }  // namespace
 
-std::vector<std::int64_t> BoundaryWinding(const Scene& scene, const Profile& profile) {
-  SampleFrame frame(scene, profile, {});
+std::vector<std::int64_t> BoundaryWinding(const PlacedScene& scene) {
+  SampleFrame frame(scene.scene, scene.profile, {});
   if (!frame.rule.IsConsistent()) frame.rule = kTopLeft;
   CoverageCounts shape;
-  shape.width = scene.width;
-  shape.height = scene.height;
-  shape.samples = profile.pattern.samples();
+  shape.width = scene.scene.width;
+  shape.height = scene.scene.height;
+  shape.samples = scene.profile.pattern.samples();
   std::vector<std::int64_t> winding(CoverageCounts::Size(shape.width, shape.height, shape.samples));
-  for (const BoundaryEdge& b : BoundaryOf(MeshOf(scene, profile, frame))) {
+  for (const BoundaryEdge& b : BoundaryOf(MeshOf(scene, frame))) {
     AddCrossings(b, frame, shape, winding);
   }
   const auto stride = static_cast<std::size_t>(shape.samples);
@@ -142,19 +139,14 @@ std::vector<std::int64_t> BoundaryWinding(const Scene& scene, const Profile& pro
   return winding;
 }
 
-MeshShape ShapeOf(const Scene& scene, const Profile& profile) {
-  const SampleFrame frame(scene, profile, {});
-  const Mesh mesh = MeshOf(scene, profile, frame);
+MeshShape ShapeOf(const PlacedScene& scene) {
+  const SampleFrame frame(scene.scene, scene.profile, {});
+  const Mesh mesh = MeshOf(scene, frame);
   MeshShape shape;
-  bool front = false;
-  bool back = false;
-  for (const std::array<Point2, 3>& v : mesh.triangles) {
-    const int facing = Facing(v);
-    front = front || facing > 0;
-    back = back || facing < 0;
-    if (facing == 0) ++shape.degenerate;
-  }
-  shape.folded = front && back;
+  const auto fronts = std::ranges::count(scene.facings, 1);
+  const auto backs = std::ranges::count(scene.facings, -1);
+  shape.folded = fronts != 0 && backs != 0;
+  shape.degenerate = mesh.triangles.size() - static_cast<std::size_t>(fronts + backs);
   shape.balanced = std::ranges::adjacent_find(mesh.edges) == mesh.edges.end();
   shape.boundary_edges = BoundaryOf(mesh).size();
   shape.closed = shape.boundary_edges == 0;

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/profile.h"
-#include "core/scene.h"
+#include "exact/placed_scene.h"
 
 namespace rasterproof::exact {
 
@@ -14,13 +13,13 @@ namespace rasterproof::exact {
 /// screen positive.
 ///
 /// The boundary is what is left of the directed edges (keyed by position bits, not by index) after
-/// opposite pairs cancel. Window space; the scene is snapped by the profile first; triangles with a
+/// opposite pairs cancel, of the placed scene; triangles with a
 /// non-finite vertex are left out, and so are those that the profile drops for their extent. The
 /// inclusive and the exclusive rule, which no sample's shift expresses, count as top-left.
 /// Shape:      as CoverageCounts.
-/// Error:      none; throws InputError for a clip-space scene.
+/// Error:      none; throws InputError for a scene that is placed in clip space.
 /// Properties: equals the signed coverage, docs/mathematics.md.
-std::vector<std::int64_t> BoundaryWinding(const Scene& scene, const Profile& profile);
+std::vector<std::int64_t> BoundaryWinding(const PlacedScene& scene);
 
 /// What is known of a snapped mesh as a subdivision of the plane.
 struct MeshShape {
@@ -30,7 +29,7 @@ struct MeshShape {
   std::uint64_t degenerate = 0;  ///< triangles of zero area
   std::uint64_t boundary_edges = 0;
 };
-MeshShape ShapeOf(const Scene& scene, const Profile& profile);
+MeshShape ShapeOf(const PlacedScene& scene);
 
 }  // namespace rasterproof::exact
 

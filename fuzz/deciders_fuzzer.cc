@@ -10,6 +10,7 @@
 #include "exact/edge.h"
 #include "fuzz/fuzz_target.h"
 #include "props/judging/places.h"
+#include "props/placed_case.h"
 
 namespace {
 
@@ -26,8 +27,9 @@ constexpr int kPerEdge = 4;
 
 void CompareSigns(const Case& c) {
   std::uint64_t asked = 0;
-  for (const auto& corners : rasterproof::props::SomeTriangles(c, kTriangles)) {
-    for (const auto& place : rasterproof::props::SamplesNearEdges(c, corners.at, kPerEdge)) {
+  const rasterproof::props::PlacedCase placed(c);
+  for (const auto& corners : rasterproof::props::SomeTriangles(placed, kTriangles)) {
+    for (const auto& place : rasterproof::props::SamplesNearEdges(placed, corners.at, kPerEdge)) {
       for (int i = 0; i < 3; ++i) {
         const Point2 a = rasterproof::props::EdgeStart(corners.at, i);
         const Point2 b = rasterproof::props::EdgeEnd(corners.at, i);
@@ -65,6 +67,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                                    {"hom-exact", "CoverageEqualsTheModel"}}));
   return bound.ForEachCase(std::span(data, size), [](const auto& /*group*/, const Case& c) {
     if (!c.scene.clip_space) CompareSigns(c);
-    if (!rasterproof::exact::WhyNotDecided(c.scene, c.profile)) CompareCoverage(c);
+    if (!rasterproof::exact::WhyNotDecided({c.scene, c.profile})) CompareCoverage(c);
   });
 }

@@ -1,7 +1,6 @@
 #include "fuzz/fuzz_target.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -12,12 +11,10 @@
 #include "exact/edge.h"
 #include "fuzz/guidance.h"
 #include "props/codec/codec.h"
-#include "props/codec/raw_code.h"
-#include "props/domains/bit_source.h"
 #include "props/judging/gate.h"
 #include "props/judging/witness.h"
 #include "props/properties/contract_properties.h"
-#include "props/run/judged_case.h"
+#include "props/run/description.h"
 #include "props/run/trial.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
@@ -171,31 +168,6 @@ void Fail(std::string_view what) {
   for (const std::uint8_t byte : shown_bytes) std::fprintf(stderr, "%02x", byte);
   std::fprintf(stderr, "\n");
   std::abort();
-}
-
-std::vector<std::uint8_t> FloatsOf(std::span<const std::uint8_t> bytes, const SubjectInfo& info) {
-  props::ByteSource bits(bytes);
-  const std::size_t words = info.takes_window ? 2 : 3;
-  const auto next = [&] {
-    return info.input == Precision::kFloat32
-               ? double{std::bit_cast<float>(static_cast<std::uint32_t>(bits.Bits(32)))}
-               : std::bit_cast<double>(bits.Bits(64));
-  };
-  Case c;
-  c.scene.width = c.scene.height = 32;
-  c.scene.precision = info.input;
-  c.scene.clip_space = words == 3;
-  const std::size_t of_triangle = 3 * words * (info.input == Precision::kFloat32 ? 4 : 8);
-  const bool is_quad = bytes.size() > of_triangle;
-  c.scene.vertices.resize(is_quad ? 4 : 3);
-  for (Vertex& v : c.scene.vertices) {
-    v.x = next();
-    v.y = next();
-    if (words == 3) v.w = next();
-  }
-  c.scene.triangles.push_back({0, 1, 2});
-  if (is_quad) c.scene.triangles.push_back({0, 2, 3});
-  return props::RawCodeOf(c);
 }
 
 std::string TextOf(const Case& c) {

@@ -99,11 +99,6 @@ void PutToTheTest(const BoundSubject& bound, const Case& c);
 /// Prints what failed, with the case that is being looked at, and aborts.
 [[noreturn]] void Fail(std::string_view what);
 
-/// Raw code (props/codec/raw_code.h) of what a fuzz target of raw bytes makes of them: the bits of
-/// the coordinates of a triangle on 32x32 samples, or of a quad split by its diagonal where there
-/// are more bytes than a triangle takes. Bytes that run out are zeros.
-std::vector<std::uint8_t> FloatsOf(std::span<const std::uint8_t> bytes, const SubjectInfo& info);
-
 /// The case for a reader: its name, its target and its vertices in hex floats.
 std::string TextOf(const Case& c);
 

@@ -106,7 +106,7 @@ CoverageCounts Drawn(const BoundSubject& bound, const Case& c, const DrawOptions
 
 // Whether a case is one that the model speaks of. The rest is for the properties about extremes.
 bool IsModelled(const Case& c) {
-  return WithinLimits(c.scene, c.profile) && !exact::WhyNotDecided(c.scene, c.profile);
+  return WithinLimits(c.scene, c.profile) && !exact::WhyNotDecided({c.scene, c.profile});
 }
 
 }  // namespace
@@ -115,7 +115,8 @@ int ScreenEdgeSigns(const Bound& bound, std::span<const std::uint8_t> bytes) {
   return bound.ForEachCase(bytes, [](const Group& group, const Case& c) {
     if (c.scene.clip_space || !WithinLimits(c.scene, c.profile)) return;
     NearSamples near;
-    for (const props::CornersPlace& corners : props::SomeTriangles(c, kTriangles)) {
+    for (const props::CornersPlace& corners :
+         props::SomeTriangles(props::PlacedCase(c), kTriangles)) {
       for (int i = 0; i < 3; ++i) {
         const Point2 a = props::EdgeStart(corners.at, i);
         const Point2 b = props::EdgeEnd(corners.at, i);
@@ -139,9 +140,9 @@ int ScreenCoverage(const Bound& bound, std::span<const std::uint8_t> bytes) {
 int ScreenWinding(const Bound& bound, std::span<const std::uint8_t> bytes) {
   return bound.ForEachCase(bytes, [](const Group& group, const Case& c) {
     if (c.scene.clip_space || !IsModelled(c)) return;
-    const std::vector<std::int64_t> winding = exact::BoundaryWinding(c.scene, c.profile);
+    const std::vector<std::int64_t> winding = exact::BoundaryWinding({c.scene, c.profile});
     for (const BoundSubject& each : group.subjects) {
-      const CoverageCounts counts = Drawn(each, c, props::WholeTarget(c));
+      const CoverageCounts counts = Drawn(each, c, props::WholeTarget(props::PlacedCase(c)));
       for (std::size_t k = 0; k < winding.size(); ++k) {
         if (counts.Signed(k) != winding[k]) {
           PutToTheTest(each, c);

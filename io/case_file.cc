@@ -22,7 +22,7 @@
 namespace rasterproof::io {
 namespace {
 
-constexpr int kVersion = 2;
+constexpr int kCaseVersion = 2;
 constexpr int kMaxTile = kMaxTargetSide;
 constexpr int kMaxThreads = 4096;
 
@@ -73,9 +73,9 @@ std::string NameFromJson(const JsonValue& value) { return value.RequireName(); }
 // As it is: a program's command is run, and whoever shows it quotes it.
 std::string TextFromJson(const JsonValue& value) { return std::string(value.RequireString()); }
 
-void RequireVersion(const JsonValue& object) {
+void RequireCaseVersion(const JsonValue& object) {
   const JsonValue version = object.Get("rasterproof_case");
-  if (version.RequireInteger(0, INT32_MAX) == kVersion) return;
+  if (version.RequireInteger(0, INT32_MAX) == kCaseVersion) return;
   throw version.Error(
       "version " + std::string(version.text()) + " is unknown",
       "this program reads version 2, which has other words than version 1: write 2, "
@@ -89,7 +89,7 @@ CaseFile CaseFromJson(const JsonValue& object) {
     return file;
   }
   object.RequireObject(kCaseKeys);
-  RequireVersion(object);
+  RequireCaseVersion(object);
   file.value.scene = SceneFromJson(object.Get("scene"));
   ReadIfThere(object, "profile", file.value.profile, ProfileFromJson);
   file.states_profile = object.Find("profile").has_value();
@@ -124,7 +124,7 @@ CaseFile ReadCase(const std::string& path) { return ParseCase(ReadFile(path), Na
 
 std::string CaseToJson(const CaseFile& file) {
   const std::string line = ",\n  ";
-  std::string json = "{\n  \"rasterproof_case\": " + std::to_string(kVersion);
+  std::string json = "{\n  \"rasterproof_case\": " + std::to_string(kCaseVersion);
   json += line + "\"subject\": " + JsonString(file.subject);
   json += line + "\"property\": " + JsonString(file.property);
   json += line + "\"origin\": " + JsonString(file.value.origin);

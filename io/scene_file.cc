@@ -19,11 +19,11 @@
 namespace rasterproof::io {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kSceneVersion = 1;
 constexpr std::array<std::string_view, 7> kKeys{
     "rasterproof_scene", "name", "width", "height", "precision", "vertices", "triangles"};
 
-void RequireVersion(const JsonValue& object) {
+void RequireSceneVersion(const JsonValue& object) {
   if (!object.Find("rasterproof_scene")) {
     const bool is_case = object.Find("rasterproof_case").has_value();
     throw object.Error(
@@ -33,7 +33,7 @@ void RequireVersion(const JsonValue& object) {
         is_case ? "give the object under its key \"scene\"" : "add \"rasterproof_scene\": 1");
   }
   const JsonValue version = object.Get("rasterproof_scene");
-  if (version.RequireInteger(0, INT32_MAX) != kVersion) {
+  if (version.RequireInteger(0, INT32_MAX) != kSceneVersion) {
     throw version.Error("version " + std::string(version.text()) + " is unknown",
                         "this program reads version 1");
   }
@@ -162,7 +162,7 @@ double CoordinateFromJson(const JsonValue& value, Precision precision) {
 }
 
 Scene SceneFromJson(const JsonValue& object) {
-  if (object.kind() == JsonKind::kObject) RequireVersion(object);
+  if (object.kind() == JsonKind::kObject) RequireSceneVersion(object);
   object.RequireObject(kKeys);
   Scene scene;
   if (const auto name = object.Find("name")) scene.name = name->RequireString();
@@ -177,7 +177,7 @@ Scene SceneFromJson(const JsonValue& object) {
 
 void AppendSceneJson(const Scene& scene, std::string_view indent, std::string& json) {
   const std::string line = ",\n" + std::string(indent) + "  ";
-  json += "{\n" + std::string(indent) + "  \"rasterproof_scene\": " + std::to_string(kVersion);
+  json += "{\n" + std::string(indent) + "  \"rasterproof_scene\": " + std::to_string(kSceneVersion);
   json += line + "\"name\": " + JsonString(scene.name);
   json += line + "\"width\": " + std::to_string(scene.width);
   json += line + "\"height\": " + std::to_string(scene.height);

@@ -10,7 +10,7 @@
 #include "exact/rational.h"
 #include "exact/snap_clip.h"
 #include "model/snap.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "model/wrap.h"
 
 namespace rasterproof::legal {
@@ -99,7 +99,7 @@ int FinestGridOf(const Scene& scene) {
 }
 
 // The grids that may differ on the scene, coarsest first and none last.
-std::vector<Snap> GridsOf(const Profile& model, const Scene& scene) {
+std::vector<Snap> GridsOf(const TargetProfile& model, const Scene& scene) {
   std::vector<Snap> grids = LegalGrids(model.snap, model.freedom);
   if (scene.clip_space || model.fixed || grids.size() == 1) return grids;
   const Snap none = grids.back();
@@ -119,16 +119,15 @@ std::vector<Snap> GridsOf(const Profile& model, const Scene& scene) {
 
 }  // namespace
 
-std::vector<Family> FamiliesOf(const Profile& profile, const Scene& scene) {
-  const Profile model = ForTarget(profile, scene.width, scene.height);
-  std::vector<Snap> grids = GridsOf(model, scene);
+std::vector<Family> FamiliesOf(const TargetProfile& profile, const Scene& scene) {
+  std::vector<Snap> grids = GridsOf(profile, scene);
   if (scene.clip_space) std::erase_if(grids, [](const Snap& grid) { return grid.IsNone(); });
-  const auto own = std::ranges::find(grids, model.snap);
+  const auto own = std::ranges::find(grids, profile.snap);
   if (own != grids.end()) std::rotate(grids.begin(), own, own + 1);
-  std::vector<TieRule> rules{model.tie_rule};
-  if (model.freedom.ties == TieOwnership::kAxisAligned) {
+  std::vector<TieRule> rules{profile.tie_rule};
+  if (profile.freedom.ties == TieOwnership::kAxisAligned) {
     std::ranges::copy_if(kConsistentRules, std::back_inserter(rules),
-                         [&](const TieRule& rule) { return rule != model.tie_rule; });
+                         [&](const TieRule& rule) { return rule != profile.tie_rule; });
   }
   std::vector<Family> families;
   for (const Snap& grid : grids) {
@@ -137,7 +136,7 @@ std::vector<Family> FamiliesOf(const Profile& profile, const Scene& scene) {
   return families;
 }
 
-Choices ChoicesOf(const Scene& scene, const Profile& profile, const Family& family) {
+Choices ChoicesOf(const Scene& scene, const TargetProfile& profile, const Family& family) {
   Choices choices;
   std::map<std::tuple<double, double, double>, std::size_t> known;  // -0 and +0 are one place
   for (const Vertex& v : scene.vertices) {

@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/profile.h"
 #include "core/scene.h"
 #include "core/snap.h"
 #include "core/tie_rule.h"
 #include "core/vertex.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::legal {
 
@@ -23,7 +23,7 @@ struct Family {
 /// Returns every family that the profile allows for the scene, the canonical one first.
 ///
 /// Clip space is not judged without a grid: of such a family it has no places.
-std::vector<Family> FamiliesOf(const Profile& profile, const Scene& scene);
+std::vector<Family> FamiliesOf(const TargetProfile& profile, const Scene& scene);
 
 /// Where the legal models of one family put the vertices of a scene.
 struct Choices {
@@ -39,7 +39,7 @@ struct Choices {
 /// Domain:     window space; clip space with a grid, every vertex in front of the eye, and each
 ///             x / w and y / w within the integers of 50 bits that exact::TrySnapQuotient decides.
 /// Error:      InputError for a clip-space scene outside the domain.
-Choices ChoicesOf(const Scene& scene, const Profile& profile, const Family& family);
+Choices ChoicesOf(const Scene& scene, const TargetProfile& profile, const Family& family);
 
 }  // namespace rasterproof::legal
 

@@ -12,7 +12,7 @@
 #include "legal/model_clauses.h"
 #include "legal/triangle_samples.h"
 #include "model/snap.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::legal {
 namespace {
@@ -133,12 +133,12 @@ std::uint64_t Decided::NumberOpen() const {
   return open;
 }
 
-Decided DecidedSamples(const Scene& scene, const Profile& profile, const std::vector<bool>* only) {
-  const Profile model = ForTarget(profile, scene.width, scene.height);
-  Decided decided{scene.width, scene.height, model.pattern.samples(), {}, {}, {}, 0, 0};
+Decided DecidedSamples(const Scene& scene, const TargetProfile& profile,
+                       const std::vector<bool>* only) {
+  Decided decided{scene.width, scene.height, profile.pattern.samples(), {}, {}, {}, 0, 0};
   decided.counts.assign(CoverageCounts::Size(scene.width, scene.height, decided.samples), 0);
-  if (model.freedom.MovesVertices() && !model.snap.IsNone())
-    decided.step = std::ldexp(1.0, -LegalGrids(model.snap, model.freedom).front().bits);
+  if (profile.freedom.MovesVertices() && !profile.snap.IsNone())
+    decided.step = std::ldexp(1.0, -LegalGrids(profile.snap, profile.freedom).front().bits);
   const std::vector<Family> families = FamiliesOf(profile, scene);
   for (std::size_t f = 0; f < families.size(); ++f)
     AddFamily(FamilyView(scene, profile, families[f]), only, f == 0, decided);
@@ -150,7 +150,7 @@ Decided DecidedSamples(const Scene& scene, const Profile& profile, const std::ve
   return decided;
 }
 
-std::vector<bool> OpenOfSomeTriangle(const Scene& scene, const Profile& profile) {
+std::vector<bool> OpenOfSomeTriangle(const Scene& scene, const TargetProfile& profile) {
   std::vector<TriangleDecided> triangles;
   const std::vector<Family> families = FamiliesOf(profile, scene);
   for (std::size_t f = 0; f < families.size(); ++f)

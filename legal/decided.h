@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::legal {
 
@@ -62,7 +62,7 @@ struct Decided {
 ///             (shape as counts), nothing of the others.
 /// Cost:       a scan of each triangle's box for every family, and the solver for each sample that
 ///             two open triangles share: many times what JudgeJointly takes for a legal drawing.
-Decided DecidedSamples(const Scene& scene, const Profile& profile,
+Decided DecidedSamples(const Scene& scene, const TargetProfile& profile,
                        const std::vector<bool>* only = nullptr);
 
 /// Returns at which samples legal models decide some triangle of the scene differently; everywhere
@@ -71,7 +71,7 @@ Decided DecidedSamples(const Scene& scene, const Profile& profile,
 /// Domain:     as JudgeJointly.
 /// Shape:      as counts of the target.
 /// Cost:       a scan of each triangle's box for every family.
-std::vector<bool> OpenOfSomeTriangle(const Scene& scene, const Profile& profile);
+std::vector<bool> OpenOfSomeTriangle(const Scene& scene, const TargetProfile& profile);
 
 }  // namespace rasterproof::legal
 

@@ -13,7 +13,7 @@
 #include "legal/model_clauses.h"
 #include "legal/needs.h"
 #include "legal/triangle_samples.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::legal {
 namespace {
@@ -131,8 +131,8 @@ std::uint64_t OpenSamplesOf(const Component& component) {
 }
 
 // Of a family that is not legal, `refutation` is what its models do not explain.
-JointVerdict JudgeByFamily(const Scene& scene, const Profile& profile, const Observed& observed,
-                           const Family& family, const Effort& effort,
+JointVerdict JudgeByFamily(const Scene& scene, const TargetProfile& profile,
+                           const Observed& observed, const Family& family, const Effort& effort,
                            std::vector<Seen>& refutation) {
   JointVerdict verdict;
   verdict.family = family;
@@ -167,7 +167,7 @@ JointVerdict JudgeByFamily(const Scene& scene, const Profile& profile, const Obs
 // More places on an axis than this, and a vertex has hundreds.
 constexpr double kMostSteps = 4;
 
-std::optional<std::string> WhyNoPlaces(const Scene& scene, const Profile& model) {
+std::optional<std::string> WhyNoPlaces(const Scene& scene, const TargetProfile& model) {
   if (!model.freedom.transform_error) return "the profile states no error of its transform";
   double farthest = 0;
   for (const Vertex& v : scene.vertices) {
@@ -180,32 +180,32 @@ std::optional<std::string> WhyNoPlaces(const Scene& scene, const Profile& model)
 
 }  // namespace
 
-std::optional<std::string> WhyNotJoint(const Scene& scene, const Profile& profile) {
-  const Profile model = ForTarget(profile, scene.width, scene.height);
-  if (!model.scanline_rounding.IsNone()) return "the profile rounds crossings, which has no model";
-  if (model.contract == Contract::kSquares) {
+std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& profile) {
+  if (!profile.scanline_rounding.IsNone())
+    return "the profile rounds crossings, which has no model";
+  if (profile.contract == Contract::kSquares) {
     return "the contract states whole pixels of each triangle alone, which check judges";
   }
   const bool is_free_and_watertight =
-      model.contract == Contract::kWatertight && !model.freedom.IsNone();
-  if (model.contract != Contract::kSampleExact && !is_free_and_watertight)
+      profile.contract == Contract::kWatertight && !profile.freedom.IsNone();
+  if (profile.contract != Contract::kSampleExact && !is_free_and_watertight)
     return "the contract does not state single samples";
   if (!scene.clip_space) {
     const auto is_beyond = [&](const Vertex& v) {
-      return IsFinite(v) && std::max(std::fabs(v.x), std::fabs(v.y)) > model.coordinate_limit;
+      return IsFinite(v) && std::max(std::fabs(v.x), std::fabs(v.y)) > profile.coordinate_limit;
     };
     if (std::ranges::any_of(scene.vertices, is_beyond))
       return "a coordinate lies beyond the profile's coordinate_limit";
     return std::nullopt;
   }
-  if (model.transform) return "the profile has a transform of its own";
-  if (model.snap.IsNone()) return "the profile has no grid in clip space";
-  if (const auto error = exact::SnapClipError(scene, model)) return error->what();
-  return WhyNoPlaces(scene, model);
+  if (profile.transform) return "the profile has a transform of its own";
+  if (profile.snap.IsNone()) return "the profile has no grid in clip space";
+  if (const auto error = exact::SnapClipError(scene, profile)) return error->what();
+  return WhyNoPlaces(scene, profile);
 }
 
-JointVerdict JudgeJointly(const Scene& scene, const Profile& profile, const Observed& observed,
-                          const Effort& effort) {
+JointVerdict JudgeJointly(const Scene& scene, const TargetProfile& profile,
+                          const Observed& observed, const Effort& effort) {
   std::optional<JointVerdict> first;
   std::optional<JointVerdict> open;
   std::vector<std::vector<Seen>> refutations;

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/coverage.h"
-#include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
 #include "legal/choices.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::legal {
 
@@ -85,7 +85,7 @@ struct Effort {
 };
 
 /// Returns why the joint verdict is not for this scene and profile, or nothing if it is.
-std::optional<std::string> WhyNotJoint(const Scene& scene, const Profile& profile);
+std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& profile);
 
 /// Returns whether one legal model of the profile explains the drawing.
 ///
@@ -96,8 +96,8 @@ std::optional<std::string> WhyNotJoint(const Scene& scene, const Profile& profil
 ///
 /// Domain:     WhyNotJoint says nothing. What was drawn has the shape of the target.
 /// Cost:       a scan of each triangle's box for each family, and the solver.
-JointVerdict JudgeJointly(const Scene& scene, const Profile& profile, const Observed& observed,
-                          const Effort& effort = {});
+JointVerdict JudgeJointly(const Scene& scene, const TargetProfile& profile,
+                          const Observed& observed, const Effort& effort = {});
 
 }  // namespace rasterproof::legal
 

@@ -16,6 +16,7 @@
 #include "legal/family_samples.h"
 #include "legal/model_clauses.h"
 #include "legal/triangle_samples.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::legal {
 namespace {
@@ -25,7 +26,7 @@ using SeenSet = std::set<Seen>;
 // The models of one family at some samples, asked again and again which parts they explain.
 class FamilyAtSamples {
  public:
-  FamilyAtSamples(const Scene& scene, const Profile& profile, const Family& family,
+  FamilyAtSamples(const Scene& scene, const TargetProfile& profile, const Family& family,
                   const Observed& observed, const std::vector<bool>* only)
       : view_(scene, profile, family), all_(view_, only), clauses_(view_) {
     for (const Need& need : NeedsOf(all_, observed)) {
@@ -109,7 +110,7 @@ std::vector<bool> SamplesOf(const std::ranges::range auto& seen, std::size_t sam
 // What was seen, and what a search for a smaller part of it may cost.
 struct Search {
   const Scene& scene;
-  const Profile& profile;
+  const TargetProfile& profile;
   const Observed& observed;
   std::uint64_t most_propagations;
 
@@ -222,7 +223,7 @@ void SortOnce(std::vector<std::size_t>& numbers) {
 
 }  // namespace
 
-Core MinimalSet(const Scene& scene, const Profile& profile, const Observed& observed,
+Core MinimalSet(const Scene& scene, const TargetProfile& profile, const Observed& observed,
                 std::span<const std::vector<Seen>> refutations, const Effort& effort) {
   const Search search{scene, profile, observed, effort.most_propagations};
   const std::vector<Family> of_profile = FamiliesOf(profile, scene);

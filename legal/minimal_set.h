@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "core/profile.h"
 #include "core/scene.h"
 #include "legal/joint.h"
 #include "legal/needs.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::legal {
 
@@ -21,7 +21,7 @@ namespace rasterproof::legal {
 /// them, which a union of the families' own minimal sets is not.
 ///
 /// Domain:     `refutations`: for each of FamiliesOf(profile, scene) what it does not explain.
-Core MinimalSet(const Scene& scene, const Profile& profile, const Observed& observed,
+Core MinimalSet(const Scene& scene, const TargetProfile& profile, const Observed& observed,
                 std::span<const std::vector<Seen>> refutations, const Effort& effort);
 
 }  // namespace rasterproof::legal

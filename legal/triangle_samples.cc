@@ -11,7 +11,7 @@
 #include "legal/clipped_triangle.h"
 #include "legal/straight_edges.h"
 #include "model/drop.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "model/wrap.h"
 
 namespace rasterproof::legal {
@@ -267,9 +267,9 @@ double SegmentDistance(Point2 a, Point2 b, Point2 p) {
   return std::hypot(p.x - (a.x + part * d.x), p.y - (a.y + part * d.y));
 }
 
-FamilyView::FamilyView(const Scene& scene, const Profile& profile, const Family& family)
+FamilyView::FamilyView(const Scene& scene, const TargetProfile& profile, const Family& family)
     : scene_(scene),
-      profile_(ForTarget(profile, scene.width, scene.height)),
+      profile_(profile),
       family_(family),
       frame_(scene, profile, {}),
       choices_(ChoicesOf(scene, profile_, family)),

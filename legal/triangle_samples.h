@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
 #include "exact/sample_frame.h"
 #include "legal/choices.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::legal {
 
@@ -54,7 +54,7 @@ struct TriangleSamples {
 class FamilyView {
  public:
   /// Domain:     as ChoicesOf; the scene and the profile outlive the view.
-  FamilyView(const Scene& scene, const Profile& profile, const Family& family);
+  FamilyView(const Scene& scene, const TargetProfile& profile, const Family& family);
 
   /// What the family's models say of the triangle at every sample, or, where `only` says which, at
   /// those alone.
@@ -83,7 +83,7 @@ class FamilyView {
   Point2 OnScreen(const Vertex& v) const;
 
   const Scene& scene_;
-  Profile profile_;
+  TargetProfile profile_;
   Family family_;
   exact::SampleFrame frame_;
   Choices choices_;

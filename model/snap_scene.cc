@@ -3,23 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 #include "core/vertex.h"
 #include "model/drop.h"
 #include "model/snap.h"
-#include "model/target_model.h"
 #include "model/transform.h"
 #include "model/wrap.h"
 
 namespace rasterproof {
 
-Scene SnapScene(const Scene& scene, const Profile& own) {
-  Scene snapped = TakesToWindow(own, scene) ? ToWindow(scene, *own.transform) : scene;
-  std::optional<Profile> resolved;
-  const Profile& profile = own.by_target_size.empty()
-                               ? own
-                               : resolved.emplace(ForTarget(own, scene.width, scene.height));
+Scene SnapVertices(const Scene& scene, const TargetProfile& profile) {
+  Scene snapped = TakesToWindow(profile, scene) ? ToWindow(scene, *profile.transform) : scene;
   for (Vertex& v : snapped.vertices) {
     // A vertex without a place: its triangles cover nothing.
     if (profile.nan_z == NanZ::kNothing && std::isnan(v.z)) v.x = v.z;
@@ -29,16 +25,26 @@ Scene SnapScene(const Scene& scene, const Profile& own) {
   }
   // The grid point of a float32 can need more bits than float32 has.
   if (!profile.snap.IsNone()) snapped.precision = Precision::kFloat64;
-  if (!profile.max_primitive_extent) return snapped;
-  for (Triangle& t : snapped.triangles) {
-    const std::array<Vertex, 3> v = Corners(snapped, t);
-    const std::array<Point2, 3> corners{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
-    if (Exceeds(corners, *profile.max_primitive_extent)) t = {t[0], t[0], t[0]};
+  return snapped;
+}
+
+bool IsDropped(const Scene& placed, std::size_t t, const Profile& profile) {
+  if (!profile.max_primitive_extent) return false;
+  const std::array<Vertex, 3> v = Corners(placed, placed.triangles[t]);
+  return Exceeds({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])},
+                 *profile.max_primitive_extent);
+}
+
+Scene SnapScene(const Scene& scene, const TargetProfile& profile) {
+  Scene snapped = SnapVertices(scene, profile);
+  for (std::size_t t = 0; t < snapped.triangles.size(); ++t) {
+    Triangle& corners = snapped.triangles[t];
+    if (IsDropped(snapped, t, profile)) corners = {corners[0], corners[0], corners[0]};
   }
   return snapped;
 }
 
-bool IsUnclipped(const Scene& scene, const Profile& profile) {
+bool IsUnclipped(const Scene& scene, const TargetProfile& profile) {
   const std::optional<WindowBox> box = UnclippedBox(profile, scene.width, scene.height);
   if (!box) return true;
   if (scene.clip_space) return false;  // the rectangle is of window space
@@ -49,9 +55,8 @@ bool IsUnclipped(const Scene& scene, const Profile& profile) {
     });
   };
   // Whether clipping looks at a vertex before or after snapping is left to the subject.
-  Profile unsnapped = profile;
+  TargetProfile unsnapped = profile;
   unsnapped.snap = {};
-  unsnapped.by_target_size.clear();
   return holds(SnapScene(scene, profile)) && holds(SnapScene(scene, unsnapped));
 }
 

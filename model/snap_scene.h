@@ -2,23 +2,32 @@
 #ifndef RASTERPROOF_MODEL_SNAP_SCENE_H_
 #define RASTERPROOF_MODEL_SNAP_SCENE_H_
 
+#include <cstddef>
+
 #include "core/profile.h"
 #include "core/scene.h"
+#include "model/target_profile.h"
 
 namespace rasterproof {
 
-/// Returns the scene as the profile's model places it: x and y of every vertex wrapped into the
-/// range of its fixed-point input and on the subpixel grid; a triangle larger than
-/// `max_primitive_extent` has its three corners in one place; a vertex of NaN z has no place (x is
-/// NaN) where `nan_z` says that it covers nothing. Indices of triangles stay what they are.
+/// Returns the scene with every vertex where the model puts it: x and y wrapped into the range of
+/// its fixed-point input and on the subpixel grid; a vertex of NaN z has no place (x is NaN) where
+/// `nan_z` says that it covers nothing.
 ///
 /// Domain:     window-space scenes; w is 1. Clip-space scenes that are not homogeneous: they go
 ///             through the profile's transform first. (Others snap after the division: see exact/.)
-Scene SnapScene(const Scene& scene, const Profile& profile);
+Scene SnapVertices(const Scene& scene, const TargetProfile& profile);
+
+/// Returns whether the model drops triangle t of the placed scene for its extent.
+bool IsDropped(const Scene& placed, std::size_t t, const Profile& profile);
+
+/// Returns SnapVertices() with the three corners of each dropped triangle in one place. Indices of
+/// triangles stay what they are.
+Scene SnapScene(const Scene& scene, const TargetProfile& profile);
 
 /// Returns whether the guard-band rectangle, if there is one, holds every vertex that a triangle
 /// uses.
-bool IsUnclipped(const Scene& scene, const Profile& profile);
+bool IsUnclipped(const Scene& scene, const TargetProfile& profile);
 
 }  // namespace rasterproof
 

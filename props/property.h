@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/case.h"
 #include "core/profile.h"
 #include "core/question.h"
 #include "core/verdict.h"
 #include "props/judging/gate.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -72,10 +72,10 @@ struct Property {
   /// The checks of a case that the gate lets through, in the order in which they are judged, up to
   /// the first violated one. The case is as the property sees it: in window space behind a
   /// transform of the subject's own, under the model of its target's size.
-  Asked (*ask)(const Case&, const Description&) = nullptr;
+  Asked (*ask)(const PlacedCase&, const Description&) = nullptr;
   /// A second round: who is to blame for the violation. The first of its checks that is violated
   /// gives the witness; one that is refused is passed over. nullptr: the verdict says it.
-  Asked (*blame)(const Case&, const Verdict&, const Description&) = nullptr;
+  Asked (*blame)(const PlacedCase&, const Verdict&, const Description&) = nullptr;
 };
 
 /// Every property, in the order of the documentation.

@@ -52,12 +52,12 @@ struct Stages {
 struct Method {
   std::string_view name;     ///< "f32-direct"
   std::string_view summary;  ///< one line
-  /// Number format, profile (its own), window or clip space; whether it is stated to be exact
+  /// Number format, profile (its own), window or clip space; whether it claims to be exact
   /// inside its proven domain, and what is proved of its edge arithmetic.
   SubjectInfo info;
   bool can_be_canonical = false;
   /// Its values are stepped down from the corner of the box, then across: EdgeEvaluator::Steps goes
-  /// one way and states nothing of that.
+  /// one way and promises nothing of that.
   bool steps_from_corner = false;
   Stages stages;
   /// Draws a whole scene at once, with the same counts as the stages, and returns true; or returns

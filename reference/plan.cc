@@ -14,7 +14,7 @@
 #include "core/error.h"
 #include "core/tie_rule.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "reference/homogeneous.h"
 #include "reference/method.h"
 #include "reference/plan_kernel.h"
@@ -103,12 +103,14 @@ void DrawBySpans(const Scene& scene, const Profile& profile, const DrawOptions& 
                  CoverageCounts& counts) {
   RasterOptions raster;
   static_cast<DrawOptions&>(raster) = options;
-  Rasterize(kSnap ? SnapScene(scene, profile) : scene, *FindMethod("spans-exact"), raster, counts);
+  Rasterize(kSnap ? SnapScene(scene, {profile, scene}) : scene, *FindMethod("spans-exact"), raster,
+            counts);
 }
 template <bool kSnap>
 void DrawWide(const Scene& scene, const Profile& profile, const DrawOptions& options,
               CoverageCounts& counts) {
-  DrawHomogeneousExact(kSnap ? SnapScene(scene, profile) : scene, profile, options, counts);
+  DrawHomogeneousExact(kSnap ? SnapScene(scene, {profile, scene}) : scene, profile, options,
+                       counts);
 }
 bool SpansServe(const Profile& profile) {
   return profile.tie_rule == kTopLeft && profile.y_axis == YAxis::kDown &&
@@ -211,8 +213,8 @@ Plan PlanWindowSpace(const Scene& scene, const Profile& profile, const DrawOptio
   stages.snap = !profile.snap.IsNone() && !extent.on_grid;
   // Vectors beat the rungs where there is enough to draw, and are exact whatever the extent.
   const bool spans = SpansServe(profile);
-  const bool vectors =
-      spans && KernelsPay(scene) && KernelsTake(stages.snap ? SnapScene(scene, profile) : scene);
+  const bool vectors = spans && KernelsPay(scene) &&
+                       KernelsTake(stages.snap ? SnapScene(scene, {profile, scene}) : scene);
   const bool planned = !vectors && rung != kRungs.end();
   // The kernels of the table clip and break ties in every case.
   stages.clip = !planned || options.threads != 1 || !extent.inside_area;
@@ -299,11 +301,11 @@ void RequireKernelFor(const Scene& scene, const Profile& profile) {
     throw Unplanned(profile, "its fixed-point input or its largest extent is of window space",
                     "give vertices [x, y]");
   }
-  const Profile resolved = ForTarget(profile, scene.width, scene.height);
+  const TargetProfile resolved(profile, scene);
   if (resolved.snap != profile.snap || resolved.pattern != profile.pattern ||
       resolved.tie_rule != profile.tie_rule) {
     throw Unplanned(profile, "it says something else of targets of this size",
-                    "resolve it first: ForTarget(profile, width, height)");
+                    "resolve it first: TargetProfile(profile, scene)");
   }
 }
 

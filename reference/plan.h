@@ -9,6 +9,7 @@
 #include "core/draw_options.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "model/target_profile.h"
 #include "reference/rasterize.h"
 
 namespace rasterproof::reference {
@@ -42,7 +43,7 @@ struct Plan {
 
 /// The cheapest kernel that is proved exact for the scene under the profile's canonical model.
 ///
-/// Domain:     any scene; a profile as ForTarget gives it for the scene's target, without rounded
+/// Domain:     any scene; a TargetProfile of the scene's target, without rounded
 ///             crossings, which no kernel computes. Clip space that no transform of the profile's
 ///             places gets the homogeneous kernel, and takes no fixed-point input and no largest
 ///             extent.

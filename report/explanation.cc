@@ -19,7 +19,7 @@
 namespace rasterproof::report {
 namespace {
 
-constexpr int kMostPixels = 48;
+constexpr int kMostDrawnPixels = 48;
 constexpr std::size_t kMostLines = 24;  // of edge values
 constexpr double kMargin = 24;
 constexpr double kGap = 28;     // between panels
@@ -50,7 +50,7 @@ class Layout {
   explicit Layout(const Explanation& explanation)
       : explanation_(explanation),
         titles_(PanelTitles(explanation)),
-        view_(ReadableView(explanation, kMostPixels)) {
+        view_(ReadableView(explanation, kMostDrawnPixels)) {
     const int wide = view_.x1 - view_.x0;
     const int high = view_.y1 - view_.y0;
     cell_ = std::clamp(std::floor(352.0 / std::max({wide, high, 1})), 8.0, 56.0);

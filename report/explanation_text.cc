@@ -14,7 +14,7 @@ namespace rasterproof::report {
 namespace {
 
 // Three panels of 40 pixels, two characters each, fill a wide terminal.
-constexpr int kMostPixels = 40;
+constexpr int kMostTextPixels = 40;
 constexpr std::size_t kWidestTitle = 10;  // "difference"
 
 // Select-graphic-rendition codes of the 256-colour palette, nearest to the pictures' colours.
@@ -103,7 +103,7 @@ std::string Legend(const Explanation& explanation) {
 }  // namespace
 
 std::string ExplanationToText(const Explanation& explanation, bool colour) {
-  const PixelRect view = ReadableView(explanation, kMostPixels);
+  const PixelRect view = ReadableView(explanation, kMostTextPixels);
   const std::size_t gutter = fmt::format("{}", std::max(view.y1 - 1, 0)).size() + 1;
   const auto panel_width = static_cast<std::size_t>(2 * (view.x1 - view.x0) + 1);
   const std::size_t column = std::max(panel_width, kWidestTitle + 2) + 3;

@@ -26,8 +26,8 @@ struct Picture {
 
 struct Page {
   std::string title;
-  /// True if every built-in method was certified: those not stated to be exact are then here to be
-  /// seen failing.
+  /// True if every built-in method was certified: those that do not claim to be exact are then
+  /// here to be seen failing.
   bool is_survey = false;
   std::vector<Certificate> certificates;
   std::vector<Picture> pictures;

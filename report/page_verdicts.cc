@@ -34,9 +34,9 @@ struct Heading {
 
 // What comes from outside states a profile, and no more than that.
 std::array<Heading, 3> Headings(bool is_survey) {
-  const Heading naive{Group::kNothing, "states-nothing", "Naive, there to fail",
-                      "Plain arithmetic, not stated to be exact: a violation shows where it goes "
-                      "wrong."};
+  const Heading naive{
+      Group::kNothing, "states-nothing", "Naive, there to fail",
+      "Plain arithmetic that claims nothing: a violation shows where it goes wrong."};
   const Heading asked{Group::kNothing, "states-a-profile", "States a profile",
                       "Held to the profile that it states. A violation is a finding."};
   return {
@@ -44,7 +44,7 @@ std::array<Heading, 3> Headings(bool is_survey) {
         "States 0 wrong samples under its own profile. A violation would be a bug."},
        is_survey ? naive : asked,
        {Group::kHomogeneous, "homogeneous", "Homogeneous",
-        is_survey ? "Takes triangles in clip space, by x, y and w. What is not stated to be exact "
+        is_survey ? "Takes triangles in clip space, by x, y and w. What does not claim to be exact "
                     "is there to fail."
                   : "Takes triangles in clip space, by x, y and w."}}};
 }

@@ -13,6 +13,7 @@
 #include "core/result.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "exact/placed_scene.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "io/scene_set.h"
@@ -20,7 +21,6 @@
 #include "model/snap_scene.h"
 #include "props/authority.h"
 #include "props/judging/as_shown.h"
-#include "props/judging/flat_triangles.h"
 #include "props/judging/gate.h"
 #include "props/property.h"
 #include "tool/certify.h"
@@ -160,11 +160,12 @@ PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measur
   result.outcome = Outcome::kNotApplicable;
   if (const auto why = props::DoesNotApply(property.gate, {info})) {
     result.message = *why;
-  } else if (const auto no_models = legal::WhyNotJoint(scene, info.profile)) {
+  } else if (const auto no_models = legal::WhyNotJoint(scene, {info.profile, scene})) {
     result.message = *no_models;
   } else {
     const auto start = Clock::now();
-    const legal::JointVerdict verdict = legal::JudgeJointly(scene, info.profile, call.Observed());
+    const legal::JointVerdict verdict =
+        legal::JudgeJointly(scene, {info.profile, scene}, call.Observed());
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     result.not_judged = verdict.not_judged;
     result.exercised = verdict.samples - verdict.not_judged;
@@ -203,17 +204,14 @@ std::string WhyNotStated(const Scene& scene, const Profile& profile) {
   if (!WithinLimits(scene, profile)) {
     return "coordinates beyond what the profile states" + std::string(kNotJudged);
   }
-  if (!IsUnclipped(scene, profile)) {
+  if (!IsUnclipped(scene, {profile, scene})) {
     return "triangles leave the profile's guard-band rectangle" + std::string(kNotJudged);
   }
   if (profile.degenerate_triangles == DegenerateTriangles::kNothing) return "";
   if (scene.clip_space && !profile.snap.IsNone()) {
     return "areas after the division and snapping are not decided" + std::string(kNotJudged);
   }
-  Case c;
-  c.scene = scene;
-  c.profile = profile;
-  return props::FlatTriangles(c).empty()
+  return exact::PlacedScene(scene, profile).flat.empty()
              ? ""
              : "triangles of zero area, which the profile leaves unspecified" +
                    std::string(kNotJudged);

@@ -19,6 +19,7 @@
 #include "props/codec/codec.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
 #include "report/picture.h"
@@ -37,7 +38,7 @@ namespace rasterproof::tool {
 namespace {
 
 // Why a difference from the canonical model says nothing against the subject; empty if it does.
-std::string WhyObservedOnly(const SubjectInfo& info, const Case& c) {
+std::string WhyObservedOnly(const SubjectInfo& info, const props::PlacedCase& c) {
   if (!HasOneModel(c.profile) && !info.states_exact)
     return "the profile leaves more than one result";
   const bool is_finite = std::ranges::all_of(c.scene.vertices, IsFinite);
@@ -47,9 +48,9 @@ std::string WhyObservedOnly(const SubjectInfo& info, const Case& c) {
 
 // Without a property the property is the plainest one: the counts are the model's.
 Verdict CompareWithModel(const CoverageCounts& observed, const props::Description& subject,
-                         const Case& c) {
-  CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
-  if (props::IsJudgedAsShown(subject, c)) expected = props::AsShown(std::move(expected));
+                         const props::PlacedCase& c) {
+  CoverageCounts expected = exact::Coverage(c, c.options);
+  if (props::IsJudgedAsShown(subject.info, c.scene)) expected = props::AsShown(std::move(expected));
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(difference.samples);
   if (const std::string why = WhyObservedOnly(subject.info, c); !why.empty()) {
@@ -73,7 +74,7 @@ Verdict CompareWithModel(const CoverageCounts& observed, const props::Descriptio
                            witness);
 }
 
-props::Asked AskForTheModel(const Case& c, const props::Description& subject) {
+props::Asked AskForTheModel(const props::PlacedCase& c, const props::Description& subject) {
   Questions questions;
   questions.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
   return props::OneCheck(std::move(questions), [&c, &subject](const Answers& answers) {

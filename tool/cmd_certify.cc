@@ -228,8 +228,8 @@ std::string Remarks(const report::Certificate& certificate) {
   return text;
 }
 
-// With --all, only methods stated to be exact can fail the run; the naive ones are there to fail
-// (docs/decisions/0005).
+// With --all, only methods that claim to be exact can fail the run; the naive ones are there to
+// fail (docs/decisions/campaigns.md).
 bool Counts(const report::Certificate& certificate, Outcome outcome, bool survey) {
   return !survey || certificate.subject.states_exact || outcome != Outcome::kViolated;
 }

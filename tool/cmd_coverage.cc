@@ -11,7 +11,7 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/session.h"
@@ -39,13 +39,8 @@ std::string CountsToText(const CoverageCounts& counts) {
 
 // A subject without a grid of its own draws what the profile's snap leaves of the scene.
 Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& name) {
-  const auto on_this_target = [&](const Profile& stated) {
-    Profile resolved = ForTarget(stated, scene.width, scene.height);
-    resolved.by_target_size.clear();
-    return resolved;
-  };
-  const Profile profile = on_this_target(io::ReadProfile(name));
-  const Profile own = on_this_target(subject.Info().profile);
+  const TargetProfile profile(io::ReadProfile(name), scene);
+  const TargetProfile own(subject.Info().profile, scene);
   if (SameModel(profile, own)) return scene;
   if (profile.freedom.MovesVertices()) {
     throw InputError("--profile " + name, "it leaves open to which grid points vertices snap",

@@ -146,11 +146,11 @@ int RunDecided(const DecidedOptions& options) {
   RequireHonestEnvironment();
   const Profile profile = io::ReadProfile(options.profile);
   const Scene scene = LoadScene(options.scene);
-  if (const auto why = legal::WhyNotJoint(scene, profile)) {
+  if (const auto why = legal::WhyNotJoint(scene, {profile, scene})) {
     throw InputError("--profile " + options.profile, *why,
                      "give a profile whose models state single samples of this scene");
   }
-  const legal::Decided decided = legal::DecidedSamples(scene, profile);
+  const legal::Decided decided = legal::DecidedSamples(scene, {profile, scene});
   if (!options.json.empty()) WriteOutput(options.json, ToJson(decided, profile));
   if (!options.png.empty())
     io::WriteFile(options.png, io::EncodePng(Picture(decided, scene, profile, options)));

@@ -20,7 +20,7 @@
 #include "io/output.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "props/judging/witness.h"
 #include "report/grounds.h"
 #include "report/json_writer.h"
@@ -158,9 +158,9 @@ void Save(const LegalOptions& options, const Scene& scene, const Profile& profil
 }
 
 OneCall Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
-  io::CountsFile file = io::ReadCounts(
-      options.image, scene.width, scene.height,
-      ForTarget(profile, scene.width, scene.height).pattern.samples(), options.background);
+  io::CountsFile file =
+      io::ReadCounts(options.image, scene.width, scene.height,
+                     TargetProfile(profile, scene).pattern.samples(), options.background);
   OneCall drawn;
   drawn.drawing.counts = std::move(file.counts);
   drawn.is_mask = file.is_mask;
@@ -186,15 +186,16 @@ int RunLegal(const LegalOptions& options) {
     RequireTakes(*subject, scene, options.scene.path);
   }
   const Profile profile = subject ? subject->Info().profile : io::ReadProfile(options.profile);
-  if (const auto why = legal::WhyNotJoint(scene, profile)) {
+  if (const auto why = legal::WhyNotJoint(scene, {profile, scene})) {
     throw InputError("profile " + profile.name, *why,
                      "give a profile whose models state single samples of this scene");
   }
   const OneCall drawn = subject ? DrawInOneCall(*subject, scene) : Read(options, scene, profile);
-  const legal::JointVerdict verdict = legal::JudgeJointly(scene, profile, drawn.Observed());
+  const legal::JointVerdict verdict =
+      legal::JudgeJointly(scene, {profile, scene}, drawn.Observed());
   std::optional<std::uint64_t> open;
   if (verdict.legality != legal::Legality::kLegal)
-    open = legal::DecidedSamples(scene, profile).NumberOpen();
+    open = legal::DecidedSamples(scene, {profile, scene}).NumberOpen();
   if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, open, profile));
   if (!options.save.empty() && verdict.core) Save(options, scene, profile, *verdict.core);
   if (options.json != "-") {

@@ -24,9 +24,10 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/run/campaign.h"
+#include "props/run/description.h"
 #include "props/run/judge.h"
-#include "props/run/judged_case.h"
 #include "props/run/put.h"
 #include "props/run/tally.h"
 #include "subjects/process/protocol.h"
@@ -219,11 +220,11 @@ AllAnswers PutAll(const PutOne& put_one, const props::CaseJudge& hand) {
   AllAnswers all;
   const auto put = [&](const Questions& questions) {
     const props::Check check{questions, {}};
-    return put_one({&hand.AsJudged(), &check, nullptr});
+    return put_one({&hand.Placed(), &check, nullptr});
   };
   if (hand.IsDone()) return all;
   for (const props::Check& check : hand.Checks()) all.of_checks.push_back(put(check.questions));
-  const Case& c = hand.AsJudged().value;
+  const props::PlacedCase& c = hand.Placed();
   Questions picture;
   picture.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
   all.of_picture = put(picture);

@@ -14,7 +14,7 @@
 #include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "reference/plan.h"
 #include "tool/commands.h"
 #include "tool/plan_error.h"
@@ -128,7 +128,7 @@ int RunPlan(const PlanOptions& options) {
   RequireHonestEnvironment();
   const Scene scene = LoadScene(options.scene);
   if (options.error >= 0) return PlanByError(options, scene);
-  const Profile profile = ForTarget(io::ReadProfile(options.profile), scene.width, scene.height);
+  const TargetProfile profile(io::ReadProfile(options.profile), scene);
   if (profile.squares) {
     throw InputError("--profile " + options.profile,
                      "it states whole pixels, and what is planned samples points",

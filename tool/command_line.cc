@@ -170,7 +170,7 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   AddSubjects(verb, options.subjects);
   verb->add_flag(
       "--all", options.all,
-      "Every built-in subject; the exit status then covers only those stated to be exact");
+      "Every built-in subject; the exit status then covers only those that claim to be exact");
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();

@@ -19,8 +19,7 @@
 #include "exact/rational.h"
 #include "fmt/format.h"
 #include "io/scene_file.h"
-#include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "props/placed_case.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -159,7 +158,7 @@ std::vector<int> TrianglesInView(const Scene& scene, const PixelRect& view, int 
   return found;
 }
 
-Point2 SampleAt(const Case& c, int x, int y, int number) {
+Point2 SampleAt(const props::PlacedCase& c, int x, int y, int number) {
   const SamplePattern& pattern = c.profile.pattern;
   const int row = c.profile.y_axis == YAxis::kUp ? c.scene.height - 1 - y : y;
   return pattern.At(x, row, std::clamp(number, 0, pattern.samples() - 1));
@@ -192,13 +191,11 @@ Case AsDrawn(const Case& c, const Verdict& verdict) {
 
 report::Explanation Explain(Subject& subject, const Case& given, const Verdict& verdict,
                             const std::string& replay) {
-  Case c = AsDrawn(given, verdict);
-  c.profile = ForTarget(given.profile, c.scene.width, c.scene.height);
+  const props::PlacedCase c(AsDrawn(given, verdict));
   report::Explanation explanation;
+  explanation.scene = IsHomogeneous(c.scene, c.profile) ? c.scene : c.placed;
   // A triangle that is dropped for its extent is shown where it lies.
-  Profile all_sizes = c.profile;
-  all_sizes.max_primitive_extent.reset();
-  explanation.scene = IsHomogeneous(c.scene, c.profile) ? c.scene : SnapScene(c.scene, all_sizes);
+  explanation.scene.triangles = c.scene.triangles;
   explanation.pattern = c.profile.pattern;
   explanation.y_axis = c.profile.y_axis;
   const CoverageCounts none(c.scene.width, c.scene.height, c.profile.pattern.samples());
@@ -206,8 +203,7 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
     explanation.expected = verdict.compared->expected;
     explanation.observed = verdict.compared->observed;
   } else {
-    explanation.expected =
-        ShownBy(subject, c.scene, exact::Coverage(c.scene, c.profile, c.options));
+    explanation.expected = ShownBy(subject, c.scene, exact::Coverage(c, c.options));
     std::string failure;  // is told by the verdict; the picture then shows that nothing was drawn
     explanation.observed = DrawUnlessItFails(subject, c.scene, c.options, failure).value_or(none);
   }

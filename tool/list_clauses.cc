@@ -24,11 +24,13 @@ std::vector<std::string_view> EnforcedBy(const Clause& clause) {
 
 std::string LinesOf(const Clause& clause) {
   std::string text =
-      fmt::format("  {} ({}; {})\n    says:     {}\n    read as:  {}\n", clause.id, clause.place,
-                  ForceName(clause.force), clause.sentence, clause.reading);
+      fmt::format("  {} ({}; {}{})\n    says:     {}\n    read as:  {}\n", clause.id, clause.place,
+                  ForceName(clause.force), clause.is_assumed ? ", assumed" : "", clause.sentence,
+                  clause.reading);
   if (!clause.keys.empty()) text += fmt::format("    keys:     {}\n", clause.keys);
   const auto names = EnforcedBy(clause);
   if (!names.empty()) text += fmt::format("    enforced: {}\n", fmt::join(names, ", "));
+  if (!clause.shown_by.empty()) text += fmt::format("    shown by: {}\n", clause.shown_by);
   return text;
 }
 

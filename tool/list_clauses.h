@@ -9,8 +9,7 @@ namespace rasterproof::tool {
 /// Each specification with its clauses, a few lines each.
 std::string ListClauses();
 
-/// The same with all that the table holds, and the properties that enforce each clause. It is what
-/// scripts/clause_table writes docs/clauses.md from.
+/// The same with all that the table holds, and the properties that enforce each clause.
 std::string ClausesToJson();
 
 }  // namespace rasterproof::tool

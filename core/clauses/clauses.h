@@ -44,7 +44,7 @@ struct Specification {
   std::string_view base = {};
 };
 
-/// All of them, in the order of docs/clauses.md.
+/// All of them, in the order in which they are listed.
 std::span<const Specification> Specifications();
 /// nullptr if there is none of that name.
 const Specification* FindSpecification(std::string_view api);

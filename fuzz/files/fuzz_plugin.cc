@@ -4,9 +4,8 @@
 //     fuzz_plugin --subject NAME ...
 //
 // --subject: one of this program's own, a planted bug among them. Without --property: the
-// properties of the contract that the subject states. --profile: what a
-// plugin is judged by, not by what it states. --raw: the bytes are the bits of the coordinates of
-// one or two triangles (fuzz::FloatsOf); to see what the code is worth.
+// properties of the contract that the subject states. --profile: what a plugin is judged by, not by
+// what it states.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -14,7 +13,6 @@
 #include <exception>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,18 +26,15 @@
 
 namespace {
 
-using rasterproof::SubjectInfo;
 using rasterproof::fuzz::Bound;
 
 std::optional<Bound> bound;
-std::optional<SubjectInfo> raw;
 
 struct Asked {
   std::string plugin;
   std::string profile;
   std::string subject;
   std::vector<std::string> properties;
-  bool raw = false;
 };
 
 [[noreturn]] void Refuse(const std::string& why) {
@@ -65,8 +60,6 @@ Asked TakeOptions(int* argc, char*** argv) {
       asked.subject = value();
     } else if (word == "--property") {
       asked.properties.push_back(value());
-    } else if (word == "--raw") {
-      asked.raw = true;
     } else {
       (*argv)[kept++] = (*argv)[k];
     }
@@ -81,7 +74,7 @@ std::unique_ptr<rasterproof::Subject> Loaded(const Asked& asked) {
   }
   if (!asked.subject.empty()) return rasterproof::fuzz::SubjectNamed(asked.subject);
   auto [subject, profile] = rasterproof::subjects::LoadPlugin(asked.plugin);
-  SubjectInfo judged_as = subject->Info();
+  rasterproof::SubjectInfo judged_as = subject->Info();
   judged_as.profile = asked.profile.empty() ? rasterproof::io::ParseProfile(profile, asked.plugin)
                                             : rasterproof::io::ReadProfile(asked.profile);
   subject->JudgeAs(judged_as);
@@ -94,7 +87,6 @@ void Bind(const Asked& asked) {
   if (names.empty()) names = rasterproof::fuzz::ContractPropertiesOf(*subject);
   if (names.empty()) Refuse("the subject states no contract; name a --property");
   for (const std::string_view name : names) rasterproof::fuzz::RequireApplies(*subject, name);
-  if (asked.raw) raw = subject->Info();
   bound.emplace(std::move(subject), names);
 }
 
@@ -110,6 +102,5 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::span bytes(data, size);
-  return bound->PutToTheTest(raw ? rasterproof::fuzz::FloatsOf(bytes, *raw) : bytes);
+  return bound->PutToTheTest({data, size});
 }

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "props/domains/input_lattice.h"
 
 namespace rasterproof::props {
@@ -162,7 +162,7 @@ void FitTo(const SubjectInfo& info, Case& c) {
   if (Takes(info, scene)) return;
   const std::optional<FixedInput>& fixed = info.profile.fixed;
   scene.precision = fixed ? PrecisionOf(*fixed) : Precision::kFloat32;
-  const InputLattice lattice(ForTarget(info.profile, scene.width, scene.height), scene.precision);
+  const InputLattice lattice(TargetProfile(info.profile, scene), scene.precision);
   for (Vertex& v : scene.vertices) {
     for (double* const x : {&v.x, &v.y}) {
       if (fixed) *x = std::isfinite(*x) ? lattice.RoundWithinLimit(*x) : 0;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "model/target_model.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::props {
 namespace {
@@ -100,7 +100,7 @@ double SpelledCoordinate(std::uint64_t anchor, std::uint64_t fine, const InputLa
 std::optional<std::vector<std::uint8_t>> SpellCase(const Case& c, const SubjectInfo& info) {
   if (!IsOfTheCode(c, info)) return std::nullopt;
   const Scene& scene = c.scene;
-  const InputLattice lattice(ForTarget(info.profile, scene.width, scene.height), scene.precision);
+  const InputLattice lattice(TargetProfile(info.profile, scene), scene.precision);
   const std::size_t vertices = scene.vertices.size();
   std::vector<std::uint8_t> bytes{0, static_cast<std::uint8_t>(scene.width - 1),
                                   static_cast<std::uint8_t>(scene.height - 1),

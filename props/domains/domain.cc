@@ -123,6 +123,9 @@ constexpr std::array kDomains{
     Domain{.number = 22,
            .name = "deciding-snap-ties",
            .summary = "vertices at or beside ties of the snap that decide who owns a sample",
+           .in_a_round = 2,
+           // What a transform rounds otherwise by an ulp shows there, and hardly elsewhere.
+           .in_a_round_behind_transforms = 8,
            .draw = DecidingSnapTies},
     Domain{.number = 23,
            .name = "full-coverage",
@@ -241,6 +244,8 @@ constexpr std::array kDomains{
            .name = "folds",
            .summary = "strips and fans of triangles a step of the grid high: a legal choice turns",
            .mesh = true,
+           // What a legal choice turns is most of what freedom can go wrong by.
+           .in_a_round = 8,
            .is_stated = LeavesGridPoints,
            .draw = Folds},
     Domain{.number = 49,

@@ -33,6 +33,10 @@ struct Domain {
   bool mesh = false;
   /// True if some of its scenes have what no integer holds: NaN and infinities.
   bool non_finite = false;
+  /// How many of its cases a round over a property's domains has.
+  std::uint8_t in_a_round = 1;
+  /// The same for a subject that owns its transform.
+  std::uint8_t in_a_round_behind_transforms = in_a_round;
   /// The contract that it is about, for a domain that means nothing without it.
   bool (*is_stated)(const Profile&) = nullptr;
   /// Draws a case on the input lattice of `info` (its precision, snap, sample pattern, window or

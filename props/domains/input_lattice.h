@@ -19,7 +19,7 @@ namespace rasterproof::props {
 /// larger. Recipes that put a vertex "one step off" an edge mean this step.
 class InputLattice {
  public:
-  /// Domain:     a profile as ForTarget gives it; of a fixed-point one, a precision that holds its
+  /// Domain:     of a fixed-point profile, a precision that holds its
   ///             coordinates (PrecisionOf).
   InputLattice(const Profile& profile, Precision precision);
 

@@ -66,6 +66,10 @@ Point2 Nudged(Sketch& sketch, Point2 p, int most) {
   return p;
 }
 
+Point2 OnLattice(const Sketch& sketch, Point2 p) {
+  return {sketch.lattice().RoundWithinLimit(p.x), sketch.lattice().RoundWithinLimit(p.y)};
+}
+
 Point2 Hardest(Sketch& sketch, Point2 guess, Point2 q, Point2 p) {
   const InputLattice& lattice = sketch.lattice();
   const Point2 on_line = OntoLine({lattice.Round(guess.x), lattice.Round(guess.y)}, q, p);

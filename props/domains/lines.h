@@ -32,6 +32,9 @@ Segment SegmentThrough(Sketch& sketch, Point2 p);
 /// Moves one coordinate of p by up to `most` lattice steps either way.
 Point2 Nudged(Sketch& sketch, Point2 p, int most);
 
+/// The lattice place nearest to p, within the profile's limit.
+Point2 OnLattice(const Sketch& sketch, Point2 p);
+
 /// A lattice place v near `guess` on the line through q and p for which |E(v, q; p)| is as small as
 /// the lattice allows without being zero.
 Point2 Hardest(Sketch& sketch, Point2 guess, Point2 q, Point2 p);

@@ -35,10 +35,6 @@ Segment DrawOffsetDiagonal(Sketch& sketch) {
   return {{p.x + off, p.y + off}, {p.x + off + side, p.y + off + side}};
 }
 
-Point2 OnLattice(const Sketch& sketch, Point2 p) {
-  return {sketch.lattice().RoundWithinLimit(p.x), sketch.lattice().RoundWithinLimit(p.y)};
-}
-
 // A grid, one node of which is a sample of the target.
 struct GridShape {
   int columns = 1;

@@ -12,10 +12,6 @@
 namespace rasterproof::props {
 namespace {
 
-Point2 OnLattice(const Sketch& sketch, Point2 p) {
-  return {sketch.lattice().RoundWithinLimit(p.x), sketch.lattice().RoundWithinLimit(p.y)};
-}
-
 // A quad around the target, on whole pixels a few off its border, cut along a diagonal.
 PlanarMesh DrawFrame(Sketch& sketch) {
   BitSource& bits = sketch.bits();

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/target_model.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::props {
 namespace {
@@ -34,14 +34,14 @@ Sketch::Sketch(BitSource& source, const SubjectInfo& info) : Sketch(source, info
   case_.scene.width = DrawSide(source);
   case_.scene.height = DrawSide(source);
   if (info.profile.by_target_size.empty()) return;
-  profile_ = ForTarget(info.profile, width(), height());
+  profile_ = TargetProfile(info.profile, width(), height());
   lattice_ = InputLattice(profile_, lattice_.precision());
 }
 
 Sketch::Sketch(BitSource& source, const SubjectInfo& info, int width, int height)
     : bits_(&source),
       info_(&info),
-      profile_(ForTarget(info.profile, width, height)),
+      profile_(info.profile, width, height),
       lattice_(profile_, DrawPrecision(source, info)) {
   case_.scene.width = width;
   case_.scene.height = height;

@@ -9,6 +9,7 @@
 #include "core/case.h"
 #include "core/subject_info.h"
 #include "core/vertex.h"
+#include "model/target_profile.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/input_lattice.h"
 
@@ -31,7 +32,7 @@ class Sketch {
   BitSource& bits() { return *bits_; }
   const InputLattice& lattice() const { return lattice_; }
   /// The subject's profile, as it is on a target of this size.
-  const Profile& profile() const { return profile_; }
+  const TargetProfile& profile() const { return profile_; }
   int width() const { return case_.scene.width; }
   int height() const { return case_.scene.height; }
   /// The stated range; for real geometry one whose edge values are still of a readable size.
@@ -79,7 +80,7 @@ class Sketch {
   const SubjectInfo* info_;
   bool within_limit_ = true;
   Case case_;
-  Profile profile_;
+  TargetProfile profile_;
   InputLattice lattice_;
 };
 

@@ -41,7 +41,7 @@ Case Shrunken(Observer& observer, const Case& c) {
                         !candidate.scene.clip_space &&
                         candidate.scene.precision == c.scene.precision &&
                         WithinLimits(candidate.scene, candidate.profile) &&
-                        IsUnclipped(candidate.scene, candidate.profile);
+                        IsUnclipped(candidate.scene, {candidate.profile, candidate.scene});
     if (!may_be) return false;
     const std::vector<CoverageCounts> seen = observer.Draw(std::span(&candidate.scene, 1));
     return !seen.empty() && seen.front().size() != 0 && Differs(observer, candidate, seen.front());

@@ -8,7 +8,7 @@
 #include "core/transform.h"
 #include "model/drop.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::props {
 namespace {
@@ -162,10 +162,10 @@ std::vector<PatternCandidate> CandidatesFor(const std::vector<SampleReading>& se
 
 // Why the stated profile has no room for probes of this size; empty if it has.
 std::string ComplaintAgainst(const ProbeSize& size, const Profile& stated) {
-  Profile small = ForTarget(stated, kShort, kShort);
+  TargetProfile small(stated, kShort, kShort);
   const int side = size.Long();
   for (const auto& [width, height] : {std::pair{side, kShort}, {kShort, side}, {32, 32}}) {
-    if (ForTarget(stated, width, height) != small) {
+    if (TargetProfile(stated, width, height) != small) {
       return "the stated models of its targets part at less than " + std::to_string(side) +
              " pixels a side";
     }
@@ -187,7 +187,7 @@ std::string ComplaintAgainst(const ProbeSize& size, const Profile& stated) {
         Exceeds({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])},
                 *small.max_primitive_extent)) {
       return "it needs triangles of " + std::to_string(farthest - 2) +
-             " pixels a side, larger than what is stated to be drawn";
+             " pixels a side, larger than what it promises to draw";
     }
   }
   return "";

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "model/snap_scene.h"
-#include "model/target_model.h"
 #include "props/domains/input_lattice.h"
 #include "props/judging/redraw.h"
 #include "props/property.h"
@@ -16,8 +15,8 @@ namespace rasterproof::props {
 
 Observer::Observer(Subject& subject)
     : subject_(subject),
-      judged_{{}, DescriptionOf(subject), subject.Info().profile, {}, {}, {}},
-      stated_(ForTarget(subject.Info().profile, kSmallTarget, kSmallTarget)) {
+      placed_(Case{{}, subject.Info().profile, {}, {}}),
+      stated_(subject.Info().profile, kSmallTarget, kSmallTarget) {
   // Where it is not stated what is clipped, experiments reach beyond the target all the same: what
   // a model explains of the answers is believed.
   if (!StatesGuardBand(stated_)) stated_.guard_band.reset();
@@ -36,7 +35,7 @@ std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes, bool ma
   std::vector<Request> requests;
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     checks[k].questions.draws = {CountsOf(AsGiven(scenes[k]), info().profile, {})};
-    requests.push_back({&judged_, &checks[k], nullptr});
+    requests.push_back({&placed_, &checks[k], nullptr});
   }
   for (Answers& answers : Put(subject_, requests)) {
     ++draws_;

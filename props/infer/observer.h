@@ -14,7 +14,8 @@
 #include "core/scene.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "props/run/judged_case.h"
+#include "model/target_profile.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -50,7 +51,7 @@ class Observer {
   bool TellsFacings() const { return info().coverage == CoverageKind::kFacingCounts; }
   const SubjectInfo& info() const { return subject_.Info(); }
   /// The stated profile, as it is on the small targets of all experiments.
-  const Profile& stated() const { return stated_; }
+  const TargetProfile& stated() const { return stated_; }
   /// The scene with its vertices where the subject can be given them: on the integers of a
   /// fixed-point input, within the stated limit. Nothing if it still breaks what is stated of
   /// the scenes that are judged.
@@ -68,8 +69,8 @@ class Observer {
   CoverageCounts Normal(CoverageCounts counts) const;
 
   Subject& subject_;
-  JudgedCase judged_;  ///< whose draws are asked for
-  Profile stated_;
+  PlacedCase placed_;  ///< whose draws are asked for
+  TargetProfile stated_;
   FacingReport facing_ = FacingReport::kNotTold;
   std::uint64_t draws_ = 0;
   Scene last_scene_;

@@ -18,12 +18,6 @@ bool IsJudgedAsShown(const SubjectInfo& info, const Scene& scene) {
       CoverageCounts::Size(scene.width, scene.height, info.profile.pattern.samples()));
 }
 
-bool IsJudgedAsShown(const Description& subject, const Case& c) {
-  return IsJudgedAsShown(
-      subject.info.coverage, c.scene.triangles.size(),
-      CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.pattern.samples()));
-}
-
 CoverageCounts AsShown(CoverageCounts counts) {
   for (std::size_t k = 0; k < counts.size(); ++k) {
     counts.front[k] = std::min(counts.Count(k), 1U);

@@ -28,7 +28,6 @@ inline constexpr std::size_t kMostCallsByTriangle = 1024;
 /// Returns:    false for subjects that count, whatever the size.
 bool IsJudgedAsShown(CoverageKind coverage, std::size_t triangles, std::uint64_t samples);
 bool IsJudgedAsShown(const SubjectInfo& info, const Scene& scene);
-bool IsJudgedAsShown(const Description& subject, const Case& c);
 
 /// What one call that shows no counts shows of these: 1 in `front` where anything covers.
 CoverageCounts AsShown(CoverageCounts counts);

@@ -11,12 +11,13 @@
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
 
 // Exact barycentrics are rationals, some ten microseconds each: a few dozen for a case.
-constexpr int kTriangles = 2;
+constexpr int kBarycentricTriangles = 2;
 constexpr std::size_t kNearEdges = 5;
 constexpr double kLargestAttribute = 0x1p20;
 
@@ -27,7 +28,8 @@ int PixelOf(double x, int size) {
 
 // The samples of the pixels at the centroid and half-way from it to each vertex: some are inside
 // unless the triangle is thinner than a pixel.
-void AddInner(const Case& c, const std::array<Point2, 3>& v, std::vector<SamplePlace>& places) {
+void AddInner(const PlacedCase& c, const std::array<Point2, 3>& v,
+              std::vector<SamplePlace>& places) {
   const Point2 centroid{v[0].x / 3 + v[1].x / 3 + v[2].x / 3, v[0].y / 3 + v[1].y / 3 + v[2].y / 3};
   const auto add = [&](Point2 p) {
     const int line = PixelOf(p.y, c.scene.height);
@@ -50,15 +52,15 @@ bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p) {
   return true;
 }
 
-std::vector<CornersPlace> SomeProperTriangles(const Case& c) {
+std::vector<CornersPlace> SomeProperTriangles(const PlacedCase& c) {
   constexpr int kLookedAt = 64;
   std::vector<CornersPlace> proper = SomeTriangles(c, kLookedAt);
   std::erase_if(proper, [](const CornersPlace& place) { return exact::Facing(place.at) == 0; });
-  if (proper.size() > kTriangles) proper.resize(kTriangles);
+  if (proper.size() > kBarycentricTriangles) proper.resize(kBarycentricTriangles);
   return proper;
 }
 
-std::vector<BarycentricQuery> SomeBarycentricQueries(const Case& c) {
+std::vector<BarycentricQuery> SomeBarycentricQueries(const PlacedCase& c) {
   std::vector<BarycentricQuery> queries;
   for (const CornersPlace& corners : SomeProperTriangles(c)) {
     std::vector<SamplePlace> places;
@@ -138,7 +140,7 @@ std::array<exact::Rational, 3> ExactBarycentrics(const BarycentricQuery& q) {
   return *exact::Barycentrics(q.v, q.place.at);
 }
 
-std::vector<std::array<double, 3>> SomeAttributes(const Case& c, const BarycentricQuery& q) {
+std::vector<std::array<double, 3>> SomeAttributes(const PlacedCase& c, const BarycentricQuery& q) {
   std::vector<std::array<double, 3>> sets{{0.25, 1, 0.625}, {3, 3, 3}};
   const std::array<Vertex, 3> v =
       Corners(c.scene, c.scene.triangles[static_cast<std::size_t>(q.triangle)]);

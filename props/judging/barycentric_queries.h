@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "core/case.h"
 #include "core/evaluators.h"
 #include "core/verdict.h"
 #include "exact/rational.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/places.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -32,10 +32,10 @@ struct BarycentricQuery {
 bool InClosedTriangle(const std::array<Point2, 3>& v, Point2 p);
 
 /// A few triangles of non-zero area, at samples inside, near the edges and outside.
-std::vector<BarycentricQuery> SomeBarycentricQueries(const Case& c);
+std::vector<BarycentricQuery> SomeBarycentricQueries(const PlacedCase& c);
 
 /// The corners themselves: at most a few triangles of non-zero area.
-std::vector<CornersPlace> SomeProperTriangles(const Case& c);
+std::vector<CornersPlace> SomeProperTriangles(const PlacedCase& c);
 
 /// The forms whose barycentrics mean lambda at this query (the unsigned one only inside).
 std::vector<BarycentricForm> FormsFor(const BarycentricQuery& q);
@@ -70,7 +70,7 @@ std::array<exact::Rational, 3> ExactBarycentrics(const BarycentricQuery& q);
 
 /// Attribute values to interpolate: the scene's z where finite and of moderate size, and two fixed
 /// sets, one constant. All are float32 values.
-std::vector<std::array<double, 3>> SomeAttributes(const Case& c, const BarycentricQuery& q);
+std::vector<std::array<double, 3>> SomeAttributes(const PlacedCase& c, const BarycentricQuery& q);
 
 /// A violation at a query; `entry` is the vertex (and so the edge opposite it) in question, or -1.
 Verdict BarycentricViolation(const BarycentricQuery& q, int entry, std::uint64_t exercised,

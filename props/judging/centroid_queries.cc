@@ -12,11 +12,11 @@
 #include "core/scene.h"
 #include "exact/attributes.h"
 #include "exact/coverage.h"
-#include "model/snap_scene.h"
 #include "props/judging/fragment_queries.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -46,7 +46,7 @@ struct CoveredPixel {
 };
 
 // The corner of least x and y.
-Point2 CornerOf(const Case& c, int x, int row) {
+Point2 CornerOf(const PlacedCase& c, int x, int row) {
   const Point2 sample = PlaceOf(c, x, row, 0).at;
   const Point2 location = c.profile.pattern.locations[0];
   return {sample.x - location.x, sample.y - location.y};
@@ -75,9 +75,9 @@ LegalPlaces Grown(const LegalPlaces& places, double by) {
   return {{places.low.x - by, places.low.y - by}, {places.high.x + by, places.high.y + by}};
 }
 
-std::vector<CentroidTriangle> TrianglesToJudge(const Case& c, const Description& subject) {
+std::vector<CentroidTriangle> TrianglesToJudge(const PlacedCase& c, const Description& subject) {
   const BarycentricsOf of = subject.info.fragments.barycentrics_of;
-  const Scene owners = of == BarycentricsOf::kSnapped ? SnapScene(c.scene, c.profile) : c.scene;
+  const Scene& owners = of == BarycentricsOf::kSnapped ? c.placed : c.scene;
   const double rounding = RoundingOfAPoint(subject.info, c.scene);
   std::vector<CentroidTriangle> triangles;
   for (const CornersPlace& place : SomeProperTriangles(c)) {
@@ -123,14 +123,14 @@ std::vector<CoveredPixel> SomePixels(const Drawing& drawing) {
   return partly;
 }
 
-std::string WordsOf(const Case& c, Point2 at, const std::vector<bool>& covered) {
+std::string WordsOf(const PlacedCase& c, Point2 at, const std::vector<bool>& covered) {
   const bool is_centre =
       c.profile.pattern.samples() == 1 || std::ranges::count(covered, false) == 0;
   return (is_centre ? "the pixel's centre, " : "the first covered sample, ") + HexText(at);
 }
 
-CentroidRegion RegionOf(const Case& c, const CentroidTriangle& triangle, const SamplePlace& place,
-                        const std::vector<bool>& covered) {
+CentroidRegion RegionOf(const PlacedCase& c, const CentroidTriangle& triangle,
+                        const SamplePlace& place, const std::vector<bool>& covered) {
   const Point2 corner = CornerOf(c, place.x, place.row);
   CentroidRegion region{
       .at = StatedCentroid(c, place.x, place.row, covered),
@@ -151,7 +151,7 @@ std::array<double, 3> TolerancesAt(const SubjectInfo& info, const CentroidFragme
 }
 
 // What the samples of the pixel show, each value once.
-void AddFragments(const Case& c, const SubjectInfo& info, const CentroidTriangle& triangle,
+void AddFragments(const PlacedCase& c, const SubjectInfo& info, const CentroidTriangle& triangle,
                   const Drawing& drawing, const CoveredPixel& pixel,
                   std::vector<CentroidFragment>& fragments) {
   std::vector<std::array<double, 3>> seen;
@@ -184,7 +184,7 @@ Distance DistanceFromPoint(const CentroidFragment& fragment, Point2 at) {
 
 }  // namespace
 
-std::optional<Point2> StatedCentroid(const Case& c, int x, int row,
+std::optional<Point2> StatedCentroid(const PlacedCase& c, int x, int row,
                                      const std::vector<bool>& covered) {
   const bool is_whole = std::ranges::count(covered, false) == 0;
   const bool is_direct3d = c.profile.centroid == Centroid::kDirect3D;
@@ -216,7 +216,7 @@ bool HasAPoint(const CentroidRegion& region) {
   return region.at || exact::RectangleMeets(region.low, region.high, *region.primitive);
 }
 
-Asked AskCentroids(const Case& c, const Description& subject,
+Asked AskCentroids(const PlacedCase& c, const Description& subject,
                    Verdict (*judge)(const std::vector<CentroidFragment>&)) {
   std::vector<CentroidTriangle> triangles = TrianglesToJudge(c, subject);
   if (triangles.empty()) return NothingAsked("no triangle has an area, or all may be clipped");

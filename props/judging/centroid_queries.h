@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "core/case.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "core/vertex.h"
 #include "exact/half_planes.h"
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -45,7 +45,7 @@ struct CentroidFragment {
 /// rule the covered sample of least index else. Nothing where the rule leaves a region.
 ///
 /// Domain:     a profile that states centroids; some sample is covered.
-std::optional<Point2> StatedCentroid(const Case& c, int x, int row,
+std::optional<Point2> StatedCentroid(const PlacedCase& c, int x, int row,
                                      const std::vector<bool>& covered);
 
 /// Whether some point of the region has barycentrics that are as far from the shown ones as the
@@ -60,7 +60,7 @@ bool HasAPoint(const CentroidRegion& region);
 
 /// Asks for the centroids of a few triangles, each drawn alone so that what it covers is seen, and
 /// judges some of their fragments, those that are covered in part first.
-Asked AskCentroids(const Case& c, const Description& subject,
+Asked AskCentroids(const PlacedCase& c, const Description& subject,
                    Verdict (*judge)(const std::vector<CentroidFragment>&));
 
 }  // namespace rasterproof::props

@@ -11,12 +11,13 @@
 #include "model/snap.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
 
 // Together about a thousand queries for a case, a fraction of a millisecond.
-constexpr int kTriangles = 4;
+constexpr int kEdgeTriangles = 4;
 constexpr int kPerEdge = 4;
 
 // scale * x + shift if that is exact, else nothing.
@@ -42,9 +43,9 @@ std::optional<Point2> Image(const EdgeMap& map, Point2 p, const SubjectInfo& inf
   return map.transpose ? Point2{*y, *x} : Point2{*x, *y};
 }
 
-std::vector<EdgeQuery> SomeEdgeQueries(const Case& c) {
+std::vector<EdgeQuery> SomeEdgeQueries(const PlacedCase& c) {
   std::vector<EdgeQuery> queries;
-  for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
+  for (const CornersPlace& corners : SomeTriangles(c, kEdgeTriangles)) {
     for (const SamplePlace& place : SamplesNearEdges(c, corners.at, kPerEdge)) {
       for (int i = 0; i < 3; ++i) {
         queries.push_back(
@@ -64,8 +65,8 @@ struct ImageValue {
   double scaled_bound = 0;
 };
 
-// Nothing where the image is no input, or a bound states nothing.
-std::optional<ImageValue> ImageOf(const Case& c, const Description& subject,
+// Nothing where the image is no input, or a bound promises nothing.
+std::optional<ImageValue> ImageOf(const PlacedCase& c, const Description& subject,
                                   const BoundedEdge& edge, const EdgeMap& map) {
   const EdgeQuery& q = edge.query;
   const std::optional<Point2> a = Image(map, q.a, subject.info, c.profile);
@@ -78,7 +79,7 @@ std::optional<ImageValue> ImageOf(const Case& c, const Description& subject,
   return ImageValue{{*a, *b, *at}, image_bound, 0, map.factor, scaled_bound};
 }
 
-std::vector<ImageValue> ImagesOf(const Case& c, const Description& subject,
+std::vector<ImageValue> ImagesOf(const PlacedCase& c, const Description& subject,
                                  std::span<const BoundedEdge> edges,
                                  std::span<const EdgeMap> maps) {
   std::vector<ImageValue> images;
@@ -95,7 +96,7 @@ std::vector<ImageValue> ImagesOf(const Case& c, const Description& subject,
 
 }  // namespace
 
-std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeBounds& bounds) {
+std::vector<BoundedEdge> SomeBoundedEdges(const PlacedCase& c, const EdgeBounds& bounds) {
   std::vector<BoundedEdge> edges;
   for (const EdgeQuery& q : SomeEdgeQueries(c)) {
     const double bound = bounds.ErrorBound(q.a, q.b, q.place.at);
@@ -124,8 +125,8 @@ std::string ExactEdgeText(Point2 a, Point2 b, Point2 p) {
   return "E = " + exact::EdgeValue(a, b, p).ToString();
 }
 
-Asked EdgeValuesFollow(const Case& c, const Description& subject, std::span<const EdgeMap> maps,
-                       std::string_view wrong) {
+Asked EdgeValuesFollow(const PlacedCase& c, const Description& subject,
+                       std::span<const EdgeMap> maps, std::string_view wrong) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
   std::vector<ImageValue> images = ImagesOf(c, subject, edges, maps);
   Questions questions = ValuesAt(edges);

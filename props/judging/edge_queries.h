@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "core/case.h"
 #include "core/evaluators.h"
 #include "core/question.h"
 #include "core/verdict.h"
 #include "props/judging/gate.h"
 #include "props/judging/places.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -38,8 +38,8 @@ struct BoundedEdge {
 };
 
 /// Every edge of a few triangles, at samples near any of that triangle's edges, where the subject's
-/// bound properties anything.
-std::vector<BoundedEdge> SomeBoundedEdges(const Case& c, const EdgeBounds& bounds);
+/// bound promises anything.
+std::vector<BoundedEdge> SomeBoundedEdges(const PlacedCase& c, const EdgeBounds& bounds);
 
 /// Asks for the value at each.
 Questions ValuesAt(std::span<const BoundedEdge> edges);
@@ -67,8 +67,8 @@ struct EdgeMap {
 /// on the subpixel grid and within the limit. A violation says `wrong`.
 ///
 /// Domain:     factor a power of two of either sign; a subject that shows edge values.
-Asked EdgeValuesFollow(const Case& c, const Description& subject, std::span<const EdgeMap> maps,
-                       std::string_view wrong);
+Asked EdgeValuesFollow(const PlacedCase& c, const Description& subject,
+                       std::span<const EdgeMap> maps, std::string_view wrong);
 
 }  // namespace rasterproof::props
 

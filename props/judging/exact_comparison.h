@@ -29,7 +29,7 @@ bool AgreeWithin(double x, double y, int sign, double bound_x, double bound_y);
 /// Returns whether x is a number of this sign; both zeros have sign 0.
 bool HasSign(double x, int sign);
 
-/// Returns whether a bound that a subject gave properties anything.
+/// Returns whether a subject's bound promises anything: it is a number, not NaN or infinity.
 bool IsStated(double bound);
 
 }  // namespace rasterproof::props

@@ -9,8 +9,9 @@
 #include "core/profile.h"
 #include "core/target_size.h"
 #include "exact/coverage.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "props/judging/outline.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -117,8 +118,8 @@ int TurnOf(const LegalPlaces& a, const LegalPlaces& b, std::span<const Point2> p
 
 }  // namespace
 
-LegalTriangle::LegalTriangle(const Case& c, const Triangle& t) {
-  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+LegalTriangle::LegalTriangle(const PlacedCase& c, const Triangle& t) {
+  const TargetProfile& profile = c.profile;
   const std::array<Vertex, 3> v = Corners(c.scene, t);
   if (!std::ranges::all_of(v, IsFinite)) return;
   const auto places = LegalPlacesOf(c, t);
@@ -162,13 +163,12 @@ bool LegalTriangle::MayCover(Point2 p) const {
          p.y <= std::max({a.high.y, b.high.y, d.high.y}) + 1 + kSampleMargin;
 }
 
-std::vector<Reference> ReferencesOf(const Case& c) {
+std::vector<Reference> ReferencesOf(const PlacedCase& c) {
   std::vector<Reference> references;
   if (c.profile.contract != Contract::kSampleExact) return references;
   const auto add = [&](int width, int height) {
     if (!IsTargetSize(width, height, c.profile.pattern.samples())) return;
-    Reference reference{c};
-    reference.value.scene = ReferenceTriangle(width, height);
+    Reference reference{c.With(ReferenceTriangle(width, height))};
     const Scene& scene = reference.value.scene;
     if (!WithinLimits(scene, c.profile) || !IsUnwrapped(scene, c.profile)) return;
     reference.facing = LegalTriangle(reference.value, scene.triangles[0]).facing();
@@ -179,18 +179,19 @@ std::vector<Reference> ReferencesOf(const Case& c) {
   return references;
 }
 
-Case BehindItsReference(const Case& c, const std::vector<Reference>& references,
-                        std::size_t count) {
-  Case behind = c;
-  Scene& scene = behind.scene;
+PlacedCase BehindItsReference(const PlacedCase& c, const std::vector<Reference>& references,
+                              std::size_t count) {
+  Scene scene = c.scene;
   scene.triangles.resize(count);
-  if (references.empty()) return behind;
+  if (references.empty()) return c.With(std::move(scene));
   const Scene& reference = references.back().value.scene;
-  if (reference.width != scene.width || reference.height != scene.height) return behind;
+  if (reference.width != scene.width || reference.height != scene.height) {
+    return c.With(std::move(scene));
+  }
   const auto first = static_cast<std::int32_t>(scene.vertices.size());
   scene.vertices.insert(scene.vertices.end(), reference.vertices.begin(), reference.vertices.end());
   scene.triangles.insert(scene.triangles.begin(), {first, first + 1, first + 2});
-  return behind;
+  return c.With(std::move(scene));
 }
 
 int ShownFacing(const CoverageCounts& counts) {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/case.h"
 #include "core/coverage.h"
 #include "core/scene.h"
 #include "props/judging/free_choices.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -27,7 +27,7 @@ inline constexpr double kThinnestClippedSteps = 4;
 class LegalTriangle {
  public:
   /// Domain:     a window-space case within the profile's limits.
-  LegalTriangle(const Case& c, const Triangle& t);
+  LegalTriangle(const PlacedCase& c, const Triangle& t);
 
   /// The sign of its area in every legal model, +1 or -1, as CoverageCounts has it. 0: it is open,
   /// because two models differ in it, because it has no area in one, or because clipping may turn
@@ -51,7 +51,7 @@ class LegalTriangle {
 /// The triangle (0, 0), (2W, 0), (0, 2H) on a target W wide and H high: it covers every sample. By
 /// what it shows it is known which side the subject takes for the front.
 struct Reference {
-  Case value;
+  PlacedCase value;
   int facing = 0;  ///< that of every legal model: +1 or -1
 };
 inline constexpr const char* kReferenceWords = "the triangle (0, 0) (2 W, 0) (0, 2 H)";
@@ -59,10 +59,11 @@ inline constexpr const char* kReferenceWords = "the triangle (0, 0) (2 W, 0) (0,
 /// The reference on a target of 4 x 4, the same question in every case, so that all answers can be
 /// compared; then on the case's own. A limit may leave out either, and so may a grid that is coarse
 /// for the target. None where single samples are not stated.
-std::vector<Reference> ReferencesOf(const Case& c);
+std::vector<Reference> ReferencesOf(const PlacedCase& c);
 
 /// The case's first triangles, so many, behind its last reference, if that is on the case's target.
-Case BehindItsReference(const Case& c, const std::vector<Reference>& references, std::size_t count);
+PlacedCase BehindItsReference(const PlacedCase& c, const std::vector<Reference>& references,
+                              std::size_t count);
 
 /// What a drawing of one triangle shows: +1 front counts alone, -1 back counts alone, 0 none or
 /// both.

@@ -11,12 +11,12 @@
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
-#include "model/snap_scene.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/gate.h"
 #include "props/judging/precision_units.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -194,7 +194,7 @@ struct AnyOwners {
 };
 
 // The corners as given are no grid points, and may lie beside all that are legal.
-void AddGiven(const Case& c, const Triangle& t, std::array<LegalPlaces, 3>& places) {
+void AddGiven(const PlacedCase& c, const Triangle& t, std::array<LegalPlaces, 3>& places) {
   const std::array<Vertex, 3> v = Corners(c.scene, t);
   for (std::size_t k = 0; k < 3; ++k) {
     auto& [low, high] = places[k];
@@ -206,7 +206,7 @@ void AddGiven(const Case& c, const Triangle& t, std::array<LegalPlaces, 3>& plac
 // Edge values and the area are affine in each coordinate of the corners: over rectangles their
 // signs are those at the rectangles' corners if all agree there, and their magnitudes and the sums
 // of products, being convex, are greatest there. Nothing if the triangle may be flat, or clipped.
-std::optional<AnyOwners> OverLegalPlaces(const Case& c, const Triangle& t, Point2 p,
+std::optional<AnyOwners> OverLegalPlaces(const PlacedCase& c, const Triangle& t, Point2 p,
                                          const SubjectInfo& info) {
   auto places = LegalPlacesOf(c, t);
   if (!places) return std::nullopt;
@@ -234,7 +234,7 @@ std::optional<AnyOwners> OverLegalPlaces(const Case& c, const Triangle& t, Point
 }
 
 // Fills in the fragment's tolerances; false if nothing holds of it.
-bool TolerateAnyOwners(const Case& c, const SubjectInfo& info, Fragment& f) {
+bool TolerateAnyOwners(const PlacedCase& c, const SubjectInfo& info, Fragment& f) {
   const Triangle& t = c.scene.triangles[static_cast<std::size_t>(f.query.triangle)];
   const auto any = OverLegalPlaces(c, t, f.query.place.at, info);
   if (!any) return false;
@@ -264,7 +264,7 @@ struct Draws {
 
 // What a draw shows of what it was asked for at its k-th sample, before it is asked whose
 // barycentrics they are.
-Fragment ShownAt(const Draws& draws, bool asked_alone, std::size_t k, const Case& c) {
+Fragment ShownAt(const Draws& draws, bool asked_alone, std::size_t k, const PlacedCase& c) {
   const Drawing& drawing = draws.Of(asked_alone);
   const Outputs& wanted = asked_alone ? draws.wanted_alone : kEverything;
   Fragment f;
@@ -279,7 +279,7 @@ Fragment ShownAt(const Draws& draws, bool asked_alone, std::size_t k, const Case
 
 // The fragment by these owners, or, of owners that nobody knows, with what holds of any. Nothing if
 // they have no area, or nothing holds.
-std::optional<Fragment> ReadBy(const Scene& owners, bool are_known, Fragment f, const Case& c,
+std::optional<Fragment> ReadBy(const Scene& owners, bool are_known, Fragment f, const PlacedCase& c,
                                const SubjectInfo& info) {
   const Triangle& t = owners.triangles[static_cast<std::size_t>(f.query.triangle)];
   const std::array<Vertex, 3> corners = Corners(owners, t);
@@ -309,7 +309,7 @@ struct Owners {
 
 // None if nothing is said of the fragment.
 Readings ReadingsAt(const Draws& draws, bool asked_alone, std::size_t k, const Owners& owners,
-                    const Case& c, const SubjectInfo& info) {
+                    const PlacedCase& c, const SubjectInfo& info) {
   Fragment shown = ShownAt(draws, asked_alone, k, c);
   const Triangle& t = c.scene.triangles[static_cast<std::size_t>(shown.query.triangle)];
   BarycentricsOf of = info.fragments.barycentrics_of;
@@ -334,7 +334,7 @@ Readings ReadingsAt(const Draws& draws, bool asked_alone, std::size_t k, const O
 }
 
 std::vector<Readings> SomeReadings(const Draws& draws, bool asked_alone, const Owners& owners,
-                                   const Case& c, const SubjectInfo& info) {
+                                   const PlacedCase& c, const SubjectInfo& info) {
   const std::vector<std::int32_t>& ids = draws.Of(asked_alone).primitive_ids;
   std::vector<std::size_t> covered;
   for (std::size_t k = 0; k < ids.size(); ++k) {
@@ -373,8 +373,8 @@ Verdict JudgeAll(const std::vector<Readings>& fragments, FragmentJudge judge) {
 }
 
 // With the draw whose fragment it is.
-Verdict JudgeDraws(const Draws& draws, const Owners& owners, const Case& c, const SubjectInfo& info,
-                   FragmentJudge judge) {
+Verdict JudgeDraws(const Draws& draws, const Owners& owners, const PlacedCase& c,
+                   const SubjectInfo& info, FragmentJudge judge) {
   Verdict of_all = JudgeAll(SomeReadings(draws, false, owners, c, info), judge);
   if (of_all.outcome == Outcome::kViolated) return OfDraw(0, std::move(of_all));
   Verdict of_alone = JudgeAll(SomeReadings(draws, true, owners, c, info), judge);
@@ -406,7 +406,7 @@ std::array<double, 3> BarycentricTolerancesInPixel(const SubjectInfo& info, cons
   return TolerancesOf(*errors, info.input);
 }
 
-Asked AskFragments(const Case& c, const Description& subject, const Outputs& alone,
+Asked AskFragments(const PlacedCase& c, const Description& subject, const Outputs& alone,
                    FragmentJudge judge) {
   Scene scene = c.scene;
   const Depths depths(scene);
@@ -415,7 +415,7 @@ Asked AskFragments(const Case& c, const Description& subject, const Outputs& alo
   questions.draws.assign(2, WholeCallOf(scene, c.profile, c.options));
   questions.draws[0].job.wants = kEverything;
   questions.draws[1].job.wants = alone;
-  Owners owners{scene, SnapScene(scene, c.profile)};
+  Owners owners{scene, c.With(scene).placed};
   return OneCheck(std::move(questions),
                   [&c, &subject, alone, judge, owners = std::move(owners)](const Answers& answers) {
                     const Draws draws{*answers.draws[0], *answers.draws[1], alone};

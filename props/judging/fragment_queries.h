@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "core/case.h"
 #include "core/drawing.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "props/judging/barycentric_queries.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -50,7 +50,7 @@ inline constexpr Outputs kDepthsAlone{.primitive_ids = true, .barycentrics = fal
 ///
 /// Of a subject that does not say whose barycentrics it shows a fragment holds if it does by the
 /// vertices as given or by those on the grid.
-Asked AskFragments(const Case& c, const Description& subject, const Outputs& alone,
+Asked AskFragments(const PlacedCase& c, const Description& subject, const Outputs& alone,
                    FragmentJudge judge);
 
 /// How far the barycentrics of p may be off: the stated error for each. If none is stated, the most
@@ -61,7 +61,7 @@ Asked AskFragments(const Case& c, const Description& subject, const Outputs& alo
 /// with S the sum of the absolute products, because computed values e = E_i + d_i and a = area + d
 /// give |e / a - E_i / area| = |d_i area - E_i d| / |area a|; and one minus the other two,
 ///     q_j + q_k + u (1 + max(|l_j|, |l_k|) + |l_i|).
-/// It grows with the triangle's conditioning, and states nothing (NaN) where the area itself may
+/// It grows with the triangle's conditioning, and promises nothing (NaN) where the area itself may
 /// vanish.
 std::array<double, 3> BarycentricTolerances(const SubjectInfo& info, const BarycentricQuery& q);
 

@@ -13,9 +13,10 @@
 #include "exact/snap_clip.h"
 #include "model/drop.h"
 #include "model/snap.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "model/wrap.h"
 #include "props/judging/outline.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -30,7 +31,7 @@ bool MayMoveVertices(Contract contract) {
   return contract == Contract::kWatertight || contract == Contract::kClosed;
 }
 
-double LargestCoordinate(const Case& c) {
+double LargestCoordinate(const PlacedCase& c) {
   double largest = 0;
   for (const Vertex& v : c.scene.vertices) {
     const double w = c.scene.clip_space && v.w > 0 ? v.w : 1;
@@ -56,14 +57,14 @@ double ReachOfClipping(const Profile& profile) {
   return std::ldexp(1.0, -LegalGrids(profile.snap, profile.freedom).front().bits);
 }
 
-Reach ReachOfVertices(const Case& c, const Profile& profile) {
+Reach ReachOfVertices(const PlacedCase& c, const Profile& profile) {
   if (!MayMoveVertices(profile.contract)) return {profile.freedom, 0, 0};
   const double rounding = kOutlineMarginPerCoordinate * LargestCoordinate(c);
   if (profile.snap.IsNone()) return {{}, kMovedOutlineMargin + rounding, 0};
   return {{.snap_tolerance = 1}, rounding, kMovedOutlineMargin};
 }
 
-Reach ReachOf(const Case& c, const Profile& profile) {
+Reach ReachOf(const PlacedCase& c, const Profile& profile) {
   Reach reach = ReachOfVertices(c, profile);
   reach.unclipped = UnclippedBox(profile, c.scene.width, c.scene.height);
   reach.clipped = ReachOfClipping(profile);
@@ -255,8 +256,8 @@ std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool
 
 }  // namespace
 
-ClippedEdges::ClippedEdges(const Case& c) {
-  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+ClippedEdges::ClippedEdges(const PlacedCase& c) {
+  const TargetProfile& profile = c.profile;
   if (c.scene.clip_space || !MovesClippedEdges(profile)) return;
   const Reach reach = ReachOf(c, profile);
   const Snap coarsest = LegalGrids(profile.snap, profile.freedom).front();
@@ -270,8 +271,8 @@ ClippedEdges::ClippedEdges(const Case& c) {
   }
 }
 
-OpenTriangles::OpenTriangles(const Case& c) {
-  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+OpenTriangles::OpenTriangles(const PlacedCase& c) {
+  const TargetProfile& profile = c.profile;
   const Reach reach = ReachOf(c, profile);
   const double margin = kDistanceMargin + kDistanceMarginPerCoordinate * LargestCoordinate(c);
   const auto add_fixed = [&](int facing) {
@@ -323,8 +324,8 @@ void OpenTriangles::ForgetTurned() {
   std::erase_if(open_, [](const Open& open) { return !open.is_dropped; });
 }
 
-std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const Case& c, const Triangle& t) {
-  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const PlacedCase& c, const Triangle& t) {
+  const TargetProfile& profile = c.profile;
   const Reach reach = ReachOf(c, profile);
   auto placed = PlacedCorners(Corners(c.scene, t), false, profile, reach);
   if (placed->is_clipped && !MovesClippedEdges(profile)) return std::nullopt;
@@ -335,7 +336,7 @@ std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const Case& c, const Tri
   return placed->places;
 }
 
-bool StaysWhereGiven(const Case& c, const Triangle& t) {
+bool StaysWhereGiven(const PlacedCase& c, const Triangle& t) {
   const auto places = LegalPlacesOf(c, t);
   if (!places) return false;
   const std::array<Vertex, 3> v = Corners(c.scene, t);
@@ -350,8 +351,8 @@ bool TellsFacings(const Description& subject) {
   return subject.info.coverage == CoverageKind::kFacingCounts;
 }
 
-Scene UnsnappedScene(const Case& c) {
-  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+Scene UnsnappedScene(const PlacedCase& c) {
+  const TargetProfile& profile = c.profile;
   const Reach reach = ReachOf(c, profile);
   Scene scene = c.scene;
   for (Triangle& t : scene.triangles) {
@@ -366,16 +367,6 @@ Scene UnsnappedScene(const Case& c) {
     v = {Wrapped(v.x, *profile.fixed), Wrapped(v.y, *profile.fixed), v.z, v.w};
   }
   return scene;
-}
-
-bool IsUnclippedInEveryModel(const Case& c) {
-  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  if (!profile.guard_band) return true;
-  const Reach reach = ReachOf(c, profile);
-  return std::ranges::none_of(c.scene.triangles, [&](const Triangle& t) {
-    const std::array<Vertex, 3> v = Corners(c.scene, t);
-    return std::ranges::all_of(v, IsFinite) && PlacedCorners(v, false, profile, reach)->is_clipped;
-  });
 }
 
 }  // namespace rasterproof::props

@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/case.h"
 #include "core/scene.h"
 #include "core/vertex.h"
 #include "legal/clipped_triangle.h"
 #include "props/judging/gate.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -29,7 +29,7 @@ class ClippedEdges {
   ClippedEdges() = default;
   /// Domain:     window space. Elsewhere, and where the profile states that clipped meshes stay
   ///             whole (MovesClippedEdges), there are none.
-  explicit ClippedEdges(const Case& c);
+  explicit ClippedEdges(const PlacedCase& c);
 
   bool MayDecide(Point2 p) const {
     return std::ranges::any_of(triangles_, [&](const auto& t) { return t.MayDecide(p); });
@@ -53,7 +53,7 @@ class OpenTriangles {
   /// None is open.
   OpenTriangles() = default;
   /// Domain:     a case as properties see it; window space, or clip space without a transform.
-  explicit OpenTriangles(const Case& c);
+  explicit OpenTriangles(const PlacedCase& c);
 
   /// Returns whether two of the other triangles face opposite ways.
   bool RestIsFolded() const { return front_ && back_; }
@@ -86,12 +86,12 @@ class OpenTriangles {
 /// Returns:    nothing if some legal model puts one outside the guard-band rectangle, and may move
 ///             its edges.
 /// Domain:     a window-space case; finite corners.
-std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const Case& c, const Triangle& t);
+std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const PlacedCase& c, const Triangle& t);
 
 /// Returns whether every legal model puts the corners of a triangle where they are given.
 ///
 /// Domain:     as LegalPlacesOf().
-bool StaysWhereGiven(const Case& c, const Triangle& t);
+bool StaysWhereGiven(const PlacedCase& c, const Triangle& t);
 
 /// Returns whether the facing of a triangle that the subject draws is what it says itself, and not
 /// worked out from the canonical model.
@@ -100,13 +100,7 @@ bool TellsFacings(const Description& subject);
 /// The window-space scene with its coordinates wrapped but not snapped; triangles that every legal
 /// model drops for their extent have their corners in one place. What is one place here is one in
 /// every legal model, and what is not need not be.
-Scene UnsnappedScene(const Case& c);
-
-/// Returns whether no legal model puts a vertex that a triangle uses outside the profile's
-/// guard-band rectangle.
-///
-/// Domain:     a window-space case.
-bool IsUnclippedInEveryModel(const Case& c);
+Scene UnsnappedScene(const PlacedCase& c);
 
 }  // namespace rasterproof::props
 

@@ -13,6 +13,7 @@
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "props/judging/as_shown.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -185,7 +186,7 @@ bool DependsOnPlaces(const Gate& gate) {
   return true;
 }
 
-std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, const Case& c) {
+std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, const PlacedCase& c) {
   if (gate.space == Space::kWindow && c.scene.clip_space) {
     return NotExercised("the case is in clip space");
   }
@@ -211,7 +212,7 @@ std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, con
   return std::nullopt;
 }
 
-std::optional<Verdict> OutsideLimits(const Case& c) {
+std::optional<Verdict> OutsideLimits(const PlacedCase& c) {
   if (!WithinLimits(c.scene, c.profile)) {
     return NotExercised("a coordinate is not finite or beyond the profile's limit");
   }
@@ -263,7 +264,7 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
                                         : ContractDoesNotState(profile, gate);
 }
 
-std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c) {
+std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const PlacedCase& c) {
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) {
     return Verdict::NotApplicable(*std::move(why));
   }
@@ -274,7 +275,7 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   if (gate.unwrapped && !IsUnwrapped(c.scene, c.profile)) {
     return NotExercised("a coordinate wraps");
   }
-  if (gate.needs_facings && IsJudgedAsShown(subject, c)) {
+  if (gate.needs_facings && IsJudgedAsShown(subject.info, c.scene)) {
     return NotExercised(kJudgedAsShown);
   }
   if (!gate.beyond_limits) {
@@ -284,7 +285,7 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
     }
   }
   if (!gate.asks_oracle) return std::nullopt;
-  const std::optional<InputError> why = exact::WhyNotDecided(c.scene, c.profile);
+  const std::optional<InputError> why = exact::WhyNotDecided(c);
   return why ? std::optional(Verdict::NotApplicable(why->what())) : std::nullopt;
 }
 
@@ -310,7 +311,7 @@ std::string WordsOf(const Gate& gate) {
   return words.empty() ? "every scene that the subject takes" : words;
 }
 
-DrawOptions WholeTarget(const Case& c) {
+DrawOptions WholeTarget(const PlacedCase& c) {
   DrawOptions options = c.options;
   options.cull = Cull::kNone;
   options.scissor.reset();

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/case.h"
 #include "core/evaluators.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -123,14 +123,14 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 ///                 coordinate is beyond the profile's limit, or wraps; a triangle leaves the
 ///                 profile's guard-band rectangle; the property needs facings, and the mesh is
 ///                 judged as it is shown.
-std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const Case& c);
+std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const PlacedCase& c);
 
 /// What DoesNotApply and Refusal ask for, in words, and `where`: as docs/mathematics.md and
 /// `rasterproof list` print it.
 std::string WordsOf(const Gate& gate);
 
 /// The case's drawing options without culling and scissor.
-DrawOptions WholeTarget(const Case& c);
+DrawOptions WholeTarget(const PlacedCase& c);
 
 // Rules that several properties have.
 inline constexpr ProfileRule kOwnsEdges{

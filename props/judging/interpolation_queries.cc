@@ -9,6 +9,7 @@
 #include "exact/attributes.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::array<std::array<double, 3>, 3> kDepths{{{1, 1, 1}, {1, 4, 0.5}, 
 
 }  // namespace
 
-std::vector<InterpolationQuery> SomeInterpolations(const Case& c) {
+std::vector<InterpolationQuery> SomeInterpolations(const PlacedCase& c) {
   std::vector<InterpolationQuery> queries;
   for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {
     std::size_t turn = 0;  // the two sets of unequal w take turns

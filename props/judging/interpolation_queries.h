@@ -11,6 +11,7 @@
 #include "core/verdict.h"
 #include "exact/rational.h"
 #include "props/judging/barycentric_queries.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -24,7 +25,7 @@ struct InterpolationQuery {
 
 /// The attribute sets of SomeAttributes under w = 1, and each under one of two sets of positive w:
 /// powers of two, so that a subject that divides by them adds no rounding of its own to the input.
-std::vector<InterpolationQuery> SomeInterpolations(const Case& c);
+std::vector<InterpolationQuery> SomeInterpolations(const PlacedCase& c);
 
 std::string_view InterpolationName(InterpolationForm form);
 
@@ -40,7 +41,7 @@ struct InterpolationAnswer {
   double value = 0;
 };
 
-/// Asks for the values at the queries, in those of the forms where the subject's bound properties
+/// Asks for the values at the queries, in those of the forms where the subject's bound promises
 /// anything, and judges them all at once.
 Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
                         const std::vector<InterpolationForm>& forms,

@@ -8,9 +8,11 @@
 #include "exact/coverage.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
+#include "model/target_profile.h"
 #include "props/judging/gate.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -31,12 +33,12 @@ std::string WordsOf(std::uint64_t numbers) {
 
 }  // namespace
 
-std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const Profile& profile) {
+std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const TargetProfile& profile) {
   if (profile.freedom.IsNone()) return std::nullopt;
   return legal::WhyNotJoint(scene, profile);
 }
 
-LegalCounts::LegalCounts(const Scene& scene, const Case& c) {
+LegalCounts::LegalCounts(const Scene& scene, const PlacedCase& c) {
   if (c.profile.freedom.IsNone()) {
     only_ = exact::Coverage(scene, c.profile, WholeTarget(c));
   } else {
@@ -53,7 +55,7 @@ std::uint64_t LegalCounts::Apart(const LegalCounts& other) const {
   return apart;
 }
 
-DrawQuestion LegalCounts::QuestionOf(const Scene& scene, const Case& c) {
+DrawQuestion LegalCounts::QuestionOf(const Scene& scene, const PlacedCase& c) {
   return c.profile.freedom.IsNone() ? CountsOf(scene, c.profile, WholeTarget(c))
                                     : WholeCallOf(scene, c.profile, WholeTarget(c));
 }

@@ -7,16 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "core/case.h"
 #include "core/coverage.h"
 #include "core/question.h"
 #include "core/scene.h"
 #include "core/verdict.h"
+#include "model/target_profile.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
 /// Returns why the counts of legal models are not known, or nothing if they are.
-std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const Profile& profile);
+std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const TargetProfile& profile);
 
 /// Where the profile leaves one model, its coverage by facing. Else for every sample the numbers of
 /// times that some legal model covers it; facings are not looked at.
@@ -25,13 +26,13 @@ class LegalCounts {
   /// Of another scene on the case's target, under its profile, culling and scissor off.
   ///
   /// Domain:     window space; no WhyNoLegalCounts.
-  LegalCounts(const Scene& scene, const Case& c);
+  LegalCounts(const Scene& scene, const PlacedCase& c);
 
   /// The samples that no legal model of the one covers as some legal model of the other does.
   std::uint64_t Apart(const LegalCounts& other) const;
 
   /// Asks for the scene: by facing where one model is legal, else for what one call shows.
-  static DrawQuestion QuestionOf(const Scene& scene, const Case& c);
+  static DrawQuestion QuestionOf(const Scene& scene, const PlacedCase& c);
   /// Violated if no legal model covers some sample as it was drawn. `counts`: whether the subject
   /// counts; else 1 stands for any number but 0.
   Verdict VerdictOn(const CoverageCounts& drawn, bool counts, std::uint64_t exercised,

@@ -7,6 +7,7 @@
 #include "model/snap_scene.h"
 #include "props/judging/mesh_model.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -22,7 +23,7 @@ bool SharesTies(const Profile& profile) {
   return profile.shares_edge_samples || profile.tie_rule.inclusive;
 }
 
-SharedTies::SharedTies(const Case& c) {
+SharedTies::SharedTies(const PlacedCase& c) {
   if (!SharesTies(c.profile)) return;
   if (LegalReach(c) != 0) {
     edges_ = Outline::OfAllEdges(c, LegalReach(c));
@@ -31,7 +32,7 @@ SharedTies::SharedTies(const Case& c) {
   most_ = CoverageUnder(c, {.inclusive = true}, WholeTarget(c));
 }
 
-OpenParts::OpenParts(const Case& c, bool spares_outline) {
+OpenParts::OpenParts(const PlacedCase& c, bool spares_outline) {
   const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
   if (one_model || LiesAroundTheEye(c.scene)) {
     const MeshFacings facings = FacingsOf(c);

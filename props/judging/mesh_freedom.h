@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/case.h"
 #include "core/coverage.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/outline.h"
 #include "props/judging/thin_triangles.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -22,7 +22,7 @@ bool SharesTies(const Profile& profile);
 /// profile lets every triangle have them; near its edges, where those may lie elsewhere.
 class SharedTies {
  public:
-  explicit SharedTies(const Case& c);
+  explicit SharedTies(const PlacedCase& c);
 
   /// Whether the sample may be covered so often. `index`: in counts of the case's target.
   bool Allow(std::uint32_t count, std::size_t index, Point2 at) const {
@@ -38,7 +38,7 @@ class SharedTies {
 class OpenParts {
  public:
   /// `spares_outline`: samples beside the outline are another property's business.
-  OpenParts(const Case& c, bool spares_outline);
+  OpenParts(const PlacedCase& c, bool spares_outline);
 
   /// Whether triangles face opposite ways, in some legal model.
   bool IsFolded() const { return is_folded_; }

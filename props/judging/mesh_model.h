@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/case.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -15,7 +15,7 @@ struct MeshFacings {
   bool folded = false;           ///< triangles of both facings
   std::uint64_t degenerate = 0;  ///< triangles of zero area: in clip space, in a plane with the eye
 };
-MeshFacings FacingsOf(const Case& c);
+MeshFacings FacingsOf(const PlacedCase& c);
 
 /// The winding number at every sample: of the boundary around it, and in clip space of the surface
 /// around the eye along the sample's ray. Where all triangles face one way its size is the number
@@ -23,7 +23,7 @@ MeshFacings FacingsOf(const Case& c);
 ///
 /// Shape:      as CoverageCounts.
 /// Properties: a rule that gives no sample to one side counts as top-left.
-std::vector<std::int64_t> WindingOf(const Case& c);
+std::vector<std::int64_t> WindingOf(const PlacedCase& c);
 
 }  // namespace rasterproof::props
 

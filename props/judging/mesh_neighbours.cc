@@ -7,8 +7,8 @@
 
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
-#include "model/snap_scene.h"
 #include "props/judging/places.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -20,13 +20,7 @@ DirectedEdge Key(const Vertex& a, const Vertex& b) { return {a.x, a.y, a.w, b.x,
 
 // The scene by whose positions an edge is shared. Different clip-space vertices can have one place
 // on the grid of the profile; a subject need not know that.
-Scene Keyed(const Case& c) { return c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile); }
-
-int FacingOf(const Scene& placed, std::size_t t) {
-  const std::array<Vertex, 3> v = Corners(placed, placed.triangles[t]);
-  if (placed.clip_space) return exact::HomogeneousFacing(v);
-  return exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])});
-}
+const Scene& Keyed(const PlacedCase& c) { return c.scene.clip_space ? c.scene : c.placed; }
 
 struct SideOfTriangle {
   std::size_t triangle = 0;
@@ -35,15 +29,14 @@ struct SideOfTriangle {
 
 }  // namespace
 
-std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit) {
-  const Scene keyed = Keyed(c);
-  const Scene placed = PlacedScene(c);
+std::vector<Neighbours> SharedEdges(const PlacedCase& c, std::size_t limit) {
+  const Scene& keyed = Keyed(c);
   std::map<DirectedEdge, SideOfTriangle> owner;
   std::vector<Neighbours> pairs;
   for (std::size_t t = 0; t < keyed.triangles.size(); ++t) {
     const std::array<Vertex, 3> v = Corners(keyed, keyed.triangles[t]);
     if (!std::ranges::all_of(v, IsFinite)) continue;
-    const int facing = FacingOf(placed, t);
+    const int facing = c.facings[t];
     if (facing == 0) continue;
     for (int i = 0; i < 3; ++i) {
       const Vertex& a = EdgeStart(v, i);
@@ -51,7 +44,7 @@ std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit) {
       owner.emplace(Key(a, b), SideOfTriangle{t, i});
       const auto other = owner.find(Key(b, a));
       if (other == owner.end() || other->second.triangle == t) continue;
-      if (FacingOf(placed, other->second.triangle) != facing) continue;
+      if (c.facings[other->second.triangle] != facing) continue;
       pairs.push_back({t, other->second.triangle, i, other->second.edge});
     }
   }

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/case.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -23,7 +23,7 @@ struct Neighbours {
 
 /// At most `limit` pairs, spread evenly, both of the same non-zero facing: so they lie on either
 /// side of the edge, as the window shows them or around the eye.
-std::vector<Neighbours> SharedEdges(const Case& c, std::size_t limit);
+std::vector<Neighbours> SharedEdges(const PlacedCase& c, std::size_t limit);
 
 /// A directed edge of the boundary.
 struct BoundaryEdge {

@@ -10,8 +10,8 @@
 #include "exact/coverage.h"
 #include "model/snap.h"
 #include "model/snap_scene.h"
-#include "props/judging/flat_triangles.h"
 #include "props/judging/gate.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -48,18 +48,17 @@ double MovedBy(double x, double distance, double sign, Precision precision) {
 }
 
 // Whether the profile says what the case's scene covers, triangles without area included.
-bool StatesItsCoverage(const Case& c) {
+bool StatesItsCoverage(const PlacedCase& c) {
   if (!WithinLimits(c.scene, c.profile) || !CanBeGiven(c.scene, c.profile) ||
-      !IsUnclipped(c.scene, c.profile) || exact::WhyNotDecided(c.scene, c.profile)) {
+      !IsUnclipped(c.scene, c.profile) || exact::WhyNotDecided(c)) {
     return false;
   }
-  return c.profile.degenerate_triangles == DegenerateTriangles::kNothing ||
-         FlatTriangles(c).empty();
+  return c.profile.degenerate_triangles == DegenerateTriangles::kNothing || c.flat.empty();
 }
 
 }  // namespace
 
-std::optional<std::string> WhyNotMoved(const Case& c) {
+std::optional<std::string> WhyNotMoved(const PlacedCase& c) {
   if (c.scene.triangles.empty() || c.scene.triangles.size() > kMostTriangles ||
       CoverageCounts::Size(c.scene.width, c.scene.height, c.profile.pattern.samples()) >
           kMostSamples) {
@@ -68,7 +67,7 @@ std::optional<std::string> WhyNotMoved(const Case& c) {
   return WhyNoLegalCounts(c.scene, c.profile);
 }
 
-MovedScenes::MovedScenes(const Case& c) : c_(c), expected_(c.scene, c) {}
+MovedScenes::MovedScenes(const PlacedCase& c) : c_(c), expected_(c.scene, c) {}
 
 std::vector<MovedScene> MovedScenes::ByOneVertex() const {
   std::vector<MovedScene> scenes;
@@ -108,7 +107,7 @@ std::optional<MovedScene> MovedScenes::OtherContent() const {
 }
 
 std::optional<MovedScene> MovedScenes::IfItDiffers(Scene scene, const std::string& change) const {
-  if (!StatesItsCoverage({scene, c_.profile, c_.options, {}})) return std::nullopt;
+  if (!StatesItsCoverage(c_.With(scene))) return std::nullopt;
   LegalCounts expected(scene, c_);
   if (expected.Apart(expected_) == 0) return std::nullopt;
   return MovedScene{std::move(scene), std::move(expected), change};

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/case.h"
 #include "core/scene.h"
 #include "props/judging/legal_counts.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -20,14 +20,14 @@ struct MovedScene {
 
 /// Returns why no moved scenes are looked for, or nothing if they are: the case has no triangle, or
 /// moves cost more than they show, or nothing says what it covers.
-std::optional<std::string> WhyNotMoved(const Case& c);
+std::optional<std::string> WhyNotMoved(const PlacedCase& c);
 
 /// A move counts if no legal model of the case covers some sample as some legal model of the moved
 /// scene does, and the profile says what that one covers.
 class MovedScenes {
  public:
   /// Domain:     no WhyNotMoved; the case outlives this.
-  explicit MovedScenes(const Case& c);
+  explicit MovedScenes(const PlacedCase& c);
 
   /// What the case covers.
   const LegalCounts& expected() const { return expected_; }
@@ -41,7 +41,7 @@ class MovedScenes {
   std::optional<MovedScene> FirstThatDiffers(double pixels, const char* words) const;
   std::optional<MovedScene> IfItDiffers(Scene scene, const std::string& change) const;
 
-  const Case& c_;
+  const PlacedCase& c_;
   LegalCounts expected_;
 };
 

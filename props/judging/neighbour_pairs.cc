@@ -12,6 +12,7 @@
 #include "exact/rational.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -32,16 +33,16 @@ std::pair<Point2, Point2> Around(const Vertex& a, const Vertex& b, bool clip_spa
 
 }  // namespace
 
-std::vector<Neighbours> NeighbourPair::Some(const Case& c) { return SharedEdges(c, kPairs); }
+std::vector<Neighbours> NeighbourPair::Some(const PlacedCase& c) { return SharedEdges(c, kPairs); }
 
-NeighbourPair::NeighbourPair(const Case& c, const Neighbours& pair)
+NeighbourPair::NeighbourPair(const PlacedCase& c, const Neighbours& pair)
     : pair_(pair),
-      alone_(OnlyTriangles(c, {pair.first, pair.second})),
+      alone_(c.Only({pair.first, pair.second})),
       open_(alone_, /*spares_outline=*/true),
       ties_(alone_) {
   const Snap& rounding = alone_.profile.scanline_rounding;
   if (!rounding.IsNone()) outer_moves_ = std::ldexp(1.0, -rounding.bits);
-  const Scene placed = PlacedScene(alone_);
+  const Scene& placed = alone_.placed;
   for (const auto& [t, shared_edge] :
        {std::pair{std::size_t{0}, pair.edge}, std::pair{std::size_t{1}, pair.second_edge}}) {
     const std::array<Vertex, 3> v = Corners(placed, placed.triangles[t]);

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/case.h"
 #include "props/judging/mesh_freedom.h"
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/places.h"
 #include "props/judging/visible_edge.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -19,13 +19,13 @@ namespace rasterproof::props {
 /// A few pairs of the case's neighbours that fold in no legal model, spread evenly.
 class NeighbourPair {
  public:
-  static std::vector<Neighbours> Some(const Case& c);
+  static std::vector<Neighbours> Some(const PlacedCase& c);
 
   /// The pair alone. Either space.
-  NeighbourPair(const Case& c, const Neighbours& pair);
+  NeighbourPair(const PlacedCase& c, const Neighbours& pair);
 
   /// The case with no other triangle.
-  const Case& Alone() const { return alone_; }
+  const PlacedCase& Alone() const { return alone_; }
   /// Whether nothing is said of the pair: a legal model folds it or flattens it.
   bool IsOpen() const { return open_.IsFolded() || open_.IsFlat(); }
 
@@ -51,7 +51,7 @@ class NeighbourPair {
   bool SharedEdgeIsNearest(Point2 p) const;
 
   Neighbours pair_;
-  Case alone_;
+  PlacedCase alone_;
   OpenParts open_;
   SharedTies ties_;
   std::optional<VisibleEdge> shared_;

@@ -6,6 +6,7 @@
 #include "core/clauses/clauses.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
+#include "props/placed_case.h"
 #include "props/properties/clause_lists.h"
 
 namespace rasterproof::props {
@@ -19,7 +20,7 @@ bool MayChooseByCall(const Profile& profile) {
   });
 }
 
-OpenByCall::OpenByCall(const Case& c) : open_(legal::OpenOfSomeTriangle(c.scene, c.profile)) {
+OpenByCall::OpenByCall(const PlacedCase& c) : open_(legal::OpenOfSomeTriangle(c.scene, c.profile)) {
   size_ = static_cast<std::uint64_t>(std::ranges::count(open_, true));
 }
 
@@ -40,7 +41,7 @@ std::vector<std::int32_t> OpenByCall::Expected(const std::vector<std::int32_t>& 
   return expected;
 }
 
-std::optional<OpenByCall> WhereCallsMayDiffer(const Case& c, bool they_may) {
+std::optional<OpenByCall> WhereCallsMayDiffer(const PlacedCase& c, bool they_may) {
   if (!they_may) return OpenByCall();
   if (legal::WhyNotJoint(c.scene, c.profile)) return std::nullopt;
   return OpenByCall(c);

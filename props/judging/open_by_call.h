@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/case.h"
 #include "core/coverage.h"
 #include "core/profile.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -26,7 +26,7 @@ class OpenByCall {
   /// At the samples that legal models of the case decide differently.
   ///
   /// Domain:     legal::WhyNotJoint has nothing to say against the case.
-  explicit OpenByCall(const Case& c);
+  explicit OpenByCall(const PlacedCase& c);
 
   /// What is expected, or there, what was observed.
   CoverageCounts Expected(const CoverageCounts& observed, CoverageCounts expected) const;
@@ -45,7 +45,7 @@ class OpenByCall {
 /// Where calls with triangles of the case may differ, or nowhere if they may not.
 ///
 /// Returns:    nothing if they may, and it is not known where.
-std::optional<OpenByCall> WhereCallsMayDiffer(const Case& c, bool they_may);
+std::optional<OpenByCall> WhereCallsMayDiffer(const PlacedCase& c, bool they_may);
 inline constexpr const char* kPlacesNotKnown =
     "calls may differ where legal models do, and the profile does not say where vertices lie";
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/scene.h"
-#include "model/snap_scene.h"
 #include "props/judging/free_choices.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -35,16 +35,16 @@ double HomogeneousMargin(const Scene& scene, const Vertex& a, const Vertex& b) {
 }
 
 // Positions by which edges are one in every legal model.
-Scene AsGiven(const Case& c) { return c.scene.clip_space ? c.scene : UnsnappedScene(c); }
+Scene AsGiven(const PlacedCase& c) { return c.scene.clip_space ? c.scene : UnsnappedScene(c); }
 
 }  // namespace
 
-Outline::Outline(const Case& c) : largest_(LargestCoordinate(c.scene)) {
-  const Scene scene = c.scene.clip_space ? c.scene : SnapScene(c.scene, c.profile);
+Outline::Outline(const PlacedCase& c) : largest_(LargestCoordinate(c.scene)) {
+  const Scene& scene = c.scene.clip_space ? c.scene : c.placed;
   for (const BoundaryEdge& edge : BoundaryOf(scene)) Add(scene, edge, kOutlineMargin);
 }
 
-Outline Outline::OfMoved(const Case& c, double most_moved) {
+Outline Outline::OfMoved(const PlacedCase& c, double most_moved) {
   const TieOwnership ties = c.profile.freedom.ties;
   if (ties == TieOwnership::kOpen) return OfAllEdges(c, most_moved);
   Outline outline;
@@ -56,7 +56,7 @@ Outline Outline::OfMoved(const Case& c, double most_moved) {
   return outline;
 }
 
-Outline Outline::OfAllEdges(const Case& c, double most_moved) {
+Outline Outline::OfAllEdges(const PlacedCase& c, double most_moved) {
   Outline all;
   all.largest_ = LargestCoordinate(c.scene);
   const Scene scene = AsGiven(c);

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "core/case.h"
 #include "core/vertex.h"
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/visible_edge.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -32,15 +32,15 @@ class Outline {
   /// No outline: nothing is near.
   Outline() = default;
   /// The boundary of what the canonical model draws; in clip space as given.
-  explicit Outline(const Case& c);
+  explicit Outline(const PlacedCase& c);
   /// The subject may have moved the boundary, by choosing other grid points than the canonical
   /// ones, by snapping its vertices to a grid of its own or by clipping it: by so many pixels, or
   /// by one if that is more. Edges cancel only if they are one in every legal model.
   /// Where the profile's tie_ownership states an owner on shared edges alone, vertices count as
   /// well; where it states none, all edges do.
-  static Outline OfMoved(const Case& c, double most_moved);
+  static Outline OfMoved(const PlacedCase& c, double most_moved);
   /// The same of every edge of every triangle.
-  static Outline OfAllEdges(const Case& c, double most_moved);
+  static Outline OfAllEdges(const PlacedCase& c, double most_moved);
 
   bool IsNear(Point2 p) const;
   bool IsEmpty() const { return edges_.empty() && vertices_.empty(); }

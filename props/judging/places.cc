@@ -9,9 +9,7 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
-#include "exact/snap_clip.h"
-#include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -35,7 +33,7 @@ double Crossing(double a_along, double a_across, double b_along, double b_across
 
 class PlaceCollector {
  public:
-  explicit PlaceCollector(const Case& c) : case_(c) {}
+  explicit PlaceCollector(const PlacedCase& c) : case_(c) {}
 
   void Add(int x, int row, int sample) {
     if (x < 0 || row < 0 || x >= case_.scene.width || row >= case_.scene.height) return;
@@ -97,39 +95,32 @@ class PlaceCollector {
     return case_.profile.y_axis == YAxis::kDown ? line : case_.scene.height - 1 - line;
   }
 
-  const Case& case_;
+  const PlacedCase& case_;
   std::vector<SamplePlace> places_;
 };
 
 }  // namespace
 
-Scene PlacedScene(const Case& c) {
-  if (!c.scene.clip_space) return SnapScene(c.scene, c.profile);
-  const bool snaps = !ForTarget(c.profile, c.scene.width, c.scene.height).snap.IsNone();
-  return snaps ? exact::SnapClipScene(c.scene, c.profile) : c.scene;
-}
-
-SamplePlace PlaceOf(const Case& c, int x, int row, int sample) {
+SamplePlace PlaceOf(const PlacedCase& c, int x, int row, int sample) {
   const int line = c.profile.y_axis == YAxis::kDown ? row : c.scene.height - 1 - row;
   return {x, row, sample, c.profile.pattern.At(x, line, sample)};
 }
 
-std::vector<CornersPlace> SomeTriangles(const Case& c, int limit) {
-  const Scene snapped = SnapScene(c.scene, c.profile);
-  const int size = static_cast<int>(snapped.triangles.size());
+std::vector<CornersPlace> SomeTriangles(const PlacedCase& c, int limit) {
+  const int size = static_cast<int>(c.placed.triangles.size());
   const int count = std::min(limit, size);
   std::vector<CornersPlace> chosen;
   for (int k = 0; k < count; ++k) {
     const int triangle = Spread(k, count, size);
     const std::array<Vertex, 3> v =
-        Corners(snapped, snapped.triangles[static_cast<std::size_t>(triangle)]);
+        Corners(c.placed, c.placed.triangles[static_cast<std::size_t>(triangle)]);
     if (!std::ranges::all_of(v, IsFinite)) continue;
     chosen.push_back({triangle, {WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}});
   }
   return chosen;
 }
 
-std::vector<SamplePlace> SamplesNearEdges(const Case& c, const std::array<Point2, 3>& v,
+std::vector<SamplePlace> SamplesNearEdges(const PlacedCase& c, const std::array<Point2, 3>& v,
                                           int per_edge) {
   PlaceCollector collector(c);
   for (int i = 0; i < 3; ++i) collector.AddNear(EdgeStart(v, i), EdgeEnd(v, i), per_edge);

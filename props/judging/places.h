@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/case.h"
 #include "core/vertex.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -29,11 +29,11 @@ struct CornersPlace {
 /// At most `limit` triangles of the case, spread evenly over its list.
 ///
 /// Domain:     a window-space case; triangles with a vertex that is not finite are left out.
-std::vector<CornersPlace> SomeTriangles(const Case& c, int limit);
+std::vector<CornersPlace> SomeTriangles(const PlacedCase& c, int limit);
 
 /// Samples of the target on either side of each edge line, at most 4 * per_edge for each edge, and
 /// the target's four corner samples. In a fixed order, without repetition.
-std::vector<SamplePlace> SamplesNearEdges(const Case& c, const std::array<Point2, 3>& v,
+std::vector<SamplePlace> SamplesNearEdges(const PlacedCase& c, const std::array<Point2, 3>& v,
                                           int per_edge);
 
 /// Start and end of edge i, the one opposite vertex i, in the triangle's direction.
@@ -44,13 +44,8 @@ inline Point2 EdgeEnd(const std::array<Point2, 3>& v, int i) {
   return v[static_cast<std::size_t>((i + 2) % 3)];
 }
 
-/// The case's scene as its profile places it. Clip space that snaps comes back as window space.
-///
-/// Error:      InputError where a clip-space vertex has no place on the grid: w <= 0, or too far.
-Scene PlacedScene(const Case& c);
-
 /// The sample of pixel column x and row `row` from the top, under the profile's y axis.
-SamplePlace PlaceOf(const Case& c, int x, int row, int sample);
+SamplePlace PlaceOf(const PlacedCase& c, int x, int row, int sample);
 
 }  // namespace rasterproof::props
 

@@ -16,13 +16,14 @@
 #include "props/judging/mesh_model.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
 
 // What is judged of a mesh, and what is expected there.
 struct JudgedMesh {
-  Case c;
+  PlacedCase c;
   OpenParts open;
   std::vector<std::int64_t> winding;
   SharedTies ties;
@@ -80,7 +81,7 @@ class MeshJudge {
 
 }  // namespace
 
-Asked CompareWithItsWinding(const Case& c, const Description& subject) {
+Asked CompareWithItsWinding(const PlacedCase& c, const Description& subject) {
   OpenParts open(c, /*spares_outline=*/false);
   if (open.IsFolded()) return NothingAsked("the snapped mesh is folded");
   if (open.IsFlat()) return NothingAsked("the mesh has triangles in a plane with the eye");
@@ -89,7 +90,7 @@ Asked CompareWithItsWinding(const Case& c, const Description& subject) {
     return NothingAsked("the mesh overlaps itself");
   }
   SharedTies ties(c);
-  const bool as_shown = IsJudgedAsShown(subject, c);
+  const bool as_shown = IsJudgedAsShown(subject.info, c.scene);
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
   auto mesh = std::make_shared<const JudgedMesh>(

@@ -12,10 +12,11 @@
 #include "core/target_size.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/gate.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -70,7 +71,7 @@ Check CheckAgainstBase(
   return check;
 }
 
-Asked CompareVariations(const Case& c, const std::vector<Variation>& variations,
+Asked CompareVariations(const PlacedCase& c, const std::vector<Variation>& variations,
                         const OpenByCall& open) {
   Asked asked;
   for (const Variation& variation : variations) {
@@ -92,19 +93,12 @@ Asked CompareVariations(const Case& c, const std::vector<Variation>& variations,
   return asked;
 }
 
-bool HasTheModelOf(const Case& c, int width, int height) {
+bool HasTheModelOf(const PlacedCase& c, int width, int height) {
   return IsTargetSize(width, height, c.profile.pattern.samples()) &&
-         ForTarget(c.profile, width, height) == ForTarget(c.profile, c.scene.width, c.scene.height);
+         TargetProfile(c.stated, width, height) == c.profile;
 }
 
-Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles) {
-  Case part = c;
-  part.scene.triangles.clear();
-  for (const std::size_t t : triangles) part.scene.triangles.push_back(c.scene.triangles[t]);
-  return part;
-}
-
-std::uint64_t DecisionsOf(const Case& c) {
+std::uint64_t DecisionsOf(const PlacedCase& c) {
   // As far as a vertex may go to its grid point.
   const double step = c.profile.snap.IsNone() ? 0 : std::ldexp(1.0, -c.profile.snap.bits);
   std::uint64_t decisions = 0;
@@ -112,7 +106,7 @@ std::uint64_t DecisionsOf(const Case& c) {
   if (!IsUnwrapped(c.scene, c.profile)) {
     Profile fixed_alone;
     fixed_alone.fixed = c.profile.fixed;
-    wrapped = SnapScene(c.scene, fixed_alone);
+    wrapped = SnapScene(c.scene, {fixed_alone, c.scene});
   }
   const Scene& scene = wrapped ? *wrapped : c.scene;
   for (const Triangle& t : scene.triangles) {
@@ -133,11 +127,10 @@ std::uint64_t DecisionsOf(const Case& c) {
   return decisions;
 }
 
-CoverageCounts CoverageUnder(const Case& c, const TieRule& rule, const DrawOptions& options) {
-  Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
-  profile.by_target_size.clear();
-  profile.tie_rule = rule;
-  return exact::Coverage(c.scene, profile, options);
+CoverageCounts CoverageUnder(const PlacedCase& c, const TieRule& rule, const DrawOptions& options) {
+  exact::PlacedScene scene = c;
+  scene.profile.tie_rule = rule;
+  return exact::Coverage(scene, options);
 }
 
 CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole) {
@@ -176,7 +169,7 @@ namespace {
 
 // What the profile's edge_samples leaves open is taken as it was drawn: on an edge, anything from
 // what the tie rule gives to every triangle that has it.
-void AcceptSharedEdgeSamples(const Case& c, bool as_shown, const CoverageCounts& observed,
+void AcceptSharedEdgeSamples(const PlacedCase& c, bool as_shown, const CoverageCounts& observed,
                              CoverageCounts& expected) {
   CoverageCounts most = CoverageUnder(c, {.inclusive = true}, c.options);
   if (as_shown) most = AsShown(std::move(most));
@@ -188,13 +181,13 @@ void AcceptSharedEdgeSamples(const Case& c, bool as_shown, const CoverageCounts&
 
 }  // namespace
 
-Asked CompareWithTheModel(const Case& c, const Description& subject) {
+Asked CompareWithTheModel(const PlacedCase& c, const Description& subject) {
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
-  const bool as_shown = IsJudgedAsShown(subject, c);
+  const bool as_shown = IsJudgedAsShown(subject.info, c.scene);
   return OneCheck(std::move(questions), [&c, as_shown](const Answers& answers) {
     const CoverageCounts& observed = answers.draws[0]->counts;
-    CoverageCounts expected = exact::Coverage(c.scene, c.profile, c.options);
+    CoverageCounts expected = exact::Coverage(c, c.options);
     if (as_shown) expected = AsShown(std::move(expected));
     if (c.profile.shares_edge_samples && c.profile.tie_rule.IsConsistent()) {
       AcceptSharedEdgeSamples(c, as_shown, observed, expected);

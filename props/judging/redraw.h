@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "core/case.h"
 #include "core/coverage.h"
 #include "core/question.h"
 #include "core/verdict.h"
 #include "props/judging/open_by_call.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -45,23 +45,20 @@ struct Variation {
 /// what they show is the same but where calls may differ.
 ///
 /// Domain:     a case that outlives what is returned.
-Asked CompareVariations(const Case& c, const std::vector<Variation>& variations,
+Asked CompareVariations(const PlacedCase& c, const std::vector<Variation>& variations,
                         const OpenByCall& open = {});
 
 /// Whether a target of this size is one that subjects are asked for, and the profile places
 /// vertices on it as on the case's own: a profile can state another model for other sizes.
-bool HasTheModelOf(const Case& c, int width, int height);
-
-/// The case with only the named triangles of its list.
-Case OnlyTriangles(const Case& c, const std::vector<std::size_t>& triangles);
+bool HasTheModelOf(const PlacedCase& c, int width, int height);
 
 /// How many samples of the target lie in the bounding boxes of the case's finite triangles, or a
 /// step of its grid beside them: the number of inside-or-outside decisions that a draw puts to the
 /// test. Clip space: every sample for each finite triangle.
-std::uint64_t DecisionsOf(const Case& c);
+std::uint64_t DecisionsOf(const PlacedCase& c);
 
 /// What the canonical model of the case's profile counts under another tie rule.
-CoverageCounts CoverageUnder(const Case& c, const TieRule& rule, const DrawOptions& options);
+CoverageCounts CoverageUnder(const PlacedCase& c, const TieRule& rule, const DrawOptions& options);
 
 /// The counts within the rectangle, and zero elsewhere.
 CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole);
@@ -80,7 +77,7 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
 /// as it is shown, if what is covered is what the model covers.
 ///
 /// Domain:     a case and a description that outlive what is returned.
-Asked CompareWithTheModel(const Case& c, const Description& subject);
+Asked CompareWithTheModel(const PlacedCase& c, const Description& subject);
 
 }  // namespace rasterproof::props
 

@@ -2,11 +2,11 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_SIDES_H_
 #define RASTERPROOF_PROPS_JUDGING_SIDES_H_
 
-#include <span>
+#include <cstddef>
 #include <vector>
 
-#include "core/profile.h"
 #include "core/scene.h"
+#include "exact/placed_scene.h"
 
 namespace rasterproof::props {
 
@@ -14,14 +14,15 @@ namespace rasterproof::props {
 struct Sides {
   std::vector<Triangle> front;  ///< and those without area: they should cover nothing
   std::vector<Triangle> back;
-};
 
-/// The triangles by their facing under the canonical model of the profile: in clip space by their
-/// quotients on its grid, or as given where there is no grid. Where the profile leaves other models
-/// legal that is a guess (OpenTriangles).
-///
-/// Domain:     triangles of the scene's vertices.
-Sides SidesOf(const Scene& scene, std::span<const Triangle> triangles, const Profile& profile);
+  /// By the canonical model. Where the profile leaves other models legal that is a guess
+  /// (OpenTriangles).
+  explicit Sides(const exact::PlacedScene& scene) {
+    for (std::size_t t = 0; t < scene.facings.size(); ++t) {
+      (scene.facings[t] < 0 ? back : front).push_back(scene.scene.triangles[t]);
+    }
+  }
+};
 
 }  // namespace rasterproof::props
 

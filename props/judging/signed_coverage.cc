@@ -7,11 +7,12 @@
 #include "props/judging/places.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
 
-Verdict SignedCoverageIs(const Case& c, const CoverageCounts& counts,
+Verdict SignedCoverageIs(const PlacedCase& c, const CoverageCounts& counts,
                          const std::vector<std::int64_t>& expected, const std::string& what,
                          const Spared& spared) {
   std::uint64_t exercised = 0;
@@ -42,8 +43,8 @@ Verdict SignedCoverageIs(const Case& c, const CoverageCounts& counts,
 
 }  // namespace
 
-Asked CompareSignedCoverage(const Case& c, std::vector<std::int64_t> expected, std::string what,
-                            Spared spared) {
+Asked CompareSignedCoverage(const PlacedCase& c, std::vector<std::int64_t> expected,
+                            std::string what, Spared spared) {
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
   return OneCheck(std::move(questions), [&c, expected = std::move(expected), what = std::move(what),

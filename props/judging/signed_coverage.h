@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/case.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/gate.h"
 #include "props/judging/outline.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -32,8 +32,8 @@ struct Spared {
 ///
 /// Domain:     a case that outlives what is returned.
 /// Shape:      expected: as CoverageCounts.
-Asked CompareSignedCoverage(const Case& c, std::vector<std::int64_t> expected, std::string what,
-                            Spared spared = {});
+Asked CompareSignedCoverage(const PlacedCase& c, std::vector<std::int64_t> expected,
+                            std::string what, Spared spared = {});
 
 }  // namespace rasterproof::props
 

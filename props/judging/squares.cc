@@ -15,6 +15,7 @@
 #include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -22,18 +23,18 @@ namespace {
 constexpr std::size_t kMostSingles = 64;
 
 // How many squares the triangles of a case touch as they are given.
-std::uint64_t TouchedSquares(Case c) {
+std::uint64_t TouchedSquares(PlacedCase c) {
   c.profile.freedom = {};
   c.profile.squares =
       SquareRule{.must = std::nullopt, .may = SquareRegion{}, .flat = FlatSquares::kDrawn};
-  const CoverageCounts touched = exact::MayCover(c.scene, c.profile, WholeTarget(c));
+  const CoverageCounts touched = exact::MayCover(c, WholeTarget(c));
   std::uint64_t squares = 0;
   for (std::size_t k = 0; k < touched.size(); ++k) squares += touched.Count(k) != 0 ? 1 : 0;
   return squares;
 }
 
 // A triangle of which no square may be covered was put to the test at the squares that it touches.
-Verdict ComparedToNone(const Verdict& verdict, MayBe allowed, const Case& one) {
+Verdict ComparedToNone(const Verdict& verdict, MayBe allowed, const PlacedCase& one) {
   const bool is_none = allowed == MayBe::kLess && verdict.outcome == Outcome::kNotExercised;
   return is_none ? Verdict::Held(TouchedSquares(one)) : verdict;
 }
@@ -54,16 +55,17 @@ Verdict ComparedTo(const CoverageCounts& observed, const CoverageCounts& expecte
   return Verdict::Held(exercised);
 }
 
-Asked CompareEachAndAll(const Case& c, const Description& subject, MayBe allowed,
+Asked CompareEachAndAll(const PlacedCase& c, const Description& subject, MayBe allowed,
                         std::string_view message,
-                        CoverageCounts (*expected)(const Case& of, const DrawOptions& options)) {
+                        CoverageCounts (*expected)(const PlacedCase& of,
+                                                   const DrawOptions& options)) {
   Asked asked;
   const auto scene = std::make_shared<const Scene>(c.scene);
   for (std::size_t t = 0; t < std::min(kMostSingles, c.scene.triangles.size()); ++t) {
     Check check;
     check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
     check.judge = [&c, t, allowed, message, expected](const Answers& answers) {
-      const Case one = OnlyTriangles(c, {t});
+      const PlacedCase one = c.Only({t});
       Verdict verdict =
           ComparedTo(answers.draws[0]->counts, expected(one, WholeTarget(c)), allowed, message);
       verdict = ComparedToNone(verdict, allowed, one);
@@ -75,7 +77,7 @@ Asked CompareEachAndAll(const Case& c, const Description& subject, MayBe allowed
   Check mesh;
   mesh.questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
   mesh.judge = [&c, allowed, message, expected,
-                as_shown = IsJudgedAsShown(subject, c)](const Answers& answers) {
+                as_shown = IsJudgedAsShown(subject.info, c.scene)](const Answers& answers) {
     CoverageCounts truth = expected(c, WholeTarget(c));
     if (as_shown) truth = AsShown(std::move(truth));
     return ComparedTo(answers.draws[0]->counts, truth, allowed, message);
@@ -84,7 +86,7 @@ Asked CompareEachAndAll(const Case& c, const Description& subject, MayBe allowed
   return asked;
 }
 
-CoverageCounts CentresOf(const Case& c, const DrawOptions& options) {
+CoverageCounts CentresOf(const PlacedCase& c, const DrawOptions& options) {
   Profile centres;
   centres.y_axis = c.profile.y_axis;
   const CoverageCounts once = exact::Coverage(c.scene, centres, options);

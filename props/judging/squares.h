@@ -9,7 +9,6 @@
 #include <span>
 #include <string_view>
 
-#include "core/case.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/profile.h"
@@ -17,6 +16,7 @@
 #include "core/verdict.h"
 #include "exact/square_coverage.h"
 #include "props/judging/gate.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -70,13 +70,14 @@ Verdict ComparedTo(const CoverageCounts& observed, const CoverageCounts& expecte
 /// excess must not make up for another's lack. `expected` tells what a case counts.
 ///
 /// Domain:     a case and a description that outlive what is returned.
-Asked CompareEachAndAll(const Case& c, const Description& subject, MayBe allowed,
+Asked CompareEachAndAll(const PlacedCase& c, const Description& subject, MayBe allowed,
                         std::string_view message,
-                        CoverageCounts (*expected)(const Case& of, const DrawOptions& options));
+                        CoverageCounts (*expected)(const PlacedCase& of,
+                                                   const DrawOptions& options));
 
 /// What point samples at the centres of the pixels count, of the vertices as given and under
 /// top-left, as often as the profile has samples.
-CoverageCounts CentresOf(const Case& c, const DrawOptions& options);
+CoverageCounts CentresOf(const PlacedCase& c, const DrawOptions& options);
 
 }  // namespace rasterproof::props
 

@@ -11,11 +11,12 @@
 
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
 
-constexpr int kTriangles = 2;
+constexpr int kSteppingTriangles = 2;
 constexpr int kLongRowTriangles = 1;
 constexpr std::array<int, 4> kLengths{1, 2, 8, 16};
 // Every step of a short stepping is looked at; of a long one the first ones and then an even
@@ -29,14 +30,14 @@ bool IsLookedAt(int n, int steps) {
 }
 
 // Steps that keep the stepping within the profile's limit.
-int WithinLimit(const Case& c, Point2 from, Step step, int wanted) {
+int WithinLimit(const PlacedCase& c, Point2 from, Step step, int wanted) {
   const double start = step.along_y ? from.y : from.x;
   const double room = c.profile.coordinate_limit - step.sign * start;
   const double steps = std::floor(room / step.length);
   return steps >= wanted ? wanted : std::max(0, static_cast<int>(steps));
 }
 
-void AddStepping(const Case& c, const EdgeQuery& from, Step step, int wanted,
+void AddStepping(const PlacedCase& c, const EdgeQuery& from, Step step, int wanted,
                  std::vector<SteppingQuery>& steppings) {
   const int steps = WithinLimit(c, from.place.at, step, wanted);
   if (steps > 0) steppings.push_back({from, step, steps});
@@ -73,10 +74,10 @@ Point2 AfterSteps(const SteppingQuery& stepping, int n) {
   return p;
 }
 
-std::vector<SteppingQuery> SomeSteppingQueries(const Case& c) {
+std::vector<SteppingQuery> SomeSteppingQueries(const PlacedCase& c) {
   constexpr int kLongestShortStepping = 64;
   std::vector<SteppingQuery> steppings;
-  for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
+  for (const CornersPlace& corners : SomeTriangles(c, kSteppingTriangles)) {
     const std::vector<SamplePlace> places = SamplesNearEdges(c, corners.at, 1);
     for (int i = 0; i < 3; ++i) {
       const SamplePlace& place = places[static_cast<std::size_t>(i) % places.size()];
@@ -96,7 +97,7 @@ std::vector<SteppingQuery> SomeSteppingQueries(const Case& c) {
   return steppings;
 }
 
-std::vector<SteppingQuery> LongRows(const Case& c, int steps) {
+std::vector<SteppingQuery> LongRows(const PlacedCase& c, int steps) {
   // Two along x, either way, and one along y.
   constexpr std::array<Step, 3> kSteps{{{false, +1, 1}, {false, -1, 1}, {true, +1, 1}}};
   std::vector<SteppingQuery> steppings;

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "core/case.h"
 #include "core/evaluators.h"
 #include "core/question.h"
 #include "core/verdict.h"
 #include "props/judging/edge_queries.h"
 #include "props/judging/gate.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -33,11 +33,11 @@ inline constexpr Gate kAsksSteps{
 Point2 AfterSteps(const SteppingQuery& stepping, int n);
 
 /// The eight ways of stepping, by one pixel and by L = 2, 8 and 16, as far as the target reaches.
-std::vector<SteppingQuery> SomeSteppingQueries(const Case& c);
+std::vector<SteppingQuery> SomeSteppingQueries(const PlacedCase& c);
 
 /// A single-pixel stepping from a corner of the target, `steps` long or as long as the profile's
 /// limit lets it be. Bits of the case choose the edge and the direction.
-std::vector<SteppingQuery> LongRows(const Case& c, int steps);
+std::vector<SteppingQuery> LongRows(const PlacedCase& c, int steps);
 
 /// Asks for the values that the steps meet.
 StepsQuestion StepsOf(const SteppingQuery& stepping);

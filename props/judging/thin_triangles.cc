@@ -12,8 +12,9 @@
 #include "core/scene.h"
 #include "model/snap.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "props/judging/outline.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -114,8 +115,8 @@ bool IsWithin(const std::vector<Point2>& polygon, Point2 p, double reach) {
 }
 
 // What the freedom of places allows.
-double ReachOfVertices(const Case& c) {
-  const Profile profile = ForTarget(c.profile, c.scene.width, c.scene.height);
+double ReachOfVertices(const PlacedCase& c) {
+  const TargetProfile& profile = c.profile;
   const bool moves_pixels = !MovesClippedEdges(profile) && !IsUnclipped(c.scene, profile);
   if (profile.contract != Contract::kSampleExact || moves_pixels) {
     return std::sqrt(2.0) * kMovedOutlineMargin;
@@ -129,9 +130,9 @@ double ReachOfVertices(const Case& c) {
 
 }  // namespace
 
-double LegalReach(const Case& c) { return ReachOfVertices(c) + SampleReach(c.profile); }
+double LegalReach(const PlacedCase& c) { return ReachOfVertices(c) + SampleReach(c.profile); }
 
-ThinTriangles::ThinTriangles(const Case& c, double reach) : reach_(reach) {
+ThinTriangles::ThinTriangles(const PlacedCase& c, double reach) : reach_(reach) {
   if (reach == 0) return;
   for (const Triangle& t : c.scene.triangles) {
     const std::array<Vertex, 3> v = Corners(c.scene, t);

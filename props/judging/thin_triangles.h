@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/case.h"
 #include "core/vertex.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 
@@ -13,7 +13,7 @@ namespace rasterproof::props {
 /// one model is legal, the grid points that a tolerance leaves free, or kMovedOutlineMargin where
 /// the grid is not stated at all, on each axis; and how far a sample may lie from where its pattern
 /// has it.
-double LegalReach(const Case& c);
+double LegalReach(const PlacedCase& c);
 
 /// The triangles of a clip-space case, around the eye as they may lie, that may turn over or vanish
 /// when what is drawn of them moves by the reach: those with a vertex at w <= 0, which are drawn in
@@ -23,7 +23,7 @@ class ThinTriangles {
  public:
   /// None.
   ThinTriangles() = default;
-  ThinTriangles(const Case& c, double reach);
+  ThinTriangles(const PlacedCase& c, double reach);
 
   /// Whether a triangle that can turn could come to cover p.
   bool AreNear(Point2 p) const;

@@ -14,6 +14,7 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/precision_units.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -85,7 +86,7 @@ double RoundedRoot(const Rational& square) {
   return in_range ? std::sqrt(rounded) : exact::NearestSquareRoot(square);
 }
 
-Asked AskDistances(const Case& c, const Description& subject, WireframeForm form,
+Asked AskDistances(const PlacedCase& c, const Description& subject, WireframeForm form,
                    WireframeMeaning meaning, std::string property) {
   std::vector<ExpectedDistance> expected;
   Questions questions;

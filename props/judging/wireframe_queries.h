@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "core/case.h"
 #include "core/evaluators.h"
 #include "exact/rational.h"
 #include "props/judging/barycentric_queries.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -28,7 +28,7 @@ using WireframeMeaning = std::optional<WireframeScale> (*)(const BarycentricQuer
 /// Asks for the distances in the closed triangle. Holds if they mean what `meaning` says, up to
 /// (2 bound_i + kWireframeErrorMultiplier u |lambda_i|) scale + the least subnormal, where bound_i
 /// is the bound stated for barycentric i over the vertex area.
-Asked AskDistances(const Case& c, const Description& subject, WireframeForm form,
+Asked AskDistances(const PlacedCase& c, const Description& subject, WireframeForm form,
                    WireframeMeaning meaning, std::string property);
 
 }  // namespace rasterproof::props

@@ -18,6 +18,7 @@
 #include "props/judging/redraw.h"
 #include "props/judging/thin_triangles.h"
 #include "props/judging/visible_edge.h"
+#include "props/placed_case.h"
 
 namespace rasterproof::props {
 namespace {
@@ -41,12 +42,11 @@ struct LegalCounts {
   }
 };
 
-LegalCounts LegalCountsOf(const Case& c, const DrawOptions& options) {
+LegalCounts LegalCountsOf(const PlacedCase& c, const DrawOptions& options) {
   const bool any_owner = c.profile.freedom.ties != TieOwnership::kStated;
   const bool draws_again = c.profile.shares_edge_samples || any_owner;
-  LegalCounts legal{any_owner ? CoverageUnder(c, {.exclusive = true}, options)
-                              : exact::Coverage(c.scene, c.profile, options),
-                    {}};
+  LegalCounts legal{
+      any_owner ? CoverageUnder(c, {.exclusive = true}, options) : exact::Coverage(c, options), {}};
   legal.most = draws_again ? CoverageUnder(c, {.inclusive = true}, options) : legal.least;
   return legal;
 }
@@ -96,29 +96,28 @@ Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& ex
 
 namespace {
 
-std::string EdgeValuesText(const Case& alone, Point2 p) {
+std::string EdgeValuesText(const PlacedCase& alone, Point2 p) {
   const auto places =
       alone.scene.clip_space ? std::vector<CornersPlace>() : SomeTriangles(alone, 1);
   return places.empty() ? "" : EdgeValuesText(places[0].at, p);
 }
 
-Point2 SampleOf(const Case& c, const Witness& witness) {
+Point2 SampleOf(const PlacedCase& c, const Witness& witness) {
   return PlaceOf(c, witness.x, witness.y, witness.sample).at;
 }
 
-std::size_t TrianglesToBlame(const Case& c) {
+std::size_t TrianglesToBlame(const PlacedCase& c) {
   return std::min(c.scene.triangles.size(), kMaxTrianglesBlamed);
 }
 
 Verdict Blamed(Witness witness) { return Verdict::Violated(1, "", std::move(witness)); }
 
 // The edge nearest to the witness's sample of all that the first triangles have.
-Verdict BlameNearest(const Case& c, Witness witness) {
-  const Scene placed = PlacedScene(c);
+Verdict BlameNearest(const PlacedCase& c, Witness witness) {
   const Point2 p = SampleOf(c, witness);
   std::optional<exact::Rational> least;
   for (std::size_t t = 0; t < TrianglesToBlame(c); ++t) {
-    const std::array<Vertex, 3> v = Corners(placed, placed.triangles[t]);
+    const std::array<Vertex, 3> v = Corners(c.placed, c.placed.triangles[t]);
     if (!std::ranges::all_of(v, IsFinite)) continue;
     for (int i = 0; i < 3; ++i) {
       const VisibleEdge edge(EdgeStart(v, i), EdgeEnd(v, i));
@@ -134,14 +133,13 @@ Verdict BlameNearest(const Case& c, Witness witness) {
 }
 
 // Violated if the subject's counts for triangle t alone are not legal at the witness's sample.
-Verdict BlameOne(const Case& c, std::size_t t, const DrawOptions& options, Witness witness,
+Verdict BlameOne(const PlacedCase& c, std::size_t t, const DrawOptions& options, Witness witness,
                  const CoverageCounts& observed) {
-  const Case alone = OnlyTriangles(c, {t});
+  const PlacedCase alone = c.Only({t});
   const std::size_t index = observed.Index(witness.x, witness.y, witness.sample);
   if (LegalCountsOf(alone, options).Allow(observed, index)) return Verdict::Held(1);
   witness.triangle = static_cast<int>(t);
-  const Scene placed = PlacedScene(alone);
-  const std::array<Vertex, 3> v = Corners(placed, placed.triangles[0]);
+  const std::array<Vertex, 3> v = Corners(alone.placed, alone.placed.triangles[0]);
   if (std::ranges::all_of(v, IsFinite)) {
     const Point2 p = SampleOf(c, witness);
     witness.edge = NearestEdge(v, p);
@@ -152,7 +150,7 @@ Verdict BlameOne(const Case& c, std::size_t t, const DrawOptions& options, Witne
 
 }  // namespace
 
-Asked BlameTriangles(const Case& c, const Verdict& verdict, const DrawOptions& options) {
+Asked BlameTriangles(const PlacedCase& c, const Verdict& verdict, const DrawOptions& options) {
   const Witness& witness = *verdict.witness;
   if (LegalReach(c) != 0) {
     return OneCheck({}, [&c, witness](const Answers&) { return BlameNearest(c, witness); });

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <string>
 
-#include "core/case.h"
 #include "core/coverage.h"
 #include "core/verdict.h"
 #include "props/judging/places.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -38,7 +38,7 @@ Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& ex
 ///
 /// Domain:     a verdict with a witness of one of the case's samples; a case that outlives what is
 ///             returned.
-Asked BlameTriangles(const Case& c, const Verdict& verdict, const DrawOptions& options);
+Asked BlameTriangles(const PlacedCase& c, const Verdict& verdict, const DrawOptions& options);
 
 }  // namespace rasterproof::props
 

@@ -17,7 +17,7 @@
 #include "props/run/budget.h"
 #include "props/run/campaign_part.h"
 #include "props/run/counterexample.h"
-#include "props/run/judged_case.h"
+#include "props/run/description.h"
 #include "props/run/look_ahead.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"

@@ -11,6 +11,7 @@
 #include "core/quoted.h"
 #include "exact/coverage.h"
 #include "props/codec/codec.h"
+#include "props/run/description.h"
 
 namespace rasterproof::props {
 namespace {
@@ -31,33 +32,38 @@ std::string PlaceOfFault(const Property& property, std::span<const Case> cases) 
 }
 
 CaseJudge::CaseJudge(const Property& property, const Case& c, const Description& subject)
-    : property_(property), place_(PlaceOfFault(property, {&c, 1})) {
+    : property_(property),
+      place_(PlaceOfFault(property, {&c, 1})),
+      subject_(TakesToWindow(c.profile, c.scene) ? AsJudged(subject) : subject),
+      placed_(WorkedOut(place_, [&] { return Place(c, property.gate.judges_degenerates); })) {
   WorkedOut(place_, [&] {
-    judged_ = Judged(c, subject, property.gate.judges_degenerates);
-    if (judged_.instead) return Conclude({*judged_.instead});
-    if (auto refusal = Refusal(property.gate, judged_.subject, judged_.value)) {
+    if (auto refusal = FlatnessNotDecided(placed_, property.gate.judges_degenerates)) {
       return Conclude({*std::move(refusal)});
     }
-    asked_ = property.ask(judged_.value, judged_.subject);
+    if (auto refusal = Refusal(property.gate, subject_, placed_)) {
+      return Conclude({*std::move(refusal)});
+    }
+    asked_ = property.ask(placed_, subject_);
     if (asked_.checks.empty()) Conclude({asked_.otherwise});
   });
 }
 
 void CaseJudge::Conclude(Trial trial) {
-  trial.verdict = RenumberWitness(judged_, std::move(trial.verdict));
+  trial.verdict = RenumberWitness(placed_, std::move(trial.verdict));
   trial_ = std::move(trial);
 }
 
-Request CaseJudge::Next() const { return {&judged_, &asked_.checks[next_], &drawn_}; }
+Request CaseJudge::Next() const { return {&placed_, &asked_.checks[next_], &drawn_}; }
 
 // What draw k of the check's own drew, as the subject was given it; nothing if that is the case.
 std::shared_ptr<const DrawnScene> CaseJudge::DrawnBy(const Check& check, std::size_t k) const {
   const DrawJob& job = check.questions.draws[k].job;
-  Case drawn = judged_.value;
+  const Case value = placed_.Value();
+  Case drawn = value;
   drawn.scene = SceneOf(job);
-  if (SameCase(drawn, judged_.value)) return nullptr;
-  if (judged_.places) {
-    std::optional<Scene> given = judged_.places->AsGiven(drawn.scene);
+  if (SameCase(drawn, value)) return nullptr;
+  if (placed_.before) {
+    std::optional<Scene> given = placed_.before->AsGiven(drawn.scene);
     if (!given) return nullptr;
     drawn.scene = *std::move(given);
   }
@@ -123,11 +129,11 @@ void CaseJudge::Blame(Subject& subject) {
   const bool is_said = trial_->verdict.outcome != Outcome::kViolated || IsBreakdown(trial_->stop);
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
   // If the oracle cannot decide the case, no triangle is blamed.
-  if (exact::WhyNotDecided(judged_.value.scene, judged_.value.profile)) return;
-  const Asked round = WorkedOut(
-      place_, [&] { return property_.blame(judged_.value, violation_, judged_.subject); });
+  if (exact::WhyNotDecided(placed_)) return;
+  const Asked round =
+      WorkedOut(place_, [&] { return property_.blame(placed_, violation_, subject_); });
   for (const Check& check : round.checks) {
-    const Request request{&judged_, &check, &drawn_};
+    const Request request{&placed_, &check, &drawn_};
     const Answers answers = PutOne(subject, request);
     // What was seen stays so, whatever becomes of less of the case.
     if (EndsTheCall(answers.end.stop)) return;

@@ -15,8 +15,8 @@
 #include "core/question.h"
 #include "core/subject.h"
 #include "core/verdict.h"
+#include "props/placed_case.h"
 #include "props/property.h"
-#include "props/run/judged_case.h"
 #include "props/run/put.h"
 #include "props/run/trial.h"
 
@@ -77,7 +77,7 @@ class CaseJudge {
 
   /// Every check, in order: what is asked if none is violated.
   const std::vector<Check>& Checks() const { return asked_.checks; }
-  const JudgedCase& AsJudged() const { return judged_; }
+  const PlacedCase& Placed() const { return placed_; }
 
  private:
   void Conclude(Trial trial);
@@ -86,7 +86,8 @@ class CaseJudge {
 
   const Property& property_;
   std::string place_;  ///< of a fault of ours
-  JudgedCase judged_;
+  Description subject_;
+  PlacedCase placed_;
   Asked asked_;
   std::size_t next_ = 0;
   std::vector<std::shared_ptr<const Drawing>> drawn_;

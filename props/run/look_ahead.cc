@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "props/run/description.h"
 #include "props/run/judge.h"
-#include "props/run/judged_case.h"
 #include "props/run/put.h"
 
 namespace rasterproof::props {

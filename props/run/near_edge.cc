@@ -11,7 +11,7 @@
 #include "exact/edge.h"
 #include "exact/homogeneous.h"
 #include "model/snap.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "model/wrap.h"
 #include "props/domains/input_lattice.h"
 #include "props/run/case_places.h"
@@ -75,9 +75,7 @@ LongPoint Projected(const Vertex& v) {
 class Counter {
  public:
   explicit Counter(const Case& c)
-      : case_(c),
-        profile_(ForTarget(c.profile, c.scene.width, c.scene.height)),
-        lattice_(profile_, c.scene.precision) {}
+      : case_(c), profile_(c.profile, c.scene), lattice_(profile_, c.scene.precision) {}
 
   CaseEvidence Count() {
     const std::vector<Triangle>& triangles = case_.scene.triangles;
@@ -215,7 +213,7 @@ class Counter {
   }
 
   const Case& case_;
-  Profile profile_;
+  TargetProfile profile_;
   InputLattice lattice_;
   NearEdgeCounts counts_;
   CasePlaces places_;

@@ -32,7 +32,9 @@ std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const P
                       CoverageCounts::Size(scene.width, scene.height, job.samples))) {
     return {{Only(job, job.triangles), false}};
   }
-  Sides sides = SidesOf(scene, triangles, profile);
+  Scene drawn = scene;
+  drawn.triangles.assign(triangles.begin(), triangles.end());
+  Sides sides(exact::PlacedScene(std::move(drawn), profile));
   std::vector<Part> parts;
   for (const bool is_back : {false, true}) {
     std::vector<Triangle>& side = is_back ? sides.back : sides.front;

@@ -13,14 +13,6 @@
 namespace rasterproof::props {
 namespace {
 
-// What a transform rounds otherwise by an ulp shows where the snap has a tie, and hardly elsewhere.
-constexpr std::string_view kTies = "deciding-snap-ties";
-constexpr std::size_t kTiesOfTransforms = 8;
-constexpr std::size_t kTiesInARound = 2;
-// What a legal choice turns is most of what freedom can go wrong by.
-constexpr std::string_view kFolds = "folds";
-constexpr std::size_t kFoldsInARound = 8;
-
 const Domain* SuitableDomain(std::string_view name, const SubjectInfo& info) {
   const Domain* domain = FindDomain(name);
   return domain != nullptr && Suits(*domain, info) ? domain : nullptr;
@@ -50,12 +42,9 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
   for (const std::string_view name : property.domains) {
     const Domain* domain = SuitableDomain(name, info);
     if (domain == nullptr) continue;
-    const bool shows_roundings = OwnsTransform(info) && name == kTies;
-    const std::size_t times = shows_roundings  ? kTiesOfTransforms
-                              : name == kTies  ? kTiesInARound
-                              : name == kFolds ? kFoldsInARound
-                                               : 1;
-    domains.insert(domains.end(), times, domain);
+    domains.insert(domains.end(),
+                   OwnsTransform(info) ? domain->in_a_round_behind_transforms : domain->in_a_round,
+                   domain);
   }
   return domains;
 }

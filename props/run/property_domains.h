@@ -17,9 +17,8 @@
 
 namespace rasterproof::props {
 
-/// The domains of the property whose scenes the subject takes, in the property's order; one that
-/// is to be drawn more often than others stands there as often: folds eight times for every
-/// subject, deciding-snap-ties twice, eight times for one that owns its transform.
+/// The domains of the property whose scenes the subject takes, in the property's order, each as
+/// often as its row says (Domain::in_a_round).
 std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& property);
 
 /// Names the domains that DomainsFor leaves out, and why; empty if it leaves none out.

@@ -9,6 +9,7 @@
 #include "core/call_end.h"
 #include "core/error.h"
 #include "core/target_size.h"
+#include "props/placed_case.h"
 #include "props/run/parts.h"
 
 namespace rasterproof::props {
@@ -16,19 +17,20 @@ namespace {
 
 // A draw as the subject is given it: where its own transform takes the vertices to their places.
 // Nothing, and a stop, if it can't be.
-std::optional<DrawJob> AsGiven(const JudgedCase& judged, const DrawJob& job, CallEnd& end) {
+std::optional<DrawJob> AsGiven(const PlacedCase& placed, const std::string& subject,
+                               const DrawJob& job, CallEnd& end) {
   if (const auto error =
           TargetSizeError("scene", job.scene->width, job.scene->height, job.samples)) {
     end = {Stop::kNotDrawable, error->what()};
     return std::nullopt;
   }
-  if (!judged.places) return job;
-  if (std::optional<Scene> scene = judged.places->AsGiven(*job.scene)) {
+  if (!placed.before) return job;
+  if (std::optional<Scene> scene = placed.before->AsGiven(*job.scene)) {
     DrawJob given = job;
     given.scene = std::make_shared<const Scene>(*std::move(scene));
     return given;
   }
-  const InputError error("subject " + judged.subject.info.name, judged.places->WhyNot(*job.scene),
+  const InputError error("subject " + subject, placed.before->WhyNot(*job.scene),
                          "choose another property");
   end = {Stop::kNotDrawable, error.what()};
   return std::nullopt;
@@ -54,6 +56,7 @@ class Putting {
  public:
   Putting(Subject& subject, std::span<const Request> requests)
       : subject_(subject),
+        info_(subject.Info()),
         is_outside_(subject.SharesCalls()),
         requests_(requests),
         answers_(requests.size()),
@@ -76,11 +79,17 @@ class Putting {
   }
 
  private:
-  CoverageKind Coverage(std::size_t r) const { return requests_[r].judged->subject.info.coverage; }
+  std::optional<DrawJob> GivenOf(std::size_t r, const DrawJob& job, CallEnd& end) const {
+    return AsGiven(*requests_[r].placed, info_.name, job, end);
+  }
 
+  // Facings are those of the question's scene; what is drawn is the scene as it is given.
   std::vector<Part> PartsOf(std::size_t r, const DrawQuestion& question, const DrawJob& job) const {
     if (question.parts == Parts::kWhole) return {{job, false}};
-    return FacingParts(job, Coverage(r), requests_[r].judged->stated);
+    std::vector<Part> parts =
+        FacingParts(question.job, info_.coverage, requests_[r].placed->stated);
+    for (Part& part : parts) part.job.scene = job.scene;
+    return parts;
   }
 
   // What a subject outside draws is added to its target here, whatever that held.
@@ -100,7 +109,7 @@ class Putting {
     std::shared_ptr<const Drawing> last;
     for (const DrawQuestion& question : questions.draws) {
       answers.stopped_at = static_cast<std::size_t>(&question - questions.draws.data());
-      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, question.job, answers.end);
+      const std::optional<DrawJob> job = GivenOf(r, question.job, answers.end);
       if (!job) return true;
       auto drawing = std::make_shared<Drawing>();
       answers.end = DrawInOrder(r, question, *job, last.get(), *drawing);
@@ -118,7 +127,7 @@ class Putting {
     const bool goes_on = question.onto_the_last && last != nullptr;
     CoverageCounts target = goes_on ? last->counts : Filled(question.fill, job);
     const bool has_target = goes_on || question.fill != 0;
-    if (Coverage(r) != CoverageKind::kFacingCounts &&
+    if (info_.coverage != CoverageKind::kFacingCounts &&
         (has_target || question.parts == Parts::kFacings)) {
       drawing.counts = std::move(target);
       return DrawParts(subject, PartsOf(r, question, job), drawing.counts);
@@ -133,7 +142,7 @@ class Putting {
   void AddShares(std::size_t r) {
     const std::vector<DrawQuestion>& draws = requests_[r].check->questions.draws;
     for (std::size_t d = 0; d < draws.size(); ++d) {
-      const std::optional<DrawJob> job = AsGiven(*requests_[r].judged, draws[d].job, not_given_[r]);
+      const std::optional<DrawJob> job = GivenOf(r, draws[d].job, not_given_[r]);
       if (!job) return;
       drawings_.push_back(std::make_shared<Drawing>());
       const bool is_added = draws[d].parts == Parts::kFacings || draws[d].fill != 0;
@@ -199,7 +208,7 @@ class Putting {
     if (share.is_whole) {
       drawing = std::move(outcome.drawing);
     } else {
-      AddPart(share.part, Coverage(share.request), outcome.drawing.counts, drawing.counts);
+      AddPart(share.part, info_.coverage, outcome.drawing.counts, drawing.counts);
     }
   }
 
@@ -222,6 +231,7 @@ class Putting {
   }
 
   Subject& subject_;
+  SubjectInfo info_;
   bool is_outside_;
   std::span<const Request> requests_;
   std::vector<Answers> answers_;

@@ -9,14 +9,14 @@
 
 #include "core/question.h"
 #include "core/subject.h"
+#include "props/placed_case.h"
 #include "props/property.h"
-#include "props/run/judged_case.h"
 
 namespace rasterproof::props {
 
 /// The questions of a check, and where its case comes from.
 struct Request {
-  const JudgedCase* judged = nullptr;
+  const PlacedCase* placed = nullptr;
   const Check* check = nullptr;
   /// The drawings of the case's earlier checks, in the order of asking.
   const std::vector<std::shared_ptr<const Drawing>>* drawn = nullptr;

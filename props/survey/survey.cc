@@ -12,7 +12,8 @@
 #include "props/infer/observer.h"
 #include "props/judging/gate.h"
 #include "props/judging/redraw.h"
-#include "props/run/judged_case.h"
+#include "props/placed_case.h"
+#include "props/run/description.h"
 #include "props/run/property_domains.h"
 #include "props/run/put.h"
 #include "props/shrink/shrink.h"
@@ -70,18 +71,19 @@ class Looker {
   }
 
   /// The case as it is judged, and what the subject draws of it.
-  std::pair<Case, Look> At(const Case& given) {
-    JudgedCase judged = Judged(given, description_, false);
+  std::pair<PlacedCase, Look> At(const Case& given) {
+    PlacedCase c = Place(given, false);
     Look look;
-    look.is_judged = !judged.instead && !Refusal(kCompared, judged.subject, judged.value);
-    if (look.is_judged) Draw(judged, look);
-    return {std::move(judged.value), std::move(look)};
+    const Description& subject = c.before ? AsJudged(description_) : description_;
+    look.is_judged = !FlatnessNotDecided(c, false) && !Refusal(kCompared, subject, c);
+    if (look.is_judged) Draw(c, look);
+    return {std::move(c), std::move(look)};
   }
 
  private:
-  std::vector<CoverageCounts> Put(const JudgedCase& judged, const Check& check, Look& look,
+  std::vector<CoverageCounts> Put(const PlacedCase& c, const Check& check, Look& look,
                                   double& seconds) {
-    const Request request{&judged, &check, nullptr};
+    const Request request{&c, &check, nullptr};
     const Clock::time_point began = Clock::now();
     Answers answers = std::move(props::Put(subject_, {&request, 1}).front());
     seconds += Since(began);
@@ -95,12 +97,11 @@ class Looker {
   }
 
   // In one call, and once more triangle by triangle. Who shows no counts shows overlaps only so.
-  void Draw(const JudgedCase& judged, Look& look) {
-    const Case& c = judged.value;
+  void Draw(const PlacedCase& c, Look& look) {
     const DrawQuestion whole = WholeCallOf(c.scene, c.profile, c.options);
     Check check;
     check.questions.draws = {whole};
-    std::vector<CoverageCounts> drawn = Put(judged, check, look, look.whole_seconds);
+    std::vector<CoverageCounts> drawn = Put(c, check, look, look.whole_seconds);
     if (look.end.stop != Stop::kNone) return;
     look.counts = std::move(drawn.front());
     if (c.scene.triangles.size() < 2) return;
@@ -108,7 +109,7 @@ class Looker {
     for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
       check.questions.draws[t].job.triangles = {c.scene.triangles[t]};
     }
-    drawn = Put(judged, check, look, look.alone_seconds);
+    drawn = Put(c, check, look, look.alone_seconds);
     if (look.end.stop != Stop::kNone) return;
     CoverageCounts sum(c.scene.width, c.scene.height, look.counts.samples);
     for (const CoverageCounts& one : drawn) sum += one;
@@ -126,7 +127,7 @@ class Looker {
   Description description_;
 };
 
-CoverageCounts Expected(const Case& c, const TieRule& rule) {
+CoverageCounts Expected(const PlacedCase& c, const TieRule& rule) {
   CoverageCounts counts = CoverageUnder(c, rule, c.options);
   JoinFacings(counts);
   return counts;
@@ -145,7 +146,7 @@ struct Differences {
   bool is_mesh = false;
 };
 
-Differences Compared(const Case& c, const CoverageCounts& observed) {
+Differences Compared(const PlacedCase& c, const CoverageCounts& observed) {
   Differences found;
   const CoverageCounts expected = Expected(c, c.profile.tie_rule);
   const bool has_edges = c.scene.triangles.size() > 1;
@@ -175,11 +176,11 @@ bool IsDeepInside(const CoverageCounts& real, int i, int row, int s) {
 
 // A gap or an overlap, asked so that a smaller scene can be asked it too: of a sample deep inside
 // that the model covers once, whether or not the mesh covers its target.
-bool HasSeam(const Case& c, const CoverageCounts& observed, Fault fault) {
+bool HasSeam(const PlacedCase& c, const CoverageCounts& observed, Fault fault) {
   const CoverageCounts once = Expected(c, OneSidedRule(c.profile));
-  Case unsnapped = c;
+  Case unsnapped = c.Value();
   unsnapped.profile.snap = {};
-  const CoverageCounts real = Expected(unsnapped, kTopLeft);
+  const CoverageCounts real = Expected(PlacedCase(unsnapped), kTopLeft);
   for (int row = 1; row + 1 < once.height; ++row) {
     for (int i = 1; i + 1 < once.width; ++i) {
       for (int s = 0; s < once.samples; ++s) {
@@ -262,7 +263,7 @@ class Surveying {
     survey_.unjudged += is_unjudged ? 1 : 0;
   }
 
-  void Count(const Case& given, const Case& c, const Look& look) {
+  void Count(const Case& given, const PlacedCase& c, const Look& look) {
     const Differences found = Compared(c, look.counts);
     ++survey_.cases;
     survey_.meshes += found.is_mesh ? 1 : 0;

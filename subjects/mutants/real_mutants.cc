@@ -141,7 +141,7 @@ ClipTriangle Each(ClipTriangle v, void (*change)(Vertex&)) {
   return v;
 }
 
-std::vector<Mutant> Clips() {
+std::vector<Mutant> RealClips() {
   return {
       {"clip-drops-behind", "a triangle with a vertex behind the eye is dropped", "",
        Becoming([](const ClipTriangle& v) {
@@ -196,7 +196,7 @@ std::vector<Mutant> Clips() {
 std::vector<Mutant> RealMutants() {
   std::vector<Mutant> table = Signs();
   for (Mutant& planted : SetUps()) table.push_back(std::move(planted));
-  for (Mutant& planted : Clips()) table.push_back(std::move(planted));
+  for (Mutant& planted : RealClips()) table.push_back(std::move(planted));
   return table;
 }
 

@@ -40,7 +40,7 @@ std::vector<Mutant> EdgeValues() {
        value([](double e, Point2, Point2, Point2) { return -e; })},
       {"edge-bound-too-small", "the stated bound on edge values is a hundredth of the proven one",
        "", ValueStages{.edge_bound = 0.01}},
-      {"edge-states-exact", "edge values are stated to be exact", "", ValueStages{.edge_bound = 0}},
+      {"edge-states-exact", "edge values claim to be exact", "", ValueStages{.edge_bound = 0}},
   };
 }
 

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -96,6 +99,21 @@ TEST(Clauses, ARowMayStandForSeveralKeys) {
   EXPECT_EQ(keys[1].value, "");
   EXPECT_EQ(keys[2].value, "0.6");
   EXPECT_TRUE(KeysOf({.id = "x.y"}).empty());
+}
+
+TEST(Clauses, TheTestThatShowsAFigureIsThere) {
+  std::string tests;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator("tests")) {
+    if (!entry.path().string().ends_with("_test.cc")) continue;
+    std::ifstream file(entry.path());
+    tests.append(std::istreambuf_iterator<char>(file), {});
+  }
+  ForEachClause([&](const Specification&, const Clause& clause) {
+    if (clause.shown_by.empty()) return;
+    std::string name(clause.shown_by);
+    name.replace(name.find('.'), 1, ", ");
+    EXPECT_NE(tests.find("TEST(" + name + ")"), std::string::npos) << clause.id << ": " << name;
+  });
 }
 
 TEST(Clauses, AProfileIsASpecificationsByItsName) {

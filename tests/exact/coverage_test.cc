@@ -268,14 +268,14 @@ TEST(WhyNotDecided, SaysBeforehandWhatCoverageThrows) {
   undecided[5].first.width = 0;
   std::set<std::string> reasons;
   for (const auto& [c, profile] : undecided) {
-    const std::optional<InputError> why = WhyNotDecided(c, profile);
+    const std::optional<InputError> why = WhyNotDecided({c, profile});
     ASSERT_TRUE(why.has_value());
     EXPECT_EQ(why->what(), ThrownBy(c, profile));
-    EXPECT_THROW(PrimitiveIds(c, profile, {}, Visible::kLastDrawn), InputError) << why->what();
+    EXPECT_THROW(PrimitiveIds({c, profile}, {}, Visible::kLastDrawn), InputError) << why->what();
     reasons.insert(why->what());
   }
   EXPECT_EQ(reasons.size(), undecided.size());
-  EXPECT_FALSE(WhyNotDecided(scene, d3d11).has_value());
+  EXPECT_FALSE(WhyNotDecided({scene, d3d11}).has_value());
   EXPECT_EQ(ThrownBy(scene, d3d11), "");
 }
 
@@ -330,7 +330,7 @@ TEST(PrimitiveIds, AreTheLastOrTheFirstOfTheTrianglesThatCoverASample) {
           DrawOptions options;
           options.cull = cull;
           options.scissor = PixelRect{1, 1, 8, 7};
-          EXPECT_EQ(PrimitiveIds(scene, profile, options, order),
+          EXPECT_EQ(PrimitiveIds({scene, profile}, options, order),
                     PrimitiveIdsOneByOne(scene, profile, options, order));
         }
       }

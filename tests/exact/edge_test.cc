@@ -16,7 +16,6 @@
 namespace rasterproof::exact {
 namespace {
 
-constexpr std::array<Decider, 3> kDeciders{Decider::kFast, Decider::kIntegers, Decider::kCgal};
 constexpr double kMax = std::numeric_limits<double>::max();
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 constexpr double kMaxFloat = std::numeric_limits<float>::max();

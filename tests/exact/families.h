@@ -12,8 +12,12 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "exact/edge.h"
 
 namespace rasterproof::exact {
+
+inline constexpr std::array<Decider, 3> kDeciders{Decider::kFast, Decider::kIntegers,
+                                                  Decider::kCgal};
 
 enum class Family : std::uint8_t {
   kUniform,         ///< float32 on screen

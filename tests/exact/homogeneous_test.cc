@@ -19,8 +19,6 @@
 namespace rasterproof::exact {
 namespace {
 
-constexpr std::array<Decider, 3> kDeciders{Decider::kFast, Decider::kIntegers, Decider::kCgal};
-
 NaiveRow RowOf(const Vertex& v) { return {v.x, v.y, v.w}; }
 
 TEST(DeterminantSign, IsThatOfRationalsInEveryFamily) {

@@ -12,8 +12,8 @@
 namespace rasterproof::exact {
 namespace {
 
-constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMaxDouble = std::numeric_limits<double>::max();
+constexpr double kInf = std::numeric_limits<double>::infinity();
 
 TEST(Rational, CountsAsPeopleDo) {
   const Rational third = Rational(1) / 3;
@@ -28,7 +28,7 @@ TEST(Rational, CountsAsPeopleDo) {
 }
 
 TEST(Rational, RefusesWhatIsNotFinite) {
-  EXPECT_THROW(Rational{kInfinity}, std::domain_error);
+  EXPECT_THROW(Rational{kInf}, std::domain_error);
   EXPECT_THROW(Rational{std::nan("")}, std::domain_error);
 }
 
@@ -68,10 +68,10 @@ TEST(Rational, RoundsTiesToEvenAtEveryPlaceThatDiffers) {
   EXPECT_EQ((Rational(1) + half_ulp + 0x1p-1074).ToDouble(), 1 + 0x1p-52);
   EXPECT_EQ((Rational(0x1p-1074) / 2).ToDouble(), 0);
   EXPECT_EQ((Rational(0x1p-1074) * 3 / 2).ToDouble(), 0x1p-1073);
-  EXPECT_EQ((Rational(kMax) + 0x1p969).ToDouble(), kMax);
-  EXPECT_EQ((Rational(kMax) + 0x1p970).ToDouble(), kInfinity) << "half an ulp beyond: to even, up";
-  EXPECT_EQ((Rational(kMax) * kMax).ToDouble(), kInfinity);
-  EXPECT_EQ((Rational(-kMax) * kMax).ToDouble(), -kInfinity);
+  EXPECT_EQ((Rational(kMaxDouble) + 0x1p969).ToDouble(), kMaxDouble);
+  EXPECT_EQ((Rational(kMaxDouble) + 0x1p970).ToDouble(), kInf) << "half an ulp beyond: to even, up";
+  EXPECT_EQ((Rational(kMaxDouble) * kMaxDouble).ToDouble(), kInf);
+  EXPECT_EQ((Rational(-kMaxDouble) * kMaxDouble).ToDouble(), -kInf);
   EXPECT_EQ(Rational(0x1p-150).ToFloat(), 0.0F);
   EXPECT_EQ(Rational(0x1.8p-149).ToFloat(), 0x1p-148F);
 }
@@ -82,8 +82,8 @@ TEST(Rational, RoundsUpToTheSmallestDoubleNotBelow) {
   EXPECT_EQ((-third).ToDoubleUp(), -(1.0 / 3));
   EXPECT_EQ((Rational(0x1p-1074) / 4).ToDoubleUp(), 0x1p-1074);
   EXPECT_EQ((-Rational(0x1p-1074) / 4).ToDoubleUp(), 0);
-  EXPECT_EQ((Rational(kMax) * 2).ToDoubleUp(), kInfinity);
-  EXPECT_EQ((Rational(-kMax) * 2).ToDoubleUp(), -kMax);
+  EXPECT_EQ((Rational(kMaxDouble) * 2).ToDoubleUp(), kInf);
+  EXPECT_EQ((Rational(-kMaxDouble) * 2).ToDoubleUp(), -kMaxDouble);
 }
 
 }  // namespace

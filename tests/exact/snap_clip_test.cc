@@ -78,10 +78,10 @@ TEST(SnapClipScene, RefusesFormsThatSayNothingOfAQuotient) {
   scene.triangles = {{0, 1, 2}};
   Profile profile;
   profile.snap = {8, SnapRule::kNearestEven};
-  EXPECT_FALSE(SnapClipScene(scene, profile).clip_space);
+  EXPECT_FALSE(SnapClipScene(scene, {profile, scene}).clip_space);
   for (const SnapForm form : {SnapForm::kFloat32Difference, SnapForm::kExactDifference}) {
     profile.snap.form = form;
-    EXPECT_THROW(SnapClipScene(scene, profile), InputError);
+    EXPECT_THROW(SnapClipScene(scene, {profile, scene}), InputError);
   }
 }
 

@@ -168,8 +168,8 @@ Drawn ByPreset(const char* preset, Bound bound, int width, int height, const Sha
   scene.precision = Precision::kFloat64;
   for (const Place p : shape) scene.vertices.push_back({Pixels(p.x), Pixels(p.y)});
   scene.triangles = {{0, 1, 2}};
-  const CoverageCounts counts =
-      bound == Bound::kMust ? exact::MustCover(scene, profile) : exact::MayCover(scene, profile);
+  const CoverageCounts counts = bound == Bound::kMust ? exact::MustCover({scene, profile})
+                                                      : exact::MayCover({scene, profile});
   return Draw(width, height,
               [&](int i, int row) { return counts.Count(counts.Index(i, row)) != 0; });
 }

@@ -43,11 +43,11 @@ std::string Picture(const CoverageCounts& counts) {
 }
 
 std::string Must(std::string_view preset, const std::array<Point2, 3>& v) {
-  return Picture(MustCover(SceneOf({v}), *PresetProfile(preset)));
+  return Picture(MustCover({SceneOf({v}), *PresetProfile(preset)}));
 }
 
 std::string May(std::string_view preset, const std::array<Point2, 3>& v) {
-  return Picture(MayCover(SceneOf({v}), *PresetProfile(preset)));
+  return Picture(MayCover({SceneOf({v}), *PresetProfile(preset)}));
 }
 
 Profile Lenient(Profile profile) {
@@ -64,8 +64,8 @@ TEST(SquarePresets, MustCoverNothingThatTheyMayNot) {
     for (const SquarePresetInfo& preset : kSquarePresets) {
       const Profile profile = *PresetProfile(preset.name);
       if (!profile.squares->must || !profile.squares->may) continue;
-      const CoverageCounts must = MustCover(scene, profile);
-      const CoverageCounts may = MayCover(scene, profile);
+      const CoverageCounts must = MustCover({scene, profile});
+      const CoverageCounts may = MayCover({scene, profile});
       for (std::size_t i = 0; i < must.size(); ++i) {
         ASSERT_LE(must.Count(i), may.Count(i))
             << preset.name << " " << k << Picture(must) << " " << Picture(may);
@@ -104,8 +104,9 @@ TEST(SquareBounds, HoldForEveryLegalPlaceOfTheVertices) {
       for (const bool must : {true, false}) {
         const auto& region = must ? profile.squares->must : profile.squares->may;
         if (!region || region->geometry == SquareGeometry::kGiven) continue;
-        const CoverageCounts bound = must ? MustCover(scene, profile) : MayCover(scene, profile);
-        const CoverageCounts truth = must ? MustCover(moved, chosen) : MayCover(moved, chosen);
+        const CoverageCounts bound =
+            must ? MustCover({scene, profile}) : MayCover({scene, profile});
+        const CoverageCounts truth = must ? MustCover({moved, chosen}) : MayCover({moved, chosen});
         for (std::size_t i = 0; i < truth.size(); ++i) {
           const bool holds =
               must ? bound.Count(i) <= truth.Count(i) : bound.Count(i) >= truth.Count(i);
@@ -161,8 +162,8 @@ TEST(SquarePresets, OfATriangleThatNamesAVertexTwiceMayDropIt) {
   Scene scene = SceneOf({{{{0.5, 0.5}, {2.5, 2.5}, {0, 0}}}});
   scene.triangles = {{0, 1, 1}};
   const Profile d3d = *PresetProfile("d3d12-conservative-2");
-  EXPECT_EQ(Picture(MustCover(scene, d3d)), "..../..../..../..../");
-  EXPECT_NE(Picture(MayCover(scene, d3d)), "..../..../..../..../");
+  EXPECT_EQ(Picture(MustCover({scene, d3d})), "..../..../..../..../");
+  EXPECT_NE(Picture(MayCover({scene, d3d})), "..../..../..../..../");
 }
 
 TEST(SquareCoverage, IsCulledCutAndCountedForEverySample) {
@@ -186,10 +187,10 @@ TEST(SquareCoverage, IsCulledCutAndCountedForEverySample) {
 TEST(SquareCoverage, IsNotDecidedInClipSpaceNorByASecondOpinion) {
   Scene scene = SceneOf({{{{0, 0}, {1, 0}, {0, 1}}}});
   const Profile voxel = *PresetProfile("voxel");
-  EXPECT_FALSE(WhyNotDecided(scene, voxel));
+  EXPECT_FALSE(WhyNotDecided({scene, voxel}));
   EXPECT_THROW(Coverage(scene, voxel, {}, Decider::kCgal), InputError);
   scene.clip_space = true;
-  EXPECT_TRUE(WhyNotDecided(scene, voxel));
+  EXPECT_TRUE(WhyNotDecided({scene, voxel}));
 }
 
 }  // namespace

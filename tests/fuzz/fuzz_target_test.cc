@@ -74,29 +74,6 @@ TEST(Bound, PassesOverWhatIsLargerThanItsLimits) {
   EXPECT_EQ(Bound(checked, Limits{144, 3}).PutToTheTest(bytes), kPassedOver);
 }
 
-TEST(FloatsOf, AreTheCoordinatesOfOneOrTwoTriangles) {
-  const SubjectInfo info = SubjectNamed("f32-direct")->Info();
-  const Bytes bytes{0, 0, 128, 63, 0, 0, 32, 193};  // 1 and -10
-  const Case c = props::DecodeCase(FloatsOf(bytes, info), info);
-  EXPECT_EQ(c.scene.width, 32);
-  EXPECT_EQ(c.scene.height, 32);
-  EXPECT_EQ(c.scene.vertices, (std::vector<Vertex>{{1, -10}, {0, 0}, {0, 0}}));
-  EXPECT_EQ(c.scene.triangles.size(), 1U);
-  const auto triangles = [&](const char* subject, std::size_t size) {
-    const SubjectInfo of = SubjectNamed(subject)->Info();
-    return props::DecodeCase(FloatsOf(Bytes(size), of), of).scene.triangles.size();
-  };
-  EXPECT_EQ(triangles("f32-direct", 24), 1U);
-  EXPECT_EQ(triangles("f32-direct", 25), 2U);
-  EXPECT_EQ(triangles("f64-direct", 48), 1U);
-  EXPECT_EQ(triangles("f64-direct", 49), 2U);
-  EXPECT_EQ(triangles("hom-f32", 36), 1U);
-  EXPECT_EQ(triangles("hom-f32", 37), 2U);
-  const SubjectInfo clip = SubjectNamed("hom-f32")->Info();
-  EXPECT_EQ(props::DecodeCase(FloatsOf(Bytes(36, 1), clip), clip).scene.vertices[2].w,
-            0x1.020202p-125);
-}
-
 TEST(Bound, DecodesOnceForSubjectsOfOneLattice) {
   const auto groups_of = [](const Bound& bound) {
     int groups = 0;

@@ -24,7 +24,7 @@ Mesh Cube() {
   return mesh;
 }
 
-std::string MessageFor(const std::string& text) {
+std::string CameraMessageFor(const std::string& text) {
   try {
     ProjectMesh(Cube(), ParseCamera(text, Cube()), 64, 64, ProjectTo::kWindow);
   } catch (const InputError& error) {
@@ -94,7 +94,7 @@ TEST(CameraTest, FieldsAreSeparatedByCommasOrBlanks) {
 
 TEST(CameraTest, BadCamerasAreRefused) {
   const auto expect = [](const std::string& camera, const std::string& part) {
-    const std::string message = MessageFor(camera);
+    const std::string message = CameraMessageFor(camera);
     EXPECT_NE(message.find(part), std::string::npos) << camera << " gave " << message;
   };
   expect("eye=0,0,9", "(accepted)");

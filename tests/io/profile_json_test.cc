@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/square_presets.h"
 #include "io/case_file.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 
 namespace rasterproof::io {
 namespace {
@@ -174,7 +174,7 @@ TEST(ProfileJson, ATargetHasOfTheProfileWhatItLeavesOut) {
   ASSERT_EQ(profile.by_target_size.size(), 1U);
   EXPECT_EQ(profile.by_target_size[0].snap, (Snap{8, SnapRule::kFloor}));
   EXPECT_EQ(profile.by_target_size[0].tie_rule, profile.tie_rule);
-  EXPECT_EQ(ForTarget(profile, 2049, 1).snap.bits, 4);
+  EXPECT_EQ(TargetProfile(profile, 2049, 1).snap.bits, 4);
 }
 
 TEST(ProfileJson, KeysThatAreLeftOutSayWhatTheyAlwaysDid) {

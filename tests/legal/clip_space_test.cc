@@ -71,7 +71,7 @@ float ByReciprocal(const NearATie& near) {
 Legality Judge(const NearATie& near, const CoverageCounts& drawn, double transform_error) {
   Observed observed;
   observed.together = &drawn;
-  return JudgeJointly(near.scene, Stating(transform_error), observed).legality;
+  return JudgeJointly(near.scene, {Stating(transform_error), near.scene}, observed).legality;
 }
 
 TEST(ClipSpace, AReciprocalIsLegalWithinTwoRoundingsAndNotWithoutAny) {
@@ -103,13 +103,14 @@ TEST(ClipSpace, OneUnitMoreThanStatedIsIllegal) {
 TEST(ClipSpace, WhereNoErrorIsStatedNothingIsJudged) {
   std::mt19937_64 random(11);
   const NearATie near = RandomScene(random, 0);
-  const std::optional<std::string> why = WhyNotJoint(near.scene, Stating(std::nullopt));
+  const std::optional<std::string> why =
+      WhyNotJoint(near.scene, {Stating(std::nullopt), near.scene});
   ASSERT_TRUE(why);
   EXPECT_EQ(*why, "the profile states no error of its transform");
-  EXPECT_FALSE(WhyNotJoint(near.scene, Stating(2)));
+  EXPECT_FALSE(WhyNotJoint(near.scene, {Stating(2), near.scene}));
   // 2^-24 of 128 pixels is 2^-9 of a step of the grid.
-  EXPECT_FALSE(WhyNotJoint(near.scene, Stating(0x1p9)));
-  EXPECT_TRUE(WhyNotJoint(near.scene, Stating(0x1p13)));
+  EXPECT_FALSE(WhyNotJoint(near.scene, {Stating(0x1p9), near.scene}));
+  EXPECT_TRUE(WhyNotJoint(near.scene, {Stating(0x1p13), near.scene}));
 }
 
 TEST(ClipSpace, AWatertightProfileThatStatesItsFreedomIsJudgedJointly) {
@@ -117,9 +118,9 @@ TEST(ClipSpace, AWatertightProfileThatStatesItsFreedomIsJudgedJointly) {
   const NearATie near = RandomScene(random, 0);
   Profile profile = Stating(2);
   profile.contract = Contract::kWatertight;
-  EXPECT_FALSE(WhyNotJoint(near.scene, profile));
+  EXPECT_FALSE(WhyNotJoint(near.scene, {profile, near.scene}));
   profile.freedom = {};
-  EXPECT_TRUE(WhyNotJoint(near.scene, profile));
+  EXPECT_TRUE(WhyNotJoint(near.scene, {profile, near.scene}));
 }
 
 }  // namespace

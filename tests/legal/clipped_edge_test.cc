@@ -40,7 +40,7 @@ Legality LegalityOfLeaving(const Profile& profile, int column, std::uint32_t the
   counts.front[counts.Index(column, 4, 0)] = there;
   Observed observed;
   observed.together = &counts;
-  return JudgeJointly(LeavingNeighbours(), profile, observed).legality;
+  return JudgeJointly(LeavingNeighbours(), {profile, LeavingNeighbours()}, observed).legality;
 }
 
 TEST(JudgeJointly, LetsClippingMoveAnEdgeThatLeavesByLessThanAStep) {
@@ -140,7 +140,8 @@ CoverageCounts BentImage(const LeavingEdge& edge, const Offsets& before, const O
 Legality LegalityOf(const LeavingEdge& edge, const CoverageCounts& drawn) {
   Observed observed;
   observed.together = &drawn;
-  return JudgeJointly(edge.AsScene(), *PresetProfile("vulkan"), observed).legality;
+  return JudgeJointly(edge.AsScene(), {*PresetProfile("vulkan"), edge.AsScene()}, observed)
+      .legality;
 }
 
 // By trying moves, not all of them.

@@ -41,7 +41,7 @@ void ExpectAsIfAlone(const Decided& decided, const Scene& scene, const Profile& 
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     Scene alone = scene;
     alone.triangles = {scene.triangles[t]};
-    const Decided counts = DecidedSamples(alone, profile);
+    const Decided counts = DecidedSamples(alone, {profile, alone});
     TriangleDecided expected;
     for (std::size_t s = 0; s < counts.counts.size(); ++s) {
       if (counts.Least(s) > 0) expected.must.push_back(s);
@@ -64,7 +64,7 @@ TEST(DecidedSamples, OfTwoGridsOnlyOneOfWhichCoversASampleItIsOpen) {
   Profile profile;
   profile.snap.bits = 1;
   profile.freedom.least_bits = 1;
-  const Decided decided = DecidedSamples(scene, profile);
+  const Decided decided = DecidedSamples(scene, {profile, scene});
   ASSERT_EQ(decided.open.size(), 2U);
   for (std::size_t t = 0; t < 2; ++t) {
     EXPECT_TRUE(std::ranges::find(decided.triangles[t].must, 0U) ==
@@ -85,7 +85,7 @@ TEST(DecidedSamples, AreTheCountsOfASearchThroughAllModels) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
     if (!IsJudgedAlike(scene, profile)) continue;
-    const Decided samples = DecidedSamples(scene, profile);
+    const Decided samples = DecidedSamples(scene, {profile, scene});
     EXPECT_EQ(samples.bounded, 0U);
     ExpectAsIfAlone(samples, scene, profile);
     for (std::size_t s = 0; s < samples.counts.size(); ++s) {

@@ -50,7 +50,7 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForTrianglesDrawnAlone) {
         IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {
           return ExplainsAlone(scene, profile, rule, model, drawn);
         });
-    const JointVerdict verdict = JudgeJointly(scene, profile, observed);
+    const JointVerdict verdict = JudgeJointly(scene, {profile, scene}, observed);
     ASSERT_EQ(verdict.legality, is_legal ? Legality::kLegal : Legality::kNotLegal) << n;
     ASSERT_EQ(verdict.core.has_value(), !is_legal) << n;
     ++(is_legal ? legal : illegal);
@@ -79,7 +79,7 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForCounts) {
         IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {
           return ExplainsCounts(scene, profile, rule, model, sum);
         });
-    const JointVerdict verdict = JudgeJointly(scene, profile, observed);
+    const JointVerdict verdict = JudgeJointly(scene, {profile, scene}, observed);
     ASSERT_EQ(verdict.legality, is_legal ? Legality::kLegal : Legality::kNotLegal) << n;
     ++(is_legal ? legal : illegal);
   }
@@ -116,7 +116,7 @@ Legality OfVulkan(const Scene& scene, const Scene& drawn) {
   const CoverageCounts counts = exact::Coverage(drawn, *PresetProfile("real"));
   Observed observed;
   observed.together = &counts;
-  return JudgeJointly(scene, *PresetProfile("vulkan"), observed).legality;
+  return JudgeJointly(scene, {*PresetProfile("vulkan"), scene}, observed).legality;
 }
 
 TEST(JointVerdict, GridsOfMoreThanSixteenBitsAreLegal) {
@@ -136,9 +136,9 @@ TEST(JointVerdict, GridsOfMoreThanSixteenBitsAreLegal) {
 TEST(JointVerdict, NothingIsSaidBeyondTheCoordinateLimit) {
   Scene scene = PinnedScene(19);
   scene.vertices[2].x = 32768.5;
-  EXPECT_TRUE(WhyNotJoint(scene, *PresetProfile("vulkan")).has_value());
+  EXPECT_TRUE(WhyNotJoint(scene, {*PresetProfile("vulkan"), scene}).has_value());
   scene.vertices[2].x = 32768;
-  EXPECT_FALSE(WhyNotJoint(scene, *PresetProfile("vulkan")).has_value());
+  EXPECT_FALSE(WhyNotJoint(scene, {*PresetProfile("vulkan"), scene}).has_value());
 }
 
 // A rasterizer that places vertices anew for each column of samples, legally every time.
@@ -150,13 +150,14 @@ TEST(JointVerdict, ConvictsWhatEverySampleByItselfAcquits) {
     const Profile profile = draws.AProfile();
     if (!IsJudgedAlike(scene, profile)) continue;
     CoverageCounts mixed = draws.AMixture(scene, profile);
-    const Decided decided = DecidedSamples(scene, profile);
+    const Decided decided = DecidedSamples(scene, {profile, scene});
     for (std::size_t s = 0; s < decided.counts.size(); ++s) {
       ASSERT_NE(decided.counts[s] >> mixed.front[s] & 1U, 0U) << n << ", sample " << s;
     }
     Observed observed;
     observed.together = &mixed;
-    convicted += JudgeJointly(scene, profile, observed).legality == Legality::kNotLegal ? 1 : 0;
+    convicted +=
+        JudgeJointly(scene, {profile, scene}, observed).legality == Legality::kNotLegal ? 1 : 0;
   }
   EXPECT_GT(convicted, 20);
 }

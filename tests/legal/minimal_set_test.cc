@@ -34,7 +34,7 @@ TEST(Core, IsOneSampleThatNoModelHasOrAMinimalSetOverAllGrids) {
     if (n % 5 == 0) ++mixed.front[draws.Below(kSide * kSide)];
     Observed observed;
     observed.together = &mixed;
-    const JointVerdict verdict = JudgeJointly(scene, profile, observed);
+    const JointVerdict verdict = JudgeJointly(scene, {profile, scene}, observed);
     if (verdict.legality != Legality::kNotLegal) continue;
     std::vector<std::size_t> samples;
     for (const Requirement& seen : verdict.core->requirements) samples.push_back(seen.sample);

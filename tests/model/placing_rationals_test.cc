@@ -13,7 +13,7 @@
 #include "core/scene.h"
 #include "model/drop.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "model/wrap.h"
 #include "subjects/mutants/placing.h"
 #include "tests/model/hard_numbers.h"
@@ -140,19 +140,18 @@ Said SaidOn(const Profile& profile, int width, int height) {
   return {profile.snap, profile.pattern, profile.tie_rule};
 }
 
-TEST(ForTargetBySizes, IsTheFirstEntryThatFits) {
+TEST(TargetProfileBySizes, IsTheFirstEntryThatFits) {
   Random random(1);
   for (int k = 0; k < Cases(500); ++k) {
     Profile profile;
     profile.snap = AnySnap(random);
     profile.by_target_size = AnyTargets(random);
-    const Profile other = ForTarget(profile, random.Int(1, 7), random.Int(1, 7));
     for (int width = 1; width <= 7; ++width) {
       for (int height = 1; height <= 7; ++height) {
         const Said expected = SaidOn(profile, width, height);
         const Profile mutants = subjects::mutants::ModelOn(profile, width, height);
         for (const Profile& model :
-             {ForTarget(profile, width, height), ForTarget(other, width, height), mutants}) {
+             {static_cast<Profile>(TargetProfile(profile, width, height)), mutants}) {
           ASSERT_EQ((Said{model.snap, model.pattern, model.tie_rule}), expected)
               << "profile " << k << ", " << width << " x " << height;
         }
@@ -255,7 +254,7 @@ TEST(PlacingByRationals, IsSnapSceneStageByStage) {
     const Profile profile = AnyProfile(random);
     const Scene scene = AnyScene(random, profile);
     const std::vector<Place> places = Places(scene, profile, true);
-    const Scene placed = SnapScene(scene, profile);
+    const Scene placed = SnapScene(scene, {profile, scene});
     ASSERT_FALSE(placed.clip_space);
     ASSERT_EQ(placed.vertices.size(), places.size());
     for (std::size_t v = 0; v < places.size(); ++v) {
@@ -300,7 +299,7 @@ TEST(PlacingByRationals, IsUnclippedBeforeAndAfterTheGrid) {
                    at[0].number <= box.x1 && at[1].number >= box.y0 && at[1].number <= box.y1;
       }
     }
-    ASSERT_EQ(IsUnclipped(scene, profile), expected) << "scene " << k;
+    ASSERT_EQ(IsUnclipped(scene, {profile, scene}), expected) << "scene " << k;
     unclipped += expected ? 1 : 0;
   }
   EXPECT_GT(unclipped, Cases(1000));

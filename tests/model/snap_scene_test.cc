@@ -12,7 +12,7 @@
 #include "core/scene.h"
 #include "core/vertex.h"
 #include "model/drop.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "model/wrap.h"
 
 namespace rasterproof {
@@ -53,9 +53,9 @@ Profile WithTargets() {
   return profile;
 }
 
-TEST(ForTarget, TakesTheFirstModelThatFitsBothSides) {
+TEST(TargetProfile, TakesTheFirstModelThatFitsBothSides) {
   const auto bits = [](int width, int height) {
-    return ForTarget(WithTargets(), width, height).snap.bits;
+    return TargetProfile(WithTargets(), width, height).snap.bits;
   };
   EXPECT_EQ(bits(1, 1), 8);
   EXPECT_EQ(bits(2048, 1024), 8);
@@ -65,11 +65,9 @@ TEST(ForTarget, TakesTheFirstModelThatFitsBothSides) {
   EXPECT_EQ(bits(4097, 1), 4);
 }
 
-TEST(ForTarget, CanBeAskedAgainAboutAnotherSize) {
-  const Profile large = ForTarget(WithTargets(), 5000, 5000);
-  EXPECT_EQ(ForTarget(large, 16, 16).snap.bits, 8);
-  EXPECT_EQ(ForTarget(ForTarget(large, 16, 16), 5000, 5000), large);
-  EXPECT_EQ(ForTarget(Profile{}, 16, 16), Profile{});
+TEST(TargetProfile, HasOneModel) {
+  EXPECT_TRUE(TargetProfile(WithTargets(), 16, 16).by_target_size.empty());
+  EXPECT_EQ(TargetProfile(Profile{}, 16, 16), Profile{});
 }
 
 Scene OneTriangle(std::array<Point2, 3> v) {
@@ -84,17 +82,17 @@ TEST(SnapScene, WrapsFirstAndSnapsThen) {
   Profile profile;
   profile.fixed = kSigned;
   profile.snap = {0, SnapRule::kFloor};
-  const Scene placed =
-      SnapScene(OneTriangle({{{4096 + 1.75, -2049}, {2047.5, 3}, {0, 0}}}), profile);
+  const Scene scene = OneTriangle({{{4096 + 1.75, -2049}, {2047.5, 3}, {0, 0}}});
+  const Scene placed = SnapScene(scene, {profile, scene});
   EXPECT_EQ(WindowPoint(placed.vertices[0]), (Point2{1, 2047}));
   EXPECT_EQ(WindowPoint(placed.vertices[1]), (Point2{2047, 3}));
 }
 
 TEST(SnapScene, UsesTheModelOfTheTarget) {
   Scene scene = OneTriangle({{{0x1p-7, 0}, {4, 0}, {0, 4}}});
-  EXPECT_EQ(SnapScene(scene, WithTargets()).vertices[0].x, 0x1p-7);
+  EXPECT_EQ(SnapScene(scene, {WithTargets(), scene}).vertices[0].x, 0x1p-7);
   scene.width = 4097;
-  EXPECT_EQ(SnapScene(scene, WithTargets()).vertices[0].x, 0);
+  EXPECT_EQ(SnapScene(scene, {WithTargets(), scene}).vertices[0].x, 0);
 }
 
 TEST(SnapScene, PutsWhatIsTooLargeIntoOnePlace) {
@@ -102,8 +100,8 @@ TEST(SnapScene, PutsWhatIsTooLargeIntoOnePlace) {
   profile.snap = {4};
   profile.max_primitive_extent = MaxPrimitiveExtent{1024, 512};
   const auto is_kept = [&](Point2 far) {
-    return SnapScene(OneTriangle({{{0, 0}, far, {0, 3}}}), profile).triangles[0] ==
-           Triangle{0, 1, 2};
+    const Scene scene = OneTriangle({{{0, 0}, far, {0, 3}}});
+    return SnapScene(scene, {profile, scene}).triangles[0] == Triangle{0, 1, 2};
   };
   EXPECT_TRUE(is_kept({1024, 2}));
   EXPECT_TRUE(is_kept({1024 + 0x1p-6, 2}));  // snaps to the largest extent
@@ -129,7 +127,8 @@ TEST(IsUnclipped, AsksForEveryCornerBeforeAndAfterSnapping) {
   profile.snap = {0};
   profile.guard_band = WindowBox{-8, -8, 8, 8};
   const auto holds = [&](double x) {
-    return IsUnclipped(OneTriangle({{{0, 0}, {x, 0}, {0, 4}}}), profile);
+    const Scene scene = OneTriangle({{{0, 0}, {x, 0}, {0, 4}}});
+    return IsUnclipped(scene, {profile, scene});
   };
   EXPECT_TRUE(holds(8));
   EXPECT_TRUE(holds(-8));

@@ -73,7 +73,7 @@ TEST(TransformTest, SnappingAProfileWithATransformFollowsIt) {
   Scene scene;
   scene.clip_space = true;
   scene.vertices = {{41, 41 * 0x1p-9, 0, 41}};
-  const Scene snapped = SnapScene(scene, profile);
+  const Scene snapped = SnapScene(scene, {profile, scene});
   EXPECT_FALSE(snapped.clip_space);
   // 0x1.fffffep-1 is snapped to one; the same half a step up, a tie as a quotient, is below it.
   EXPECT_EQ(snapped.vertices[0], (Vertex{1, 0, 0, 1}));
@@ -87,7 +87,7 @@ TEST(TransformTest, AMapTakesItsCoordinatesAndNoClipSpace) {
   scene.precision = Precision::kFloat64;
   scene.vertices = {{872513, 6114968.875, 7, 1}};
   EXPECT_TRUE(TakesToWindow(profile, scene));
-  EXPECT_EQ(SnapScene(scene, profile).vertices[0], (Vertex{4, 4.5, 7, 1}));
+  EXPECT_EQ(SnapScene(scene, {profile, scene}).vertices[0], (Vertex{4, 4.5, 7, 1}));
   scene.clip_space = true;
   EXPECT_FALSE(TakesToWindow(profile, scene));
   EXPECT_TRUE(IsHomogeneous(scene, profile));

@@ -37,9 +37,10 @@ TEST(Asking, ForNewCoverageNeedsAMoveThatChangesIt) {
   const Description description{subject->Info(), nullptr, nullptr};
   const Property& property = *FindProperty("NewVerticesGiveNewCoverage");
   Case c = OneTriangle();
-  EXPECT_EQ(property.ask(c, description).checks.size(), 1U) << "a vertex lies on a sample";
+  EXPECT_EQ(property.ask(PlacedCase(c), description).checks.size(), 1U)
+      << "a vertex lies on a sample";
   for (Vertex& v : c.scene.vertices) v.x -= 100;
-  const Asked asked = property.ask(c, description);
+  const Asked asked = property.ask(PlacedCase(c), description);
   EXPECT_TRUE(asked.checks.empty()) << "no move brings it into the target";
   EXPECT_EQ(asked.otherwise.outcome, Outcome::kNotExercised);
 }
@@ -56,7 +57,7 @@ struct Judged {
 Judged SignsOf(const std::string& method) {
   const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(method);
   const Description description{subject->Info(), subject->Edges(), nullptr};
-  const Case c = OneTriangle();
+  const PlacedCase c(OneTriangle());
   const Asked asked = FindProperty("EdgeSignIsRightOutsideItsBand")->ask(c, description);
   const Check& check = asked.checks.front();
   Answers answers;
@@ -134,13 +135,13 @@ TEST(TheGate, IsToldInWords) {
 
 // ---- the runner ---------------------------------------------------------------------------------
 
-Property WithChecks(Asked (*ask)(const Case&, const Description&)) {
+Property WithChecks(Asked (*ask)(const PlacedCase&, const Description&)) {
   Property property = testing::ModelProperty({});
   property.ask = ask;
   return property;
 }
 
-Check OneDraw(const Case& c, Verdict verdict) {
+Check OneDraw(const PlacedCase& c, Verdict verdict) {
   Check check;
   check.questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
   check.judge = [verdict = std::move(verdict)](const Answers&) { return verdict; };
@@ -151,7 +152,7 @@ TEST(Checks, AreJudgedInOrderUpToTheFirstViolatedOne) {
   int draws = 0;
   testing::PlantedSubject subject(
       testing::RealInfo(), [&](const Scene&, const DrawOptions&, CoverageCounts&) { ++draws; });
-  const Property property = WithChecks([](const Case& c, const Description&) {
+  const Property property = WithChecks([](const PlacedCase& c, const Description&) {
     Asked asked;
     asked.checks = {OneDraw(c, Verdict::Held(3)), OneDraw(c, Verdict::Violated(2, "wrong", {})),
                     OneDraw(c, Verdict::Held(100))};
@@ -166,7 +167,7 @@ TEST(Checks, AreJudgedInOrderUpToTheFirstViolatedOne) {
 
 TEST(Checks, ReadTheDrawsThatTheyNameAsBases) {
   testing::PlantedSubject subject = testing::Sound(testing::RealInfo());
-  const Property property = WithChecks([](const Case& c, const Description&) {
+  const Property property = WithChecks([](const PlacedCase& c, const Description&) {
     Asked asked;
     asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, c.options)));
     Check second = OneDraw(c, {});
@@ -186,7 +187,7 @@ TEST(Checks, ReadTheDrawsThatTheyNameAsBases) {
 TEST(Samples, ThatAreNotJudgedAreAddedUp) {
   testing::PlantedSubject subject = testing::Sound(testing::RealInfo());
   Property property = testing::ModelProperty(FindProperty("CoverageEqualsTheModel")->domains);
-  property.ask = [](const Case&, const Description&) {
+  property.ask = [](const PlacedCase&, const Description&) {
     return OneCheck({}, [](const Answers&) {
       Verdict verdict = Verdict::Held(1);
       verdict.not_judged = 3;

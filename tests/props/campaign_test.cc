@@ -25,11 +25,11 @@ using testing::ModelProperty;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
-constexpr std::array<std::string_view, 6> kDomains{
+constexpr std::array<std::string_view, 6> kCampaignDomains{
     "uniform-subpixel", "near-edge", "fans", "snap-ties", "ulp-extremes", "target-sizes"};
 
 PropertyResult Campaign(Subject& subject, std::uint64_t cases,
-                        std::span<const std::string_view> domains = kDomains) {
+                        std::span<const std::string_view> domains = kCampaignDomains) {
   CampaignOptions options;
   options.cases = cases;
   return RunCampaign(subject, ModelProperty(domains), options);
@@ -93,12 +93,13 @@ TEST(Campaign, FindsAndShrinksEveryPlantedBug) {
     EXPECT_FALSE(result.message.empty());
     // The case that failed comes again from its name alone, and fails again.
     const Case again = DrawCase(planted.subject.Info(), ParseCaseName(result.failing_case));
-    EXPECT_EQ(RunCase(planted.subject, ModelProperty(kDomains), again).outcome, Outcome::kViolated)
+    EXPECT_EQ(RunCase(planted.subject, ModelProperty(kCampaignDomains), again).outcome,
+              Outcome::kViolated)
         << planted.bug;
     EXPECT_EQ(again.origin, result.counterexample->origin);
     EXPECT_EQ(again.origin, result.failing_case);
-    const Case last =
-        DrawCase(planted.subject.Info(), ModelProperty(kDomains), kDefaultSeed, result.cases - 1);
+    const Case last = DrawCase(planted.subject.Info(), ModelProperty(kCampaignDomains),
+                               kDefaultSeed, result.cases - 1);
     EXPECT_EQ(last.origin, result.failing_case);
   }
 }
@@ -113,7 +114,7 @@ TEST(Campaign, IsTheSameEveryTimeAndInShards) {
   CampaignOptions shard;
   shard.first_case = once.cases - 1;
   shard.cases = 1;
-  const PropertyResult alone = RunCampaign(subject, ModelProperty(kDomains), shard);
+  const PropertyResult alone = RunCampaign(subject, ModelProperty(kCampaignDomains), shard);
   EXPECT_EQ(alone.outcome, Outcome::kViolated);
   EXPECT_EQ(alone.failing_case, once.failing_case);
   EXPECT_EQ(*alone.counterexample, *once.counterexample);
@@ -122,10 +123,11 @@ TEST(Campaign, IsTheSameEveryTimeAndInShards) {
 TEST(Campaign, DrawsCaseIFromDomainIModuloTheirNumberByPhiloxOfItsNumberAndIndex) {
   const SubjectInfo info = RealInfo();
   for (std::uint64_t i = 0; i < 12; ++i) {
-    const Domain& domain = *FindDomain(kDomains[i % kDomains.size()]);
-    const std::uint64_t index = FirstIndex(ModelProperty(kDomains).name) + i / kDomains.size();
+    const Domain& domain = *FindDomain(kCampaignDomains[i % kCampaignDomains.size()]);
+    const std::uint64_t index =
+        FirstIndex(ModelProperty(kCampaignDomains).name) + i / kCampaignDomains.size();
     PhiloxSource bits(5, index, domain.number);
-    const Case drawn = DrawCase(info, ModelProperty(kDomains), 5, i);
+    const Case drawn = DrawCase(info, ModelProperty(kCampaignDomains), 5, i);
     EXPECT_EQ(drawn.scene.vertices, domain.draw(bits, info).scene.vertices);
     EXPECT_EQ(drawn.scene.name, domain.name);
     EXPECT_EQ(drawn.origin, ToText({std::string(domain.name), index, 5}));
@@ -151,8 +153,8 @@ TEST(Campaign, ContainsASubjectThatThrows) {
 
 TEST(Campaign, ThatExercisesNothingIsNoPass) {
   auto subject = testing::Sound(RealInfo());
-  Property property = ModelProperty(kDomains);
-  property.ask = [](const Case&, const Description&) { return Asked{}; };
+  Property property = ModelProperty(kCampaignDomains);
+  property.ask = [](const PlacedCase&, const Description&) { return Asked{}; };
   const PropertyResult idle = RunCampaign(subject, property, {.cases = 20});
   EXPECT_EQ(idle.outcome, Outcome::kNotExercised);
   EXPECT_EQ(idle.cases, 20U);
@@ -171,8 +173,8 @@ int blamings = 0;  // a property's functions hold no state
 
 TEST(Campaign, BlamesOnceOnTheSmallestCase) {
   auto subject = testing::DropsLastColumn(RealInfo());
-  Property property = ModelProperty(kDomains);
-  property.blame = [](const Case&, const Verdict&, const Description&) {
+  Property property = ModelProperty(kCampaignDomains);
+  property.blame = [](const PlacedCase&, const Verdict&, const Description&) {
     ++blamings;
     return Asked{};
   };
@@ -233,7 +235,7 @@ TEST(CasePlaces, AreSeenInTheScene) {
 
 TEST(CasePlaces, ThatWereRefusedThroughoutAreInconclusive) {
   auto subject = testing::Sound(RealInfo());
-  Tally tally(subject, ModelProperty(kDomains), 1);
+  Tally tally(subject, ModelProperty(kCampaignDomains), 1);
   Case elsewhere = HalfOnSamples();
   for (Vertex& v : elsewhere.scene.vertices) v.y += 0.125;
   for (int i = 0; i < 100; ++i) tally.AddCase(0, elsewhere, Verdict::Held(1));
@@ -241,7 +243,7 @@ TEST(CasePlaces, ThatWereRefusedThroughoutAreInconclusive) {
     tally.AddCase(0, HalfOnSamples(), Verdict::Refused("odd"));
   }
   EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);  // few
-  Tally behind(subject, ModelProperty(kDomains), 1);
+  Tally behind(subject, ModelProperty(kCampaignDomains), 1);
   behind.AddCase(0, HalfOnSamples(), Verdict::Refused("odd"));
   tally.AddSums(behind.sums());
   EXPECT_EQ(tally.Concluded().outcome, Outcome::kInconclusive);
@@ -270,11 +272,11 @@ TEST(Campaign, StopsWhenItsTimeIsUpAndReportsProgress) {
   CampaignOptions options;
   options.cases = 40;
   options.progress = [&](std::uint64_t done) { reported.push_back(done); };
-  RunCampaign(subject, ModelProperty(kDomains), options);
+  RunCampaign(subject, ModelProperty(kCampaignDomains), options);
   EXPECT_EQ(reported, (std::vector<std::uint64_t>{16, 32}));
   options.cases = std::uint64_t{1} << 60;
   options.seconds = 1e-9;
-  EXPECT_LE(RunCampaign(subject, ModelProperty(kDomains), options).cases, 1U);
+  EXPECT_LE(RunCampaign(subject, ModelProperty(kCampaignDomains), options).cases, 1U);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ using testing::RealInfo;
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::uint64_t kSeed = 3;
+constexpr std::uint64_t kNameSeed = 3;
 
 std::vector<const Domain*> DomainsOf(const Names& names) {
   std::vector<const Domain*> domains;
@@ -48,7 +48,7 @@ std::map<std::string, Case> CasesOver(const Names& names, std::uint64_t cases) {
   const Property property = ModelProperty(names);
   std::map<std::string, Case> drawn;
   for (std::uint64_t i = 0; i < cases; ++i) {
-    Case c = DrawCase(RealInfo(), property, kSeed, i);
+    Case c = DrawCase(RealInfo(), property, kNameSeed, i);
     const std::string name = c.origin;
     EXPECT_TRUE(drawn.emplace(name, std::move(c)).second) << name;
   }
@@ -107,7 +107,7 @@ TEST(CaseNames, StandForTheSameWhateverDomainsAreBeside) {
   for (const std::string_view domain : some) {
     for (std::uint64_t i = 0; i < 6; ++i) {
       const std::uint64_t index = FirstIndex(ModelProperty(some).name) + i;
-      EXPECT_TRUE(few.contains(ToText({std::string(domain), index, kSeed}))) << domain << i;
+      EXPECT_TRUE(few.contains(ToText({std::string(domain), index, kNameSeed}))) << domain << i;
     }
   }
 }
@@ -118,7 +118,7 @@ TEST(CaseNames, OfPropertiesThatShareADomainDiffer) {
     EXPECT_TRUE(firsts.insert(FirstIndex(property.name)).second) << property.name;
   }
   const std::vector<const Domain*> domains = DomainsOf({"near-edge"});
-  EXPECT_EQ(NameOfCase(domains, 4000, kSeed, 17), (CaseName{"near-edge", 4017, kSeed}));
+  EXPECT_EQ(NameOfCase(domains, 4000, kNameSeed, 17), (CaseName{"near-edge", 4017, kNameSeed}));
 }
 
 TEST(CaseNames, DifferInWhatTheyStandFor) {
@@ -136,7 +136,7 @@ TEST(CaseNames, OfADomainThatStandsThereOftenAreEachTakenOnce) {
       DomainsOf({"near-edge", "folds", "folds", "fans", "folds"});
   std::map<std::string, std::set<std::uint64_t>> indices;
   for (std::uint64_t i = 0; i < 5 * 7; ++i) {
-    const CaseName name = NameOfCase(domains, 0, kSeed, i);
+    const CaseName name = NameOfCase(domains, 0, kNameSeed, i);
     EXPECT_EQ(name.domain, domains[i % 5]->name);
     EXPECT_TRUE(indices[name.domain].insert(name.index).second) << ToText(name);
   }

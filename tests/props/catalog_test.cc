@@ -2,14 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <map>
+#include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "props/authority.h"
@@ -61,28 +63,6 @@ TEST(Catalog, EveryDomainThatAPropertyNamesExists) {
     for (const std::string_view name : property.domains) {
       EXPECT_NE(FindDomain(name), nullptr) << property.name << ": " << name;
     }
-  }
-}
-
-// As Markdown takes it literally.
-std::string Literally(std::string_view text) {
-  std::string literal;
-  for (const char c : text) {
-    if (c == '|' || c == '_') literal += '\\';
-    literal += c;
-  }
-  return literal;
-}
-
-TEST(Catalog, EveryPropertyIsInTheTableOfTheDocumentAsItsGateSays) {
-  std::ifstream file("docs/mathematics.md");
-  const std::string document{std::istreambuf_iterator<char>(file), {}};
-  for (const Property& property : Catalog()) {
-    const std::string row =
-        "\n| " + std::string(property.group) + " | `" + std::string(property.name) + "` | " +
-        Literally(WordsOf(property.gate)) + " | " + Literally(property.tolerance) + " |\n";
-    EXPECT_NE(document.find(row), std::string::npos)
-        << "scripts/property_table writes it anew:" << row;
   }
 }
 
@@ -235,6 +215,51 @@ TEST(SoundOutputs, HoldOnEveryCase) {
     }
     EXPECT_GT(exercised, 0U) << bug.property;
   }
+}
+
+// RunCase throws if a property fails over what a subject answers: that is our fault, never its own.
+TEST(EveryProperty, ReachesAVerdictOfASubjectThatRefusesAndBreaksDownAndShowsNoNumbers) {
+  const auto misbehave = [n = std::make_shared<int>(0)] {
+    switch (++*n % 12) {
+      case 2:
+        throw SubjectStop(Stop::kRefused, "it refuses this scene");
+      case 5:
+        BreakDown("it crashed");
+      case 7:
+        throw SubjectStop(Stop::kHung, "it gave no answer");
+      case 9:
+        throw SubjectStop(Stop::kTooSlow, "it took longer than it may");
+      case 11:
+        throw std::runtime_error("something went wrong");
+      default:
+        return;
+    }
+  };
+  Bug draws;
+  draws.draw = [=](Subject& sound, const Scene& scene, const DrawOptions& options,
+                   CoverageCounts& counts) {
+    misbehave();
+    DrawOnto(sound, scene, options, counts);
+  };
+  Bug shows;
+  shows.batch = [](std::vector<DrawOutcome>&) {};
+  shows.show = [=](Drawing& drawing, const DrawJob&) {
+    misbehave();
+    for (double& depth : drawing.depths) depth = std::numeric_limits<double>::quiet_NaN();
+    for (auto& barycentrics : drawing.barycentrics) barycentrics[1] = drawing.depths[0];
+  };
+  std::set<Outcome> outcomes;
+  for (const Bug& bug : {draws, shows}) {
+    PlantedSubject subject(subjects::MakeBuiltin("f32-direct"), bug);
+    for (const Property& property : Catalog()) {
+      if (!HasADomainFor(property, subject.Info())) continue;
+      for (std::uint64_t i = 0; i < Cases<std::uint64_t>(4); ++i) {
+        const Case c = DrawCase(subject.Info(), property, kSeed, i);
+        outcomes.insert(RunCase(subject, property, c).outcome);
+      }
+    }
+  }
+  EXPECT_GE(outcomes.size(), 4U);
 }
 
 Case TwoTriangles() {

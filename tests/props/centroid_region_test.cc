@@ -30,22 +30,25 @@ Case FourSamples(Centroid rule, YAxis y_axis) {
 // Standard locations of four: (6, 2), (14, 6), (2, 10) and (10, 14) sixteenths.
 TEST(StatedCentroid, IsDirect3Ds) {
   const Case c = FourSamples(Centroid::kDirect3D, YAxis::kDown);
-  EXPECT_EQ(StatedCentroid(c, 2, 1, {true, true, true, true}), (Point2{2.5, 1.5}));
-  EXPECT_EQ(StatedCentroid(c, 2, 1, {true, true, true, false}), (Point2{2.375, 1.125}));
-  EXPECT_EQ(StatedCentroid(c, 2, 1, {false, true, false, true}), (Point2{2.875, 1.375}));
-  EXPECT_EQ(StatedCentroid(c, 2, 1, {false, false, false, true}), (Point2{2.625, 1.875}));
+  EXPECT_EQ(StatedCentroid(PlacedCase(c), 2, 1, {true, true, true, true}), (Point2{2.5, 1.5}));
+  EXPECT_EQ(StatedCentroid(PlacedCase(c), 2, 1, {true, true, true, false}), (Point2{2.375, 1.125}));
+  EXPECT_EQ(StatedCentroid(PlacedCase(c), 2, 1, {false, true, false, true}),
+            (Point2{2.875, 1.375}));
+  EXPECT_EQ(StatedCentroid(PlacedCase(c), 2, 1, {false, false, false, true}),
+            (Point2{2.625, 1.875}));
 }
 
 TEST(StatedCentroid, CountsRowsFromTheTopAndYAsTheProfileDoes) {
   const Case c = FourSamples(Centroid::kDirect3D, YAxis::kUp);
-  EXPECT_EQ(StatedCentroid(c, 2, 1, {true, true, true, true}), (Point2{2.5, 2.5}));
-  EXPECT_EQ(StatedCentroid(c, 2, 1, {true, false, false, false}), (Point2{2.375, 2.125}));
+  EXPECT_EQ(StatedCentroid(PlacedCase(c), 2, 1, {true, true, true, true}), (Point2{2.5, 2.5}));
+  EXPECT_EQ(StatedCentroid(PlacedCase(c), 2, 1, {true, false, false, false}),
+            (Point2{2.375, 2.125}));
 }
 
 TEST(StatedCentroid, IsNoPointWithin) {
   const Case c = FourSamples(Centroid::kInside, YAxis::kDown);
-  EXPECT_EQ(StatedCentroid(c, 2, 1, {true, true, true, true}), std::nullopt);
-  EXPECT_EQ(StatedCentroid(c, 2, 1, {true, false, true, true}), std::nullopt);
+  EXPECT_EQ(StatedCentroid(PlacedCase(c), 2, 1, {true, true, true, true}), std::nullopt);
+  EXPECT_EQ(StatedCentroid(PlacedCase(c), 2, 1, {true, false, true, true}), std::nullopt);
 }
 
 TEST(StatedCentroid, IsTheCentreOfOneSample) {
@@ -53,7 +56,7 @@ TEST(StatedCentroid, IsTheCentreOfOneSample) {
     Case c = FourSamples(rule, YAxis::kDown);
     for (const Point2 location : {Point2{0.5, 0.5}, Point2{0.25, 0.75}}) {
       c.profile.pattern.locations = {location};
-      EXPECT_EQ(StatedCentroid(c, 3, 0, {true}), (Point2{3.5, 0.5}));
+      EXPECT_EQ(StatedCentroid(PlacedCase(c), 3, 0, {true}), (Point2{3.5, 0.5}));
     }
   }
 }

@@ -110,7 +110,7 @@ class ShowsCentroids final : public Subject {
     Scene alone = scene;
     alone.triangles = {scene.triangles[t]};
     const bool snaps = info_.fragments.barycentrics_of == BarycentricsOf::kSnapped;
-    const Scene owners = snaps ? SnapScene(alone, info_.profile) : alone;
+    const Scene owners = snaps ? SnapScene(alone, {info_.profile, alone}) : alone;
     Seen seen;
     for (std::size_t k = 0; k < 3; ++k)
       seen.v[k] = WindowPoint(Corners(owners, owners.triangles[0])[k]);

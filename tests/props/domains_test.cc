@@ -26,7 +26,7 @@ namespace {
 using testing::RealInfo;
 using testing::SnappedInfo;
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kDomainsSeed = 1;
 
 SubjectInfo ClipInfo() {
   SubjectInfo info = RealInfo();
@@ -49,7 +49,7 @@ std::vector<SubjectInfo> Infos() {
 }
 
 Case Draw(const Domain& domain, const SubjectInfo& info, std::uint64_t index) {
-  PhiloxSource bits(kSeed, index);
+  PhiloxSource bits(kDomainsSeed, index);
   return domain.draw(bits, info);
 }
 
@@ -137,7 +137,7 @@ TEST(Domains, DrawTheSameCaseFromTheSameSeedAndAnotherFromAnotherIndex) {
 TEST(Domains, MakeAValidCaseOfEveryBitString) {
   std::vector<std::vector<std::uint8_t>> strings{
       {}, std::vector<std::uint8_t>(4096, 0xff), std::vector<std::uint8_t>(4096, 0x55)};
-  PhiloxSource random(kSeed, 7);
+  PhiloxSource random(kDomainsSeed, 7);
   for (int i = 0; i < 12; ++i) {
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(random.Int(1, 300)));
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.Bits(8));
@@ -416,7 +416,7 @@ TEST(InputLattice, StepsFromNeighbourToNeighbour) {
 }
 
 TEST(BitSources, DrawIntegersOfTheWholeRangeAndNoOthers) {
-  PhiloxSource bits(kSeed, 3);
+  PhiloxSource bits(kDomainsSeed, 3);
   std::map<std::int64_t, int> seen;
   for (int i = 0; i < 6000; ++i) ++seen[bits.Int(-1, 4)];
   ASSERT_EQ(seen.size(), 6U);

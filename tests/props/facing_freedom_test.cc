@@ -31,7 +31,7 @@ LegalTriangle InVulkan(const Scene& scene) {
   Case c;
   c.scene = scene;
   c.profile = *PresetProfile("vulkan");
-  return LegalTriangle(c, scene.triangles[0]);
+  return LegalTriangle(PlacedCase(c), scene.triangles[0]);
 }
 
 Scene OnEight(Vertex a, Vertex b, Vertex c) {

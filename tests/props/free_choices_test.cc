@@ -249,7 +249,7 @@ TEST(FreeChoices, ATriangleIsOpenIffTwoChoicesFaceDifferently) {
     for (const Triangle& t : c.scene.triangles) {
       Case one = c;
       one.scene.triangles = {t};
-      const OpenTriangles open(one);
+      const OpenTriangles open{PlacedCase(one)};
       std::set<int> facings;
       const auto choices = EveryChoice(Corners(c.scene, t), c.profile.snap, 0.6);
       for (const auto& v : choices) facings.insert(exact::Facing(v));
@@ -277,7 +277,7 @@ TEST(FreeChoices, OneModelLeavesNothingOpen) {
   for (std::uint64_t index = 0; index < 20; ++index) {
     PhiloxSource bits(5, index);
     const Case c = FindDomain("folds")->draw(bits, testing::SnappedInfo(4));
-    EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+    EXPECT_TRUE(OpenTriangles(PlacedCase(c)).IsEmpty());
   }
 }
 
@@ -287,11 +287,11 @@ TEST(FreeChoices, ATriangleThatOnlySomeModelsDropIsOpen) {
   c.profile.max_primitive_extent = MaxPrimitiveExtent{8, 8};
   c.scene.vertices = {{0, 0}, {8 + 0x1p-9, 0}, {0, 6}};
   c.scene.triangles = {{0, 1, 2}};
-  EXPECT_EQ(OpenTriangles(c).size(), 1U);
+  EXPECT_EQ(OpenTriangles(PlacedCase(c)).size(), 1U);
   c.scene.vertices[1].x = 7.5;
-  EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+  EXPECT_TRUE(OpenTriangles(PlacedCase(c)).IsEmpty());
   c.scene.vertices[1].x = 8.5;
-  EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+  EXPECT_TRUE(OpenTriangles(PlacedCase(c)).IsEmpty());
 }
 
 TEST(FreeChoices, ClipSpaceIsOpenBesideItsQuotients) {
@@ -300,12 +300,12 @@ TEST(FreeChoices, ClipSpaceIsOpenBesideItsQuotients) {
   c.scene.clip_space = true;
   c.scene.vertices = {{0, 1, 0, 2}, {32, 1, 0, 2}, {24, 0x1.81500p+0, 0, 3}};
   c.scene.triangles = {{0, 1, 2}};
-  EXPECT_EQ(OpenTriangles(c).size(), 1U);
+  EXPECT_EQ(OpenTriangles(PlacedCase(c)).size(), 1U);
   c.profile.freedom = {};
-  EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+  EXPECT_TRUE(OpenTriangles(PlacedCase(c)).IsEmpty());
   c.scene.vertices[2].y = 30;
   c.profile.freedom.snap_tolerance = 0.6;
-  EXPECT_TRUE(OpenTriangles(c).IsEmpty());
+  EXPECT_TRUE(OpenTriangles(PlacedCase(c)).IsEmpty());
 }
 
 // What a domain is for: half of its cases have something that turns, and something that does not.
@@ -316,7 +316,7 @@ TEST(FreeChoices, FoldsHaveTrianglesThatTurnAndOthers) {
       for (std::uint64_t index = 0; index < 100; ++index) {
         PhiloxSource bits(2, index);
         const Case c = FindDomain(name)->draw(bits, info);
-        const std::size_t open = OpenTriangles(c).size();
+        const std::size_t open = OpenTriangles(PlacedCase(c)).size();
         turning += open > 0 && open < c.scene.triangles.size() ? 1 : 0;
       }
       EXPECT_GT(turning, 50) << name << ", " << info.profile.snap.bits << " bits";

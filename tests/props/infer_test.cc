@@ -248,7 +248,7 @@ TEST(Infer, FindsTheModelOfSamplesWhoseFacingsAreGuessed) {
       info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         const CoverageCounts drawn = exact::Coverage(scene, model, options);
         // On whole pixels a triangle can face the other way, or none.
-        const Scene coarse = SnapScene(scene, Snapped(0, SnapRule::kNearestEven));
+        const Scene coarse = SnapScene(scene, {Snapped(0, SnapRule::kNearestEven), scene});
         const std::array<Vertex, 3> v = Corners(coarse, coarse.triangles[0]);
         const int facing = exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])});
         for (std::size_t k = 0; k < drawn.size(); ++k) {

@@ -23,7 +23,7 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kLookAheadSeed = 1;
 
 // The exact model of a profile, and how it was called.
 class Called final : public Subject {
@@ -89,7 +89,8 @@ Outside Make(CoverageKind kind, bool inclusive) {
 
 std::vector<Case> SomeCases(const SubjectInfo& info, const Property& property, std::uint64_t n) {
   std::vector<Case> cases;
-  for (std::uint64_t i = 0; i < n; ++i) cases.push_back(DrawCase(info, property, kSeed, i));
+  for (std::uint64_t i = 0; i < n; ++i)
+    cases.push_back(DrawCase(info, property, kLookAheadSeed, i));
   return cases;
 }
 

@@ -312,24 +312,26 @@ TEST(ThinTriangles, AreThoseThatALegalChoiceCanTurn) {
   c.scene.clip_space = true;
   c.scene.vertices = {{4, 4}, {24, 4}, {4, 24}, {24, 5}};
   c.scene.triangles = {{0, 1, 2}};
-  EXPECT_FALSE(ThinTriangles(c, LegalReach(c)).AreNear({8, 8}));
+  EXPECT_FALSE(ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({8, 8}));
   c.scene.triangles = {{0, 1, 3}};
-  EXPECT_TRUE(ThinTriangles(c, LegalReach(c)).AreNear({20, 4.5}));
-  EXPECT_FALSE(ThinTriangles(c, LegalReach(c)).AreNear({20, 8}));
+  EXPECT_TRUE(ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({20, 4.5}));
+  EXPECT_FALSE(ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({20, 8}));
   c.profile.contract = Contract::kSampleExact;
-  EXPECT_EQ(LegalReach(c), 0);
-  EXPECT_FALSE(ThinTriangles(c, LegalReach(c)).AreNear({20, 4.5}));
+  EXPECT_EQ(LegalReach(PlacedCase(c)), 0);
+  EXPECT_FALSE(ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({20, 4.5}));
   c.profile.snap.bits = 8;
   c.profile.freedom.snap_tolerance = 0.5;
-  EXPECT_FALSE(ThinTriangles(c, LegalReach(c)).AreNear({20, 4.5})) << "a pixel is wide for 2^-8";
+  EXPECT_FALSE(ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({20, 4.5}))
+      << "a pixel is wide for 2^-8";
   // Across the eye: a wedge from (16, 16) that opens to the right, and one that hardly opens.
   c.profile = ClipInfo(Contract::kWatertight).profile;
   c.scene.vertices = {
       {16, 16, 0, 1}, {40, 20, 0, -1}, {40, -60, 0, -1}, {40, -14, 0, -1}, {40, -15, 0, -1}};
   c.scene.triangles = {{0, 1, 2}};
-  EXPECT_TRUE(ThinTriangles(c, LegalReach(c)).AreNear({24, 16})) << "one of its pieces is thin";
+  EXPECT_TRUE(ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({24, 16}))
+      << "one of its pieces is thin";
   c.scene.triangles = {{0, 3, 4}};
-  EXPECT_TRUE(ThinTriangles(c, LegalReach(c)).AreNear({24, 16}));
+  EXPECT_TRUE(ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({24, 16}));
 }
 
 TEST(ContractProperties, AreInTheCatalogue) {

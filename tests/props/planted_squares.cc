@@ -18,7 +18,7 @@ Bug DrawingSquares(std::string_view preset, const SquareRegion& drawn) {
                       CoverageCounts& counts) {
                 Profile profile = sound.Info().profile;
                 profile.squares = SquareRule{drawn, drawn, FlatSquares::kDrawn};
-                counts += exact::MayCover(scene, profile, options);
+                counts += exact::MayCover({scene, profile}, options);
               },
           .states =
               [stated](Profile& profile) {

@@ -130,7 +130,7 @@ PlantedSubject Throwing(const SubjectInfo& info) {
 
 namespace {
 
-Asked AskForTheModel(const Case& c, const Description& /*subject*/) {
+Asked AskForTheModel(const PlacedCase& c, const Description& /*subject*/) {
   if (!WithinLimits(c.scene, c.profile)) return {};
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));

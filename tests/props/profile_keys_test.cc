@@ -10,7 +10,7 @@
 #include "core/call_end.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "props/domains/domain.h"
 #include "props/domains/input_lattice.h"
 #include "props/infer/infer.h"
@@ -28,7 +28,7 @@ using testing::RealInfo;
 using testing::SnappedInfo;
 using testing::Sound;
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kKeysSeed = 1;
 
 SubjectInfo FixedInfo(const FixedInput& fixed, int snap_bits = Snap::kNone) {
   SubjectInfo info = SnappedInfo(snap_bits);
@@ -87,7 +87,7 @@ TEST(FixedPointInput, IsGivenItsIntegersByEveryDomain) {
     for (const Domain& domain : Domains()) {
       if (!Suits(domain, info)) continue;
       for (std::uint64_t i = 0; i < 40; ++i) {
-        PhiloxSource bits(kSeed, i);
+        PhiloxSource bits(kKeysSeed, i);
         const Case c = domain.draw(bits, info);
         EXPECT_TRUE(Takes(info, c.scene))
             << domain.name << " " << info.profile.fixed->integer_bits << ", case " << i;
@@ -124,7 +124,7 @@ TEST(FixedPointInput, IsDrawnAtBothEndsOfItsRange) {
   const SubjectInfo info = FixedInfo({12, 4, true, false});
   int at_least = 0, at_most = 0;
   for (std::uint64_t i = 0; i < 60; ++i) {
-    PhiloxSource bits(kSeed, i);
+    PhiloxSource bits(kKeysSeed, i);
     for (const Vertex& v : FindDomain("range-ends")->draw(bits, info).scene.vertices) {
       at_least += v.x == info.profile.fixed->Least() ? 1 : 0;
       at_most += v.x == info.profile.fixed->Largest() ? 1 : 0;
@@ -140,7 +140,7 @@ TEST(FixedPointInput, SoundSubjectsHoldInEveryProperty) {
     for (const Property& property : Catalog()) {
       if (DomainsFor(info, property).empty()) continue;
       for (std::uint64_t i = 0; i < Cases<std::uint64_t>(30); ++i) {
-        const Verdict verdict = RunCase(subject, property, DrawCase(info, property, kSeed, i));
+        const Verdict verdict = RunCase(subject, property, DrawCase(info, property, kKeysSeed, i));
         ASSERT_NE(verdict.outcome, Outcome::kViolated)
             << property.name << ", case " << i << ": " << verdict.message;
       }
@@ -160,7 +160,7 @@ Sides SidesOf(std::string_view domain, const SubjectInfo& info, const Test& is_o
   EXPECT_TRUE(Suits(*FindDomain(domain), info));
   EXPECT_FALSE(Suits(*FindDomain(domain), SnappedInfo(8)));
   for (std::uint64_t i = 0; i < 80; ++i) {
-    PhiloxSource bits(kSeed, i);
+    PhiloxSource bits(kKeysSeed, i);
     ++(is_one(FindDomain(domain)->draw(bits, info)) ? sides.one : sides.other);
   }
   return sides;
@@ -193,8 +193,9 @@ TEST(PrimitiveExtentEnds, LieOnBothSidesOfTheLargestExtent) {
 TEST(GuardBandEnds, LieOnBothSidesOfTheRectangle) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.guard_band = WindowBox{-100, -100, 200, 200};
-  const Sides sides = SidesOf("guard-band-ends", info,
-                              [&](const Case& c) { return IsUnclipped(c.scene, info.profile); });
+  const Sides sides = SidesOf("guard-band-ends", info, [&](const Case& c) {
+    return IsUnclipped(c.scene, {info.profile, c.scene});
+  });
   EXPECT_GT(sides.one, 3);
   EXPECT_GT(sides.other, 20);
 }
@@ -203,7 +204,7 @@ TEST(TargetSizeEnds, LieOnBothSidesOfTheLargestTarget) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.by_target_size = {{.max_width = 64, .max_height = 64, .snap = {4}}};
   const Sides sides = SidesOf("target-size-ends", info, [&](const Case& c) {
-    return ForTarget(c.profile, c.scene.width, c.scene.height).snap.bits == 4;
+    return TargetProfile(c.profile, c.scene).snap.bits == 4;
   });
   EXPECT_GT(sides.one, 20);
   EXPECT_GT(sides.other, 10);
@@ -249,8 +250,7 @@ TEST(Targets, AreJudgedEachByItsOwnModel) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.by_target_size = {{.max_width = 9, .max_height = 9, .snap = {0, SnapRule::kFloor}}};
   PlantedSubject sound = Sound(info);
-  Profile always_small = ForTarget(info.profile, 1, 1);
-  always_small.by_target_size.clear();
+  const TargetProfile always_small(info.profile, 1, 1);
   PlantedSubject wrong(
       info, [always_small](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         counts = exact::Coverage(scene, always_small, options);
@@ -357,7 +357,7 @@ TEST(MaxPrimitiveExtent, IsVerifiedBothWays) {
     PlantedSubject subject = testing::WithProfile(
         info, [real](Profile& profile) { profile.max_primitive_extent = real; });
     CampaignOptions options;
-    options.seed = kSeed;
+    options.seed = kKeysSeed;
     options.cases = kDefaultCases;
     const Property& property = *FindProperty("CoverageEqualsTheModel");
     return RunCampaign(subject, property, options).outcome == Outcome::kViolated;

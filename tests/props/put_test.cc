@@ -53,19 +53,18 @@ Case Blank(int width, int height, std::size_t vertices) {
 // Some checks of a case, and the requests that put them.
 class Requests {
  public:
-  explicit Requests(Subject& subject)
-      : judged_(Judged(Blank(8, 8, 3), DescriptionOf(subject), false)) {}
+  Requests() : placed_(Place(Blank(8, 8, 3), false)) {}
   void Add(const std::vector<Case>& draws) {
     Check& check = *checks_.emplace_back(std::make_unique<Check>());
     for (const Case& c : draws) {
       check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, c.options));
     }
-    requests_.push_back({&judged_, &check, &drawn_});
+    requests_.push_back({&placed_, &check, &drawn_});
   }
   std::vector<Answers> PutTo(Subject& subject) const { return Put(subject, requests_); }
 
  private:
-  JudgedCase judged_;
+  PlacedCase placed_;
   std::vector<std::shared_ptr<const Drawing>> drawn_;
   std::vector<std::unique_ptr<Check>> checks_;
   std::vector<Request> requests_;
@@ -73,7 +72,7 @@ class Requests {
 
 TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
   Empty subject;
-  Requests requests(subject);
+  Requests requests;
   requests.Add({Blank(8, 8, 3), Blank(kMaxTargetSide, kMaxTargetSide, 3)});
   EXPECT_EQ(requests.PutTo(subject)[0].end.stop, Stop::kNotDrawable);
   subject.breaks_over = 3;
@@ -85,7 +84,7 @@ TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
 
 TEST(Questions, BehindABreakdownAtTheEndOfACallAreNotPut) {
   Empty subject;
-  Requests requests(subject);
+  Requests requests;
   for (const std::size_t vertices : {3U, 4U, 5U}) {
     requests.Add({Blank(8, 8, 1), Blank(8, 8, vertices), Blank(kSide, kSide, 2)});
   }

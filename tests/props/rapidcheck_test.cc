@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/ulp.h"
-#include "props/rapidcheck/rapidcheck_bridge.h"
 #include "tests/props/planted_subjects.h"
+#include "tests/props/rapidcheck_bridge.h"
 
 namespace rasterproof::props {
 namespace {
@@ -17,12 +17,13 @@ using testing::ModelProperty;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
-constexpr std::array<std::string_view, 4> kDomains{"uniform-subpixel", "near-edge", "fans",
-                                                   "snap-ties"};
+constexpr std::array<std::string_view, 4> kRapidCheckDomains{"uniform-subpixel", "near-edge",
+                                                             "fans", "snap-ties"};
 
 TEST(RapidCheck, HoldsForASoundSubject) {
   auto subject = testing::Sound(RealInfo());
-  const PropertyResult result = CheckWithRapidCheck(subject, ModelProperty(kDomains), 1, 60);
+  const PropertyResult result =
+      CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 1, 60);
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
   EXPECT_EQ(result.cases, 60U);
   EXPECT_GT(result.near_edge.on_edge, 0U);
@@ -30,7 +31,8 @@ TEST(RapidCheck, HoldsForASoundSubject) {
 
 TEST(RapidCheck, FindsAndShrinksWhatTheCampaignFinds) {
   const auto expect_found = [](testing::PlantedSubject subject, std::uint64_t cases) {
-    const PropertyResult result = CheckWithRapidCheck(subject, ModelProperty(kDomains), 1, cases);
+    const PropertyResult result =
+        CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 1, cases);
     ASSERT_EQ(result.outcome, Outcome::kViolated);
     ASSERT_TRUE(result.counterexample.has_value());
     EXPECT_EQ(result.verdict->outcome, Outcome::kViolated);
@@ -38,7 +40,7 @@ TEST(RapidCheck, FindsAndShrinksWhatTheCampaignFinds) {
     EXPECT_LE(result.counterexample->scene.vertices.size(), 3U);
     EXPECT_EQ(result.counterexample->scene.width * result.counterexample->scene.height, 1);
     const PropertyResult campaign =
-        RunCampaign(subject, ModelProperty(kDomains), {.cases = cases, .progress = {}});
+        RunCampaign(subject, ModelProperty(kRapidCheckDomains), {.cases = cases, .progress = {}});
     EXPECT_EQ(campaign.outcome, Outcome::kViolated);
   };
   expect_found(testing::DropsLastColumn(RealInfo()), 60);
@@ -49,9 +51,11 @@ TEST(RapidCheck, FindsAndShrinksWhatTheCampaignFinds) {
 
 TEST(RapidCheck, TakesItsCasesFromTheSeedAloneNotFromTheEnvironment) {
   auto subject = testing::Inclusive(RealInfo());
-  const PropertyResult once = CheckWithRapidCheck(subject, ModelProperty(kDomains), 5, 60);
+  const PropertyResult once =
+      CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 5, 60);
   ASSERT_EQ(setenv("RC_PARAMS", "seed=99 max_success=1", 1), 0);
-  const PropertyResult twice = CheckWithRapidCheck(subject, ModelProperty(kDomains), 5, 60);
+  const PropertyResult twice =
+      CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 5, 60);
   unsetenv("RC_PARAMS");
   EXPECT_EQ(once.cases, twice.cases);
   EXPECT_EQ(once.failing_case, "");  // what RapidCheck draws has no name
@@ -66,7 +70,7 @@ TEST(RapidCheck, StopsShrinkingAtItsBudget) {
                                     counts.front[0] += 7;
                                   });
   const PropertyResult result =
-      CheckWithRapidCheck(subject, ModelProperty(kDomains), 1, 10, /*shrink_budget=*/5);
+      CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 1, 10, /*shrink_budget=*/5);
   EXPECT_EQ(result.outcome, Outcome::kViolated);
   EXPECT_LE(draws, 1 + 5 + 1U);  // the failure, the budget, the last word on the counterexample
 }

@@ -86,7 +86,7 @@ class ShowsIds final : public Subject {
     Drawing drawing;
     drawing.counts = CoverageCounts(scene.width, scene.height, job.samples);
     drawing.primitive_ids =
-        exact::PrimitiveIds(scene, info_.profile, job.options, info_.fragments.visible);
+        exact::PrimitiveIds({scene, info_.profile}, job.options, info_.fragments.visible);
     std::vector<std::int32_t>& ids = drawing.primitive_ids;
     for (std::size_t k = 0; k < ids.size(); ++k) {
       const std::size_t first = k - k % 4;

@@ -93,7 +93,7 @@ std::string Compare(const std::array<Point2, 3>& v, const SquareRegion& region,
 }
 
 std::string CompareCase(const Case& c, Asked& asked, std::uint64_t most) {
-  const Scene placed = SnapScene(c.scene, c.profile);
+  const Scene placed = SnapScene(c.scene, {c.profile, c.scene});
   exact::SquareFrame frame{{0, 0, c.scene.width, c.scene.height}, c.profile.y_axis == YAxis::kUp};
   if (frame.y_up) frame.lift = c.scene.height;
   for (const auto& region : {c.profile.squares->must, c.profile.squares->may}) {

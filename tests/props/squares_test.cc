@@ -29,8 +29,8 @@ class BoundSubject final : public Subject {
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += draws_most_ ? exact::MayCover(scene, info_.profile, options)
-                          : exact::MustCover(scene, info_.profile, options);
+    counts += draws_most_ ? exact::MayCover({scene, info_.profile}, options)
+                          : exact::MustCover({scene, info_.profile}, options);
   }
 
  private:
@@ -131,7 +131,7 @@ class TouchedSubject final : public Subject {
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += exact::MayCover(scene, *SquarePreset("voxel"), options);
+    counts += exact::MayCover({scene, *SquarePreset("voxel")}, options);
   }
 
  private:

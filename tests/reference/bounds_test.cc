@@ -63,7 +63,7 @@ double Ratio(double shown, const Rational& exact, double bound) {
   EXPECT_TRUE(std::isfinite(shown));
   const Rational error = (Rational(shown) - exact).Abs();
   if (bound == 0) {
-    EXPECT_EQ(error.Sign(), 0) << "stated to be exact";
+    EXPECT_EQ(error.Sign(), 0) << "claimed to be exact";
     return 0;
   }
   EXPECT_LE(error, Rational(bound));

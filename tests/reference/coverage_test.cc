@@ -131,7 +131,7 @@ TEST(CoverageTest, IntegerMethodsDrawTheSnappedScene) {
         points.push_back({coordinate(), coordinate()});
       }
       const Scene scene = WindowScene(8, 8, points);
-      const CoverageCounts expected = BruteForceCounts(SnapScene(scene, profile));
+      const CoverageCounts expected = BruteForceCounts(SnapScene(scene, {profile, scene}));
       const CoverageDifference d = Compare(Draw(scene, name), expected);
       EXPECT_EQ(d.wrong, 0U) << name << " scene " << n;
       covered += d.covered;

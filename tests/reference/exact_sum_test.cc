@@ -13,8 +13,8 @@
 namespace rasterproof::reference {
 namespace {
 
-constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kTiny = std::numeric_limits<double>::denorm_min();
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 
 TEST(ExactSumTest, EveryDoubleComesBackAsItself) {
   RandomValues random(61);
@@ -43,21 +43,21 @@ TEST(ExactSumTest, ProductsRoundOnceToNearestEven) {
   tie.Add(1, 1);
   tie.Add(0x1p-53, 1);
   EXPECT_EQ(tie.ToDouble(), 1);
-  tie.Add(kTiny, kTiny);
+  tie.Add(kSmallest, kSmallest);
   EXPECT_EQ(tie.ToDouble(), 1 + 0x1p-52);
 }
 
 TEST(ExactSumTest, NothingIsLostBetweenTheEndsOfTheExponentRange) {
   ExactSum sum;
-  sum.Add(kMax, kMax);
+  sum.Add(kLargest, kLargest);
   EXPECT_EQ(sum.ToDouble(), std::numeric_limits<double>::infinity());
-  sum.Subtract(kTiny, kTiny);
-  sum.Subtract(kMax, kMax);
+  sum.Subtract(kSmallest, kSmallest);
+  sum.Subtract(kLargest, kLargest);
   EXPECT_EQ(sum.Sign(), -1);
   EXPECT_EQ(sum.ToDouble(), 0);
-  sum.Add(kTiny, kTiny);
+  sum.Add(kSmallest, kSmallest);
   EXPECT_EQ(sum.Sign(), 0);
-  for (int n = 0; n < 1000; ++n) sum.Add(-kMax, kMax);
+  for (int n = 0; n < 1000; ++n) sum.Add(-kLargest, kLargest);
   EXPECT_EQ(sum.Sign(), -1);
 }
 

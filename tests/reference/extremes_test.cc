@@ -184,7 +184,7 @@ TEST(ExtremesTest, SnappedMethodsStayExactBeyondTheirIntegers) {
                                  {coordinate(), coordinate()}});
       scene.precision = Precision::kFloat64;
       const CoverageDifference d =
-          Compare(Draw(scene, name), BruteForceCounts(SnapScene(scene, profile)));
+          Compare(Draw(scene, name), BruteForceCounts(SnapScene(scene, {profile, scene})));
       EXPECT_EQ(d.wrong, 0U) << name << " scene " << n;
       covered += d.covered;
     }

@@ -12,7 +12,7 @@ namespace rasterproof::reference {
 namespace {
 
 constexpr Needs kEverything{true, true, true};
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFarDepth = std::numeric_limits<float>::infinity();
 
 FragmentBuffers Shade(const Scene& scene, const Needs& needs = kEverything,
                       const RasterOptions& options = {}) {
@@ -57,7 +57,7 @@ TEST(FragmentsTest, BarycentricsDepthAndDistanceAreThoseOfThePlane) {
   EXPECT_EQ(out.barycentrics[n], (std::array<float, 3>{0.5F, 0.3125F, 0.1875F}));
   EXPECT_EQ(out.depth[n], 1 + 2.5F + 2 * 1.5F);
   EXPECT_EQ(out.edge_distance[n], 1.5F);
-  EXPECT_EQ(out.depth[63], kInfinity);
+  EXPECT_EQ(out.depth[63], kFarDepth);
 }
 
 TEST(FragmentsTest, ClipSpaceBarycentricsArePerspectiveCorrectAndAgreeWithWindowSpaceAtWOne) {
@@ -98,7 +98,7 @@ TEST(FragmentsTest, ThreadsTilesAndScissorChangeNothingInside) {
       const auto n = static_cast<std::size_t>(j * 31 + i);
       const bool in = i >= 3 && i < 29 && j >= 4 && j < 30;
       ASSERT_EQ(cut.triangle[n], in ? expected.triangle[n] : -1);
-      ASSERT_EQ(cut.depth[n], in ? expected.depth[n] : kInfinity);
+      ASSERT_EQ(cut.depth[n], in ? expected.depth[n] : kFarDepth);
     }
   }
 }
@@ -125,7 +125,7 @@ TEST(FragmentsTest, ADepthThatIsNoNumberLosesToEveryNumber) {
   Scene scene = TwoOverlappingTriangles(std::nan(""), 5);
   EXPECT_EQ(Shade(scene).triangle[2], 1);
   EXPECT_EQ(Shade(scene).triangle[12], 0);  // covered by the first alone
-  EXPECT_EQ(Shade(scene).depth[12], kInfinity);
+  EXPECT_EQ(Shade(scene).depth[12], kFarDepth);
 }
 
 TEST(FragmentsTest, ScenesThatTheMethodDoesNotTakeAreRefused) {

@@ -13,7 +13,6 @@
 #include "exact/rational.h"
 #include "reference/exact_sign.h"
 #include "reference/row_crossing.h"
-#include "reference/wireframe.h"
 #include "tests/climb.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
@@ -104,36 +103,6 @@ TEST(MeasuredReferenceBounds, NoSearchExceedsTheErrorOfAGuessedCrossing) {
   };
   ReportShare("guessed crossing",
               Largest<5>({.seed = 74, .evaluations = Cases(40000)}, draw, CrossingShare), 0.1);
-}
-
-/// One coordinate: P, u, v, dPdu and dPdv.
-template <class T>
-double ReconstructionShare(Precision precision, const std::array<double, 5>& c) {
-  std::array<double, 5> x{};
-  for (std::size_t k = 0; k < x.size(); ++k) x[k] = static_cast<double>(static_cast<T>(c[k]));
-  const SurfacePoint s{{x[0], 0, 0}, x[1], x[2], {x[3], 0, 0}, {x[4], 0, 0}};
-  const auto computed = ReconstructVertices(precision, s);
-  const auto bounds = ReconstructionErrorBounds(precision, s);
-  const Rational a = Rational(x[0]) - Rational(x[1]) * x[3] - Rational(x[2]) * x[4];
-  const std::array<Rational, 3> exact{a, a + x[3], a + x[4]};
-  double worst = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    worst = std::max(worst, ShareOf(Rational(computed[i].x) - exact[i], bounds[i].x));
-  }
-  return worst;
-}
-
-TEST(MeasuredReferenceBounds, NoSearchExceedsTheBoundsOfAReconstructedTriangle) {
-  ReportShare(
-      "reconstruction, float32",
-      Largest<5>({.seed = 75, .evaluations = Cases(10000)}, LogUniformDraw(-2, 2),
-                 [](const auto& c) { return ReconstructionShare<float>(Precision::kFloat32, c); }),
-      0.5);
-  ReportShare(
-      "reconstruction, float64",
-      Largest<5>({.seed = 76, .evaluations = Cases(10000)}, LogUniformDraw(-2, 2),
-                 [](const auto& c) { return ReconstructionShare<double>(Precision::kFloat64, c); }),
-      0.5);
 }
 
 }  // namespace

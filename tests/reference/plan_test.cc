@@ -15,7 +15,7 @@
 #include "core/error.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
-#include "model/target_model.h"
+#include "model/target_profile.h"
 #include "reference/plan_scene.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
@@ -252,7 +252,7 @@ TEST(PlanTest, TakesNoProfileThatItWouldNotHonour) {
   Profile by_target;
   by_target.by_target_size = {{.max_width = 16, .max_height = 16, .snap = {4}}};
   EXPECT_THROW(MakePlan(window, by_target, {}, kCoverageOnly), InputError);
-  EXPECT_NO_THROW(MakePlan(window, ForTarget(by_target, 8, 8), {}, kCoverageOnly));
+  EXPECT_NO_THROW(MakePlan(window, TargetProfile(by_target, 8, 8), {}, kCoverageOnly));
 }
 
 TEST(PlanTest, DrawsWhatTheOracleSaysAtTheSharpValues) {

@@ -114,7 +114,7 @@ TEST(PageTest, SaysTheVerdictThenItsSubjectsThenPictures) {
   EXPECT_TRUE(Has(html, "<span class=\"chip violated\">violated</span>"));
 }
 
-// A survey of n methods that state nothing, one stated to be exact and a homogeneous one.
+// A survey of n methods that claim nothing, one that claims to be exact and a homogeneous one.
 Page Survey(std::size_t n) {
   Page page{"a survey", true, {}, {}};
   page.certificates.assign(n + 2, SampleCertificate());

@@ -1,5 +1,5 @@
-"""Tests of what keeps documents true: the list of decisions, the drawing of the layers, the
-commands that a document shows, and the figures that it quotes."""
+"""Tests of what keeps documents true: links, the commands that a document shows, and
+the figures that it quotes."""
 
 import importlib.machinery
 import importlib.util
@@ -27,105 +27,33 @@ def read(path):
     return (ROOT / path).read_text(encoding="utf-8")
 
 
-class DecisionsTest(unittest.TestCase):
-    FIRST = "# 0001: Words\n\nDate: 2026-01-02. Status: {}.\n\nText.\n"
-    SECOND = "# 0002: Other words\n\nDate: 2026-02-03. Status: accepted.\n\nText.\n"
-
-    def run_check(self, files, *options):
-        """Returns status and output of the check, and the list that is there afterwards."""
+class LinksTest(unittest.TestCase):
+    def run_check(self, text):
+        """Returns status and output of the check, of a page with a neighbour."""
         with tempfile.TemporaryDirectory() as root:
-            folder = pathlib.Path(root) / "docs/decisions"
-            folder.mkdir(parents=True)
-            for name, text in files.items():
-                (folder / name).write_text(text, encoding="utf-8")
-            command = [sys.executable, "-B", SCRIPTS / "check_decisions", *options, root]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
-            index = folder / "README.md"
-            text = index.read_text(encoding="utf-8") if index.exists() else ""
-            return done.returncode, done.stdout + done.stderr, text
+            folder = pathlib.Path(root) / "docs"
+            folder.mkdir()
+            (folder / "b.md").write_text("# A, `b`\n## I have a C++ type\n", encoding="utf-8")
+            (folder / "a.md").write_text(text, encoding="utf-8")
+            done = subprocess.run([sys.executable, "-B", SCRIPTS / "check_links", root],
+                                  capture_output=True, text=True, check=False)  # fmt: skip
+            return done.returncode, done.stdout
 
-    def expect_head(self, text, said):
-        status, output, _ = self.run_check({"0001-words.md": text, "0002-other.md": self.SECOND})
-        self.assertEqual(status, 1)
-        self.assertIn(said, output)
+    def expect_dead(self, text, link):
+        status, output = self.run_check(text)
+        self.assertEqual(status, 1, output)
+        self.assertIn(f"docs/a.md:2: the link to {link} is dead\n", output)
 
-    def test_the_list_is_written_and_kept(self):
-        files = {"0001-words.md": self.FIRST.format("superseded in part by 0002"),
-                 "0002-other.md": self.SECOND, "README.md": "# Decisions\n\nRead these.\n\n"
-                 "| number | decision | date | status |\n| --- | --- | --- | --- |\n"}  # fmt: skip
-        status, output, _ = self.run_check(files)
-        self.assertEqual(status, 1)
-        self.assertIn("the list is stale; run scripts/check_decisions --fix", output)
-        status, output, index = self.run_check(files, "--fix")
-        self.assertEqual(status, 0, output)
-        self.assertTrue(index.startswith("# Decisions\n\nRead these.\n\n| number |"), index)
-        self.assertIn("| [0001](0001-words.md) | Words | 2026-01-02 "
-                      "| superseded in part by [0002](0002-other.md) |\n"
-                      "| [0002](0002-other.md) | Other words |", index)  # fmt: skip
-        self.assertEqual(self.run_check({**files, "README.md": index})[0], 0)
+    def test_a_link_to_a_file_that_is_not_there_is_dead(self):
+        self.expect_dead("# A\n[c](c.md)\n", "c.md")
 
-    def test_a_head_without_date_and_status_is_seen(self):
-        self.expect_head("# 0001: Words\n\nText.\n", "0001-words.md:1: the head is not")
-        self.expect_head(self.FIRST.format("rejected"), "0001-words.md:1: the head is not")
+    def test_a_link_to_a_heading_that_is_not_there_is_dead(self):
+        self.expect_dead("# A\n[b](b.md#a--b)\n", "b.md#a--b")
+        self.expect_dead("# A\n[d](#d)\n", "#d")
 
-    def test_a_head_that_contradicts_its_file_or_the_others_is_seen(self):
-        self.expect_head(self.SECOND, "the title says 0002, the file 0001")
-        self.expect_head(self.FIRST.format("superseded by 0003"), "0003 is no later decision")
-        self.expect_head(self.FIRST.format("superseded by 0001"), "0001 is no later decision")
-
-
-class DrawingTest(unittest.TestCase):
-    def setUp(self):
-        self.script = load("draw_layers")
-        self.layers = self.script.read_layers()
-
-    def test_the_drawing_in_the_tree_is_the_one_of_the_table(self):
-        there = self.script.DRAWING.read_text(encoding="utf-8")
-        self.assertEqual(there, self.script.drawing(self.layers))
-
-    def test_what_changes_in_the_table_changes_in_the_drawing(self):
-        before = self.script.drawing(self.layers)
-        for change in (lambda t: t.LAYERS["exact"].discard("model"),
-                       lambda t: t.LAYERS["core"].add("tests"),
-                       lambda t: t.ALSO.pop("subjects/builtin/")):  # fmt: skip
-            table = self.script.read_layers()
-            change(table)
-            self.assertNotEqual(before, self.script.drawing(table))
-
-    def test_every_text_stays_in_its_box_and_on_the_page(self):
-        """By the width of DejaVu Sans' letters, half their size or more on the average."""
-        letters = {15: 9.5, 13: 7.0, 12: 6.3}
-        svg = self.script.drawing(self.layers)
-        boxes = [tuple(map(int, box)) for box in re.findall(
-            r'<rect x="(\d+)" y="(\d+)" width="(\d+)" height="(\d+)" rx', svg)]  # fmt: skip
-        texts = re.findall(r'<text x="(\d+)" y="(\d+)" font-size="(15|13|12)"[^>]*>([^<]*)<', svg)
-        self.assertEqual(len(boxes), len(self.layers.LAYERS))
-        width, height = map(int, re.search(r'width="(\d+)" height="(\d+)"', svg).groups())
-        for x, y, size, text in texts:
-            x, y, end = int(x), int(y), int(x) + letters[int(size)] * len(text)
-            self.assertLess(end, width, text)
-            self.assertLess(y, height, text)
-            for left, top, wide, high in boxes:
-                if left < x < left + wide and top < y < top + high:
-                    self.assertLess(end, left + wide, text)
-                else:
-                    self.assertFalse(top - 6 < y < top + high and x < left + wide and end > left,
-                                     f"{text} runs into the box at {left}, {top}")  # fmt: skip
-
-    def test_no_arrow_runs_behind_a_box(self):
-        svg = self.script.drawing(self.layers)
-        lines = re.findall(r'<line x1="([\d.]+)" y1="([\d.]+)" x2="([\d.]+)" y2="([\d.]+)"', svg)
-        self.assertTrue(lines)
-        for x0, y0, x1, y1 in (map(float, line) for line in lines):
-            for name, (left, top, wide, _) in self.script.BOXES.items():
-                for part in range(1, 100):
-                    x, y = x0 + (x1 - x0) * part / 100, y0 + (y1 - y0) * part / 100
-                    inside = left <= x <= left + wide and top < y < top + self.script.HEIGHT
-                    self.assertFalse(inside, f"{x0, y0} to {x1, y1} runs behind {name}")
-
-    def test_an_arrow_leaves_out_what_another_leads_to(self):
-        layers = {"a": set(), "b": {"a"}, "c": {"a", "b"}, "d": {"a", "c"}}
-        self.assertEqual(list(self.script.arrows(layers)), [("b", "a"), ("c", "b"), ("d", "c")])
+    def test_a_link_that_leads_somewhere_is_let_be(self):
+        good = "[a](#a) [b](b.md#a-b) [c](b.md#i-have-a-c-type) [d](../docs) [e](https://e)\n# A"
+        self.assertEqual(self.run_check(good)[0], 0)
 
 
 class ShownCommandsTest(unittest.TestCase):
@@ -161,14 +89,6 @@ class ShownCommandsTest(unittest.TestCase):
         self.assertEqual(self.script.missing_line("three 3\none 1\n", printed), "one 1")
         self.assertEqual(self.script.missing_line("one\n", printed), "one")
 
-    def test_a_link_to_a_heading_that_is_not_there_is_dead(self):
-        self.assertEqual(self.script.anchors("# A\n## I have a C++ type\n"),
-                         {"a", "i-have-a-c-type"})  # fmt: skip
-        links = "[a](run) [b](absent.md) [c](#a-b) [d](#c) [e](https://a.b/c)\n# A, b\n"
-        self.assertEqual(list(self.script.dead_links("README.md", links)),
-                         ["absent.md", "#a-b", "#c"])  # fmt: skip
-
-
 class FiguresTest(unittest.TestCase):
     """Numbers and names in sentences are those of what the sentences are about."""
 
@@ -181,14 +101,6 @@ class FiguresTest(unittest.TestCase):
         found = re.findall(pattern, read(path))
         self.assertEqual(len(found), 1, f"{pattern} in {path}")
         return found[0]
-
-    def test_published_checks_find_as_many_bugs_in_the_readme_as_in_the_self_test(self):
-        measured = self.one(r"of (\d+) mutants that draw: CTS-like (\d+), Piglit-like (\d+)",
-                            "docs/selftest.md")  # fmt: skip
-        said = self.one(r"Of (\d+) bugs of coverage[^:]*find (\d+) and (\d+);", "README.md")
-        self.assertEqual(said, measured)
-        killed, mutants = self.one(r"- mutants: (\d+) of (\d+) killed", "docs/selftest.md")
-        self.assertEqual(killed, mutants, "README.md says that rasterproof finds them all")
 
     def test_findings_are_counted_right(self):
         defects, libraries = self.one(r"has (\w+) such defects in\s+(\w+) libraries", "README.md")
@@ -237,10 +149,19 @@ class FiguresTest(unittest.TestCase):
                                   r"at 8 and has (\d+) at most", "CONTRIBUTING.md"),
                          (str(lines), function))  # fmt: skip
 
-    def test_the_decision_about_layers_has_the_table_that_is_checked(self):
+    def test_the_page_of_formats_has_every_key_of_the_readers(self):
+        page = read("docs/scene-format.md")
+        for path, name in (("scene_file", "kKeys"), ("case_file", "kCaseKeys"),
+                           ("case_file", "kOptionKeys"), ("case_file", "kDrawnKeys"),
+                           ("scene_set", "kSetKeys"), ("scene_set", "kEntryKeys")):  # fmt: skip
+            keys = re.search(rf"{name}\{{([^}}]*)\}}", read(f"io/{path}.cc"))[1]
+            for key in re.findall(r'"(\w+)"', keys):
+                self.assertRegex(page, rf'[`"]{key}[`"]', f"{key} of io/{path}.cc")
+
+    def test_how_it_works_has_the_table_of_layers_that_is_checked(self):
         checked = load("check_layers")
         folders = set(checked.LAYERS)
-        text = read("docs/decisions/0002-layers.md")
+        text = read("docs/how-it-works.md")
         rows = re.findall(r"^\| `(\w+)/` \| (.*?) \|", text, re.M)
         self.assertEqual({row[0] for row in rows}, folders - {"tests"})
         for folder, sees in rows:

@@ -10,15 +10,16 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentric_is_one_at_its_vertex_and_zero_opposite {
 
 // The corners of a triangle and every sample near it that lies exactly on one of its edge lines.
-std::vector<BarycentricQuery> CornersAndTies(const Case& c) {
+std::vector<BarycentricQuery> CornersAndTies(const PlacedCase& c) {
   std::vector<BarycentricQuery> queries;
   for (const CornersPlace& corners : SomeProperTriangles(c)) {
     for (const Point2& vertex : corners.at) {
@@ -60,11 +61,11 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(CornersAndTies(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentric_is_one_at_its_vertex_and_zero_opposite
 
 constinit const Property kBarycentricIsOneAtItsVertexAndZeroOpposite{
     .name = "BarycentricIsOneAtItsVertexAndZeroOpposite",
@@ -76,7 +77,7 @@ constinit const Property kBarycentricIsOneAtItsVertexAndZeroOpposite{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = "area not zero; at vertices and at samples exactly on an edge line"},
-    .ask = Ask,
+    .ask = barycentric_is_one_at_its_vertex_and_zero_opposite::Ask,
 };
 
 }  // namespace rasterproof::props

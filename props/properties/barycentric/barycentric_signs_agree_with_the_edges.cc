@@ -9,12 +9,13 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentric_signs_agree_with_the_edges {
 
 Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   std::uint64_t exercised = 0;
@@ -43,11 +44,11 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentric_signs_agree_with_the_edges
 
 constinit const Property kBarycentricSignsAgreeWithTheEdges{
     .name = "BarycentricSignsAgreeWithTheEdges",
@@ -61,7 +62,7 @@ constinit const Property kBarycentricSignsAgreeWithTheEdges{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentric_signs_agree_with_the_edges::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -9,12 +9,13 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_follow_their_vertices {
 
 using CornerOrder = std::array<std::size_t, 3>;
 constexpr std::array<CornerOrder, 5> kOrders{
@@ -55,7 +56,7 @@ Verdict Judge(const std::vector<InEveryOrder>& queries, const Answers& answers) 
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<InEveryOrder> queries;
   Questions questions;
   for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {
@@ -77,7 +78,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace barycentrics_follow_their_vertices
 
 constinit const Property kBarycentricsFollowTheirVertices{
     .name = "BarycentricsFollowTheirVertices",
@@ -89,7 +90,7 @@ constinit const Property kBarycentricsFollowTheirVertices{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentrics_follow_their_vertices::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -11,12 +11,13 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_reproduce_the_point {
 
 using exact::Rational;
 
@@ -64,11 +65,11 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentrics_reproduce_the_point
 
 constinit const Property kBarycentricsReproduceThePoint{
     .name = "BarycentricsReproduceThePoint",
@@ -82,7 +83,7 @@ constinit const Property kBarycentricsReproduceThePoint{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentrics_reproduce_the_point::Ask,
 };
 
 }  // namespace rasterproof::props

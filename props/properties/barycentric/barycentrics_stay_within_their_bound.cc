@@ -10,12 +10,13 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_stay_within_their_bound {
 
 Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   std::uint64_t exercised = 0;
@@ -40,11 +41,11 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskBarycentrics(SomeBarycentricQueries(c), *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace barycentrics_stay_within_their_bound
 
 constinit const Property kBarycentricsStayWithinTheirBound{
     .name = "BarycentricsStayWithinTheirBound",
@@ -58,7 +59,7 @@ constinit const Property kBarycentricsStayWithinTheirBound{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = "area not zero; unsigned areas: closed triangle only"},
-    .ask = Ask,
+    .ask = barycentrics_stay_within_their_bound::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -10,12 +10,13 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentrics_sum_to_one {
 
 // A query in a form that the subject states a bound on the sum of.
 struct BoundedSum {
@@ -47,7 +48,7 @@ Verdict Judge(const std::vector<BoundedSum>& sums, const Answers& answers) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedSum> sums;
   Questions questions;
   for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {
@@ -63,7 +64,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace barycentrics_sum_to_one
 
 constinit const Property kBarycentricsSumToOne{
     .name = "BarycentricsSumToOne",
@@ -76,7 +77,7 @@ constinit const Property kBarycentricsSumToOne{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = barycentrics_sum_to_one::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -10,12 +10,13 @@
 #include "props/judging/barycentric_queries.h"
 #include "props/judging/centroid_queries.h"
 #include "props/judging/exact_comparison.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 
 namespace rasterproof::props {
-namespace {
+namespace centroids_lie_where_stated {
 
 Verdict Judge(const std::vector<CentroidFragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -35,7 +36,9 @@ Verdict Judge(const std::vector<CentroidFragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) { return AskCentroids(c, subject, Judge); }
+Asked Ask(const PlacedCase& c, const Description& subject) {
+  return AskCentroids(c, subject, Judge);
+}
 
 constexpr std::array kRules{ProfileRule{
     [](const Profile& p) {
@@ -45,7 +48,7 @@ constexpr std::array kRules{ProfileRule{
     "centroid inside, or centroid direct3d and stated sample positions",
     "the profile does not state where centroids lie"}};
 
-}  // namespace
+}  // namespace centroids_lie_where_stated
 
 constinit const Property kCentroidsLieWhereStated{
     .name = "CentroidsLieWhereStated",
@@ -62,9 +65,9 @@ constinit const Property kCentroidsLieWhereStated{
     .gate = {.shows = Shows::kCentroids,
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
-             .rules = kRules,
+             .rules = centroids_lie_where_stated::kRules,
              .where = "area not zero; no legal model clips the triangle"},
-    .ask = Ask,
+    .ask = centroids_lie_where_stated::Ask,
 };
 
 }  // namespace rasterproof::props

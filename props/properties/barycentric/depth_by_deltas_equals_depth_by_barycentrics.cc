@@ -7,12 +7,13 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/interpolation_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace depth_by_deltas_equals_depth_by_barycentrics {
 
 // A query with the bounds that the subject states on both values.
 struct BoundedPair {
@@ -38,7 +39,7 @@ Verdict Judge(const std::vector<BoundedPair>& pairs, const Answers& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedPair> pairs;
   Questions questions;
   for (const InterpolationQuery& q : SomeInterpolations(c)) {
@@ -60,7 +61,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace depth_by_deltas_equals_depth_by_barycentrics
 
 constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
     .name = "DepthByDeltasEqualsDepthByBarycentrics",
@@ -74,7 +75,7 @@ constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = depth_by_deltas_equals_depth_by_barycentrics::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -10,12 +10,13 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_barycentrics_stay_within_their_error {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -42,11 +43,11 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kBarycentricsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_barycentrics_stay_within_their_error
 
 constinit const Property kFragmentBarycentricsStayWithinTheirError{
     .name = "FragmentBarycentricsStayWithinTheirError",
@@ -62,7 +63,7 @@ constinit const Property kFragmentBarycentricsStayWithinTheirError{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = fragment_barycentrics_stay_within_their_error::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -9,13 +9,14 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_barycentrics_sum_to_one {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -41,11 +42,11 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kBarycentricsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_barycentrics_sum_to_one
 
 constinit const Property kFragmentBarycentricsSumToOne{
     .name = "FragmentBarycentricsSumToOne",
@@ -60,7 +61,7 @@ constinit const Property kFragmentBarycentricsSumToOne{
              .any_owners = true,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = fragment_barycentrics_sum_to_one::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -11,12 +11,13 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_depth_follows_its_barycentrics {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -46,11 +47,11 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kDepthsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_depth_follows_its_barycentrics
 
 constinit const Property kFragmentDepthFollowsItsBarycentrics{
     .name = "FragmentDepthFollowsItsBarycentrics",
@@ -66,7 +67,7 @@ constinit const Property kFragmentDepthFollowsItsBarycentrics{
              .any_owners = true,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = fragment_depth_follows_its_barycentrics::Ask,
 };
 
 }  // namespace rasterproof::props

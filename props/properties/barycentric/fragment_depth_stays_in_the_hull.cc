@@ -7,13 +7,14 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/fragment_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace fragment_depth_stays_in_the_hull {
 
 Verdict Judge(const std::vector<Fragment>& fragments) {
   std::uint64_t exercised = 0;
@@ -32,11 +33,11 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kDepthsAlone, Judge);
 }
 
-}  // namespace
+}  // namespace fragment_depth_stays_in_the_hull
 
 constinit const Property kFragmentDepthStaysInTheHull{
     .name = "FragmentDepthStaysInTheHull",
@@ -50,7 +51,7 @@ constinit const Property kFragmentDepthStaysInTheHull{
              .any_owners = true,
              .unwrapped = true,
              .where = "samples in the closed triangle of the vertices that it names"},
-    .ask = Ask,
+    .ask = fragment_depth_stays_in_the_hull::Ask,
 };
 
 }  // namespace rasterproof::props

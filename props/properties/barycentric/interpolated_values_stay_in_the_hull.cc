@@ -7,12 +7,13 @@
 #include "props/judging/exact_comparison.h"
 #include "props/judging/interpolation_queries.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace interpolated_values_stay_in_the_hull {
 
 Verdict Judge(const std::vector<InterpolationAnswer>& answers) {
   std::uint64_t exercised = 0;
@@ -32,7 +33,7 @@ Verdict Judge(const std::vector<InterpolationAnswer>& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<InterpolationQuery> inside = SomeInterpolations(c);
   std::erase_if(inside, [](const InterpolationQuery& q) { return !q.at.inside; });
   return AskInterpolations(inside,
@@ -41,7 +42,7 @@ Asked Ask(const Case& c, const Description& subject) {
                            *subject.barycentrics, Judge);
 }
 
-}  // namespace
+}  // namespace interpolated_values_stay_in_the_hull
 
 constinit const Property kInterpolatedValuesStayInTheHull{
     .name = "InterpolatedValuesStayInTheHull",
@@ -53,7 +54,7 @@ constinit const Property kInterpolatedValuesStayInTheHull{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = "area not zero; samples in the closed triangle; every w positive"},
-    .ask = Ask,
+    .ask = interpolated_values_stay_in_the_hull::Ask,
 };
 
 }  // namespace rasterproof::props

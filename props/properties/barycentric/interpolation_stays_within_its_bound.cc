@@ -2,14 +2,15 @@
 #include <vector>
 
 #include "props/judging/interpolation_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace interpolation_stays_within_its_bound {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<InterpolationQuery> affine = SomeInterpolations(c);
   // w plays no part in the affine forms: the queries that differ in it alone are left out.
   std::erase_if(affine, [](const InterpolationQuery& q) {
@@ -19,7 +20,7 @@ Asked Ask(const Case& c, const Description& subject) {
                            *subject.barycentrics, InterpolationsStayWithinTheirBound);
 }
 
-}  // namespace
+}  // namespace interpolation_stays_within_its_bound
 
 constinit const Property kInterpolationStaysWithinItsBound{
     .name = "InterpolationStaysWithinItsBound",
@@ -33,7 +34,7 @@ constinit const Property kInterpolationStaysWithinItsBound{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kAreaNotZero},
-    .ask = Ask,
+    .ask = interpolation_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

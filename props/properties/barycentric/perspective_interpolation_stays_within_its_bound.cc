@@ -1,18 +1,19 @@
 // Perspective-correct interpolation stays within the bound stated of the exact quotient.
 #include "props/judging/interpolation_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace perspective_interpolation_stays_within_its_bound {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskInterpolations(SomeInterpolations(c), {InterpolationForm::kPerspective},
                            *subject.barycentrics, InterpolationsStayWithinTheirBound);
 }
 
-}  // namespace
+}  // namespace perspective_interpolation_stays_within_its_bound
 
 constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
     .name = "PerspectiveInterpolationStaysWithinItsBound",
@@ -26,7 +27,7 @@ constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = "area not zero; every w positive"},
-    .ask = Ask,
+    .ask = perspective_interpolation_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,6 +1,7 @@
 // Clip-space triangles cover what the ray through the sample meets in front of the eye.
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
@@ -20,7 +21,7 @@ constinit const Property kClipSpaceCoverageEqualsTheModel{
              .asks_oracle = true,
              .where = "no near clipping"},
     .ask = CompareWithTheModel,
-    .blame = [](const Case& c, const Verdict& verdict,
+    .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },
 };
 

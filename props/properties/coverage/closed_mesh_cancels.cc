@@ -13,30 +13,31 @@
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/signed_coverage.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace closed_mesh_cancels {
 
 // What is closed before it is snapped stays closed, whatever grid points are chosen.
-bool IsClosedInEveryModel(const Case& c) {
+bool IsClosedInEveryModel(const PlacedCase& c) {
   if (c.scene.clip_space) return IsClosed(c.scene);
   const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
-  if (one_model) return exact::ShapeOf(c.scene, c.profile).closed;
+  if (one_model) return exact::ShapeOf(c).closed;
   Profile as_it_is;
   as_it_is.pattern = c.profile.pattern;
-  return exact::ShapeOf(UnsnappedScene(c), as_it_is).closed;
+  return exact::ShapeOf({UnsnappedScene(c), as_it_is}).closed;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (std::ranges::any_of(c.scene.vertices, [](const Vertex& v) { return !(v.w > 0); })) {
     return NothingAsked("the surface may wind around the eye");
   }
   if (!c.scene.clip_space) {  // elsewhere the scene tells, whatever it becomes on a grid
-    if (const auto why = exact::WhyNotDecided(c.scene, c.profile)) return NotDecided(why->what());
+    if (const auto why = exact::WhyNotDecided(c)) return NotDecided(why->what());
   }
   const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
   if (!IsClosedInEveryModel(c)) return NothingAsked("the mesh has a boundary");
@@ -57,7 +58,7 @@ Asked Ask(const Case& c, const Description& subject) {
                                std::move(spared));
 }
 
-}  // namespace
+}  // namespace closed_mesh_cancels
 
 constinit const Property kClosedMeshCancels{
     .name = "ClosedMeshCancels",
@@ -74,7 +75,7 @@ constinit const Property kClosedMeshCancels{
              .rules = kSignedCoverageRules,
              .where = "every edge is walked as often each way; in clip space in front of the eye; "
                       "facings told, or no legal choice turns a triangle there"},
-    .ask = Ask,
+    .ask = closed_mesh_cancels::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -15,12 +15,13 @@
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/signed_coverage.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace closed_surface_around_the_eye_is_seen_equally_often {
 
 constexpr std::array kRules{
     kCountsTies, kOwnsEdges,
@@ -35,7 +36,7 @@ bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
   return !in_front && !behind && exact::DeterminantSign(v) == 0;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (c.scene.triangles.empty() || !IsClosed(c.scene)) {
     return NothingAsked("the surface is not closed");
   }
@@ -43,15 +44,14 @@ Asked Ask(const Case& c, const Description& subject) {
     if (MayHoldTheEye(Corners(c.scene, t))) return NothingAsked("the eye may lie on the surface");
   }
   // The surface winds equally often around the eye in every direction: one ray tells it for all.
-  const CoverageCounts one =
-      exact::Coverage(c.scene, c.profile, {.scissor = PixelRect{0, 0, 1, 1}});
+  const CoverageCounts one = exact::Coverage(c, {.scissor = PixelRect{0, 0, 1, 1}});
   Spared spared;
   if (!HasOneModel(c.profile) && !TellsFacings(subject)) spared.open = OpenTriangles(c);
   return CompareSignedCoverage(c, std::vector<std::int64_t>(one.size(), one.Signed(0)),
                                "the winding number around the eye", std::move(spared));
 }
 
-}  // namespace
+}  // namespace closed_surface_around_the_eye_is_seen_equally_often
 
 constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
     .name = "ClosedSurfaceAroundTheEyeIsSeenEquallyOften",
@@ -63,10 +63,10 @@ constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
              .contract = ContractNeeded::kClosed,
              .any_model = true,
              .needs_facings = true,
-             .rules = kRules,
+             .rules = closed_surface_around_the_eye_is_seen_equally_often::kRules,
              .asks_oracle = true,
              .where = "a closed surface that does not pass through the eye"},
-    .ask = Ask,
+    .ask = closed_surface_around_the_eye_is_seen_equally_often::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,6 +1,7 @@
 // Front and back counts equal those of the profile's canonical model at every sample.
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
@@ -19,7 +20,7 @@ constinit const Property kCoverageEqualsTheModel{
     .domains = kModelCoverage,
     .gate = {.judges_shared_edge_samples = true, .asks_oracle = true},
     .ask = CompareWithTheModel,
-    .blame = [](const Case& c, const Verdict& verdict,
+    .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },
 };
 

@@ -16,12 +16,13 @@
 #include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace coverage_keeps_to_its_side_of_the_model {
 
 constexpr std::size_t kMostSingles = 64;
 
@@ -34,9 +35,9 @@ constexpr std::array kRules{ProfileRule{IsASideOfTheModel,
                                         "the profile's contract is not a side of the model", true}};
 
 // Which way a subject may stray decides what fails; a facing that strays is not looked at.
-Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed, bool as_shown = false) {
+Verdict KeepsToItsSide(const PlacedCase& c, const CoverageCounts& observed, bool as_shown = false) {
   const bool over = c.profile.contract == Contract::kAtLeastModel;
-  CoverageCounts expected = exact::Coverage(c.scene, c.profile, WholeTarget(c));
+  CoverageCounts expected = exact::Coverage(c, WholeTarget(c));
   if (as_shown) expected = AsShown(std::move(expected));
   std::uint64_t exercised = 0;
   for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -52,27 +53,27 @@ Verdict KeepsToItsSide(const Case& c, const CoverageCounts& observed, bool as_sh
   return Verdict::Held(exercised);
 }
 
-Check OfOneTriangle(const Case& c, const std::shared_ptr<const Scene>& scene, std::size_t t) {
+Check OfOneTriangle(const PlacedCase& c, const std::shared_ptr<const Scene>& scene, std::size_t t) {
   Check check;
   check.questions.draws.push_back(CountsOfOne(scene, t, c.profile, WholeTarget(c)));
   check.judge = [&c, t](const Answers& answers) {
-    Verdict verdict = KeepsToItsSide(OnlyTriangles(c, {t}), answers.draws[0]->counts);
+    Verdict verdict = KeepsToItsSide(c.Only({t}), answers.draws[0]->counts);
     if (verdict.witness) verdict.witness->triangle = static_cast<int>(t);
     return verdict;
   };
   return check;
 }
 
-Check OfTheMesh(const Case& c, const Description& subject) {
+Check OfTheMesh(const PlacedCase& c, const Description& subject) {
   Check check;
   check.questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
-  check.judge = [&c, as_shown = IsJudgedAsShown(subject, c)](const Answers& answers) {
+  check.judge = [&c, as_shown = IsJudgedAsShown(subject.info, c.scene)](const Answers& answers) {
     return KeepsToItsSide(c, answers.draws[0]->counts, as_shown);
   };
   return check;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   Asked asked;
   const auto scene = std::make_shared<const Scene>(c.scene);
   // One triangle's excess must not make up for another's lack.
@@ -83,7 +84,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace coverage_keeps_to_its_side_of_the_model
 
 constinit const Property kCoverageKeepsToItsSideOfTheModel{
     .name = "CoverageKeepsToItsSideOfTheModel",
@@ -95,9 +96,9 @@ constinit const Property kCoverageKeepsToItsSideOfTheModel{
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither,
              .contract = ContractNeeded::kAny,
-             .rules = kRules,
+             .rules = coverage_keeps_to_its_side_of_the_model::kRules,
              .asks_oracle = true},
-    .ask = Ask,
+    .ask = coverage_keeps_to_its_side_of_the_model::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -14,13 +14,14 @@
 #include "props/judging/redraw.h"
 #include "props/judging/sides.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace culling_removes_one_facing {
 
 constexpr std::size_t kMostCulled = 8;
 
@@ -29,7 +30,7 @@ const char* WhatIsLeft(Cull cull) {
 }
 
 // Of a subject that tells facings: what is left of its own counts.
-Asked AgainstItsFacings(const Case& c) {
+Asked AgainstItsFacings(const PlacedCase& c) {
   DrawOptions options = WholeTarget(c);
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
@@ -48,9 +49,9 @@ Asked AgainstItsFacings(const Case& c) {
 
 // Of one that tells none: what it shows of the triangles that face the other way alone, by the one
 // model that is legal.
-Asked AgainstTheOtherSide(const Case& c) {
+Asked AgainstTheOtherSide(const PlacedCase& c) {
   Asked asked;
-  Sides sides = SidesOf(c.scene, c.scene.triangles, c.profile);
+  Sides sides(c);
   for (const Cull cull : {Cull::kFront, Cull::kBack}) {
     DrawOptions options = WholeTarget(c);
     Check check;
@@ -107,7 +108,8 @@ Verdict RemovesOneSide(const CoverageCounts& without_front, const CoverageCounts
     Witness witness = FirstCovered(kept > 0 ? without_back : without_front);
     witness.expected = "0";
     return Verdict::Violated(
-        1, "the side of positive area is stated to be the front, and culling takes the other",
+        1,
+        "the profile says that the side of positive area is the front, and culling takes the other",
         witness);
   }
   const CoverageCounts& left = kept > 0 ? without_back : without_front;
@@ -123,7 +125,7 @@ Verdict RemovesOneSide(const CoverageCounts& without_front, const CoverageCounts
 }
 
 // Two draws of the same triangles: without fronts, and without backs.
-Questions BothWays(const Scene& scene, const Case& c) {
+Questions BothWays(const Scene& scene, const PlacedCase& c) {
   Questions questions;
   DrawOptions options = WholeTarget(c);
   for (const Cull cull : {Cull::kFront, Cull::kBack}) {
@@ -150,7 +152,7 @@ TrianglesLeft LeftAt(const std::vector<LegalTriangle>& triangles, Point2 p, int 
 }
 
 // Of the triangles, in one call without those that face the other way, what may be left is.
-Verdict LeavesOneFacing(const Case& drawn, const std::vector<LegalTriangle>& triangles,
+Verdict LeavesOneFacing(const PlacedCase& drawn, const std::vector<LegalTriangle>& triangles,
                         const CoverageCounts& counts, int facing, Cull cull) {
   std::uint64_t exercised = 0;
   const bool may_drop = drawn.profile.max_primitive_extent.has_value();
@@ -174,7 +176,7 @@ Verdict LeavesOneFacing(const Case& drawn, const std::vector<LegalTriangle>& tri
   return Verdict::Held(exercised);
 }
 
-Check AsItsReference(const Case& drawn, const Reference& reference) {
+Check AsItsReference(const PlacedCase& drawn, const Reference& reference) {
   Check check{BothWays(drawn.scene, drawn), {}, {0, 1}};
   check.judge = [drawn, facing = reference.facing](const Answers& answers) {
     const int kept = KeptFacing(answers.draws[0]->counts, answers.draws[1]->counts);
@@ -197,7 +199,7 @@ Check AsItsReference(const Case& drawn, const Reference& reference) {
 
 // Where models leave other places legal: of triangles that none of them turns, by a triangle that
 // none turns either.
-Asked AgainstTheReference(const Case& c, bool tells) {
+Asked AgainstTheReference(const PlacedCase& c, bool tells) {
   if (c.scene.clip_space) return NothingAsked("the profile leaves open where clip space lies");
   const std::vector<Reference> references = ReferencesOf(c);
   if (references.empty()) return NothingAsked("the profile's limit leaves no reference triangle");
@@ -212,18 +214,18 @@ Asked AgainstTheReference(const Case& c, bool tells) {
   };
   const std::size_t count = std::min(kMostCulled, c.scene.triangles.size());
   for (std::size_t t = 0; t < count; ++t) {
-    asked.checks.push_back(AsItsReference(OnlyTriangles(c, {t}), reference));
+    asked.checks.push_back(AsItsReference(c.Only({t}), reference));
   }
   asked.checks.push_back(AsItsReference(BehindItsReference(c, references, count), reference));
   return asked;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (!HasOneModel(c.profile)) return AgainstTheReference(c, TellsFacings(subject));
   return TellsFacings(subject) ? AgainstItsFacings(c) : AgainstTheOtherSide(c);
 }
 
-}  // namespace
+}  // namespace culling_removes_one_facing
 
 constinit const Property kCullingRemovesOneFacing{
     .name = "CullingRemovesOneFacing",
@@ -238,7 +240,7 @@ constinit const Property kCullingRemovesOneFacing{
              .shows = Shows::kCulling,
              .any_model = true,
              .where = "with legal choices: window space, triangles that none of them turns"},
-    .ask = Ask,
+    .ask = culling_removes_one_facing::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -6,30 +6,30 @@
 
 #include "core/coverage.h"
 #include "core/profile.h"
-#include "props/judging/flat_triangles.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace degenerate_triangles_cover_nothing {
 
 constexpr std::array kRules{ProfileRule{
     [](const Profile& p) { return p.degenerate_triangles != DegenerateTriangles::kUnspecified; },
     "triangles of zero area cover nothing",
     "the profile leaves triangles of zero area unspecified"}};
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   if (c.scene.clip_space && !c.profile.snap.IsNone()) {
     return NothingAsked("the area after the division and snapping is not decided");
   }
-  const std::vector<std::size_t> flat = FlatTriangles(c);
+  const std::vector<std::size_t>& flat = c.flat;
   if (flat.empty()) return NothingAsked("every triangle has area");
   Questions questions;
-  questions.draws.push_back(CountsOf(OnlyTriangles(c, flat).scene, c.profile, WholeTarget(c)));
+  questions.draws.push_back(CountsOf(c.Only(flat).scene, c.profile, WholeTarget(c)));
   return OneCheck(std::move(questions), [exercised = flat.size()](const Answers& answers) {
     const CoverageCounts& observed = answers.draws[0]->counts;
     const CoverageCounts nothing(observed.width, observed.height, observed.samples);
@@ -37,7 +37,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   });
 }
 
-}  // namespace
+}  // namespace degenerate_triangles_cover_nothing
 
 constinit const Property kDegenerateTrianglesCoverNothing{
     .name = "DegenerateTrianglesCoverNothing",
@@ -48,9 +48,11 @@ constinit const Property kDegenerateTrianglesCoverNothing{
     .required_by = kZeroAreaClauses,
     .tolerance = kExact,
     .domains = kDegenerate,
-    .gate = {.space = Space::kEither, .rules = kRules, .where = "triangles of zero area"},
-    .ask = Ask,
-    .blame = [](const Case& c, const Verdict& verdict,
+    .gate = {.space = Space::kEither,
+             .rules = degenerate_triangles_cover_nothing::kRules,
+             .where = "triangles of zero area"},
+    .ask = degenerate_triangles_cover_nothing::Ask,
+    .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };
 

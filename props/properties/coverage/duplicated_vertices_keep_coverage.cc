@@ -4,14 +4,15 @@
 
 #include "core/scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace duplicated_vertices_keep_coverage {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Scene unindexed = c.scene;
   unindexed.vertices.clear();
   for (Triangle& t : unindexed.triangles) {
@@ -24,7 +25,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return CompareVariations(c, {{unindexed, "that of the indexed triangles"}});
 }
 
-}  // namespace
+}  // namespace duplicated_vertices_keep_coverage
 
 constinit const Property kDuplicatedVerticesKeepCoverage{
     .name = "DuplicatedVerticesKeepCoverage",
@@ -33,7 +34,7 @@ constinit const Property kDuplicatedVerticesKeepCoverage{
     .tolerance = kExact,
     .domains = kMeshes,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = duplicated_vertices_keep_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -3,17 +3,20 @@
 // That needs no coverage oracle: inside is where the boundary's winding number is not zero.
 #include "props/judging/planar_mesh.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace embedded_mesh_samples_are_covered_once {
 
-Asked Ask(const Case& c, const Description& subject) { return CompareWithItsWinding(c, subject); }
+Asked Ask(const PlacedCase& c, const Description& subject) {
+  return CompareWithItsWinding(c, subject);
+}
 
-}  // namespace
+}  // namespace embedded_mesh_samples_are_covered_once
 
 constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
     .name = "EmbeddedMeshSamplesAreCoveredOnce",
@@ -35,8 +38,8 @@ constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
              "shared ties: at least once, away from edges once; the snapped mesh has one facing, "
              "in clip space as seen from the eye, and does not overlap itself; where vertices may "
              "move away from the outline and from triangles that a legal choice turns"},
-    .ask = Ask,
-    .blame = [](const Case& c, const Verdict& verdict,
+    .ask = embedded_mesh_samples_are_covered_once::Ask,
+    .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };
 

@@ -13,13 +13,14 @@
 #include "props/judging/places.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace facing_is_one_at_all_samples {
 
 constexpr std::size_t kMostDrawn = 32;
 
@@ -104,7 +105,7 @@ Verdict FacesAsItsArea(const CoverageCounts& counts, std::size_t triangle, int f
 }
 
 // At no sample do more triangles show a side than may have it.
-Verdict NoSideIsShownTooOften(const Case& drawn, const CoverageCounts& counts, int front) {
+Verdict NoSideIsShownTooOften(const PlacedCase& drawn, const CoverageCounts& counts, int front) {
   std::vector<LegalTriangle> triangles;
   for (const Triangle& t : drawn.scene.triangles) triangles.emplace_back(drawn, t);
   for (std::size_t k = 0; k < counts.size(); ++k) {
@@ -131,10 +132,10 @@ Verdict NoSideIsShownTooOften(const Case& drawn, const CoverageCounts& counts, i
   return Verdict::Held(0);
 }
 
-Check InOneCall(const Case& c, const std::vector<Reference>& references,
+Check InOneCall(const PlacedCase& c, const std::vector<Reference>& references,
                 std::vector<std::size_t> bases, std::size_t count) {
   Check check;
-  Case drawn = BehindItsReference(c, references, count);
+  PlacedCase drawn = BehindItsReference(c, references, count);
   check.questions.draws.push_back(CountsOf(drawn.scene, c.profile, WholeTarget(c)));
   check.bases = std::move(bases);
   check.judge = [drawn = std::move(drawn), references](const Answers& answers) {
@@ -145,7 +146,7 @@ Check InOneCall(const Case& c, const std::vector<Reference>& references,
   return check;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   if (c.scene.triangles.empty()) return NothingAsked("the scene has no triangles");
   const auto scene = std::make_shared<const Scene>(c.scene);
   const std::vector<Reference> references = ReferencesOf(c);
@@ -176,7 +177,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace facing_is_one_at_all_samples
 
 constinit const Property kFacingIsOneAtAllSamples{
     .name = "FacingIsOneAtAllSamples",
@@ -194,7 +195,7 @@ constinit const Property kFacingIsOneAtAllSamples{
              .judges_clipped = true,
              .where = "which facing it is: contract sample-exact, a triangle that no legal choice "
                       "of places and no clipping turns"},
-    .ask = Ask,
+    .ask = facing_is_one_at_all_samples::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -13,13 +13,14 @@
 #include "core/ulp.h"
 #include "model/snap_scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace integer_translation_moves_coverage {
 
 constexpr std::array<std::pair<int, int>, 3> kShifts{{{1, 0}, {-3, 2}, {5, -4}}};
 
@@ -31,7 +32,7 @@ std::optional<double> ExactSum(double x, double shift, Precision precision) {
   return sum;
 }
 
-std::optional<Scene> Moved(const Case& c, int dx, int dy) {
+std::optional<Scene> Moved(const PlacedCase& c, int dx, int dy) {
   Scene moved = c.scene;
   for (Vertex& v : moved.vertices) {
     const std::optional<double> x = ExactSum(v.x, dx, c.scene.precision);
@@ -61,7 +62,7 @@ CoverageCounts MovedCounts(const CoverageCounts& counts, int dx, int dy) {
   return moved;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const auto& [dx, dy] : kShifts) {
@@ -89,7 +90,7 @@ bool StatesTranslation(const Profile& profile) {
   return profile.translation_invariant || profile.freedom.IsNone();
 }
 
-}  // namespace
+}  // namespace integer_translation_moves_coverage
 
 constinit const Property kIntegerTranslationMovesCoverage{
     .name = "IntegerTranslationMovesCoverage",
@@ -98,16 +99,16 @@ constinit const Property kIntegerTranslationMovesCoverage{
         "Moving a scene by whole pixels moves its image (OpenGL 4.6 section 14.2, "
         "Invariance; Vulkan does not state it by itself, a sample-exact model does).",
     .required_by = kTranslationClauses,
-    .stated_by = StatesTranslation,
+    .stated_by = integer_translation_moves_coverage::StatesTranslation,
     .tolerance = kExact,
     .domains = kMoved,
     .gate = {.any_model = true,
              .unwrapped = true,
-             .rules = kRules,
+             .rules = integer_translation_moves_coverage::kRules,
              .where =
                  "the moved coordinates are exact, of the input format and within the limit, and "
                  "nothing is clipped before or after"},
-    .ask = Ask,
+    .ask = integer_translation_moves_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -7,13 +7,14 @@
 
 #include "core/scene.h"
 #include "props/judging/planar_mesh.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/coverage/shared_edge_samples_are_covered_once.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace neighbours_are_clipped_alike {
 
 // In clip space |x / w| against the target's sides; the product may round: it is a choice of pairs.
 bool IsSeenOutside(const Vertex& v, const Scene& scene) {
@@ -26,13 +27,13 @@ bool LeavesTarget(const Scene& scene, std::size_t triangle) {
                              [&](const Vertex& v) { return IsSeenOutside(v, scene); });
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return CoverSharedEdgesOnce(c, subject, Clipped::kAlike, [&](const Neighbours& pair) {
     return LeavesTarget(c.scene, pair.first) || LeavesTarget(c.scene, pair.second);
   });
 }
 
-}  // namespace
+}  // namespace neighbours_are_clipped_alike
 
 constinit const Property kNeighboursAreClippedAlike{
     .name = "NeighboursAreClippedAlike",
@@ -50,7 +51,7 @@ constinit const Property kNeighboursAreClippedAlike{
              .where = "shared ties: at least once; an edge shared in opposite directions by "
                       "triangles of one facing of which one leaves the target or passes behind the "
                       "eye; samples nearer to it than to any other edge of theirs"},
-    .ask = Ask,
+    .ask = neighbours_are_clipped_alike::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -20,13 +20,14 @@
 #include "props/judging/open_by_call.h"
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace one_call_draws_like_its_triangles {
 
 // A mesh of more triangles is judged by its first ones: what a rasterizer does with neighbours in
 // the list shows among them.
@@ -47,7 +48,8 @@ std::array<CallOrder, 2> OrdersOf(std::size_t count, std::size_t times) {
 }
 
 // A call for each order, and then one for each triangle.
-Questions WholesAndSingles(const Case& c, std::span<const CallOrder> orders, std::size_t count) {
+Questions WholesAndSingles(const PlacedCase& c, std::span<const CallOrder> orders,
+                           std::size_t count) {
   const DrawQuestion question = WholeCallOf(c.scene, c.profile, c.options);
   Questions questions;
   const auto ask = [&](const CallOrder& order) {
@@ -85,7 +87,7 @@ Verdict LikeItsTriangles(const SubjectInfo& info, const Drawing& mesh, const Cal
                     "that of its triangles drawn alone");
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (c.scene.triangles.size() < 2) return NothingAsked("a mesh of one triangle");
   const auto open = WhereCallsMayDiffer(c, c.profile.freedom.ties == TieOwnership::kOpen);
   if (!open) return NothingAsked(kPlacesNotKnown);
@@ -111,7 +113,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace one_call_draws_like_its_triangles
 
 constinit const Property kOneCallDrawsLikeItsTriangles{
     .name = "OneCallDrawsLikeItsTriangles",
@@ -127,7 +129,7 @@ constinit const Property kOneCallDrawsLikeItsTriangles{
              .any_model = true,
              .judges_clipped = true,
              .where = kTwoTriangles},
-    .ask = Ask,
+    .ask = one_call_draws_like_its_triangles::Ask,
 };
 
 }  // namespace rasterproof::props

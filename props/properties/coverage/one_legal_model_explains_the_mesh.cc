@@ -25,13 +25,14 @@
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace one_legal_model_explains_the_mesh {
 
 constexpr std::array kRules{ProfileRule{[](const Profile& p) { return !p.freedom.IsNone(); },
                                         "a grid, grid points or owners left free",
@@ -80,7 +81,7 @@ std::string SeenText(const legal::Requirement& requirement) {
          (requirement.least == requirement.most ? "" : " or more") + " times together";
 }
 
-std::string SeenText(const Case& c, const legal::Core& core) {
+std::string SeenText(const PlacedCase& c, const legal::Core& core) {
   constexpr std::size_t kMostTold = 4;
   std::string text;
   for (std::size_t k = 0; k < std::min(core.requirements.size(), kMostTold); ++k)
@@ -94,7 +95,7 @@ std::string SeenText(const Case& c, const legal::Core& core) {
   return text;
 }
 
-Verdict NoModel(const Case& c, const CoverageCounts& shape, std::uint64_t exercised,
+Verdict NoModel(const PlacedCase& c, const CoverageCounts& shape, std::uint64_t exercised,
                 const legal::Core& core) {
   const legal::Requirement& first = core.requirements.front();
   Witness witness = WitnessAtIndex(shape, first.sample);
@@ -114,7 +115,7 @@ Verdict NoModel(const Case& c, const CoverageCounts& shape, std::uint64_t exerci
                            witness);
 }
 
-Verdict VerdictOf(const Case& c, const CoverageCounts& shape, std::uint64_t exercised,
+Verdict VerdictOf(const PlacedCase& c, const CoverageCounts& shape, std::uint64_t exercised,
                   const legal::JointVerdict& joint) {
   if (joint.legality == legal::Legality::kNotLegal)
     return NoModel(c, shape, exercised, *joint.core);
@@ -129,7 +130,7 @@ Verdict VerdictOf(const Case& c, const CoverageCounts& shape, std::uint64_t exer
 }
 
 // Violated if no model explains what was drawn for triangle t alone.
-Verdict HasAModel(const Case& c, std::size_t t, const CoverageCounts& counts) {
+Verdict HasAModel(const PlacedCase& c, std::size_t t, const CoverageCounts& counts) {
   Scene one = c.scene;
   one.triangles = {c.scene.triangles[t]};
   legal::Observed observed;
@@ -144,7 +145,7 @@ Verdict HasAModel(const Case& c, std::size_t t, const CoverageCounts& counts) {
 }
 
 // Violated if some triangle, drawn alone, has no model.
-Verdict HaveModels(const Case& c, const Answers& alone) {
+Verdict HaveModels(const PlacedCase& c, const Answers& alone) {
   for (std::size_t t = 0; t < alone.draws.size(); ++t) {
     Verdict verdict = HasAModel(c, t, alone.draws[t]->counts);
     if (verdict.outcome == Outcome::kViolated) return verdict;
@@ -153,7 +154,7 @@ Verdict HaveModels(const Case& c, const Answers& alone) {
 }
 
 // Violated if no model explains what was drawn for each triangle alone.
-Verdict HaveOneModel(const Case& c, const Answers& alone) {
+Verdict HaveOneModel(const PlacedCase& c, const Answers& alone) {
   legal::Observed observed;
   for (const auto& drawing : alone.draws) observed.alone.push_back(&drawing->counts);
   Verdict verdict = VerdictOf(c, alone.draws[0]->counts, DecisionsOf(c),
@@ -162,7 +163,7 @@ Verdict HaveOneModel(const Case& c, const Answers& alone) {
   return verdict;
 }
 
-Check OfEachAlone(const Case& c) {
+Check OfEachAlone(const PlacedCase& c) {
   const auto scene = std::make_shared<const Scene>(c.scene);
   Check check;
   for (std::size_t t = 0; t < scene->triangles.size(); ++t) {
@@ -175,7 +176,7 @@ Check OfEachAlone(const Case& c) {
 }
 
 // One call with all triangles, by the kind of coverage that it shows.
-Check OfOneCall(const Case& c, const Description& subject) {
+Check OfOneCall(const PlacedCase& c, const Description& subject) {
   Check check;
   check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, WholeTarget(c)));
   const CoverageKind kind = subject.info.coverage;
@@ -198,7 +199,7 @@ Check OfOneCall(const Case& c, const Description& subject) {
   return check;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (const std::optional<std::string> why = legal::WhyNotJoint(c.scene, c.profile)) {
     Asked asked = NothingAsked(*why);
     asked.otherwise.not_judged = DecisionsOf(c);
@@ -211,7 +212,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace one_legal_model_explains_the_mesh
 
 constinit const Property kOneLegalModelExplainsTheMesh{
     .name = "OneLegalModelExplainsTheMesh",
@@ -228,9 +229,9 @@ constinit const Property kOneLegalModelExplainsTheMesh{
              .contract = ContractNeeded::kWatertight,
              .any_model = true,
              .judges_clipped = true,
-             .rules = kRules,
+             .rules = one_legal_model_explains_the_mesh::kRules,
              .where = "clip space in front of the eye and on a grid"},
-    .ask = Ask,
+    .ask = one_legal_model_explains_the_mesh::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -7,17 +7,19 @@
 #include <utility>
 
 #include "props/judging/planar_mesh.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace open_ties_are_covered_once {
 
 // The mesh, judged as under a profile that is the case's but for its owners.
-Asked AskForOnce(const Case& c, const Description& subject) {
-  const auto owned = std::make_shared<Case>(c);
-  owned->profile.freedom.ties = TieOwnership::kStated;
+Asked AskForOnce(const PlacedCase& c, const Description& subject) {
+  Freedom freedom = c.profile.freedom;
+  freedom.ties = TieOwnership::kStated;
+  const auto owned = std::make_shared<PlacedCase>(c.Under(freedom));
   Asked asked = CompareWithItsWinding(*owned, subject);
   for (Check& check : asked.checks) {
     check.judge = [owned, judge = std::move(check.judge)](const Answers& answers) {
@@ -36,7 +38,7 @@ constexpr std::array kRulesForOnce{
                 "the profile states an owner for every sample, so other properties judge them"},
     kCountsTies, kOwnsEdges};
 
-}  // namespace
+}  // namespace open_ties_are_covered_once
 
 constinit const Property kOpenTiesAreCoveredOnce{
     .name = "OpenTiesAreCoveredOnce",
@@ -50,10 +52,10 @@ constinit const Property kOpenTiesAreCoveredOnce{
     .gate = {.space = Space::kEither,
              .contract = ContractNeeded::kWatertight,
              .judges_clipped = true,
-             .rules = kRulesForOnce,
+             .rules = open_ties_are_covered_once::kRulesForOnce,
              .asks_oracle = true,
              .where = "as EmbeddedMeshSamplesAreCoveredOnce"},
-    .ask = AskForOnce,
+    .ask = open_ties_are_covered_once::AskForOnce,
 };
 
 }  // namespace rasterproof::props

@@ -9,18 +9,19 @@
 #include "exact/primitive_ids.h"
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace primitive_id_follows_the_stated_order {
 
 // The mesh is drawn over itself until so many triangles are: more than a byte can number.
 constexpr std::size_t kFewestDrawn = 300;
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (c.scene.triangles.empty()) return NothingAsked("the scene has no triangles");
   DrawQuestion question = WholeCallOf(c.scene, c.profile, c.options);
   std::vector<Triangle>& repeated = question.job.triangles.emplace(c.scene.triangles);
@@ -35,7 +36,7 @@ Asked Ask(const Case& c, const Description& subject) {
       std::move(questions), [&c, &subject, drawn = std::move(drawn)](const Answers& answers) {
         Verdict verdict = SamePrimitiveIds(
             *answers.draws[0],
-            exact::PrimitiveIds(drawn, c.profile, c.options, subject.info.fragments.visible),
+            exact::PrimitiveIds({drawn, c.profile}, c.options, subject.info.fragments.visible),
             c.scene.triangles.size(), DecisionsOf(c), "that cover it by the model");
         if (verdict.outcome == Outcome::kViolated) {
           verdict.message += " (the scene drawn over itself, " +
@@ -45,7 +46,7 @@ Asked Ask(const Case& c, const Description& subject) {
       });
 }
 
-}  // namespace
+}  // namespace primitive_id_follows_the_stated_order
 
 constinit const Property kPrimitiveIdFollowsTheStatedOrder{
     .name = "PrimitiveIdFollowsTheStatedOrder",
@@ -57,7 +58,7 @@ constinit const Property kPrimitiveIdFollowsTheStatedOrder{
     .tolerance = kExact,
     .domains = kAnyMesh,
     .gate = {.space = Space::kEither, .shows = Shows::kPrimitiveIds, .asks_oracle = true},
-    .ask = Ask,
+    .ask = primitive_id_follows_the_stated_order::Ask,
 };
 
 }  // namespace rasterproof::props

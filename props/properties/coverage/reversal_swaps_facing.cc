@@ -4,14 +4,15 @@
 #include "core/coverage.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace reversal_swaps_facing {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   Scene reversed = c.scene;
   for (Triangle& t : reversed.triangles) t = {t[0], t[2], t[1]};
   Questions questions;
@@ -27,7 +28,7 @@ Asked Ask(const Case& c, const Description& subject) {
                   });
 }
 
-}  // namespace
+}  // namespace reversal_swaps_facing
 
 constinit const Property kReversalSwapsFacing{
     .name = "ReversalSwapsFacing",
@@ -36,7 +37,7 @@ constinit const Property kReversalSwapsFacing{
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = reversal_swaps_facing::Ask,
 };
 
 }  // namespace rasterproof::props

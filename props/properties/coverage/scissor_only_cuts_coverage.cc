@@ -5,13 +5,14 @@
 #include "core/scene.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace scissor_only_cuts_coverage {
 
 // The inner half, the left half and the bottom row: cuts on every side.
 std::array<PixelRect, 3> Scissors(const Scene& scene) {
@@ -21,7 +22,7 @@ std::array<PixelRect, 3> Scissors(const Scene& scene) {
           PixelRect{0, h - 1, w, h}};
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   const auto open = WhereCallsMayDiffer(c, MayChooseByCall(c.profile));
   if (!open) return NothingAsked(kPlacesNotKnown);
   DrawOptions options = WholeTarget(c);
@@ -39,7 +40,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace scissor_only_cuts_coverage
 
 constinit const Property kScissorOnlyCutsCoverage{
     .name = "ScissorOnlyCutsCoverage",
@@ -54,7 +55,7 @@ constinit const Property kScissorOnlyCutsCoverage{
              .shows = Shows::kScissor,
              .any_model = true,
              .judges_clipped = true},
-    .ask = Ask,
+    .ask = scissor_only_cuts_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

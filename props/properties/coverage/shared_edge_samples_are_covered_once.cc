@@ -10,13 +10,14 @@
 #include "props/judging/neighbour_pairs.h"
 #include "props/judging/planar_mesh.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace shared_edge_samples_are_covered_once {
 
 // The counts of the pair drawn alone: beside the edge that they share, neither a gap nor an
 // overlap.
@@ -38,27 +39,28 @@ Verdict CoveredOnce(const NeighbourPair& pair, const CoverageCounts& counts, Cli
   return verdict;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return CoverSharedEdgesOnce(c, subject, Clipped::kMayDiffer,
                               [](const Neighbours&) { return true; });
 }
 
-}  // namespace
+}  // namespace shared_edge_samples_are_covered_once
 
-Asked CoverSharedEdgesOnce(const Case& c, const Description& subject, Clipped clipped,
+Asked CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clipped clipped,
                            const std::function<bool(const Neighbours&)>& takes) {
   Asked asked;
   for (const Neighbours& neighbours : NeighbourPair::Some(c)) {
     if (!takes(neighbours)) continue;
     const auto pair = std::make_shared<const NeighbourPair>(c, neighbours);
     if (pair->IsOpen()) continue;
-    const Case& alone = pair->Alone();
+    const PlacedCase& alone = pair->Alone();
     Questions questions;
     questions.draws.push_back(CountsOf(alone.scene, alone.profile, WholeTarget(alone)));
-    const bool as_shown = IsJudgedAsShown(subject, alone);
+    const bool as_shown = IsJudgedAsShown(subject.info, alone.scene);
     asked.checks.push_back(
         {std::move(questions), [pair, as_shown, clipped](const Answers& answers) {
-           const Verdict verdict = CoveredOnce(*pair, answers.draws[0]->counts, clipped);
+           const Verdict verdict = shared_edge_samples_are_covered_once::CoveredOnce(
+               *pair, answers.draws[0]->counts, clipped);
            return as_shown ? NeverHolds(verdict) : verdict;
          }});
   }
@@ -82,7 +84,7 @@ constinit const Property kSharedEdgeSamplesAreCoveredOnce{
              .asks_oracle = true,
              .where = "shared ties: at least once; two triangles of one facing with an edge in "
                       "opposite directions; samples nearer to it than to any other edge of theirs"},
-    .ask = Ask,
+    .ask = shared_edge_samples_are_covered_once::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "core/case.h"
 #include "props/judging/mesh_neighbours.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -20,7 +20,7 @@ enum class Clipped : std::uint8_t {
 /// Asks for a few pairs of the case's neighbours, those that `takes` chooses, each pair drawn
 /// alone. Holds if every sample beside their common edge, and away from their outline, is covered
 /// once.
-Asked CoverSharedEdgesOnce(const Case& c, const Description& subject, Clipped clipped,
+Asked CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clipped clipped,
                            const std::function<bool(const Neighbours&)>& takes);
 
 }  // namespace rasterproof::props

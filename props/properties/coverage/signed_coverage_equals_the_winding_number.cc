@@ -7,15 +7,16 @@
 #include "props/judging/outline.h"
 #include "props/judging/signed_coverage.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace signed_coverage_equals_the_winding_number {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   Spared spared;
   if (!IsUnclipped(c.scene, c.profile)) {
     spared.open = OpenTriangles(c);
@@ -27,7 +28,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return CompareSignedCoverage(c, WindingOf(c), what, std::move(spared));
 }
 
-}  // namespace
+}  // namespace signed_coverage_equals_the_winding_number
 
 constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .name = "SignedCoverageEqualsTheWindingNumber",
@@ -43,8 +44,8 @@ constinit const Property kSignedCoverageEqualsTheWindingNumber{
              .needs_facings = true,
              .rules = kSignedCoverageRules,
              .asks_oracle = true},
-    .ask = Ask,
-    .blame = [](const Case& c, const Verdict& verdict,
+    .ask = signed_coverage_equals_the_winding_number::Ask,
+    .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, WholeTarget(c)); },
 };
 

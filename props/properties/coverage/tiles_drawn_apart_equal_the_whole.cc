@@ -8,20 +8,21 @@
 #include "core/scene.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace tiles_drawn_apart_equal_the_whole {
 
 // What a place rounds otherwise by an ulp shows where the snap has a tie.
 constexpr auto kMapDomains =
     Both(kCoverageAnySpace, std::to_array<std::string_view>({"deciding-snap-ties"}));
 
 // Three tiles along the longer side: origins that are no powers of two from the target's.
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   const auto open = WhereCallsMayDiffer(c, MayChooseByCall(c.profile));
   if (!open) return NothingAsked(kPlacesNotKnown);
   DrawOptions options = WholeTarget(c);
@@ -46,7 +47,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace tiles_drawn_apart_equal_the_whole
 
 constinit const Property kTilesDrawnApartEqualTheWhole{
     .name = "TilesDrawnApartEqualTheWhole",
@@ -56,12 +57,12 @@ constinit const Property kTilesDrawnApartEqualTheWhole{
         "wherever their origins lie.",
     .required_by = kScissorClauses,
     .tolerance = kExact,
-    .domains = kMapDomains,
+    .domains = tiles_drawn_apart_equal_the_whole::kMapDomains,
     .gate = {.space = Space::kEither,
              .shows = Shows::kScissor,
              .any_model = true,
              .judges_clipped = true},
-    .ask = Ask,
+    .ask = tiles_drawn_apart_equal_the_whole::Ask,
 };
 
 }  // namespace rasterproof::props

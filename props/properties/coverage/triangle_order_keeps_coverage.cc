@@ -9,15 +9,16 @@
 #include "core/scene.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace triangle_order_keeps_coverage {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   if (c.scene.triangles.size() < 2) return NothingAsked("one triangle has one order");
   const auto open = WhereCallsMayDiffer(c, c.profile.freedom.ties == TieOwnership::kOpen);
   if (!open) return NothingAsked(kPlacesNotKnown);
@@ -31,7 +32,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return CompareVariations(c, {{reversed, kInTheOrderGiven}, {turned, kInTheOrderGiven}}, *open);
 }
 
-}  // namespace
+}  // namespace triangle_order_keeps_coverage
 
 constinit const Property kTriangleOrderKeepsCoverage{
     .name = "TriangleOrderKeepsCoverage",
@@ -44,7 +45,7 @@ constinit const Property kTriangleOrderKeepsCoverage{
              .any_model = true,
              .judges_clipped = true,
              .where = kTwoTriangles},
-    .ask = Ask,
+    .ask = triangle_order_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -4,14 +4,15 @@
 
 #include "core/scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace vertex_rotation_keeps_coverage {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   std::vector<Variation> rotations;
   Scene rotated = c.scene;
   for (int turn = 1; turn < 3; ++turn) {
@@ -22,7 +23,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return CompareVariations(c, rotations);
 }
 
-}  // namespace
+}  // namespace vertex_rotation_keeps_coverage
 
 constinit const Property kVertexRotationKeepsCoverage{
     .name = "VertexRotationKeepsCoverage",
@@ -31,7 +32,7 @@ constinit const Property kVertexRotationKeepsCoverage{
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = vertex_rotation_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

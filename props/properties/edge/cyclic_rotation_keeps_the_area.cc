@@ -8,12 +8,13 @@
 #include "props/judging/edge_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace cyclic_rotation_keeps_the_area {
 
 constexpr int kTriangles = 64;
 
@@ -61,7 +62,7 @@ Verdict Judge(const std::vector<Rotation>& rotations, const Answers& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<Rotation> rotations;
   Questions questions;
   for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
@@ -72,7 +73,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace cyclic_rotation_keeps_the_area
 
 constinit const Property kCyclicRotationKeepsTheArea{
     .name = "CyclicRotationKeepsTheArea",
@@ -81,7 +82,7 @@ constinit const Property kCyclicRotationKeepsTheArea{
     .tolerance = kBothBounds,
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = cyclic_rotation_keeps_the_area::Ask,
 };
 
 }  // namespace rasterproof::props

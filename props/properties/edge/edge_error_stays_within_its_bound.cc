@@ -7,14 +7,15 @@
 #include "props/judging/edge_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace edge_error_stays_within_its_bound {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
   Questions questions = ValuesAt(edges);
   return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {
@@ -34,7 +35,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace edge_error_stays_within_its_bound
 
 constinit const Property kEdgeErrorStaysWithinItsBound{
     .name = "EdgeErrorStaysWithinItsBound",
@@ -45,7 +46,7 @@ constinit const Property kEdgeErrorStaysWithinItsBound{
     .tolerance = "the subject's proven ErrorBound",
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = edge_error_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

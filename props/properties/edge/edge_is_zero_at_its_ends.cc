@@ -7,16 +7,17 @@
 #include "props/judging/edge_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace edge_is_zero_at_its_ends {
 
 constexpr int kTriangles = 64;
 
-std::vector<BoundedEdge> EndsOfEdges(const Case& c, const EdgeBounds& bounds) {
+std::vector<BoundedEdge> EndsOfEdges(const PlacedCase& c, const EdgeBounds& bounds) {
   std::vector<BoundedEdge> ends;
   for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {
     for (int i = 0; i < 3; ++i) {
@@ -31,7 +32,7 @@ std::vector<BoundedEdge> EndsOfEdges(const Case& c, const EdgeBounds& bounds) {
   return ends;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> ends = EndsOfEdges(c, *subject.edges);
   Questions questions = ValuesAt(ends);
   return OneCheck(std::move(questions), [ends = std::move(ends)](const Answers& answers) {
@@ -46,7 +47,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace edge_is_zero_at_its_ends
 
 constinit const Property kEdgeIsZeroAtItsEnds{
     .name = "EdgeIsZeroAtItsEnds",
@@ -55,7 +56,7 @@ constinit const Property kEdgeIsZeroAtItsEnds{
     .tolerance = kOwnBound,
     .domains = kMagnitudes,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = edge_is_zero_at_its_ends::Ask,
 };
 
 }  // namespace rasterproof::props

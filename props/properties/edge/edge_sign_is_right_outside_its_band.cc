@@ -1,6 +1,6 @@
 // Where |E| exceeds the bound that the subject states, its value has the sign of E.
 //
-// Where the value is stated to be exact that is everywhere, zero included.
+// Where the subject claims an exact value, that is everywhere, zero included.
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -11,14 +11,15 @@
 #include "props/judging/edge_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace edge_sign_is_right_outside_its_band {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
   Questions questions = ValuesAt(edges);
   return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {
@@ -41,7 +42,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace edge_sign_is_right_outside_its_band
 
 constinit const Property kEdgeSignIsRightOutsideItsBand{
     .name = "EdgeSignIsRightOutsideItsBand",
@@ -52,7 +53,7 @@ constinit const Property kEdgeSignIsRightOutsideItsBand{
     .tolerance = kOwnBound,
     .domains = kNearEdges,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = edge_sign_is_right_outside_its_band::Ask,
 };
 
 }  // namespace rasterproof::props

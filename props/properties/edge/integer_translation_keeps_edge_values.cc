@@ -2,12 +2,13 @@
 #include <array>
 
 #include "props/judging/edge_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace integer_translation_keeps_edge_values {
 
 // Near, across the sign change, and far enough to cost float32 some of its fraction bits.
 constexpr std::array<EdgeMap, 4> kTranslations{{
@@ -17,11 +18,11 @@ constexpr std::array<EdgeMap, 4> kTranslations{{
     {.tx = -4096, .ty = -4096},
 }};
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kTranslations, "edge value changes under translation");
 }
 
-}  // namespace
+}  // namespace integer_translation_keeps_edge_values
 
 constinit const Property kIntegerTranslationKeepsEdgeValues{
     .name = "IntegerTranslationKeepsEdgeValues",
@@ -32,7 +33,7 @@ constinit const Property kIntegerTranslationKeepsEdgeValues{
     .gate = Where(kAsksEdgeValues,
                   "the moved coordinates are exact, of the input format, on the subpixel grid and "
                   "within the limit"),
-    .ask = Ask,
+    .ask = integer_translation_keeps_edge_values::Ask,
 };
 
 }  // namespace rasterproof::props

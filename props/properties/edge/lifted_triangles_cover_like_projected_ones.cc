@@ -14,12 +14,13 @@
 #include "exact/coverage.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace lifted_triangles_cover_like_projected_ones {
 
 constexpr std::array<double, 5> kDepths{1, 0.25, 8, 2, 0x1p-4};
 
@@ -53,30 +54,28 @@ std::optional<Scene> Lifted(const Scene& window) {
   return clip;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
-  Case projected = c;
-  projected.scene = ProjectedScene(c.scene);
+Asked Ask(const PlacedCase& c, const Description& subject) {
+  PlacedCase projected = c.With(ProjectedScene(c.scene));
   const std::optional<Scene> lifted = Lifted(projected.scene);
   if (!WithinLimits(projected.scene, c.profile) || !lifted || !WithinLimits(*lifted, c.profile)) {
     return NothingAsked("the projected scene is beyond the limits");
   }
-  if (const auto why = exact::WhyNotDecided(projected.scene, projected.profile)) {
+  if (const auto why = exact::WhyNotDecided(projected)) {
     return NotDecided(why->what());
   }
   Questions questions;
   questions.draws.push_back(CountsOf(*lifted, c.profile, WholeTarget(c)));
-  const bool as_shown = IsJudgedAsShown(subject, c);
+  const bool as_shown = IsJudgedAsShown(subject.info, c.scene);
   return OneCheck(std::move(questions),
                   [projected = std::move(projected), as_shown](const Answers& answers) {
-                    CoverageCounts expected =
-                        exact::Coverage(projected.scene, projected.profile, WholeTarget(projected));
+                    CoverageCounts expected = exact::Coverage(projected, WholeTarget(projected));
                     if (as_shown) expected = AsShown(std::move(expected));
                     return SameCounts(answers.draws[0]->counts, expected, DecisionsOf(projected),
                                       "that of the projected triangles");
                   });
 }
 
-}  // namespace
+}  // namespace lifted_triangles_cover_like_projected_ones
 
 constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
     .name = "LiftedTrianglesCoverLikeProjectedOnes",
@@ -87,7 +86,7 @@ constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
     .tolerance = kExact,
     .domains = kClipSpace,
     .gate = {.space = Space::kClip, .where = "the lifted coordinates are exact"},
-    .ask = Ask,
+    .ask = lifted_triangles_cover_like_projected_ones::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -2,12 +2,13 @@
 #include <array>
 
 #include "props/judging/edge_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace mirror_negates_edge_values {
 
 constexpr std::array<EdgeMap, 3> kMirrors{{
     {.sx = -1, .factor = -1},
@@ -15,11 +16,11 @@ constexpr std::array<EdgeMap, 3> kMirrors{{
     {.transpose = true, .factor = -1},
 }};
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kMirrors, "edge value is not negated by a mirror");
 }
 
-}  // namespace
+}  // namespace mirror_negates_edge_values
 
 constinit const Property kMirrorNegatesEdgeValues{
     .name = "MirrorNegatesEdgeValues",
@@ -32,7 +33,7 @@ constinit const Property kMirrorNegatesEdgeValues{
     .gate = Where(kAsksEdgeValues,
                   "the mirrored coordinates are of the input format, on the subpixel grid and "
                   "within the limit"),
-    .ask = Ask,
+    .ask = mirror_negates_edge_values::Ask,
 };
 
 }  // namespace rasterproof::props

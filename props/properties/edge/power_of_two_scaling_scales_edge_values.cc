@@ -2,12 +2,13 @@
 #include <array>
 
 #include "props/judging/edge_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace power_of_two_scaling_scales_edge_values {
 
 // Upwards only: the way down is the same property read backwards, and could meet subnormals.
 constexpr std::array<EdgeMap, 3> kScalings{{
@@ -16,11 +17,11 @@ constexpr std::array<EdgeMap, 3> kScalings{{
     {.sx = 0x1p20, .sy = 0x1p20, .factor = 0x1p40},
 }};
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kScalings, "edge value does not scale by 4^k");
 }
 
-}  // namespace
+}  // namespace power_of_two_scaling_scales_edge_values
 
 constinit const Property kPowerOfTwoScalingScalesEdgeValues{
     .name = "PowerOfTwoScalingScalesEdgeValues",
@@ -31,7 +32,7 @@ constinit const Property kPowerOfTwoScalingScalesEdgeValues{
     .gate = Where(kAsksEdgeValues,
                   "the scaled coordinates are exact, of the input format, on the subpixel grid and "
                   "within the limit"),
-    .ask = Ask,
+    .ask = power_of_two_scaling_scales_edge_values::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -6,19 +6,20 @@
 #include "props/judging/edge_queries.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace reversed_edge_changes_sign {
 
 struct EdgeBothWays {
   BoundedEdge edge;
   double reversed_bound = 0;
 };
 
-std::vector<EdgeBothWays> SomeEdgesBothWays(const Case& c, const EdgeBounds& bounds) {
+std::vector<EdgeBothWays> SomeEdgesBothWays(const PlacedCase& c, const EdgeBounds& bounds) {
   std::vector<EdgeBothWays> edges;
   for (const BoundedEdge& edge : SomeBoundedEdges(c, bounds)) {
     const EdgeQuery& q = edge.query;
@@ -54,7 +55,7 @@ Verdict Judge(const std::vector<EdgeBothWays>& edges, const Answers& answers) {
   return Verdict::Held(edges.size());
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   std::vector<EdgeBothWays> edges = SomeEdgesBothWays(c, *subject.edges);
   Questions questions = ValuesOf(edges);
   return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {
@@ -62,7 +63,7 @@ Asked Ask(const Case& c, const Description& subject) {
   });
 }
 
-}  // namespace
+}  // namespace reversed_edge_changes_sign
 
 constinit const Property kReversedEdgeChangesSign{
     .name = "ReversedEdgeChangesSign",
@@ -72,7 +73,7 @@ constinit const Property kReversedEdgeChangesSign{
     .tolerance = "the sum of both proven ErrorBounds; where both are 0, none: exact",
     .domains = kNearEdges,
     .gate = kAsksEdgeValues,
-    .ask = Ask,
+    .ask = reversed_edge_changes_sign::Ask,
 };
 
 }  // namespace rasterproof::props

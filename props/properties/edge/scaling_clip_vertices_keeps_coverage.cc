@@ -10,12 +10,13 @@
 #include "core/scene.h"
 #include "core/ulp.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace scaling_clip_vertices_keeps_coverage {
 
 constexpr std::array<double, 7> kFactors{2, 1, 0x1p-3, 16, 0.5, 0x1p6, 4};
 
@@ -41,7 +42,7 @@ std::optional<Scene> Scaled(const Scene& scene) {
   return scaled;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   const std::optional<Scene> scaled = Scaled(c.scene);
   if (!scaled || !WithinLimits(*scaled, c.profile)) {
     return NothingAsked("a scaled vertex is not exact or beyond the limit");
@@ -49,7 +50,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return CompareVariations(c, {{*scaled, "that of the unscaled vertices"}});
 }
 
-}  // namespace
+}  // namespace scaling_clip_vertices_keeps_coverage
 
 constinit const Property kScalingClipVerticesKeepsCoverage{
     .name = "ScalingClipVerticesKeepsCoverage",
@@ -60,7 +61,7 @@ constinit const Property kScalingClipVerticesKeepsCoverage{
     .tolerance = kExact,
     .domains = kClipSpace,
     .gate = {.space = Space::kClip, .where = "the scaled coordinates are exact"},
-    .ask = Ask,
+    .ask = scaling_clip_vertices_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -16,18 +16,19 @@
 #include "core/scene.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace bad_triangles_poison_no_others {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool IsGood(const Case& c, const Triangle& t) {
+bool IsGood(const PlacedCase& c, const Triangle& t) {
   return std::ranges::all_of(Corners(c.scene, t), [&](const Vertex& v) {
     return IsFinite(v) && std::fabs(v.x) <= c.profile.coordinate_limit &&
            std::fabs(v.y) <= c.profile.coordinate_limit;
@@ -35,15 +36,15 @@ bool IsGood(const Case& c, const Triangle& t) {
 }
 
 // The case, its vertices that no triangle uses in one ordinary place.
-Case WithoutUnused(Case c) {
-  std::vector<bool> is_used(c.scene.vertices.size());
-  for (const Triangle& t : c.scene.triangles) {
+Scene WithoutUnused(Scene scene) {
+  std::vector<bool> is_used(scene.vertices.size());
+  for (const Triangle& t : scene.triangles) {
     for (const std::int32_t v : t) is_used[static_cast<std::size_t>(v)] = true;
   }
   for (std::size_t v = 0; v < is_used.size(); ++v) {
-    if (!is_used[v]) c.scene.vertices[v] = {0, 0, 0, 1};
+    if (!is_used[v]) scene.vertices[v] = {0, 0, 0, 1};
   }
-  return c;
+  return scene;
 }
 
 // Puts a bad triangle before and after every good one: with one vertex NaN, one infinite, two of
@@ -86,17 +87,17 @@ constexpr std::array kRules{
     ProfileRule{[](const Profile& p) { return !p.fixed; }, "no fixed-point input",
                 "the subject's integers hold nothing that is not finite"}};
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
-  Case good = c;
-  std::erase_if(good.scene.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+  Scene good = c.scene;
+  std::erase_if(good.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
   const bool they_may = c.profile.freedom.ties == TieOwnership::kOpen || MayChooseByCall(c.profile);
-  const auto open = WhereCallsMayDiffer(WithoutUnused(good), they_may);
+  const auto open = WhereCallsMayDiffer(c.With(WithoutUnused(good)), they_may);
   if (!open) return NothingAsked(kPlacesNotKnown);
   Questions questions;
-  for (const Scene& scene : {good.scene, Poisoned(good.scene, c.profile)}) {
+  for (const Scene& scene : {good, Poisoned(good, c.profile)}) {
     questions.draws.push_back(WholeCallOf(scene, c.profile, WholeTarget(c)));
   }
-  return OneCheck(std::move(questions), [decisions = open->Judged(DecisionsOf(good)),
+  return OneCheck(std::move(questions), [decisions = open->Judged(DecisionsOf(c.With(good))),
                                          open = *open](const Answers& answers) {
     const CoverageCounts& observed = answers.draws[1]->counts;
     return OfDraw(1, SameCounts(observed, open.Expected(observed, answers.draws[0]->counts),
@@ -104,7 +105,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   });
 }
 
-}  // namespace
+}  // namespace bad_triangles_poison_no_others
 
 constinit const Property kBadTrianglesPoisonNoOthers{
     .name = "BadTrianglesPoisonNoOthers",
@@ -117,9 +118,9 @@ constinit const Property kBadTrianglesPoisonNoOthers{
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
              .beyond_limits = true,
-             .rules = kRules,
+             .rules = bad_triangles_poison_no_others::kRules,
              .where = "the other triangles finite and within the limit"},
-    .ask = Ask,
+    .ask = bad_triangles_poison_no_others::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -15,17 +15,18 @@
 #include "core/target_size.h"
 #include "props/judging/primitive_ids.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace batch_draws_like_single_calls {
 
 constexpr std::size_t kSingles = 5;
 
 // The case drawn otherwise, as far as the subject can be told to.
-std::vector<DrawQuestion> WithOtherOptions(const Case& c, const SubjectInfo& info) {
+std::vector<DrawQuestion> WithOtherOptions(const PlacedCase& c, const SubjectInfo& info) {
   std::vector<DrawQuestion> draws;
   if (info.takes_culling) {
     DrawOptions culls = c.options;
@@ -43,7 +44,7 @@ std::vector<DrawQuestion> WithOtherOptions(const Case& c, const SubjectInfo& inf
 // The case, the same indices into other vertices, the same vertices with other indices, some of its
 // triangles alone, the case with other options and on a larger target, and the case again: scenes
 // that give away what is left of one in the next.
-std::vector<DrawQuestion> DrawsOf(const Case& c, const SubjectInfo& info) {
+std::vector<DrawQuestion> DrawsOf(const PlacedCase& c, const SubjectInfo& info) {
   const DrawQuestion draw = WholeCallOf(c.scene, c.profile, c.options);
   std::vector<DrawQuestion> draws{draw, draw, draw};
   Scene reversed = c.scene;
@@ -76,7 +77,7 @@ Verdict LikeAlone(const Drawing& drawn, const Drawing& alone, std::size_t triang
 }
 
 // The batch. What is compared with it puts the case to the test once.
-Check InOneCall(const Case& c, std::vector<DrawQuestion> draws) {
+Check InOneCall(const PlacedCase& c, std::vector<DrawQuestion> draws) {
   Check check;
   check.questions.company = Company::kOneCallAlone;
   check.questions.draws = std::move(draws);
@@ -85,7 +86,7 @@ Check InOneCall(const Case& c, std::vector<DrawQuestion> draws) {
 }
 
 // Scene k of a batch of so many, in a call that is no batch.
-Check InItsOwnCall(const Case& c, DrawQuestion draw, std::size_t k, std::size_t count) {
+Check InItsOwnCall(const PlacedCase& c, DrawQuestion draw, std::size_t k, std::size_t count) {
   Check check;
   check.questions.company = Company::kInOrderAlone;
   check.questions.draws.push_back(std::move(draw));
@@ -101,7 +102,7 @@ Check InItsOwnCall(const Case& c, DrawQuestion draw, std::size_t k, std::size_t 
   return check;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   const std::vector<DrawQuestion> draws = DrawsOf(c, subject.info);
   Asked asked;
   asked.checks.push_back(InOneCall(c, draws));
@@ -111,7 +112,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace batch_draws_like_single_calls
 
 constinit const Property kBatchDrawsLikeSingleCalls{
     .name = "BatchDrawsLikeSingleCalls",
@@ -124,7 +125,7 @@ constinit const Property kBatchDrawsLikeSingleCalls{
              .shows = Shows::kBatches,
              .contract = ContractNeeded::kAny,
              .judges_degenerates = true},
-    .ask = Ask,
+    .ask = batch_draws_like_single_calls::Ask,
 };
 
 }  // namespace rasterproof::props

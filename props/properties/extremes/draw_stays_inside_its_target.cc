@@ -9,13 +9,14 @@
 #include "core/scene.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace draw_stays_inside_its_target {
 
 // Any value will do that a subject would not write by itself and that leaves room to count up.
 constexpr std::uint32_t kGuard = 0x5a5a0000;
@@ -63,7 +64,7 @@ Verdict LookAround(const CoverageCounts& counts, const CoverageCounts& before,
 }
 
 // A draw into a rectangle of a guarded target.
-Check GuardedDraw(const Case& c, const Scene& scene, const PixelRect& rect) {
+Check GuardedDraw(const PlacedCase& c, const Scene& scene, const PixelRect& rect) {
   DrawOptions options = WholeTarget(c);
   const PixelRect whole{0, 0, scene.width, scene.height};
   if (rect != whole) options.scissor = rect;
@@ -79,7 +80,7 @@ Check GuardedDraw(const Case& c, const Scene& scene, const PixelRect& rect) {
   return check;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   const int w = c.scene.width;
   const int h = c.scene.height;
   Asked asked;
@@ -95,7 +96,7 @@ Asked Ask(const Case& c, const Description& subject) {
   return asked;
 }
 
-}  // namespace
+}  // namespace draw_stays_inside_its_target
 
 constinit const Property kDrawStaysInsideItsTarget{
     .name = "DrawStaysInsideItsTarget",
@@ -110,7 +111,7 @@ constinit const Property kDrawStaysInsideItsTarget{
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
              .beyond_limits = true},
-    .ask = Ask,
+    .ask = draw_stays_inside_its_target::Ask,
 };
 
 }  // namespace rasterproof::props

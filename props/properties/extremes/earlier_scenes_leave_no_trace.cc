@@ -14,13 +14,14 @@
 #include "props/judging/gate.h"
 #include "props/judging/moved_scenes.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace earlier_scenes_leave_no_trace {
 
 DrawQuestion ByTwin(DrawQuestion draw) {
   draw.by_twin = true;
@@ -39,9 +40,8 @@ Verdict AreAlike(const Answers& answers, const std::vector<std::string>& changes
   return Verdict::Held(changes.size());
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
-  Case canonical = c;
-  canonical.profile.freedom = Freedom{};
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+  const PlacedCase canonical = c.Under(Freedom{});
   if (auto why = WhyNotMoved(canonical)) return NothingAsked(*why);
   const std::vector<MovedScene> moved = MovedScenes(canonical).ByOneVertex();
   if (moved.empty()) return NothingAsked("no vertex that moves changes what is covered");
@@ -62,7 +62,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
 
 constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
-}  // namespace
+}  // namespace earlier_scenes_leave_no_trace
 
 constinit const Property kEarlierScenesLeaveNoTrace{
     .name = "EarlierScenesLeaveNoTrace",
@@ -72,10 +72,13 @@ constinit const Property kEarlierScenesLeaveNoTrace{
     .tolerance = kExact,
     .domains = kNearEdges,
     .is_about_sequence = true,
-    .gate = Where({.shows = Shows::kTwin, .any_model = true, .rules = kRules, .asks_oracle = true},
+    .gate = Where({.shows = Shows::kTwin,
+                   .any_model = true,
+                   .rules = earlier_scenes_leave_no_trace::kRules,
+                   .asks_oracle = true},
                   "a vertex of its first triangle that can move and change what the canonical "
                   "model covers"),
-    .ask = Ask,
+    .ask = earlier_scenes_leave_no_trace::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -4,15 +4,16 @@
 
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace equal_draws_give_equal_counts {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Questions questions;
   questions.company = Company::kInOrderAlone;
   const DrawQuestion once = WholeCallOf(c.scene, c.profile, c.options);
@@ -26,7 +27,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   });
 }
 
-}  // namespace
+}  // namespace equal_draws_give_equal_counts
 
 constinit const Property kEqualDrawsGiveEqualCounts{
     .name = "EqualDrawsGiveEqualCounts",
@@ -40,7 +41,7 @@ constinit const Property kEqualDrawsGiveEqualCounts{
              .contract = ContractNeeded::kAny,
              .judges_clipped = true,
              .judges_degenerates = true},
-    .ask = Ask,
+    .ask = equal_draws_give_equal_counts::Ask,
 };
 
 }  // namespace rasterproof::props

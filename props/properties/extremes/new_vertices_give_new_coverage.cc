@@ -15,16 +15,17 @@
 #include "props/judging/legal_counts.h"
 #include "props/judging/moved_scenes.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace new_vertices_give_new_coverage {
 
 // The case, each successor behind it, and the case again.
-std::vector<DrawQuestion> DrawsOf(const Case& c, const std::vector<MovedScene>& successors) {
+std::vector<DrawQuestion> DrawsOf(const PlacedCase& c, const std::vector<MovedScene>& successors) {
   std::vector<DrawQuestion> draws{LegalCounts::QuestionOf(c.scene, c)};
   for (const MovedScene& successor : successors) {
     draws.push_back(LegalCounts::QuestionOf(successor.scene, c));
@@ -49,7 +50,7 @@ Verdict Judged(const Answers& answers, bool counts, const LegalCounts& first,
   return Verdict::Held(changed);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   if (auto why = WhyNotMoved(c)) return NothingAsked(*why);
   const MovedScenes of(c);
   std::vector<MovedScene> successors = of.ByOneVertex();
@@ -69,7 +70,7 @@ Asked Ask(const Case& c, const Description& subject) {
 
 constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
-}  // namespace
+}  // namespace new_vertices_give_new_coverage
 
 constinit const Property kNewVerticesGiveNewCoverage{
     .name = "NewVerticesGiveNewCoverage",
@@ -79,9 +80,10 @@ constinit const Property kNewVerticesGiveNewCoverage{
     .tolerance = kExact,
     .domains = kNearEdges,
     .is_about_sequence = true,
-    .gate = Where({.any_model = true, .rules = kRules, .asks_oracle = true},
-                  "a vertex of its first triangle that can move and change what is covered"),
-    .ask = Ask,
+    .gate = Where(
+        {.any_model = true, .rules = new_vertices_give_new_coverage::kRules, .asks_oracle = true},
+        "a vertex of its first triangle that can move and change what is covered"),
+    .ask = new_vertices_give_new_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

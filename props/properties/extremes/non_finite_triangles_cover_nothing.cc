@@ -11,13 +11,14 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace non_finite_triangles_cover_nothing {
 
 // What is finite of it must be within the limit: beyond that nothing is stated.
 bool IsWithin(double x, double limit) { return !std::isfinite(x) || std::fabs(x) <= limit; }
@@ -34,7 +35,7 @@ bool IsJudged(const std::array<Vertex, 3>& v, const Profile& profile) {
   return profile.infinite_vertex == InfiniteVertex::kNothing;
 }
 
-std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
+std::vector<std::size_t> NonFiniteTriangles(const PlacedCase& c) {
   std::vector<std::size_t> triangles;
   for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
     const std::array<Vertex, 3> v = Corners(c.scene, c.scene.triangles[t]);
@@ -46,13 +47,13 @@ std::vector<std::size_t> NonFiniteTriangles(const Case& c) {
   return triangles;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   const std::vector<std::size_t> bad = NonFiniteTriangles(c);
   if (bad.empty()) {
     return NothingAsked("every triangle is finite, or the profile leaves its infinite vertex open");
   }
   Questions questions;
-  questions.draws.push_back(CountsOf(OnlyTriangles(c, bad).scene, c.profile, WholeTarget(c)));
+  questions.draws.push_back(CountsOf(c.Only(bad).scene, c.profile, WholeTarget(c)));
   return OneCheck(std::move(questions), [exercised = bad.size()](const Answers& answers) {
     const CoverageCounts& observed = answers.draws[0]->counts;
     const CoverageCounts nothing(observed.width, observed.height, observed.samples);
@@ -61,7 +62,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
 }
 
 // The one that covers the witness's sample by itself, or none: then it is their company.
-Asked Blame(const Case& c, const Verdict& verdict, const Description& /*subject*/) {
+Asked Blame(const PlacedCase& c, const Verdict& verdict, const Description& /*subject*/) {
   Asked asked;
   const auto scene = std::make_shared<const Scene>(c.scene);
   for (const std::size_t t : NonFiniteTriangles(c)) {
@@ -90,7 +91,7 @@ constexpr std::array kRules{
                 "a NaN or an infinity that covers nothing",
                 "the profile leaves open what triangles with a NaN or an infinity cover"}};
 
-}  // namespace
+}  // namespace non_finite_triangles_cover_nothing
 
 constinit const Property kNonFiniteTrianglesCoverNothing{
     .name = "NonFiniteTrianglesCoverNothing",
@@ -105,10 +106,10 @@ constinit const Property kNonFiniteTrianglesCoverNothing{
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
              .beyond_limits = true,
-             .rules = kRules,
+             .rules = non_finite_triangles_cover_nothing::kRules,
              .where = "a vertex that is NaN, or infinite where the profile says what it covers"},
-    .ask = Ask,
-    .blame = Blame,
+    .ask = non_finite_triangles_cover_nothing::Ask,
+    .blame = non_finite_triangles_cover_nothing::Blame,
 };
 
 }  // namespace rasterproof::props

@@ -1,19 +1,20 @@
 // A stepping across the largest target drifts no further than the bound stated for it.
 #include "props/judging/stepping.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace long_stepping_stays_within_its_bound {
 
 constexpr int kSteps = 16384;  // the side of the largest target of the APIs in use
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return StepsStayWithinTheirBound(LongRows(c, kSteps), *subject.edges);
 }
 
-}  // namespace
+}  // namespace long_stepping_stays_within_its_bound
 
 constinit const Property kLongSteppingStaysWithinItsBound{
     .name = "LongSteppingStaysWithinItsBound",
@@ -25,7 +26,7 @@ constinit const Property kLongSteppingStaysWithinItsBound{
     .domains = kLongRows,
     .takes_long = true,
     .gate = kAsksSteps,
-    .ask = Ask,
+    .ask = long_stepping_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -1,18 +1,20 @@
-// Where both a stepping and direct evaluation are stated to be exact they give the same number.
+// Where the subject claims that stepping and direct evaluation are both exact, they give the same
+// number.
 #include <cstddef>
 #include <iterator>
 #include <vector>
 
 #include "props/judging/stepping.h"
 #include "props/judging/witness.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace stepping_equals_direct_where_exact {
 
-// The answers: the stepping, and direct values at its steps where both are stated to be exact.
+// The answers: the stepping, and direct values at its steps where both claim to be exact.
 Verdict Judge(const SteppingQuery& stepping, const std::vector<int>& exact_steps,
               const Answers& answers) {
   const EdgeQuery& q = stepping.from;
@@ -48,14 +50,14 @@ Check CheckOf(const SteppingQuery& stepping, const EdgeBounds& stated) {
   return check;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   Asked asked;
   for (const SteppingQuery& stepping : SomeSteppingQueries(c))
     asked.checks.push_back(CheckOf(stepping, *subject.edges));
   return asked;
 }
 
-}  // namespace
+}  // namespace stepping_equals_direct_where_exact
 
 constinit const Property kSteppingEqualsDirectWhereExact{
     .name = "SteppingEqualsDirectWhereExact",
@@ -66,7 +68,7 @@ constinit const Property kSteppingEqualsDirectWhereExact{
     .tolerance = kExact,
     .domains = kOnTheLattice,
     .gate = Where(kAsksSteps, "both stated bounds are 0"),
-    .ask = Ask,
+    .ask = stepping_equals_direct_where_exact::Ask,
 };
 
 }  // namespace rasterproof::props

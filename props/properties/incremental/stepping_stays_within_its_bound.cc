@@ -2,18 +2,19 @@
 //
 // They go along x or y, either way, by one pixel or by L.
 #include "props/judging/stepping.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace stepping_stays_within_its_bound {
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return StepsStayWithinTheirBound(SomeSteppingQueries(c), *subject.edges);
 }
 
-}  // namespace
+}  // namespace stepping_stays_within_its_bound
 
 constinit const Property kSteppingStaysWithinItsBound{
     .name = "SteppingStaysWithinItsBound",
@@ -24,7 +25,7 @@ constinit const Property kSteppingStaysWithinItsBound{
     .tolerance = kSteppingBounds,
     .domains = kMagnitudes,
     .gate = kAsksSteps,
-    .ask = Ask,
+    .ask = stepping_stays_within_its_bound::Ask,
 };
 
 }  // namespace rasterproof::props

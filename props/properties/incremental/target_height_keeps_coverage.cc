@@ -7,12 +7,13 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace target_height_keeps_coverage {
 
 // The rows from y = 0 on; the top row is stored first.
 CoverageCounts RowsFromZero(const CoverageCounts& high, int height, YAxis y_axis) {
@@ -24,7 +25,7 @@ CoverageCounts RowsFromZero(const CoverageCounts& high, int height, YAxis y_axis
   return part;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const int height : {c.scene.height + 1, 2 * c.scene.height + 7}) {
@@ -46,7 +47,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace target_height_keeps_coverage
 
 constinit const Property kTargetHeightKeepsCoverage{
     .name = "TargetHeightKeepsCoverage",
@@ -55,7 +56,7 @@ constinit const Property kTargetHeightKeepsCoverage{
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = target_height_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -4,12 +4,13 @@
 #include "core/coverage.h"
 #include "core/scene.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace target_width_keeps_coverage {
 
 CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
   CoverageCounts part(width, wide.height, wide.samples);
@@ -24,7 +25,7 @@ CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
   return part;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   Asked asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const int width : {c.scene.width + 1, 2 * c.scene.width + 7}) {
@@ -41,7 +42,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace target_width_keeps_coverage
 
 constinit const Property kTargetWidthKeepsCoverage{
     .name = "TargetWidthKeepsCoverage",
@@ -50,7 +51,7 @@ constinit const Property kTargetWidthKeepsCoverage{
     .tolerance = kExact,
     .domains = kCoverage,
     .gate = {.space = Space::kEither},
-    .ask = Ask,
+    .ask = target_width_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

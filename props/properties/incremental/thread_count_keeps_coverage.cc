@@ -3,14 +3,15 @@
 
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace thread_count_keeps_coverage {
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
   options.threads = 1;
   Asked asked;
@@ -27,7 +28,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace thread_count_keeps_coverage
 
 constinit const Property kThreadCountKeepsCoverage{
     .name = "ThreadCountKeepsCoverage",
@@ -39,7 +40,7 @@ constinit const Property kThreadCountKeepsCoverage{
              .shows = Shows::kThreads,
              .any_model = true,
              .judges_clipped = true},
-    .ask = Ask,
+    .ask = thread_count_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -4,17 +4,18 @@
 
 #include "core/coverage.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace tile_size_keeps_coverage {
 
 // One pixel, an odd size that fits no target, the usual ones, and one larger than most targets.
 constexpr std::array<int, 4> kTiles{1, 5, 8, 64};
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   DrawOptions options = WholeTarget(c);
   options.tile = 0;
   Asked asked;
@@ -31,7 +32,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return asked;
 }
 
-}  // namespace
+}  // namespace tile_size_keeps_coverage
 
 constinit const Property kTileSizeKeepsCoverage{
     .name = "TileSizeKeepsCoverage",
@@ -45,7 +46,7 @@ constinit const Property kTileSizeKeepsCoverage{
              .shows = Shows::kTiles,
              .any_model = true,
              .judges_clipped = true},
-    .ask = Ask,
+    .ask = tile_size_keeps_coverage::Ask,
 };
 
 }  // namespace rasterproof::props

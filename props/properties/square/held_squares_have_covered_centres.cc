@@ -3,12 +3,13 @@
 #include <array>
 
 #include "props/judging/squares.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace held_squares_have_covered_centres {
 
 constexpr std::array kRules{
     ProfileRule{[](const Profile& p) {
@@ -20,12 +21,12 @@ constexpr std::array kRules{
                 "the profile lets squares be covered that do not lie within a triangle", true},
     kDrawsLargeTriangles};
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kLess,
                            "squares: a pixel is covered whose centre is not", CentresOf);
 }
 
-}  // namespace
+}  // namespace held_squares_have_covered_centres
 
 constinit const Property kHeldSquaresHaveCoveredCentres{
     .name = "HeldSquaresHaveCoveredCentres",
@@ -36,8 +37,8 @@ constinit const Property kHeldSquaresHaveCoveredCentres{
     .required_by = kSquaresHeldClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(held_squares_have_covered_centres::kRules),
+    .ask = held_squares_have_covered_centres::Ask,
 };
 
 }  // namespace rasterproof::props

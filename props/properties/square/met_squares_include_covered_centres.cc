@@ -5,12 +5,13 @@
 
 #include "exact/square_coverage.h"
 #include "props/judging/squares.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace met_squares_include_covered_centres {
 
 constexpr std::array kRules{
     ProfileRule{[](const Profile& p) {
@@ -23,19 +24,20 @@ constexpr std::array kRules{
     kDrawsLargeTriangles};
 
 // Triangles that the profile may make flat need not be drawn.
-CoverageCounts CentresOfSolid(const Case& c, const DrawOptions& options) {
-  Case solid = c;
-  std::erase_if(solid.scene.triangles,
-                [&](const Triangle& t) { return exact::MayBeFlat(c.scene, c.profile, t); });
-  return CentresOf(solid, options);
+CoverageCounts CentresOfSolid(const PlacedCase& c, const DrawOptions& options) {
+  std::vector<std::size_t> solid;
+  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
+    if (!exact::MayBeFlat(c, t)) solid.push_back(t);
+  }
+  return CentresOf(c.Only(solid), options);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kMore,
                            "squares: a pixel whose centre is covered is left out", CentresOfSolid);
 }
 
-}  // namespace
+}  // namespace met_squares_include_covered_centres
 
 constinit const Property kMetSquaresIncludeCoveredCentres{
     .name = "MetSquaresIncludeCoveredCentres",
@@ -46,8 +48,8 @@ constinit const Property kMetSquaresIncludeCoveredCentres{
     .required_by = kSquaresMetClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(met_squares_include_covered_centres::kRules),
+    .ask = met_squares_include_covered_centres::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -3,25 +3,26 @@
 
 #include "exact/square_coverage.h"
 #include "props/judging/squares.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace squares_outside_the_may_region_stay_free {
 
 constexpr std::array kRules{kMayCoverSquares, kDrawsLargeTriangles};
 
-CoverageCounts MostOf(const Case& c, const DrawOptions& options) {
-  return exact::MayCover(c.scene, c.profile, options);
+CoverageCounts MostOf(const PlacedCase& c, const DrawOptions& options) {
+  return exact::MayCover(c, options);
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kLess,
                            "squares: one that may not be covered is covered", MostOf);
 }
 
-}  // namespace
+}  // namespace squares_outside_the_may_region_stay_free
 
 constinit const Property kSquaresOutsideTheMayRegionStayFree{
     .name = "SquaresOutsideTheMayRegionStayFree",
@@ -33,8 +34,8 @@ constinit const Property kSquaresOutsideTheMayRegionStayFree{
     .required_by = kSquaresThatMayBeClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(squares_outside_the_may_region_stay_free::kRules),
+    .ask = squares_outside_the_may_region_stay_free::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -13,21 +13,22 @@
 #include "exact/square_coverage.h"
 #include "props/judging/redraw.h"
 #include "props/judging/squares.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace squares_that_must_be_are_covered {
 
 constexpr std::array kRules{kMustCoverSquares, kDrawsLargeTriangles};
 
-CoverageCounts LeastOf(const Case& c, const DrawOptions& options) {
-  return exact::MustCover(c.scene, c.profile, options);
+CoverageCounts LeastOf(const PlacedCase& c, const DrawOptions& options) {
+  return exact::MustCover(c, options);
 }
 
 // A pixel from every side of the target, so that no square is one beyond it.
-bool IsWellInside(const Case& c, const Triangle& t) {
+bool IsWellInside(const PlacedCase& c, const Triangle& t) {
   const double far =
       1 + std::max(0.0, c.profile.squares->may ? c.profile.squares->may->half_width : 0.0);
   return std::ranges::all_of(Corners(c.scene, t), [&](const Vertex& v) {
@@ -35,15 +36,16 @@ bool IsWellInside(const Case& c, const Triangle& t) {
   });
 }
 
-bool MustShowSomewhere(const Case& c, const Triangle& t) {
+bool MustShowSomewhere(const PlacedCase& c, std::size_t number) {
+  const Triangle& t = c.scene.triangles[number];
   const bool names_twice = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
   return c.profile.squares->flat == FlatSquares::kDrawn && !names_twice && IsWellInside(c, t) &&
-         exact::MayBeFlat(c.scene, c.profile, t);
+         exact::MayBeFlat(c, number);
 }
 
-Check ShowsSomewhere(const Case& c, std::size_t t) {
+Check ShowsSomewhere(const PlacedCase& c, std::size_t t) {
   Check check;
-  check.questions.draws.push_back(CountsOf(OnlyTriangles(c, {t}).scene, c.profile, WholeTarget(c)));
+  check.questions.draws.push_back(CountsOf(c.Only({t}).scene, c.profile, WholeTarget(c)));
   check.judge = [t](const Answers& answers) {
     const CoverageCounts& counts = answers.draws[0]->counts;
     for (std::size_t k = 0; k < counts.size(); ++k) {
@@ -59,17 +61,17 @@ Check ShowsSomewhere(const Case& c, std::size_t t) {
   return check;
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   Asked asked = CompareEachAndAll(c, subject, MayBe::kMore,
                                   "squares: one that must be covered is left out", LeastOf);
   constexpr std::size_t kMostFlat = 16;
   for (std::size_t t = 0; t < std::min(kMostFlat, c.scene.triangles.size()); ++t) {
-    if (MustShowSomewhere(c, c.scene.triangles[t])) asked.checks.push_back(ShowsSomewhere(c, t));
+    if (MustShowSomewhere(c, t)) asked.checks.push_back(ShowsSomewhere(c, t));
   }
   return asked;
 }
 
-}  // namespace
+}  // namespace squares_that_must_be_are_covered
 
 constinit const Property kSquaresThatMustBeAreCovered{
     .name = "SquaresThatMustBeAreCovered",
@@ -81,8 +83,8 @@ constinit const Property kSquaresThatMustBeAreCovered{
     .required_by = kSquaresThatMustBeClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules),
-    .ask = Ask,
+    .gate = SquareGate(squares_that_must_be_are_covered::kRules),
+    .ask = squares_that_must_be_are_covered::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -11,12 +11,13 @@
 #include "exact/square_coverage.h"
 #include "props/judging/redraw.h"
 #include "props/judging/squares.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace subdivision_leaves_no_square_untouched {
 
 constexpr std::array kRules{
     ProfileRule{[](const Profile& p) {
@@ -29,7 +30,7 @@ constexpr std::array kRules{
     kDrawsLargeTriangles};
 
 // The middle of two vertices, if the scene's precision and a fixed-point input hold it exactly.
-std::optional<Vertex> Middle(const Case& c, const Vertex& a, const Vertex& b) {
+std::optional<Vertex> Middle(const PlacedCase& c, const Vertex& a, const Vertex& b) {
   const Vertex middle{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2, 1};
   const auto is_held = [&](double x) {
     return (c.scene.precision == Precision::kFloat64 ||
@@ -45,14 +46,13 @@ std::optional<Vertex> Middle(const Case& c, const Vertex& a, const Vertex& b) {
 
 // The first triangle of the case that can be cut exactly into four parts, none of them flat.
 struct Cut {
-  Case whole;
-  Case parts;
+  PlacedCase whole;
+  PlacedCase parts;
 };
 
-std::optional<Cut> CutOne(const Case& c, std::size_t t) {
-  Cut cut{OnlyTriangles(c, {t}), c};
+std::optional<Cut> CutOne(const PlacedCase& c, std::size_t t) {
   const std::array<Vertex, 3> v = Corners(c.scene, c.scene.triangles[t]);
-  Scene& scene = cut.parts.scene;
+  Scene scene = c.scene;
   scene.vertices.assign(v.begin(), v.end());
   for (std::size_t k = 0; k < 3; ++k) {
     const std::optional<Vertex> middle = Middle(c, v[k], v[(k + 1) % 3]);
@@ -60,10 +60,11 @@ std::optional<Cut> CutOne(const Case& c, std::size_t t) {
     scene.vertices.push_back(*middle);
   }
   scene.triangles = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-  const bool has_flat = std::ranges::any_of(scene.triangles, [&](const Triangle& part) {
-    return exact::MayBeFlat(scene, c.profile, part);
-  });
-  return has_flat ? std::nullopt : std::optional(std::move(cut));
+  Cut cut{c.Only({t}), c.With(std::move(scene))};
+  for (std::size_t part = 0; part < cut.parts.scene.triangles.size(); ++part) {
+    if (exact::MayBeFlat(cut.parts, part)) return std::nullopt;
+  }
+  return cut;
 }
 
 Check DrawsTheParts(Cut cut, std::size_t t) {
@@ -72,8 +73,7 @@ Check DrawsTheParts(Cut cut, std::size_t t) {
       CountsOf(cut.parts.scene, cut.parts.profile, WholeTarget(cut.parts)));
   check.judge = [cut = std::move(cut), t](const Answers& answers) {
     Verdict verdict = ComparedTo(
-        answers.draws[0]->counts,
-        exact::MustCover(cut.whole.scene, cut.whole.profile, WholeTarget(cut.whole)), MayBe::kMore,
+        answers.draws[0]->counts, exact::MustCover(cut.whole, WholeTarget(cut.whole)), MayBe::kMore,
         "squares: one that a triangle touches is touched by none of its four parts");
     if (verdict.witness) verdict.witness->triangle = static_cast<int>(t);
     return verdict;
@@ -81,7 +81,7 @@ Check DrawsTheParts(Cut cut, std::size_t t) {
   return check;
 }
 
-Asked Ask(const Case& c, const Description& /*subject*/) {
+Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
   constexpr std::size_t kMostCut = 4;
   Asked asked;
   for (std::size_t t = 0; t < c.scene.triangles.size() && asked.checks.size() < kMostCut; ++t) {
@@ -91,7 +91,7 @@ Asked Ask(const Case& c, const Description& /*subject*/) {
   return NothingAsked("no triangle can be cut exactly into four that are surely not flat");
 }
 
-}  // namespace
+}  // namespace subdivision_leaves_no_square_untouched
 
 constinit const Property kSubdivisionLeavesNoSquareUntouched{
     .name = "SubdivisionLeavesNoSquareUntouched",
@@ -102,8 +102,9 @@ constinit const Property kSubdivisionLeavesNoSquareUntouched{
     .required_by = kSquaresMetClauses,
     .tolerance = kExact,
     .domains = kSquareDomains,
-    .gate = SquareGate(kRules, "a triangle with area that halves exactly"),
-    .ask = Ask,
+    .gate = SquareGate(subdivision_leaves_no_square_untouched::kRules,
+                       "a triangle with area that halves exactly"),
+    .ask = subdivision_leaves_no_square_untouched::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -5,24 +5,25 @@
 #include <optional>
 
 #include "props/judging/wireframe_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace barycentric_distance_is_the_smallest_coordinate {
 
 std::optional<WireframeScale> InBarycentricSpace(const BarycentricQuery& q, int edge) {
   const exact::Rational lambda = ExactBarycentrics(q)[static_cast<std::size_t>(edge)];
   return WireframeScale{lambda * lambda, 1};
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kBarycentric, InBarycentricSpace,
                       "barycentric-space distance is not the barycentric");
 }
 
-}  // namespace
+}  // namespace barycentric_distance_is_the_smallest_coordinate
 
 constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
     .name = "BarycentricDistanceIsTheSmallestCoordinate",
@@ -34,7 +35,7 @@ constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kInTheTriangle},
-    .ask = Ask,
+    .ask = barycentric_distance_is_the_smallest_coordinate::Ask,
 };
 
 }  // namespace rasterproof::props

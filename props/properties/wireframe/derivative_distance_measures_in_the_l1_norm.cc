@@ -5,12 +5,13 @@
 
 #include "exact/edge.h"
 #include "props/judging/wireframe_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace derivative_distance_measures_in_the_l1_norm {
 
 using exact::Rational;
 
@@ -27,12 +28,12 @@ std::optional<WireframeScale> InTheL1Norm(const BarycentricQuery& q, int edge) {
   return WireframeScale{distance * distance, (area / reach).ToDouble()};
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kDerivative, InTheL1Norm,
                       "derivative-weighted distance is not that of the L1 norm");
 }
 
-}  // namespace
+}  // namespace derivative_distance_measures_in_the_l1_norm
 
 constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
     .name = "DerivativeDistanceMeasuresInTheL1Norm",
@@ -46,7 +47,7 @@ constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kInTheTriangle},
-    .ask = Ask,
+    .ask = derivative_distance_measures_in_the_l1_norm::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -4,12 +4,13 @@
 
 #include "exact/attributes.h"
 #include "props/judging/wireframe_queries.h"
+#include "props/placed_case.h"
 #include "props/properties/all.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 
 namespace rasterproof::props {
-namespace {
+namespace height_distance_is_the_distance_in_pixels {
 
 std::optional<WireframeScale> InPixels(const BarycentricQuery& q, int edge) {
   const Point2 a = EdgeStart(q.v, edge);
@@ -20,12 +21,12 @@ std::optional<WireframeScale> InPixels(const BarycentricQuery& q, int edge) {
   return WireframeScale{*distance, RoundedRoot(*height)};
 }
 
-Asked Ask(const Case& c, const Description& subject) {
+Asked Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kHeight, InPixels,
                       "height-compensated distance is not the distance in pixels");
 }
 
-}  // namespace
+}  // namespace height_distance_is_the_distance_in_pixels
 
 constinit const Property kHeightDistanceIsTheDistanceInPixels{
     .name = "HeightDistanceIsTheDistanceInPixels",
@@ -37,7 +38,7 @@ constinit const Property kHeightDistanceIsTheDistanceInPixels{
              .contract = ContractNeeded::kNone,
              .unwrapped = true,
              .where = kInTheTriangle},
-    .ask = Ask,
+    .ask = height_distance_is_the_distance_in_pixels::Ask,
 };
 
 }  // namespace rasterproof::props

@@ -28,7 +28,7 @@
 #include "props/run/campaign.h"
 #include "props/run/description.h"
 #include "props/run/judge.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 #include "props/run/tally.h"
 #include "subjects/process/protocol.h"
 #include "tool/asked.h"
@@ -198,36 +198,36 @@ struct AllAnswers {
   Answers of_picture;
 };
 
-// Puts one check's questions.
-using PutOne = std::function<Answers(const props::Request&)>;
+// Submits one check's questions.
+using SubmitOne = std::function<Answers(const props::Request&)>;
 
-Answers PutTo(Subject& subject, const props::Request& request) {
-  return std::move(props::Put(subject, {&request, 1}).front());
+Answers SubmitTo(Subject& subject, const props::Request& request) {
+  return std::move(props::Submit(subject, {&request, 1}).front());
 }
 
 // Of a check that ends early the rest is not drawn. Here it was asked for all the same: behind a
 // fault or a refusal the answers to it are passed over, or they were taken for those to come.
-Answers PutInStep(Answering& answering, Asking& asking, const props::Request& request) {
-  PutTo(asking, request);
+Answers SubmitInStep(Answering& answering, Asking& asking, const props::Request& request) {
+  SubmitTo(asking, request);
   const std::vector<DrawJob> asked = asking.Asked();
   const std::uint64_t before = answering.answered();
-  Answers answers = PutTo(answering, request);
+  Answers answers = SubmitTo(answering, request);
   answering.Skip(std::span(asked).subspan(answering.answered() - before));
   return answers;
 }
 
-AllAnswers PutAll(const PutOne& put_one, const props::CaseJudge& hand) {
+AllAnswers SubmitAll(const SubmitOne& submit_one, const props::CaseJudge& hand) {
   AllAnswers all;
-  const auto put = [&](const Questions& questions) {
+  const auto submit = [&](const Questions& questions) {
     const props::Check check{questions, {}};
-    return put_one({&hand.Placed(), &check, nullptr});
+    return submit_one({&hand.Placed(), &check, nullptr});
   };
   if (hand.IsDone()) return all;
-  for (const props::Check& check : hand.Checks()) all.of_checks.push_back(put(check.questions));
+  for (const props::Check& check : hand.Checks()) all.of_checks.push_back(submit(check.questions));
   const props::PlacedCase& c = hand.Placed();
   Questions picture;
   picture.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
-  all.of_picture = put(picture);
+  all.of_picture = submit(picture);
   return all;
 }
 
@@ -287,7 +287,7 @@ int RunGen(const PipeOptions& options) {
     const Case c = props::DrawCase(info, property, options.campaign.seed, n);
     const props::CaseJudge hand(property, c, description);
     if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
-    PutAll([&](const props::Request& request) { return PutTo(asking, request); }, hand);
+    SubmitAll([&](const props::Request& request) { return SubmitTo(asking, request); }, hand);
     const std::vector<DrawJob> jobs = asking.Asked();
     io::WriteStandardOutput(subjects::RequestsText(id + 1, jobs, info));
     id += jobs.size();
@@ -303,8 +303,8 @@ int RunVer(const PipeOptions& options) {
   const props::Property& property = RequireProperty(options.property);
   Answering answering(info);
   Asking asking(info);
-  const PutOne put = [&](const props::Request& request) {
-    return PutInStep(answering, asking, request);
+  const SubmitOne submit = [&](const props::Request& request) {
+    return SubmitInStep(answering, asking, request);
   };
   const props::Description description = props::DescriptionOf(answering);
   PipeTally tally;
@@ -318,7 +318,7 @@ int RunVer(const PipeOptions& options) {
       const Case c = props::DrawCase(info, property, options.campaign.seed, n);
       props::CaseJudge hand(property, c, description);
       if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
-      AllAnswers all = PutAll(put, hand);
+      AllAnswers all = SubmitAll(submit, hand);
       answering.RequireAll();
       if (IsAnyRefused(all)) {
         ++tally.refused;

@@ -9,7 +9,7 @@
 #include "props/domains/input_lattice.h"
 #include "props/judging/redraw.h"
 #include "props/property.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 
 namespace rasterproof::props {
 
@@ -37,7 +37,7 @@ std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes, bool ma
     checks[k].questions.draws = {CountsOf(AsGiven(scenes[k]), info().profile, {})};
     requests.push_back({&placed_, &checks[k], nullptr});
   }
-  for (Answers& answers : Put(subject_, requests)) {
+  for (Answers& answers : Submit(subject_, requests)) {
     ++draws_;
     last_scene_ = scenes[seen.size()];
     if (may_refuse && answers.end.stop == Stop::kRefused) {

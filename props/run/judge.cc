@@ -16,8 +16,8 @@
 namespace rasterproof::props {
 namespace {
 
-Answers PutOne(Subject& subject, const Request& request) {
-  return std::move(Put(subject, {&request, 1}).front());
+Answers SubmitOne(Subject& subject, const Request& request) {
+  return std::move(Submit(subject, {&request, 1}).front());
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ void CaseJudge::Blame(Subject& subject) {
       WorkedOut(place_, [&] { return property_.blame(placed_, violation_, subject_); });
   for (const Check& check : round.checks) {
     const Request request{&placed_, &check, &drawn_};
-    const Answers answers = PutOne(subject, request);
+    const Answers answers = SubmitOne(subject, request);
     // What was seen stays so, whatever becomes of less of the case.
     if (EndsTheCall(answers.end.stop)) return;
     if (answers.end.stop != Stop::kNone) continue;
@@ -150,7 +150,7 @@ Trial TryCase(Subject& subject, const Property& property, const Case& c, Blaming
   const Description description = DescriptionOf(subject);
   CaseJudge hand(property, c, description);
   WorkedOut(PlaceOfFault(property, {&c, 1}), [&] {
-    while (!hand.IsDone()) hand.Take(PutOne(subject, hand.Next()));
+    while (!hand.IsDone()) hand.Take(SubmitOne(subject, hand.Next()));
     if (blaming == Blaming::kWhoItWas) hand.Blame(subject);
   });
   return hand.Result();

@@ -17,7 +17,7 @@
 #include "core/verdict.h"
 #include "props/placed_case.h"
 #include "props/property.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 #include "props/run/trial.h"
 
 namespace rasterproof::props {

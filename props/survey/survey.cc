@@ -15,7 +15,7 @@
 #include "props/placed_case.h"
 #include "props/run/description.h"
 #include "props/run/property_domains.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 #include "props/shrink/shrink.h"
 
 namespace rasterproof::props {
@@ -81,11 +81,11 @@ class Looker {
   }
 
  private:
-  std::vector<CoverageCounts> Put(const PlacedCase& c, const Check& check, Look& look,
-                                  double& seconds) {
+  std::vector<CoverageCounts> Submit(const PlacedCase& c, const Check& check, Look& look,
+                                     double& seconds) {
     const Request request{&c, &check, nullptr};
     const Clock::time_point began = Clock::now();
-    Answers answers = std::move(props::Put(subject_, {&request, 1}).front());
+    Answers answers = std::move(props::Submit(subject_, {&request, 1}).front());
     seconds += Since(began);
     look.end = std::move(answers.end);
     std::vector<CoverageCounts> drawn;
@@ -101,7 +101,7 @@ class Looker {
     const DrawQuestion whole = WholeCallOf(c.scene, c.profile, c.options);
     Check check;
     check.questions.draws = {whole};
-    std::vector<CoverageCounts> drawn = Put(c, check, look, look.whole_seconds);
+    std::vector<CoverageCounts> drawn = Submit(c, check, look, look.whole_seconds);
     if (look.end.stop != Stop::kNone) return;
     look.counts = std::move(drawn.front());
     if (c.scene.triangles.size() < 2) return;
@@ -109,7 +109,7 @@ class Looker {
     for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
       check.questions.draws[t].job.triangles = {c.scene.triangles[t]};
     }
-    drawn = Put(c, check, look, look.alone_seconds);
+    drawn = Submit(c, check, look, look.alone_seconds);
     if (look.end.stop != Stop::kNone) return;
     CoverageCounts sum(c.scene.width, c.scene.height, look.counts.samples);
     for (const CoverageCounts& one : drawn) sum += one;

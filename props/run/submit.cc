@@ -1,4 +1,4 @@
-#include "props/run/put.h"
+#include "props/run/submit.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -52,9 +52,9 @@ struct Share {
   bool is_whole = false;  ///< all that is shown is taken over; else the counts are added
 };
 
-class Putting {
+class Submission {
  public:
-  Putting(Subject& subject, std::span<const Request> requests)
+  Submission(Subject& subject, std::span<const Request> requests)
       : subject_(subject),
         info_(subject.Info()),
         is_outside_(subject.SharesCalls()),
@@ -243,8 +243,8 @@ class Putting {
 
 }  // namespace
 
-std::vector<Answers> Put(Subject& subject, std::span<const Request> requests) {
-  return Putting(subject, requests).All();
+std::vector<Answers> Submit(Subject& subject, std::span<const Request> requests) {
+  return Submission(subject, requests).All();
 }
 
 }  // namespace rasterproof::props

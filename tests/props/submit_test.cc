@@ -1,5 +1,5 @@
 // Questions are put in as few calls as may be, and what breaks down ends its own case.
-#include "props/run/put.h"
+#include "props/run/submit.h"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ class Requests {
     }
     requests_.push_back({&placed_, &check, &drawn_});
   }
-  std::vector<Answers> PutTo(Subject& subject) const { return Put(subject, requests_); }
+  std::vector<Answers> SubmitTo(Subject& subject) const { return Submit(subject, requests_); }
 
  private:
   PlacedCase placed_;
@@ -74,9 +74,9 @@ TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
   Empty subject;
   Requests requests;
   requests.Add({Blank(8, 8, 3), Blank(kMaxTargetSide, kMaxTargetSide, 3)});
-  EXPECT_EQ(requests.PutTo(subject)[0].end.stop, Stop::kNotDrawable);
+  EXPECT_EQ(requests.SubmitTo(subject)[0].end.stop, Stop::kNotDrawable);
   subject.breaks_over = 3;
-  const Answers crashed = requests.PutTo(subject)[0];
+  const Answers crashed = requests.SubmitTo(subject)[0];
   EXPECT_EQ(crashed.end.stop, Stop::kBrokeDown);
   EXPECT_EQ(crashed.end.why, "it crashed");
   EXPECT_TRUE(crashed.draws.empty());
@@ -88,12 +88,12 @@ TEST(Questions, BehindABreakdownAtTheEndOfACallAreNotPut) {
   for (const std::size_t vertices : {3U, 4U, 5U}) {
     requests.Add({Blank(8, 8, 1), Blank(8, 8, vertices), Blank(kSide, kSide, 2)});
   }
-  EXPECT_EQ(requests.PutTo(subject).size(), 3U);
+  EXPECT_EQ(requests.SubmitTo(subject).size(), 3U);
   const std::vector<std::size_t> by_size{2, 1, 2, 1, 2, 1};
   EXPECT_EQ(subject.calls, by_size);
   subject.calls.clear();
   subject.breaks_over = 4;  // the last job of the third call
-  const std::vector<Answers> answers = requests.PutTo(subject);
+  const std::vector<Answers> answers = requests.SubmitTo(subject);
   ASSERT_EQ(answers.size(), 2U);
   EXPECT_EQ(answers[0].end.stop, Stop::kNone);
   EXPECT_EQ(answers[0].draws.size(), 3U);

@@ -58,9 +58,9 @@ class SubjectDrawer final : public SceneDrawer {
     }
     const std::vector<DrawOutcome> outcomes = subject_.DrawMany(jobs);
     std::vector<std::optional<bool>> covers;
-    for (std::size_t k = 0; k < outcomes.size() && !outcomes[k].BrokeDown(); ++k) {
+    for (std::size_t k = 0; k < outcomes.size() && !EndsTheCall(outcomes[k].end.stop); ++k) {
       auto& answer = covers.emplace_back();
-      if (outcomes[k].error != nullptr) continue;  // refused
+      if (outcomes[k].end.stop != Stop::kNone) continue;  // refused
       const CoverageCounts& counts = outcomes[k].drawing.counts;
       answer = counts.Count(counts.Index(cases[k]->x, cases[k]->y)) != 0;
     }

@@ -14,11 +14,11 @@
 
 #include "bench/contender.h"
 #include "core/bench_result.h"
+#include "core/call_end.h"
 #include "core/clock.h"
 #include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/subject.h"
-#include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "reference/kernels/kernel.h"
 
@@ -60,7 +60,7 @@ class SubjectContender : public Contender {
   // Counts without facings have no counterpart in the model's.
   std::optional<CoverageCounts> Drawn() override {
     if (subject_.Info().coverage != CoverageKind::kFacingCounts) return std::nullopt;
-    return subject_.Show(Job(scene_)).counts;
+    return DrawOne(subject_, Job(scene_)).counts;
   }
 
   bool IsSlowAlone() const override { return true; }
@@ -68,7 +68,7 @@ class SubjectContender : public Contender {
                  std::vector<std::uint8_t>& box) override {
     DrawJob job = Job(scene_);
     job.triangles = {scene_->triangles[triangle]};
-    const CoverageCounts counts = subject_.Show(job).counts;
+    const CoverageCounts counts = DrawOne(subject_, job).counts;
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < counts.size(); ++i) all += counts.Count(i) != 0 ? 1 : 0;
     std::size_t at = 0;
@@ -109,7 +109,7 @@ class SubjectContender : public Contender {
     DrawJob job = Job(scene_);
     job.triangles = {scene_->triangles[triangle]};
     job.wants = kEverything;
-    const Drawing drawing = subject_.Show(job);
+    const Drawing drawing = DrawOne(subject_, job);
     for (const Pixel& at : pixels) {
       PixelValues& shown = values.emplace_back();
       const std::size_t i = drawing.counts.Index(at.x, at.y);
@@ -145,7 +145,7 @@ class SubjectContender : public Contender {
   DrawTime TimeOf(const DrawJob& job, int repeats) const {
     if (const std::optional<DrawTime> told = subject_.TimeDraws(job, repeats)) return *told;
     return Timed([&] {
-      for (int k = 0; k < repeats; ++k) subject_.Show(job);
+      for (int k = 0; k < repeats; ++k) DrawOne(subject_, job);
     });
   }
 
@@ -155,7 +155,7 @@ class SubjectContender : public Contender {
   std::uint64_t outside_ = 0;  // samples outside of the areas of triangles drawn alone
 };
 
-// Error: SubjectTooSlow if the draw is not done by then.
+// Error: SubjectStop if the draw is not done by then.
 template <class Draw>
 void InTime(Subject& subject, double seconds, const Draw& draw) {
   using Clock = std::chrono::steady_clock;
@@ -163,10 +163,12 @@ void InTime(Subject& subject, double seconds, const Draw& draw) {
                                          std::chrono::duration<double>(seconds)));
   try {
     draw();
-  } catch (const SubjectTooSlow&) {
+  } catch (const SubjectStop& stop) {
     subject.SetDeadline(Clock::time_point::max());
-    throw SubjectTooSlow("one draw takes more than " + std::to_string(std::lround(seconds)) +
-                         " s; give a larger --budget, or fewer families");
+    if (!EndsTheCall(stop.stop()) || IsBreakdown(stop.stop())) throw;
+    throw SubjectStop(stop.stop(), "one draw takes more than " +
+                                       std::to_string(std::lround(seconds)) +
+                                       " s; give a larger --budget, or fewer families");
   }
   subject.SetDeadline(Clock::time_point::max());
 }
@@ -179,7 +181,7 @@ class LibraryContender final : public SubjectContender {
   void Load(const FamilyInput& family) override {
     SubjectContender::Load(family);
     if (first_ != nullptr) {
-      InTime(*first_, most_seconds_, [&] { first_->Show(Job(scene_)); });
+      InTime(*first_, most_seconds_, [&] { DrawOne(*first_, Job(scene_)); });
     }
   }
 

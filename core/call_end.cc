@@ -3,9 +3,6 @@
 #include <exception>
 #include <new>
 
-#include "core/error.h"
-#include "core/subject_errors.h"
-
 namespace rasterproof {
 
 CallEnd EndOf(const std::function<void()>& call) {
@@ -14,18 +11,10 @@ CallEnd EndOf(const std::function<void()>& call) {
     return {};
   } catch (const SubjectDoesNotRun&) {
     throw;
-  } catch (const SubjectRefusal& refusal) {
-    return {Stop::kRefused, refusal.what()};
+  } catch (const SubjectStop& stop) {
+    return {stop.stop(), stop.what()};
   } catch (const InputError& input) {
     return {Stop::kNotDrawable, input.what()};
-  } catch (const SubjectHang& hang) {
-    return {Stop::kHung, hang.what()};
-  } catch (const SubjectFault& fault) {
-    return {Stop::kBrokeDown, fault.what()};
-  } catch (const SubjectDeadline& deadline) {
-    return {Stop::kDeadline, deadline.what()};
-  } catch (const SubjectTooSlow& slow) {
-    return {Stop::kTooSlow, slow.what()};
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& other) {

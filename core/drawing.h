@@ -4,13 +4,13 @@
 
 #include <array>
 #include <cstdint>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/scene.h"
@@ -51,6 +51,9 @@ struct DrawJob {
   DrawOptions options;
   int samples = 1;  ///< per pixel
   Outputs wants;
+  /// What the target holds before the draw, which adds to it: of a job alone in its call. Null:
+  /// zeros.
+  std::shared_ptr<const CoverageCounts> onto;
   /// It is drawn so many times, and what comes back is of once: for clocks alone.
   int repeats = 1;
 
@@ -82,16 +85,16 @@ struct Drawing {
   std::vector<std::array<double, 3>> centroids;
 };
 
-/// How one of many calls went.
+/// What came of one job.
 struct DrawOutcome {
   Drawing drawing;
-  std::exception_ptr error;  ///< what the call threw, if it did
+  CallEnd end;
 
-  /// Whether the subject broke down over it: it threw something that is no InputError.
-  bool BrokeDown() const;
-  /// Returns the drawing, or throws what the call threw.
+  /// Returns the drawing.
+  ///
+  /// Error:      SubjectStop if there is none.
   const Drawing& Get() const {
-    if (error != nullptr) std::rethrow_exception(error);
+    if (end.stop != Stop::kNone) throw SubjectStop(end);
     return drawing;
   }
 };

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/drawing.h"
 #include "core/evaluators.h"
 #include "core/vertex.h"
@@ -70,17 +70,6 @@ struct Questions {
   std::vector<DistanceQuestion> distances;
 };
 
-/// Why answers end early.
-enum class Stop : std::uint8_t {
-  kNone,
-  kRefused,      ///< the subject does not draw this scene
-  kNotDrawable,  ///< it can't be given to it: its own transform takes no vertex there; too large
-  kBrokeDown,    ///< it crashed, threw or answered what is no answer: a finding
-  kHung,         ///< it broke down by giving no answer at all
-  kTooSlow,      ///< it took longer than it may
-  kDeadline      ///< it had no time left that it was given
-};
-
 /// The answers to some questions, each list in the order of asking. Where they end early some lists
 /// are shorter.
 struct Answers {
@@ -91,8 +80,7 @@ struct Answers {
   std::vector<std::array<double, 3>> barycentrics;
   std::vector<double> interpolations;
   std::vector<std::array<double, 3>> distances;
-  Stop stop = Stop::kNone;
-  std::string why;  ///< in words, if there was a stop
+  CallEnd end;  ///< why they end early, if they do
   /// Which draw of the question it was, counted from 0, where that is known.
   std::optional<std::size_t> stopped_at = std::nullopt;
 };

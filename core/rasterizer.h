@@ -3,13 +3,14 @@
 #define RASTERPROOF_CORE_RASTERIZER_H_
 
 #include <concepts>
-#include <exception>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/drawing.h"
@@ -17,7 +18,6 @@
 #include "core/scene.h"
 #include "core/stated_edges.h"
 #include "core/subject.h"
-#include "core/subject_errors.h"
 #include "core/subject_info.h"
 
 namespace rasterproof {
@@ -85,9 +85,19 @@ class RasterizerSubject final : public Subject {
     }
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    if constexpr (DrawsBatches<R>) {
+      if (jobs.size() > 1) return DrawBatch(jobs);
+    }
+    return Subject::DrawMany(jobs);
+  }
+
+  const EdgeEvaluator* Edges() const override { return ShowsEdgeValues<R> ? &*edges_ : nullptr; }
+
+ protected:
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     if constexpr (ShowsDrawings<R>) {
-      counts += Show({scene, options, counts.samples}).counts;
+      Subject::Draw(scene, options, counts);
     } else if constexpr (DrawsScenesByOptions<R>) {
       rasterizer_.Draw(scene, options, counts);
     } else {
@@ -101,26 +111,6 @@ class RasterizerSubject final : public Subject {
       return Subject::Show(job);
     }
   }
-  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
-    if constexpr (DrawsBatches<R>) {
-      std::vector<DrawJob> resolved;
-      for (const DrawJob& job : jobs) resolved.push_back(Resolved(job));
-      std::vector<Drawing> drawings = rasterizer_.ShowMany(resolved);
-      std::vector<DrawOutcome> outcomes;
-      if (drawings.size() != jobs.size()) {
-        outcomes.emplace_back().error =
-            std::make_exception_ptr(SubjectFault("it drew " + std::to_string(drawings.size()) +
-                                                 " of " + std::to_string(jobs.size()) + " scenes"));
-        return outcomes;
-      }
-      for (Drawing& drawing : drawings) outcomes.emplace_back().drawing = std::move(drawing);
-      return outcomes;
-    } else {
-      return Subject::DrawMany(jobs);
-    }
-  }
-
-  const EdgeEvaluator* Edges() const override { return ShowsEdgeValues<R> ? &*edges_ : nullptr; }
 
  private:
   class ShownEdges final : public StatedEdges {
@@ -139,6 +129,22 @@ class RasterizerSubject final : public Subject {
    private:
     R& rasterizer_;
   };
+
+  std::vector<DrawOutcome> DrawBatch(std::span<const DrawJob> jobs) {
+    std::vector<DrawJob> resolved;
+    for (const DrawJob& job : jobs) resolved.push_back(Resolved(job));
+    std::vector<DrawOutcome> outcomes(1);
+    outcomes.front().end = EndOf([&] {
+      std::vector<Drawing> drawings = rasterizer_.ShowMany(resolved);
+      if (drawings.size() != jobs.size()) {
+        BreakDown("it drew " + std::to_string(drawings.size()) + " of " +
+                  std::to_string(jobs.size()) + " scenes");
+      }
+      outcomes.resize(jobs.size());
+      for (std::size_t k = 0; k < jobs.size(); ++k) outcomes[k].drawing = std::move(drawings[k]);
+    });
+    return outcomes;
+  }
 
   // The job with its triangles in its scene, where a type of somebody else's looks for them.
   static DrawJob Resolved(const DrawJob& job) {

@@ -24,8 +24,23 @@ struct NearEdgeCounts {
   std::uint64_t within_256 = 0;
 };
 
+/// What cases of one property add up to.
+struct Counts {
+  std::uint64_t cases = 0;            ///< cases run
+  std::uint64_t cases_exercised = 0;  ///< cases in which the property was put to the test
+  std::uint64_t exercised = 0;        ///< times the property was put to the test
+  std::uint64_t cases_refused = 0;    ///< cases that the subject refused
+  std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
+  double worst_ratio = 0;             ///< largest error / bound
+
+  /// Adds a case with this verdict.
+  void AddCase(const Verdict& verdict);
+  /// Adds the counts of other cases.
+  void Add(const Counts& more);
+};
+
 /// One property on one subject over a campaign. "tested" is the word for it: k cases of a seed.
-struct PropertyResult {
+struct PropertyResult : Counts {
   std::string property;
   std::string subject;
   std::string clause;                             ///< what it enforces, with its source
@@ -33,14 +48,8 @@ struct PropertyResult {
   std::vector<std::string> required_by;           ///< ids of clauses, where it is a clause
   std::string tolerance;                          ///< the named bound, or "none: exact"
   Outcome outcome = Outcome::kNotExercised;
-  std::uint64_t cases = 0;            ///< cases run
-  std::uint64_t cases_exercised = 0;  ///< cases in which the property was put to the test
-  std::uint64_t exercised = 0;        ///< times the property was put to the test
-  std::uint64_t cases_refused = 0;    ///< cases that the subject refused
-  std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
-  std::string world;                  ///< the small world that it ran over; empty: drawn cases
-  std::uint64_t world_cases = 0;      ///< cases of the world
-  double worst_ratio = 0;
+  std::string world;              ///< the small world that it ran over; empty: drawn cases
+  std::uint64_t world_cases = 0;  ///< cases of the world
   NearEdgeCounts near_edge;
   std::uint64_t seed = 0;
   double seconds = 0;

@@ -1,7 +1,7 @@
 #include "core/subject.h"
 
-#include <exception>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/evaluators.h"
@@ -33,18 +33,36 @@ Drawing Subject::Show(const DrawJob& job) {
   return drawing;
 }
 
+void Subject::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+  counts += Show({scene, options, counts.samples}).counts;
+}
+
 std::vector<DrawOutcome> Subject::DrawMany(std::span<const DrawJob> jobs) {
   std::vector<DrawOutcome> outcomes;
   for (const DrawJob& job : jobs) {
     DrawOutcome& outcome = outcomes.emplace_back();
-    try {
-      outcome.drawing = Show(job);
-    } catch (...) {
-      outcome.error = std::current_exception();
-      if (outcome.BrokeDown()) break;
-    }
+    outcome.end = EndOf([&] {
+      if (job.onto == nullptr) {
+        outcome.drawing = Show(job);
+      } else {
+        outcome.drawing.counts = *job.onto;
+        Draw(SceneOf(job), job.options, outcome.drawing.counts);
+      }
+    });
+    if (EndsTheCall(outcome.end.stop)) break;
   }
   return outcomes;
+}
+
+Drawing DrawOne(Subject& subject, const DrawJob& job) {
+  DrawOutcome outcome = std::move(subject.DrawMany({&job, 1}).front());
+  outcome.Get();  // or it throws
+  return std::move(outcome.drawing);
+}
+
+void DrawOnto(Subject& subject, const Scene& scene, const DrawOptions& options,
+              CoverageCounts& counts) {
+  counts += DrawOne(subject, {scene, options, counts.samples}).counts;
 }
 
 }  // namespace rasterproof

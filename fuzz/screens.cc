@@ -100,7 +100,7 @@ void LookAtEdge(const Group& group, Point2 a, Point2 b, const NearSamples& near)
 
 CoverageCounts Drawn(const BoundSubject& bound, const Case& c, const DrawOptions& options) {
   CoverageCounts counts(c.scene.width, c.scene.height, c.profile.pattern.samples());
-  bound.subject->Draw(c.scene, options, counts);
+  DrawOnto(*bound.subject, c.scene, options, counts);
   return counts;
 }
 

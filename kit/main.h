@@ -20,9 +20,9 @@
 #include <memory>
 #include <string>
 
+#include "core/call_end.h"
 #include "core/rasterizer.h"
 #include "core/subject.h"
-#include "core/subject_errors.h"
 
 namespace rasterproof::kit {
 

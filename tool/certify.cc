@@ -138,15 +138,11 @@ props::CampaignPart Certification::RunTest(Subject& subject, const Test& test) {
   CaseRange cases{0, total};
   if (source_.range) cases = *source_.range;
   if (source_.shard) cases = CasesOf(*source_.shard, total);
-  props::CampaignOptions campaign;
-  campaign.seed = options_.campaign.seed;
+  props::CampaignOptions campaign =
+      CampaignOn(subject, options_.campaign, [&] { return subject_.Make(); });
   campaign.world = test.world;
   campaign.first_case = cases.first;
   campaign.cases = cases.end - cases.first;
-  campaign.seconds = options_.campaign.seconds;
-  campaign.time_limit = TimeLimitOf(subject);
-  if (IsOutside(info_.name)) campaign.afresh = [&] { return subject_.Make(); };
-  campaign.stop = &Interrupted;
   campaign.pace = &pace_;
   return props::RunPart(subject, *test.property, campaign);
 }
@@ -155,20 +151,18 @@ props::CampaignPart Certification::RunTest(Subject& subject, const Test& test) {
 // often depends on which cases shared calls with that one.
 void Certification::DoTest(Subject& subject, std::size_t k, Part& mine) {
   const Test& test = tests_[k];
-  std::vector<props::CampaignPart> runs;
   if (source_.parts.empty()) {
     const exact::TierScope scope;
     mine.run = RunTest(subject, test);
     mine.tiers = scope.Counts();
-    runs.push_back(mine.run);
   }
   for (const SubjectPart& part : source_.parts) {
-    runs.push_back(part.tests[k].run);
+    props::Add(mine.run, part.tests[k].run);
     mine.tiers += part.tests[k].tiers;
   }
-  if (std::ranges::any_of(runs, &props::EndsTheCampaign)) mine.tiers = {};
+  if (props::EndsTheCampaign(mine.run)) mine.tiers = {};
   PropertyResult result =
-      props::ResultOf(subject, *test.property, options_.campaign.seed, test.world, runs);
+      props::ResultOf(subject, *test.property, options_.campaign.seed, test.world, mine.run);
   mine.found.interrupted = Interrupted();
   if (!mine.found.interrupted || Stands(result)) mine.found.tested.push_back(std::move(result));
 }

@@ -128,7 +128,7 @@ class Certification {
  private:
   struct Part {
     report::Certificate found;  ///< only what this part found
-    props::CampaignPart run;    ///< of a property whose cases were run here
+    props::CampaignPart run;    ///< of a property
     exact::TierCounts tiers;
     bool is_begun = false;
     bool is_done = false;

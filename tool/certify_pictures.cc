@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/result.h"
-#include "core/subject_errors.h"
 #include "fmt/format.h"
 #include "io/image.h"
 #include "reference/method.h"
@@ -77,7 +77,7 @@ std::optional<report::Picture> Explained(const report::Certificate& certificate,
     // It drew the scene before and refuses it now: the certificate stands, the page has one picture
     // less.
     return std::nullopt;
-  } catch (const SubjectTooSlow&) {
+  } catch (const SubjectStop&) {
     return std::nullopt;  // or it was interrupted
   }
 }

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/result.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "exact/placed_scene.h"
@@ -54,6 +54,31 @@ struct Attempt {
   bool as_shown = false;  ///< the counts say whether a sample is covered, not how often
 };
 
+void SetReason(const SubjectStop& end, Attempt& attempt) {
+  const std::string why = end.what();
+  switch (end.stop()) {
+    case Stop::kNone:
+      return;
+    case Stop::kRefused:
+      attempt.outcome = Outcome::kRefused;
+      attempt.reason = "the subject refused it: " + why;
+      return;
+    case Stop::kNotDrawable:
+      attempt.reason = "it can't be given to the subject: " + why;
+      return;
+    case Stop::kBrokeDown:
+    case Stop::kHung:
+      attempt.outcome = Outcome::kViolated;
+      attempt.reason = "the subject failed: " + why;
+      return;
+    case Stop::kTooSlow:
+    case Stop::kDeadline:
+      attempt.outcome = Outcome::kInconclusive;
+      attempt.reason = "too slow to judge: " + why;
+      return;
+  }
+}
+
 Attempt TryToDraw(Subject& subject, const Scene& scene) {
   Attempt attempt;
   if (!Takes(subject.Info(), scene)) {
@@ -65,17 +90,10 @@ Attempt TryToDraw(Subject& subject, const Scene& scene) {
   try {
     attempt.counts = Draw(subject, scene);
     if (!subject.Info().profile.freedom.IsNone()) attempt.call = DrawInOneCall(subject, scene);
-  } catch (const SubjectRefusal& refusal) {
-    attempt.outcome = Outcome::kRefused;
-    attempt.reason = std::string("the subject refused it: ") + refusal.what();
+  } catch (const SubjectStop& stop) {
+    SetReason(stop, attempt);
   } catch (const InputError& error) {
-    attempt.reason = std::string("it can't be given to the subject: ") + error.what();
-  } catch (const SubjectTooSlow& slow) {
-    attempt.outcome = Outcome::kInconclusive;
-    attempt.reason = std::string("too slow to judge: ") + slow.what();
-  } catch (const SubjectFault& fault) {
-    attempt.outcome = Outcome::kViolated;
-    attempt.reason = std::string("the subject failed: ") + fault.what();
+    SetReason({Stop::kNotDrawable, error.what()}, attempt);
   }
   attempt.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return attempt;

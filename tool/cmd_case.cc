@@ -37,8 +37,6 @@
 namespace rasterproof::tool {
 namespace {
 
-constexpr double kNoLimit = 1e9;  // seconds
-
 // Why a difference from the canonical model says nothing against the subject; empty if it does.
 std::string WhyObservedOnly(const SubjectInfo& info, const props::PlacedCase& c) {
   if (!HasOneModel(c.profile) && !info.states_exact)
@@ -208,13 +206,9 @@ int RunShrink(const ShrinkOptions& options) {
   const LoadedCase loaded = LoadCase(options.choice, "shrink");
   RequireTakes(*loaded.subject, loaded.value.scene, ShownName(loaded.value.scene.name));
   Progress progress;
-  props::CampaignOptions campaign;
-  campaign.shrink_budget = options.budget;
-  campaign.shrink_seconds = kNoLimit;
-  campaign.time_limit = TimeLimitOf(*loaded.subject);
-  campaign.stop = Interrupted;
+  props::CampaignOptions campaign = CampaignOn(*loaded.subject, options.campaign);
   campaign.shrinking = [&](std::uint64_t evaluations) {
-    if (evaluations == 0) progress.Stage("shrink", options.budget);
+    if (evaluations == 0) progress.Stage("shrink", campaign.shrink_budget);
     progress.Done(evaluations);
   };
   const props::Counterexample shrunk =

@@ -190,13 +190,8 @@ PropertyResult Campaign(Subject& subject, const AskedSubject& asked,
                         Progress& progress, std::size_t worker, props::Pace& pace) {
   const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
   progress.Stage(stage, options.campaign.cases, worker);
-  props::CampaignOptions campaign;
-  campaign.batch = options.batch;
-  campaign.seed = options.campaign.seed;
-  campaign.cases = options.campaign.cases;
-  campaign.seconds = options.campaign.seconds;
-  campaign.time_limit = TimeLimitOf(subject);
-  if (IsOutside(asked.name())) campaign.afresh = [&] { return asked.Make(); };
+  props::CampaignOptions campaign =
+      CampaignOn(subject, options.campaign, [&] { return asked.Make(); });
   campaign.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
   campaign.shrinking = [&](std::uint64_t evaluations) {
     if (evaluations == 0) {
@@ -204,7 +199,6 @@ PropertyResult Campaign(Subject& subject, const AskedSubject& asked,
     }
     progress.Done(evaluations, worker);
   };
-  campaign.stop = Interrupted;
   campaign.pace = &pace;
   PropertyResult result = props::RunCampaign(subject, property, campaign);
   progress.Stage("", 0, worker);
@@ -261,8 +255,8 @@ std::string TextOf(const std::vector<Share>& shares, const std::string& subject,
 }
 
 // What came of one subject: what is printed, and what it comes to.
-struct Told {
-  explicit Told(FailOn fail_on) : tally(fail_on) {}
+struct Report {
+  explicit Report(FailOn fail_on) : tally(fail_on) {}
 
   std::string text;
   Profile profile;
@@ -278,8 +272,7 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
   result.property = property.name;
   props::SetGrounds(props::AuthorityOf(property, subject.Info().profile), result);
   result.outcome = verdict.outcome;
-  result.cases = 1;
-  result.exercised = verdict.exercised;
+  result.AddCase(verdict);
   result.message = verdict.message;
   if (WasNotAsked(result)) return;
   share.text = fmt::format("{:<16} {:<10} {:<50} {}: exercised {} times{}{}{}; {}\n",
@@ -313,7 +306,7 @@ bool FailsAsSaved(Subject& subject, const props::Property& property, const Check
 }
 
 void CheckGenerated(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,
-                    const CheckOptions& options, Progress& progress, Told& told) {
+                    const CheckOptions& options, Progress& progress, Report& found) {
   props::Pace pace;
   std::exception_ptr error;
   const std::vector<Share> shares = ShareOut(
@@ -326,15 +319,15 @@ void CheckGenerated(Crew& crew, const AskedSubject& subject, const CheckAsked& a
       },
       error);
   std::vector<PropertyResult> results;
-  told.text += TextOf(shares, subject.name(), "", results, told.tally);
+  found.text += TextOf(shares, subject.name(), "", results, found.tally);
   if (error) std::rethrow_exception(error);
   if (asked.is_whole_catalogue && !Interrupted()) {
-    told.text += ContractText(crew.Of(0).Info(), results, told.tally);
+    found.text += ContractText(crew.Of(0).Info(), results, found.tally);
   }
 }
 
 void CheckGiven(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,
-                const CheckOptions& options, Progress& progress, Told& told) {
+                const CheckOptions& options, Progress& progress, Report& found) {
   std::vector<PropertyResult> results;
   for (const GivenCase& given : asked.cases) {
     const Case c = CaseFor(crew.Of(0), given);
@@ -348,11 +341,11 @@ void CheckGiven(Crew& crew, const AskedSubject& subject, const CheckAsked& asked
           progress.Stage("", 0, worker);
         },
         error);
-    told.text += TextOf(shares, subject.name(), given.place + ": ", results, told.tally);
+    found.text += TextOf(shares, subject.name(), given.place + ": ", results, found.tally);
     if (error) std::rethrow_exception(error);
   }
   if (asked.is_whole_catalogue && !Interrupted()) {
-    told.text += ContractText(crew.Of(0).Info(), results, told.tally);
+    found.text += ContractText(crew.Of(0).Info(), results, found.tally);
   }
 }
 
@@ -366,23 +359,23 @@ std::string Hint(const std::string& subject, const Tally& tally, const std::stri
 }
 
 // Runs what is asked of one subject. What was found up to an error is printed all the same.
-Told Check(const AskedSubject& subject, const CheckAsked& asked, const CheckOptions& options) {
+Report Check(const AskedSubject& subject, const CheckAsked& asked, const CheckOptions& options) {
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
   NotePreset(crew.Of(0).Info().profile);
-  Told told(options.fail_on);
-  told.profile = crew.Of(0).Info().profile;
+  Report found(options.fail_on);
+  found.profile = crew.Of(0).Info().profile;
   try {
     Progress progress(crew.size());
     if (asked.cases.empty()) {
-      CheckGenerated(crew, subject, asked, options, progress, told);
+      CheckGenerated(crew, subject, asked, options, progress, found);
     } else {
-      CheckGiven(crew, subject, asked, options, progress, told);
+      CheckGiven(crew, subject, asked, options, progress, found);
     }
   } catch (...) {
-    io::WriteStandardOutput(told.text);
+    io::WriteStandardOutput(found.text);
     throw;
   }
-  return told;
+  return found;
 }
 
 }  // namespace
@@ -394,11 +387,11 @@ int RunCheck(const CheckOptions& options) {
   int status = kExitHolds;
   for (const AskedSubject& subject : asked.subjects) {
     if (Interrupted()) break;
-    const Told told = Check(subject, asked, options);
-    io::WriteStandardOutput(told.text + report::AssumptionLines(told.profile) +
-                            told.tally.Line(subject.name()) +
-                            Hint(subject.name(), told.tally, options.profile));
-    status = WorseStatus(status, told.tally.ExitStatus());
+    const Report found = Check(subject, asked, options);
+    io::WriteStandardOutput(found.text + report::AssumptionLines(found.profile) +
+                            found.tally.Line(subject.name()) +
+                            Hint(subject.name(), found.tally, options.profile));
+    status = WorseStatus(status, found.tally.ExitStatus());
   }
   if (!Interrupted()) return status;
   io::WriteStandardOutput("interrupted: this is what was found so far\n");

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -15,12 +14,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/question.h"
 #include "core/quoted.h"
 #include "core/result.h"
 #include "core/subject.h"
-#include "core/subject_errors.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
@@ -29,7 +28,7 @@
 #include "props/run/campaign.h"
 #include "props/run/description.h"
 #include "props/run/judge.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 #include "props/run/tally.h"
 #include "subjects/process/protocol.h"
 #include "tool/asked.h"
@@ -57,14 +56,6 @@ class FarEnd : public Subject {
  public:
   explicit FarEnd(const SubjectInfo& info) : info_(info) {}
   const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += Show({scene, options, counts.samples}).counts;
-  }
-  Drawing Show(const DrawJob& job) override {
-    DrawOutcome outcome = std::move(DrawMany({&job, 1}).front());
-    outcome.Get();  // or it throws
-    return std::move(outcome.drawing);
-  }
 
  protected:
   const SubjectInfo& info() const { return info_; }
@@ -111,7 +102,7 @@ class AnswerLines {
   }
   void RequireEndOfAnswer() {
     if (!Peek() || subjects::AnsweredRequest(line_) != 0) return;
-    throw SubjectFault("it said more than its answer: " + Quoted(line_, 60));
+    BreakDown("it said more than its answer: " + Quoted(line_, 60));
   }
   // The answer to request `id` was a bad one.
   void PassOver(std::uint64_t id) {
@@ -158,16 +149,15 @@ class Answering final : public FarEnd {
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     std::vector<DrawOutcome> outcomes(jobs.size());
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-      try {
-        outcomes[k].drawing = subjects::ReadAnswer(
-            ++id_, jobs[k], info(), [this](std::size_t /*most_bytes*/) { return lines_.Next(); });
+      auto& [drawing, end] = outcomes[k];
+      Drawing& drawn = drawing;
+      end = EndOf([&] {
+        drawn = subjects::ReadAnswer(++id_, jobs[k], info(),
+                                     [this](std::size_t /*most_bytes*/) { return lines_.Next(); });
+        if (jobs[k].onto != nullptr) drawn.counts += *jobs[k].onto;
         lines_.RequireEndOfAnswer();
-      } catch (const SubjectFault&) {
-        outcomes[k].error = std::current_exception();
-        lines_.PassOver(id_);
-      } catch (const InputError&) {  // it refused
-        outcomes[k].error = std::current_exception();
-      }
+      });
+      if (IsBreakdown(end.stop)) lines_.PassOver(id_);
     }
     return outcomes;
   }
@@ -208,41 +198,41 @@ struct AllAnswers {
   Answers of_picture;
 };
 
-// Puts one check's questions.
-using PutOne = std::function<Answers(const props::Request&)>;
+// Submits one check's questions.
+using SubmitOne = std::function<Answers(const props::Request&)>;
 
-Answers PutTo(Subject& subject, const props::Request& request) {
-  return std::move(props::Put(subject, {&request, 1}).front());
+Answers SubmitTo(Subject& subject, const props::Request& request) {
+  return std::move(props::Submit(subject, {&request, 1}).front());
 }
 
 // Of a check that ends early the rest is not drawn. Here it was asked for all the same: behind a
 // fault or a refusal the answers to it are passed over, or they were taken for those to come.
-Answers PutInStep(Answering& answering, Asking& asking, const props::Request& request) {
-  PutTo(asking, request);
+Answers SubmitInStep(Answering& answering, Asking& asking, const props::Request& request) {
+  SubmitTo(asking, request);
   const std::vector<DrawJob> asked = asking.Asked();
   const std::uint64_t before = answering.answered();
-  Answers answers = PutTo(answering, request);
+  Answers answers = SubmitTo(answering, request);
   answering.Skip(std::span(asked).subspan(answering.answered() - before));
   return answers;
 }
 
-AllAnswers PutAll(const PutOne& put_one, const props::CaseJudge& hand) {
+AllAnswers SubmitAll(const SubmitOne& submit_one, const props::CaseJudge& hand) {
   AllAnswers all;
-  const auto put = [&](const Questions& questions) {
+  const auto submit = [&](const Questions& questions) {
     const props::Check check{questions, {}};
-    return put_one({&hand.Placed(), &check, nullptr});
+    return submit_one({&hand.Placed(), &check, nullptr});
   };
   if (hand.IsDone()) return all;
-  for (const props::Check& check : hand.Checks()) all.of_checks.push_back(put(check.questions));
+  for (const props::Check& check : hand.Checks()) all.of_checks.push_back(submit(check.questions));
   const props::PlacedCase& c = hand.Placed();
   Questions picture;
   picture.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
-  all.of_picture = put(picture);
+  all.of_picture = submit(picture);
   return all;
 }
 
 bool IsAnyRefused(const AllAnswers& all) {
-  const auto is_refused = [](const Answers& answers) { return answers.stop == Stop::kRefused; };
+  const auto is_refused = [](const Answers& answers) { return answers.end.stop == Stop::kRefused; };
   return is_refused(all.of_picture) || std::ranges::any_of(all.of_checks, is_refused);
 }
 
@@ -297,7 +287,7 @@ int RunGen(const PipeOptions& options) {
     const Case c = props::DrawCase(info, property, options.campaign.seed, n);
     const props::CaseJudge hand(property, c, description);
     if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
-    PutAll([&](const props::Request& request) { return PutTo(asking, request); }, hand);
+    SubmitAll([&](const props::Request& request) { return SubmitTo(asking, request); }, hand);
     const std::vector<DrawJob> jobs = asking.Asked();
     io::WriteStandardOutput(subjects::RequestsText(id + 1, jobs, info));
     id += jobs.size();
@@ -313,8 +303,8 @@ int RunVer(const PipeOptions& options) {
   const props::Property& property = RequireProperty(options.property);
   Answering answering(info);
   Asking asking(info);
-  const PutOne put = [&](const props::Request& request) {
-    return PutInStep(answering, asking, request);
+  const SubmitOne submit = [&](const props::Request& request) {
+    return SubmitInStep(answering, asking, request);
   };
   const props::Description description = props::DescriptionOf(answering);
   PipeTally tally;
@@ -328,7 +318,7 @@ int RunVer(const PipeOptions& options) {
       const Case c = props::DrawCase(info, property, options.campaign.seed, n);
       props::CaseJudge hand(property, c, description);
       if (hand.IsDone() && why_not.empty()) why_not = hand.Result().verdict.message;
-      AllAnswers all = PutAll(put, hand);
+      AllAnswers all = SubmitAll(submit, hand);
       answering.RequireAll();
       if (IsAnyRefused(all)) {
         ++tally.refused;

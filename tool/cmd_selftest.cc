@@ -68,7 +68,7 @@ std::vector<Task> TasksOf(const std::vector<subjects::MutantInfo>& chosen,
 
 HuntResult HuntOne(const Task& task, Progress& progress, std::size_t worker) {
   progress.Stage(fmt::format("{}, seed {}, cases", task.mutant.name, task.seed), 0, worker);
-  HuntOptions options;
+  props::CampaignOptions options;
   options.seed = task.seed;
   options.cases = task.cases;
   options.progress = [&](std::uint64_t done) { progress.Done(done, worker); };

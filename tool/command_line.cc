@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "CLI/CLI.hpp"
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "core/suggestion.h"
 #include "fmt/format.h"
 #include "report/text.h"
@@ -45,20 +45,21 @@ void AddSubjects(CLI::App* app, std::vector<std::string>& subjects) {
   });
 }
 
-void AddSeed(CLI::App* app, CampaignChoice& campaign) {
+void AddSeed(CLI::App* app, props::CampaignOptions& campaign) {
   app->add_option_function<std::string>(
          "--seed", [&](const std::string& text) { campaign.seed = ParseSeed(text); },
          "Seed of the generators, or 'random' (the one taken is printed)")
       ->default_str("1");
 }
 
-void AddSeconds(CLI::App* app, CampaignChoice& campaign, const std::string& of) {
+void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::string& of) {
   app->add_option("--seconds", campaign.seconds, "Most seconds a " + of + " (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }
 
-void AddCampaign(CLI::App* app, CampaignChoice& campaign, const std::string& of = "property") {
+void AddCampaign(CLI::App* app, props::CampaignOptions& campaign,
+                 const std::string& of = "property") {
   AddSeed(app, campaign);
   app->add_option("--cases", campaign.cases, "Cases a " + of)
       ->check(Positive())
@@ -155,8 +156,8 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   AddFailOn(verb, options.fail_on);
   AddCount(
       verb, "--batch", "Cases whose draws share calls, of a subject outside", kMostInABatch,
-      [](int count) { options.batch = static_cast<std::size_t>(count); },
-      static_cast<int>(options.batch));
+      [](int count) { options.campaign.batch = static_cast<std::size_t>(count); },
+      static_cast<int>(options.campaign.batch));
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunCheck(options); }); }; });
 }
@@ -277,7 +278,8 @@ void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
   CLI::App* verb = app.add_subcommand("shrink", "Make a failing case as small as it gets");
   AddCase(verb, options.choice);
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->add_option("--budget", options.budget, "Most evaluations")->capture_default_str();
+  verb->add_option("--evaluations,--budget", options.campaign.shrink_budget, "Most evaluations")
+      ->capture_default_str();
   verb->callback(
       [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
 }
@@ -467,12 +469,17 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
     // The words of a file or a program may be in it: nothing of theirs steers the terminal.
     std::cerr << "rasterproof: " << report::CleanText(error.what()) << '\n';
     return kExitUsage;
-  } catch (const SubjectFault& fault) {
-    std::cerr << "rasterproof: the subject failed: " << report::CleanText(fault.what()) << '\n';
-    return kExitViolated;
-  } catch (const SubjectTooSlow& slow) {
-    std::cerr << "rasterproof: the subject was too slow to judge: "
-              << report::CleanText(slow.what()) << '\n';
+  } catch (const SubjectStop& stop) {
+    const std::string why = report::CleanText(stop.what());
+    if (!EndsTheCall(stop.stop())) {
+      std::cerr << "rasterproof: " << why << '\n';
+      return kExitUsage;
+    }
+    if (IsBreakdown(stop.stop())) {
+      std::cerr << "rasterproof: the subject failed: " << why << '\n';
+      return kExitViolated;
+    }
+    std::cerr << "rasterproof: the subject was too slow to judge: " << why << '\n';
     return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";

@@ -2,13 +2,13 @@
 #ifndef RASTERPROOF_TOOL_COMMANDS_H_
 #define RASTERPROOF_TOOL_COMMANDS_H_
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/authority.h"
+#include "props/run/campaign.h"
 
 namespace rasterproof::tool {
 
@@ -27,13 +27,6 @@ struct SceneOptions {
       "auto";  ///< "window", "clip", "auto": window unless a vertex lies behind the eye
   int width = 512;
   int height = 512;
-};
-
-/// How many cases, from which seed.
-struct CampaignChoice {
-  std::uint64_t seed = 1;
-  std::uint64_t cases = 1000;
-  double seconds = 0;
 };
 
 struct ListOptions {
@@ -101,10 +94,9 @@ struct CheckOptions {
   std::vector<std::string> named;   ///< drawn cases, by their names; no scenes either: a campaign
   std::string profile;              ///< judge by this one instead of the subject's own
   bool device = false;              ///< with the numbers of its device in it
-  CampaignChoice campaign;
-  std::size_t batch = 32;  ///< cases whose draws share calls
-  std::string save;        ///< folder for counterexamples; those there are asked first
-  int jobs = 1;            ///< properties at once
+  props::CampaignOptions campaign;
+  std::string save;  ///< folder for counterexamples; those there are asked first
+  int jobs = 1;      ///< properties at once
   FailOn fail_on = FailOn::kStated;
 };
 int RunCheck(const CheckOptions& options);
@@ -123,7 +115,7 @@ struct CertifyOptions {
   std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
   std::string output = "out";
   std::string bench;  ///< file that bench --json wrote, for the page; empty: none
-  CampaignChoice campaign;
+  props::CampaignOptions campaign;
   /// Only these cases, as a part. `campaign.cases` plays no role.
   std::optional<CaseRange> range;
   std::string shard;                ///< only this shard, as a part: "2/5" or "auto"; empty: all
@@ -155,7 +147,7 @@ int RunInfer(const InferOptions& options);
 struct SurveyOptions {
   std::string subject = "spans-exact";
   std::string profile;  ///< stated in place of the subject's own
-  CampaignChoice campaign{.seed = 1, .cases = 2000, .seconds = 0};
+  props::CampaignOptions campaign{.cases = 2000};
   std::string json;  ///< file; empty: none
   std::string save;  ///< folder for the cases found
   int jobs = 1;      ///< domains at once
@@ -202,7 +194,7 @@ int RunClimb(const ClimbOptions& options);
 struct ShrinkOptions {
   CaseChoice choice;
   std::string output = "-";
-  std::uint64_t budget = 10000;
+  props::CampaignOptions campaign{.shrink_budget = 10000, .shrink_seconds = 1e9};
 };
 int RunShrink(const ShrinkOptions& options);
 
@@ -260,7 +252,7 @@ struct PipeOptions {
   std::string property = "CoverageEqualsTheModel";
   std::string description;  ///< file; empty: what is assumed of a program that says nothing
   std::string profile;      ///< in place of the description's
-  CampaignChoice campaign;
+  props::CampaignOptions campaign;
 };
 int RunGen(const PipeOptions& options);
 int RunVer(const PipeOptions& options);

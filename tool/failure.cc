@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/profile.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "exact/homogeneous.h"
@@ -286,7 +286,7 @@ std::string PictureText(Subject& subject, const Case& c, const Verdict& verdict,
     return report::ExplanationToText(Explain(subject, c, verdict, replay), colour);
   } catch (const InputError&) {
     return no_picture;
-  } catch (const SubjectTooSlow&) {
+  } catch (const SubjectStop&) {
     return no_picture;
   }
 }

@@ -5,7 +5,7 @@
 namespace rasterproof::tool {
 
 /// From here on the first SIGINT, SIGTERM or SIGHUP sets Interrupted() and kills the subjects
-/// outside; who waits for their answers gets SubjectTooSlow. The second one ends the command at
+/// outside; who waits for their answers gets kTooSlow. The second one ends the command at
 /// once. A signal that the caller told this command to ignore stays ignored.
 void CatchInterrupts();
 

@@ -71,7 +71,7 @@ OneCall DrawInOneCall(Subject& subject, const Scene& scene) {
   const SubjectInfo& info = subject.Info();
   DrawJob job(scene, {}, info.profile.pattern.samples());
   job.wants = kCoverageAndPrimitiveIds;
-  OneCall drawn{subject.Show(job)};
+  OneCall drawn{DrawOne(subject, job)};
   const bool counts =
       info.coverage == CoverageKind::kFacingCounts || info.coverage == CoverageKind::kCounts;
   drawn.has_counts = counts || drawn.drawing.primitive_ids.empty();

@@ -124,10 +124,6 @@ subjects::ProcessLimits& OutsideLimits() {
   return limits;
 }
 
-double TimeLimitOf(const Subject& subject) {
-  return IsOutside(subject.Info().name) ? OutsideLimits().seconds : 0;
-}
-
 void RegisterOwn(const std::string& name, std::function<std::unique_ptr<Subject>()> make) {
   OwnMakers()[name] = std::move(make);
 }

@@ -24,9 +24,6 @@ inline constexpr std::string_view kDescriptionEnding = ".subject";
 /// How long and how large a subject outside may be. Set once, from the command line.
 subjects::ProcessLimits& OutsideLimits();
 
-/// What one draw of the subject may take, in seconds; 0 for one of ours, which can't be stopped.
-double TimeLimitOf(const Subject& subject);
-
 /// Makes a type of the user's own known by a name (kit/main.h).
 void RegisterOwn(const std::string& name, std::function<std::unique_ptr<Subject>()> make);
 std::vector<std::string> OwnNames();

@@ -109,17 +109,15 @@ std::string LegalFigures(const std::vector<HuntResult>& results, std::uint64_t l
 
 }  // namespace
 
-Hunt HuntBug(Subject& subject, const HuntOptions& options) {
+Hunt HuntBug(Subject& subject, const props::CampaignOptions& options) {
   const Clock::time_point start = Clock::now();
   Hunt hunt;
   std::vector<const props::Property*> applicable;
   for (const props::Property& property : props::Catalog()) applicable.push_back(&property);
   const auto run = [&](const props::Property& property, std::uint64_t first, std::uint64_t last) {
-    props::CampaignOptions campaign;
-    campaign.seed = options.seed;
+    props::CampaignOptions campaign = options;
     campaign.first_case = first;
     campaign.cases = last - first;
-    campaign.shrink_budget = options.shrink_budget;
     if (options.progress) {
       campaign.progress = [&](std::uint64_t done) { options.progress(hunt.cases + done); };
     }

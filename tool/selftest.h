@@ -3,24 +3,16 @@
 #define RASTERPROOF_TOOL_SELFTEST_H_
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/result.h"
 #include "core/subject.h"
+#include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
 
 namespace rasterproof::tool {
-
-struct HuntOptions {
-  std::uint64_t seed = 1;
-  std::uint64_t cases = 1000;  ///< most cases a property
-  std::uint64_t shrink_budget = 2000;
-  /// Called now and then with the number of cases run. May be empty.
-  std::function<void(std::uint64_t)> progress = {};
-};
 
 /// What a hunt ended with.
 struct Hunt {
@@ -37,8 +29,8 @@ struct Hunt {
 ///
 /// Every property has its turn in rounds that grow fourfold: a bug that any property sees at once
 /// does not wait for the thousandth case of another one. A property that says in the first round
-/// that it does not apply is asked no more.
-Hunt HuntBug(Subject& subject, const HuntOptions& options);
+/// that it does not apply is asked no more. Progress is in cases over all properties.
+Hunt HuntBug(Subject& subject, const props::CampaignOptions& options);
 
 /// A mutant or legal variant, and what a hunt found of it.
 struct HuntResult {

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "exact/environment.h"
 #include "fmt/format.h"
@@ -29,6 +29,7 @@
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/asked.h"
+#include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/shared_files.h"
 #include "tool/shell.h"
@@ -126,8 +127,9 @@ std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& s
                                                 const DrawOptions& options, std::string& reason) {
   try {
     return Draw(subject, scene, options);
-  } catch (const SubjectFault& fault) {
-    reason = std::string("the subject failed: ") + fault.what();
+  } catch (const SubjectStop& stop) {
+    if (!IsBreakdown(stop.stop())) throw;
+    reason = std::string("the subject failed: ") + stop.what();
     return std::nullopt;
   }
 }
@@ -278,6 +280,15 @@ void WriteOutput(const std::string& path, std::string_view content) {
   } else {
     io::WriteFile(path, content);
   }
+}
+
+props::CampaignOptions CampaignOn(const Subject& subject, props::CampaignOptions options,
+                                  SubjectMaker make) {
+  options.stop = Interrupted;
+  if (!IsOutside(subject.Info().name)) return options;
+  options.time_limit = OutsideLimits().seconds;
+  options.afresh = std::move(make);
+  return options;
 }
 
 }  // namespace rasterproof::tool

@@ -15,7 +15,9 @@
 #include "core/subject.h"
 #include "props/domains/case_name.h"
 #include "props/property.h"
+#include "props/run/campaign.h"
 #include "tool/commands.h"
+#include "tool/outside.h"
 
 namespace rasterproof::tool {
 
@@ -64,6 +66,11 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
 
 /// Writes to the file, or to standard output if the path is "-".
 void WriteOutput(const std::string& path, std::string_view content);
+
+/// The options, with what a campaign on the subject takes from the command: an interrupt ends it;
+/// one outside is stopped at its time limit, and made anew by `make`.
+props::CampaignOptions CampaignOn(const Subject& subject, props::CampaignOptions options,
+                                  SubjectMaker make = {});
 
 }  // namespace rasterproof::tool
 

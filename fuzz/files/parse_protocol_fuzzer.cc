@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/drawing.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "fuzz/files/parser.h"
 #include "fuzz/fuzz_target.h"
@@ -21,8 +21,8 @@ namespace {
 using rasterproof::CoverageKind;
 using rasterproof::DrawJob;
 using rasterproof::InputError;
-using rasterproof::SubjectFault;
 using rasterproof::SubjectInfo;
+using rasterproof::SubjectStop;
 using rasterproof::fuzz::TextOf;
 
 // The requests of all calls, written again.
@@ -69,7 +69,7 @@ void ReadAnswers(std::uint8_t kind, std::string_view text) {
   SubjectInfo info;
   info.coverage = static_cast<CoverageKind>(kind % 5);
   const auto next_line = [&](std::size_t /*most_bytes*/) {
-    if (text.empty()) throw SubjectFault("no more lines");
+    if (text.empty()) throw SubjectStop(rasterproof::Stop::kBrokeDown, "no more lines");
     const std::size_t end = text.find('\n');
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
@@ -88,7 +88,7 @@ void ReadAnswers(std::uint8_t kind, std::string_view text) {
     rasterproof::subjects::ReadValues(edge, "fuzz", next_line);
   } catch (const InputError&) {
     return;
-  } catch (const SubjectFault&) {
+  } catch (const SubjectStop&) {
     return;
   }
 }

@@ -158,13 +158,12 @@ void BreakOff(const Observer& observer, Inference& inference) {
   inference.remaining.clear();
   inference.against_stated.reset();
   inference.witness.reset();
-  inference.is_inconclusive =
-      observer.stop() == Stop::kTooSlow || observer.stop() == Stop::kDeadline;
+  inference.is_inconclusive = !IsBreakdown(observer.end().stop) && EndsTheCall(observer.end().stop);
   if (inference.is_inconclusive) {
-    inference.message = "the subject was too slow to judge: " + observer.why();
+    inference.message = "the subject was too slow to judge: " + observer.end().why;
     return;
   }
-  inference.message = "the subject broke off: " + observer.why();
+  inference.message = "the subject broke off: " + observer.end().why;
   inference.witness = CaseOf(observer.last_scene(), observer.info().profile);
 }
 

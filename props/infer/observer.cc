@@ -9,7 +9,7 @@
 #include "props/domains/input_lattice.h"
 #include "props/judging/redraw.h"
 #include "props/property.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 
 namespace rasterproof::props {
 
@@ -37,15 +37,14 @@ std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes, bool ma
     checks[k].questions.draws = {CountsOf(AsGiven(scenes[k]), info().profile, {})};
     requests.push_back({&placed_, &checks[k], nullptr});
   }
-  for (Answers& answers : Put(subject_, requests)) {
+  for (Answers& answers : Submit(subject_, requests)) {
     ++draws_;
     last_scene_ = scenes[seen.size()];
-    if (may_refuse && answers.stop == Stop::kRefused) {
+    if (may_refuse && answers.end.stop == Stop::kRefused) {
       seen.emplace_back();
       continue;
     }
-    stop_ = answers.stop;
-    why_ = std::move(answers.why);
+    end_ = std::move(answers.end);
     if (HasBrokenOff()) break;
     seen.push_back(answers.draws.front()->counts);
   }

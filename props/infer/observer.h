@@ -59,10 +59,8 @@ class Observer {
   std::uint64_t draws() const { return draws_; }
   /// What the subject was asked last.
   const Scene& last_scene() const { return last_scene_; }
-  bool HasBrokenOff() const { return stop_ != Stop::kNone; }
-  /// How it broke off, and why in words.
-  Stop stop() const { return stop_; }
-  const std::string& why() const { return why_; }
+  bool HasBrokenOff() const { return end_.stop != Stop::kNone; }
+  const CallEnd& end() const { return end_; }
 
  private:
   // In the space that the subject takes.
@@ -76,8 +74,7 @@ class Observer {
   FacingReport facing_ = FacingReport::kNotTold;
   std::uint64_t draws_ = 0;
   Scene last_scene_;
-  Stop stop_ = Stop::kNone;
-  std::string why_;
+  CallEnd end_;
 };
 
 /// Adds the back counts to the front ones.

@@ -30,6 +30,10 @@ constexpr std::uint64_t kCasesPerProgress = 16;
 // A subject outside that takes so long over a case is slow.
 constexpr double kSlowSeconds = 1;
 
+// So many properties may wait a whole time limit for the first answer of a subject that hangs: it
+// may be one that takes long to start.
+constexpr int kMostSilent = 3;
+
 // How long a case takes, roughly.
 std::uint64_t SizeOf(const Case& c) {
   const auto samples = std::uint64_t{1} * static_cast<std::uint64_t>(c.scene.width) *
@@ -37,6 +41,8 @@ std::uint64_t SizeOf(const Case& c) {
                        static_cast<std::uint64_t>(c.profile.pattern.samples());
   return samples * (1 + c.scene.triangles.size());
 }
+
+bool HasNoAnswer(const Trial& trial) { return EndsTheCall(trial.stop); }
 
 // Cases that are drawn together, with their numbers.
 struct Block {
@@ -53,8 +59,10 @@ class Campaign {
         options_(options),
         pace_(options.pace != nullptr ? *options.pace : own_pace_),
         is_outside_(subject.SharesCalls()),
-        budget_(subject, options),
-        tally_(subject, property, options.seed, options.world) {}
+        budget_(subject, options_),
+        tally_(subject, property, options.seed, options.world) {
+    options_.pace = &pace_;
+  }
 
   CampaignPart Run() {
     const auto start = budget_.Now();
@@ -131,17 +139,21 @@ class Campaign {
                                           std::size_t count) {
     const std::span<const Case> cases(block.cases.data() + first, count);
     const auto began = budget_.Now();
-    if (pace_.hangs && options_.time_limit > 0) budget_.GiveSubject(options_.time_limit);
+    if (pace_.hangs && options_.time_limit > 0) {
+      budget_.GiveSubject(pace_.LimitAfterAHang(options_.time_limit));
+    }
     const std::vector<Trial> trials = TryAll(cases);
     const double took = budget_.Since(began);
     if (is_outside_ && took >= kSlowSeconds * static_cast<double>(count)) pace_.is_slow = true;
+    if (std::ranges::none_of(trials, &HasNoAnswer)) pace_.Answered(took);
     for (std::size_t k = 0; k < trials.size(); ++k) {
       const Trial& trial = trials[k];
       const bool no_answer = trial.verdict.outcome == Outcome::kInconclusive;
       // What breaks down as the run is stopped may have been stopped with it.
-      if ((no_answer || trial.broke_down) && budget_.IsStopped()) return Ended(End::kInterrupted);
+      if ((no_answer || IsBreakdown(trial.stop)) && budget_.IsStopped())
+        return Ended(End::kInterrupted);
       // The case does not count: it is the run's time that was up, not the subject's.
-      if (trial.met_a_deadline && budget_.IsUp()) return Ended(End::kTimeUp);
+      if (trial.stop == Stop::kDeadline && budget_.IsUp()) return Ended(End::kTimeUp);
       const std::uint64_t index = block.indices[first + k];
       tally_.AddCase(index, cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
@@ -164,14 +176,18 @@ class Campaign {
   CampaignPart TooSlow(const Case& c, const Verdict& verdict) {
     if (is_outside_) pace_.is_slow = true;
     const std::string why =
-        pace_.hangs ? "no answer within one time limit, which is all that a case gets since "
-                      "another property saw the subject hang"
+        pace_.hangs ? "no answer within the short time that a case gets since another property saw "
+                      "the subject hang"
                     : verdict.message;
+    ++pace_.silent;
     return Ended(End::kInconclusive, c.origin + ": " + why);
   }
 
   CampaignPart Failed(const Failure& failure) {
-    if (failure.trial.hung) pace_.hangs = true;
+    if (failure.trial.stop == Stop::kHung) {
+      pace_.hangs = true;
+      ++pace_.silent;
+    }
     CampaignPart part = Ended(End::kFailed);
     part.found = Investigate(subject_, property_, failure, options_, budget_);
     part.failing_case = failure.company[failure.at].origin;
@@ -180,7 +196,7 @@ class Campaign {
 
   Subject& subject_;
   const Property& property_;
-  const CampaignOptions& options_;
+  CampaignOptions options_;
   Pace own_pace_;
   Pace& pace_;
   bool is_outside_;
@@ -189,6 +205,16 @@ class Campaign {
 };
 
 }  // namespace
+
+void Pace::Answered(double seconds) {
+  if (seconds > slowest) slowest = seconds;
+  silent = 0;
+}
+
+double Pace::LimitAfterAHang(double time_limit) const {
+  if (slowest == 0 && silent < kMostSilent) return time_limit;
+  return std::clamp(10 * slowest, time_limit / 10, time_limit);
+}
 
 Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t seed,
               std::uint64_t number) {
@@ -206,8 +232,8 @@ Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
 
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options) {
-  const CampaignPart part = RunPart(subject, property, options);
-  return ResultOf(subject, property, options.seed, options.world, {&part, 1});
+  return ResultOf(subject, property, options.seed, options.world,
+                  RunPart(subject, property, options));
 }
 
 CampaignPart RunPart(Subject& subject, const Property& property, const CampaignOptions& options) {

@@ -25,7 +25,14 @@ inline constexpr std::size_t kDefaultBatch = 32;
 /// What other runs saw of a subject's pace. Threads may share it.
 struct Pace {
   std::atomic<bool> is_slow = false;  ///< small cases come first
-  std::atomic<bool> hangs = false;    ///< no case gets more than one time limit in all
+  std::atomic<bool> hangs = false;    ///< no case gets more than LimitAfterAHang
+  std::atomic<double> slowest = 0;    ///< seconds that the slowest call with an answer took
+  std::atomic<int> silent = 0;        ///< properties in a row that ended without an answer
+
+  void Answered(double seconds);
+  /// What a case gets of a time limit once the subject was seen to hang: a tenth, or ten times what
+  /// its slowest answer took. All of it while nothing was ever answered and few were asked.
+  double LimitAfterAHang(double time_limit) const;
 };
 
 struct CampaignOptions {

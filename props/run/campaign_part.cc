@@ -1,7 +1,7 @@
 #include "props/run/campaign_part.h"
 
 #include <cstdint>
-#include <span>
+#include <utility>
 
 #include "core/result.h"
 #include "core/subject.h"
@@ -12,17 +12,17 @@
 namespace rasterproof::props {
 namespace {
 
-PropertyResult Concluded(const Tally& tally, const CampaignPart& last) {
-  switch (last.end) {
+PropertyResult Concluded(const Tally& tally, const CampaignPart& part) {
+  switch (part.end) {
     case End::kAllRun:
     case End::kTimeUp:
       break;
     case End::kNotApplicable:
-      return tally.NotApplicable(last.why);
+      return tally.NotApplicable(part.why);
     case End::kFailed:
-      return tally.Failed(*last.found, last.failing_case);
+      return tally.Failed(*part.found, part.failing_case);
     case End::kInconclusive:
-      return tally.Inconclusive(last.why);
+      return tally.Inconclusive(part.why);
     case End::kInterrupted:
       return tally.Interrupted();
   }
@@ -31,19 +31,23 @@ PropertyResult Concluded(const Tally& tally, const CampaignPart& last) {
 
 }  // namespace
 
-PropertyResult ResultOf(const Subject& subject, const Property& property, std::uint64_t seed,
-                        const World* world, std::span<const CampaignPart> parts) {
-  Tally tally(subject, property, seed, world);
-  double seconds = 0;
-  const CampaignPart* last = nullptr;
-  for (const CampaignPart& part : parts) {
-    seconds += part.seconds;
-    if (last != nullptr && EndsTheCampaign(*last)) continue;
-    tally.AddSums(part.sums);
-    last = &part;
+void Add(CampaignPart& part, const CampaignPart& next) {
+  const double seconds = part.seconds + next.seconds;
+  if (!EndsTheCampaign(part)) {
+    Sums sums = std::move(part.sums);
+    sums.Add(next.sums);
+    part = next;
+    part.sums = std::move(sums);
   }
-  PropertyResult result = last == nullptr ? tally.Concluded() : Concluded(tally, *last);
-  result.seconds = seconds;
+  part.seconds = seconds;
+}
+
+PropertyResult ResultOf(const Subject& subject, const Property& property, std::uint64_t seed,
+                        const World* world, const CampaignPart& part) {
+  Tally tally(subject, property, seed, world);
+  tally.AddSums(part.sums);
+  PropertyResult result = Concluded(tally, part);
+  result.seconds = part.seconds;
   return result;
 }
 

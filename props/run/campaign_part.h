@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "core/result.h"
@@ -36,7 +35,7 @@ struct CampaignPart {
   double seconds = 0;
 };
 
-/// Whether no case behind the part counts.
+/// Whether no case after the part counts.
 inline bool EndsTheCampaign(const CampaignPart& part) { return part.end != End::kAllRun; }
 
 /// Runs the cases of the options, as RunCampaign does.
@@ -44,12 +43,14 @@ inline bool EndsTheCampaign(const CampaignPart& part) { return part.end != End::
 /// Error:      JudgingFault.
 CampaignPart RunPart(Subject& subject, const Property& property, const CampaignOptions& options);
 
-/// The result of the campaign that these parts are, in the order of their cases: that of
-/// RunCampaign over all of them, whatever parts they were run in, if what the subject draws depends
-/// on nothing but the scene, and no limit of time was met. Parts behind one that ends the campaign
-/// do not count.
+/// Adds the part that follows. The sum is what RunPart gives over the cases of both, if what the
+/// subject draws depends on nothing but the scene, and no limit of time was met. A part after one
+/// that ends the campaign adds its seconds alone.
+void Add(CampaignPart& part, const CampaignPart& next);
+
+/// The result of a campaign: that of RunCampaign over the part's cases.
 PropertyResult ResultOf(const Subject& subject, const Property& property, std::uint64_t seed,
-                        const World* world, std::span<const CampaignPart> parts);
+                        const World* world, const CampaignPart& part);
 
 }  // namespace rasterproof::props
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "props/run/look_ahead.h"
 #include "props/shrink/shrink.h"
 
@@ -48,7 +48,7 @@ class FreshSubject {
       made_ = options.afresh();
     } catch (const InputError&) {
       return;
-    } catch (const SubjectTooSlow&) {
+    } catch (const SubjectStop&) {  // it was interrupted
       return;
     }
     budget.GiveAll(*made_);
@@ -70,7 +70,7 @@ class Shrinking {
         property_(property),
         options_(options),
         budget_(budget),
-        hung_(failure.trial.hung),
+        hung_(failure.trial.stop == Stop::kHung),
         first_(failure.trial.verdict),
         last_(first_) {}
 
@@ -99,19 +99,25 @@ class Shrinking {
   // What hung hangs again if it gives no answer now.
   Verdict JudgeInOneLimit(const Case& c) {
     const auto began = budget_.Now();
-    if (options_.time_limit > 0) budget_.GiveSubject(options_.time_limit);
+    const bool has_pace = hung_ && options_.pace != nullptr;
+    const double limit =
+        has_pace ? options_.pace->LimitAfterAHang(options_.time_limit) : options_.time_limit;
+    if (limit > 0) budget_.GiveSubject(limit);
     const Trial trial = TryCase(subject_, property_, c);
-    const bool no_answer = trial.broke_down || trial.verdict.outcome == Outcome::kInconclusive;
-    const bool took_a_limit =
-        options_.time_limit > 0 && budget_.Since(began) >= options_.time_limit;
+    const bool no_answer =
+        IsBreakdown(trial.stop) || trial.verdict.outcome == Outcome::kInconclusive;
+    const bool took_a_limit = limit > 0 && budget_.Since(began) >= limit;
+    if (has_pace && !no_answer) options_.pace->Answered(budget_.Since(began));
     if (!no_answer || !took_a_limit) return trial.verdict;
     ++hangs_;
+    if (has_pace) hang_seconds_ += limit;
     return hung_ ? first_ : trial.verdict;
   }
 
   std::string WhyToCut() const {
     if (budget_.IsStopped()) return "interrupted";
-    if (hangs_ >= kMostHangs) {
+    const double most_seconds = kMostHangLimits * options_.time_limit;
+    if (hangs_ >= kMostHangs || (hangs_ > 0 && hang_seconds_ >= most_seconds)) {
       const std::string times = std::to_string(hangs_);
       return hung_ ? "it hung " + times + " times"
                    : times + " smaller cases were too slow to judge";
@@ -144,6 +150,7 @@ class Shrinking {
   Budget::Clock::time_point began_;
   std::uint64_t evaluations_ = 0;
   int hangs_ = 0;
+  double hang_seconds_ = 0;
   std::string cut_;
 };
 
@@ -214,7 +221,7 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
   if (options.shrinking) options.shrinking(0);
   // Earlier draws are company as well. Whoever breaks down is on a fresh process already.
   const bool may_be_company =
-      options.afresh && !property.is_about_sequence && !failure.trial.broke_down;
+      options.afresh && !property.is_about_sequence && !IsBreakdown(failure.trial.stop);
   if ((failure.company.size() > 1 || may_be_company) && MayGoOn(budget)) {
     const Verdict alone = shrinking.JudgeAlone(failing);
     const bool could_be_judged = alone.outcome != Outcome::kInconclusive;
@@ -230,7 +237,7 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
   }
   found.evaluations = shrinking.evaluations();
   if (shrinking.Hung() && shrinking.hangs() > 0) {
-    found.message += "; smaller cases without an answer in one time limit were taken to hang";
+    found.message += "; smaller cases without an answer in a short time were taken to hang";
   }
   if (!shrinking.Cut().empty()) found.message += "; not shrunk any further: " + shrinking.Cut();
   return found;

@@ -18,8 +18,10 @@
 
 namespace rasterproof::props {
 
-/// So many evaluations may hang while a case is shrunk: each costs a whole time limit.
+/// So many evaluations may hang while a case is shrunk.
 inline constexpr int kMostHangs = 8;
+/// While one that hung is shrunk, they may take so many time limits in all (Pace).
+inline constexpr double kMostHangLimits = 2;
 
 /// What failed, and what is said of it.
 struct Counterexample {
@@ -49,8 +51,9 @@ struct Failure {
 /// these are put to a subject made anew if the options make one: what a subject remembers of other
 /// draws is company as well.
 ///
-/// An evaluation gets one time limit in all, which is no time to prove that a case hangs, and
-/// shrinking ends behind kMostHangs that took it; what hung hangs again if it has no answer then.
+/// An evaluation gets one time limit in all, or what the pace leaves of it after a hang. That is no
+/// time to prove that a case hangs: shrinking ends after kMostHangs that took it, and what hung
+/// hangs again if it has no answer then.
 /// What is violated in company alone is violated if the company does it again. Ends in time when
 /// the budget does, or if it is stopped; then the message says so.
 Counterexample Investigate(Subject& subject, const Property& property, const Failure& failure,

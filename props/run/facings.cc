@@ -11,10 +11,13 @@ namespace rasterproof::props {
 void DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& options,
                   CoverageCounts& counts) {
   const SubjectInfo& info = subject.Info();
-  if (info.coverage == CoverageKind::kFacingCounts) return subject.Draw(scene, options, counts);
+  if (info.coverage == CoverageKind::kFacingCounts) {
+    return DrawOnto(subject, scene, options, counts);
+  }
   const std::vector<Part> parts =
       FacingParts({scene, options, counts.samples}, info.coverage, info.profile);
-  DrawParts(subject, parts, counts);
+  const CallEnd end = DrawParts(subject, parts, counts);
+  if (end.stop != Stop::kNone) throw SubjectStop(end);
 }
 
 }  // namespace rasterproof::props

@@ -13,8 +13,7 @@ namespace rasterproof::props {
 /// CoverageKind::kFacingCounts draws itself, and of any other the sum of the draws of the parts
 /// (FacingParts) that the profile makes of the scene by which the subject is judged.
 ///
-/// Domain:     as Subject::Draw.
-/// Error:      as Subject::Draw.
+/// Error:      SubjectStop if there is no drawing.
 void DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& options,
                   CoverageCounts& counts);
 

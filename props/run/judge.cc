@@ -16,8 +16,8 @@
 namespace rasterproof::props {
 namespace {
 
-Answers PutOne(Subject& subject, const Request& request) {
-  return std::move(Put(subject, {&request, 1}).front());
+Answers SubmitOne(Subject& subject, const Request& request) {
+  return std::move(Submit(subject, {&request, 1}).front());
 }
 
 }  // namespace
@@ -71,17 +71,17 @@ std::shared_ptr<const DrawnScene> CaseJudge::DrawnBy(const Check& check, std::si
 }
 
 void CaseJudge::StopBy(const Answers& answers) {
-  switch (answers.stop) {
+  switch (answers.end.stop) {
     case Stop::kNone:
       return;
     case Stop::kRefused:
-      return Conclude({Verdict::Refused(answers.why)});
+      return Conclude({Verdict::Refused(answers.end.why), answers.end.stop});
     case Stop::kNotDrawable:
-      return Conclude({Verdict::NotApplicable(answers.why)});
+      return Conclude({Verdict::NotApplicable(answers.end.why), answers.end.stop});
     case Stop::kBrokeDown:
     case Stop::kHung: {
-      Trial trial{Verdict::Violated(1, "the subject failed: " + answers.why, Witness{}), true};
-      trial.hung = answers.stop == Stop::kHung;
+      Trial trial{Verdict::Violated(1, "the subject failed: " + answers.end.why, Witness{}),
+                  answers.end.stop};
       if (answers.stopped_at) {
         trial.verdict.drawn = DrawnBy(asked_.checks[next_], *answers.stopped_at);
       }
@@ -89,17 +89,14 @@ void CaseJudge::StopBy(const Answers& answers) {
       return;
     }
     case Stop::kTooSlow:
-    case Stop::kDeadline: {
-      Trial trial{Verdict::Inconclusive(answers.why)};
-      trial.met_a_deadline = answers.stop == Stop::kDeadline;
-      trial_ = std::move(trial);
+    case Stop::kDeadline:
+      trial_ = {Verdict::Inconclusive(answers.end.why), answers.end.stop};
       return;
-    }
   }
 }
 
 void CaseJudge::Take(Answers answers) {
-  if (answers.stop != Stop::kNone) return StopBy(answers);
+  if (answers.end.stop != Stop::kNone) return StopBy(answers);
   const Check& check = asked_.checks[next_++];
   drawn_.insert(drawn_.end(),
                 answers.draws.begin() + static_cast<std::ptrdiff_t>(check.bases.size()),
@@ -129,7 +126,7 @@ void CaseJudge::Take(Answers answers) {
 }
 
 void CaseJudge::Blame(Subject& subject) {
-  const bool is_said = trial_->verdict.outcome != Outcome::kViolated || trial_->broke_down;
+  const bool is_said = trial_->verdict.outcome != Outcome::kViolated || IsBreakdown(trial_->stop);
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
   // If the oracle cannot decide the case, no triangle is blamed.
   if (exact::WhyNotDecided(placed_)) return;
@@ -137,10 +134,10 @@ void CaseJudge::Blame(Subject& subject) {
       WorkedOut(place_, [&] { return property_.blame(placed_, violation_, subject_); });
   for (const Check& check : round.checks) {
     const Request request{&placed_, &check, &drawn_};
-    const Answers answers = PutOne(subject, request);
+    const Answers answers = SubmitOne(subject, request);
     // What was seen stays so, whatever becomes of less of the case.
-    if (answers.stop == Stop::kRefused || answers.stop == Stop::kNotDrawable) continue;
-    if (answers.stop != Stop::kNone) return;
+    if (EndsTheCall(answers.end.stop)) return;
+    if (answers.end.stop != Stop::kNone) continue;
     const Verdict blamed = WorkedOut(place_, [&] { return check.judge(answers); });
     if (blamed.outcome != Outcome::kViolated) continue;
     violation_.witness = blamed.witness;
@@ -153,7 +150,7 @@ Trial TryCase(Subject& subject, const Property& property, const Case& c, Blaming
   const Description description = DescriptionOf(subject);
   CaseJudge hand(property, c, description);
   WorkedOut(PlaceOfFault(property, {&c, 1}), [&] {
-    while (!hand.IsDone()) hand.Take(PutOne(subject, hand.Next()));
+    while (!hand.IsDone()) hand.Take(SubmitOne(subject, hand.Next()));
     if (blaming == Blaming::kWhoItWas) hand.Blame(subject);
   });
   return hand.Result();

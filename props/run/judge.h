@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/case.h"
 #include "core/question.h"
 #include "core/subject.h"
-#include "core/subject_errors.h"
 #include "core/verdict.h"
 #include "props/placed_case.h"
 #include "props/property.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 #include "props/run/trial.h"
 
 namespace rasterproof::props {

@@ -7,7 +7,7 @@
 
 #include "props/run/description.h"
 #include "props/run/judge.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 
 namespace rasterproof::props {
 namespace {
@@ -61,7 +61,7 @@ class Together {
     }
     if (requests.empty() || is_stopped_) return false;
     // Fewer if the subject broke down: what lies behind is asked again, unless that ends the batch.
-    const std::vector<Answers> answers = Put(subject_, requests);
+    const std::vector<Answers> answers = Submit(subject_, requests);
     for (std::size_t n = 0; n < answers.size() && asked[n] < end_ && !IsStopped(); ++n) {
       hands_[asked[n]]->Take(answers[n]);
       NoteEnd(asked[n]);

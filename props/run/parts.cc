@@ -52,7 +52,7 @@ std::size_t SizeInACall(const DrawJob& job) {
   return CoverageCounts::Size(scene.width, scene.height, job.samples) + scene.vertices.size();
 }
 
-void DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& counts) {
+CallEnd DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& counts) {
   const CoverageKind coverage = subject.Info().coverage;
   while (!parts.empty()) {
     std::vector<DrawJob> jobs;
@@ -64,10 +64,12 @@ void DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& co
     }
     const std::vector<DrawOutcome> drawn = subject.DrawMany(jobs);
     for (std::size_t k = 0; k < drawn.size(); ++k) {
-      AddPart(parts[k], coverage, drawn[k].Get().counts, counts);
+      if (drawn[k].end.stop != Stop::kNone) return drawn[k].end;
+      AddPart(parts[k], coverage, drawn[k].drawing.counts, counts);
     }
     parts = parts.subspan(jobs.size());
   }
+  return {};
 }
 
 void AddPart(const Part& part, CoverageKind coverage, const CoverageCounts& drawn,

@@ -38,8 +38,8 @@ std::size_t SizeInACall(const DrawJob& job);
 
 /// Draws the parts in their order, in calls of kMostInACall, and adds what they drew.
 ///
-/// Error:      what the subject throws; counts are then of the parts before.
-void DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& counts);
+/// Returns:    how it ended; if early, counts are of the parts before.
+CallEnd DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& counts);
 
 /// Adds what a part drew to the counts of its draw.
 ///

@@ -27,26 +27,21 @@ void AddSentence(std::string& message, const std::string& sentence) {
 
 }  // namespace
 
-void Add(Sums& sums, const Sums& behind) {
-  sums.cases += behind.cases;
-  sums.cases_exercised += behind.cases_exercised;
-  sums.exercised += behind.exercised;
-  sums.cases_refused += behind.cases_refused;
-  sums.not_judged += behind.not_judged;
-  sums.positive_fronts += behind.positive_fronts;
-  sums.negative_fronts += behind.negative_fronts;
-  sums.worst_ratio = std::max(sums.worst_ratio, behind.worst_ratio);
-  sums.drawn.resize(std::max(sums.drawn.size(), behind.drawn.size()));
-  sums.near_edge.resize(sums.drawn.size());
-  for (std::size_t d = 0; d < behind.drawn.size(); ++d) {
-    sums.drawn[d] += behind.drawn[d];
-    Add(sums.near_edge[d], behind.near_edge[d]);
+void Sums::Add(const Sums& next) {
+  Counts::Add(next);
+  positive_fronts += next.positive_fronts;
+  negative_fronts += next.negative_fronts;
+  drawn.resize(std::max(drawn.size(), next.drawn.size()));
+  near_edge.resize(drawn.size());
+  for (std::size_t d = 0; d < next.drawn.size(); ++d) {
+    drawn[d] += next.drawn[d];
+    props::Add(near_edge[d], next.near_edge[d]);
   }
-  sums.not_applicable += behind.not_applicable;
-  if (sums.why_not.empty()) sums.why_not = behind.why_not;
-  if (sums.refused_within_limits == 0) sums.why_refused = behind.why_refused;
-  sums.refused_within_limits += behind.refused_within_limits;
-  Add(sums.places, behind.places);
+  not_applicable += next.not_applicable;
+  if (why_not.empty()) why_not = next.why_not;
+  if (refused_within_limits == 0) why_refused = next.why_refused;
+  refused_within_limits += next.refused_within_limits;
+  props::Add(places, next.places);
 }
 
 Tally::Tally(const Subject& subject, const Property& property, std::uint64_t seed,
@@ -78,20 +73,15 @@ void Tally::CountPlacesOf(const CasePlaces& places, bool is_refused) {
 }
 
 void Tally::AddCase(std::uint64_t number, const Case& c, const Verdict& verdict) {
-  ++sums_.cases;
-  sums_.exercised += verdict.exercised;
-  if (verdict.exercised != 0) ++sums_.cases_exercised;
-  sums_.worst_ratio = std::max(sums_.worst_ratio, verdict.worst_ratio);
+  sums_.AddCase(verdict);
   const CaseEvidence evidence = EvidenceOfCase(SeenCase(c));
   if (!domains_.empty()) {
     const std::size_t domain = number % domains_.size();
     ++sums_.drawn[domain];
     Add(sums_.near_edge[domain], evidence.near_edge);
   }
-  sums_.not_judged += verdict.not_judged;
   if (verdict.front_sign)
     ++(*verdict.front_sign > 0 ? sums_.positive_fronts : sums_.negative_fronts);
-  if (verdict.outcome == Outcome::kRefused) ++sums_.cases_refused;
   const bool is_refused = verdict.outcome == Outcome::kRefused && WithinLimits(c.scene, c.profile);
   if (is_refused && sums_.refused_within_limits++ == 0) sums_.why_refused = verdict.message;
   if (is_refused || verdict.exercised != 0) CountPlacesOf(evidence.places, is_refused);
@@ -102,12 +92,7 @@ void Tally::AddCase(std::uint64_t number, const Case& c, const Verdict& verdict)
 
 PropertyResult Tally::Counted() const {
   PropertyResult result = words_;
-  result.cases = sums_.cases;
-  result.cases_exercised = sums_.cases_exercised;
-  result.exercised = sums_.exercised;
-  result.cases_refused = sums_.cases_refused;
-  result.not_judged = sums_.not_judged;
-  result.worst_ratio = sums_.worst_ratio;
+  static_cast<Counts&>(result) = sums_;
   for (const NearEdgeCounts& counts : sums_.near_edge) Add(result.near_edge, counts);
   return result;
 }

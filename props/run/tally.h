@@ -24,16 +24,10 @@ namespace rasterproof::props {
 inline constexpr double kMostRefusedShare = 0.5;
 
 /// Sums over cases. Adding the sums of two consecutive runs gives the sums of one run over both.
-struct Sums {
-  std::uint64_t cases = 0;
-  std::uint64_t cases_exercised = 0;
-  std::uint64_t exercised = 0;
-  std::uint64_t cases_refused = 0;
-  std::uint64_t not_judged = 0;
+struct Sums : Counts {
   // Cases in which the subject showed the side of this area as the front, where either is legal.
   std::uint64_t positive_fronts = 0;
   std::uint64_t negative_fronts = 0;
-  double worst_ratio = 0;
   std::vector<std::uint64_t> drawn;       ///< cases of each domain; none of a world
   std::vector<NearEdgeCounts> near_edge;  ///< of each domain
   std::uint64_t not_applicable = 0;       ///< cases that the property did not apply to
@@ -41,12 +35,12 @@ struct Sums {
   std::uint64_t refused_within_limits = 0;
   std::string why_refused;  ///< the first of those refusals
   CountsOfPlaces places{};  ///< of cases within the limits
-};
 
-/// Adds the sums of the cases that follow.
-///
-/// Domain:     sums over the same domains, or none at all.
-void Add(Sums& sums, const Sums& behind);
+  /// Adds the sums of the cases that follow.
+  ///
+  /// Domain:     sums over the same domains, or none at all.
+  void Add(const Sums& next);
+};
 
 /// Counts cases, how often they put the property to the test, and how near to edges they came.
 class Tally {
@@ -67,7 +61,7 @@ class Tally {
   void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict);
 
   /// Adds the sums of the cases that follow.
-  void AddSums(const Sums& behind) { Add(sums_, behind); }
+  void AddSums(const Sums& next) { sums_.Add(next); }
 
   /// The result of a run in which nothing was violated. Not a pass if nothing was exercised, if a
   /// near-edge domain gave nothing near an edge, if the subject refused too much, or if it took

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "core/call_end.h"
 #include "core/case.h"
 #include "core/subject.h"
 #include "core/verdict.h"
@@ -15,10 +16,8 @@ namespace rasterproof::props {
 /// What came of one case.
 struct Trial {
   Verdict verdict;
-  /// It crashed, hung, threw or answered what is no answer: that is what the verdict says.
-  bool broke_down = false;
-  bool hung = false;            ///< it broke down by giving no answer at all (SubjectHang)
-  bool met_a_deadline = false;  ///< it had no time left that it was given (SubjectDeadline)
+  /// How a call to the subject ended, if that is what the verdict says.
+  Stop stop = Stop::kNone;
 };
 
 /// A fault of ours, met while a property was judged: the message says of which property and case.

@@ -15,7 +15,7 @@
 #include "props/placed_case.h"
 #include "props/run/description.h"
 #include "props/run/property_domains.h"
-#include "props/run/put.h"
+#include "props/run/submit.h"
 #include "props/shrink/shrink.h"
 
 namespace rasterproof::props {
@@ -53,15 +53,14 @@ double Since(Clock::time_point began) {
 // What came of one case.
 struct Look {
   bool is_judged = false;
-  Stop stop = Stop::kNone;
-  std::string why;        ///< of the stop
+  CallEnd end;
   CoverageCounts counts;  ///< all in front
   bool batch_differs = false;
   double whole_seconds = 0;
   double alone_seconds = 0;
 
-  bool IsWhole() const { return is_judged && stop == Stop::kNone; }
-  bool Ended() const { return stop == Stop::kBrokeDown || stop == Stop::kHung; }
+  bool IsWhole() const { return is_judged && end.stop == Stop::kNone; }
+  bool Ended() const { return IsBreakdown(end.stop); }
 };
 
 class Looker {
@@ -82,14 +81,13 @@ class Looker {
   }
 
  private:
-  std::vector<CoverageCounts> Put(const PlacedCase& c, const Check& check, Look& look,
-                                  double& seconds) {
+  std::vector<CoverageCounts> Submit(const PlacedCase& c, const Check& check, Look& look,
+                                     double& seconds) {
     const Request request{&c, &check, nullptr};
     const Clock::time_point began = Clock::now();
-    Answers answers = std::move(props::Put(subject_, {&request, 1}).front());
+    Answers answers = std::move(props::Submit(subject_, {&request, 1}).front());
     seconds += Since(began);
-    look.stop = answers.stop;
-    look.why = std::move(answers.why);
+    look.end = std::move(answers.end);
     std::vector<CoverageCounts> drawn;
     for (const auto& drawing : answers.draws) {
       drawn.push_back(drawing->counts);
@@ -103,16 +101,16 @@ class Looker {
     const DrawQuestion whole = WholeCallOf(c.scene, c.profile, c.options);
     Check check;
     check.questions.draws = {whole};
-    std::vector<CoverageCounts> drawn = Put(c, check, look, look.whole_seconds);
-    if (look.stop != Stop::kNone) return;
+    std::vector<CoverageCounts> drawn = Submit(c, check, look, look.whole_seconds);
+    if (look.end.stop != Stop::kNone) return;
     look.counts = std::move(drawn.front());
     if (c.scene.triangles.size() < 2) return;
     check.questions.draws.assign(c.scene.triangles.size(), whole);
     for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
       check.questions.draws[t].job.triangles = {c.scene.triangles[t]};
     }
-    drawn = Put(c, check, look, look.alone_seconds);
-    if (look.stop != Stop::kNone) return;
+    drawn = Submit(c, check, look, look.alone_seconds);
+    if (look.end.stop != Stop::kNone) return;
     CoverageCounts sum(c.scene.width, c.scene.height, look.counts.samples);
     for (const CoverageCounts& one : drawn) sum += one;
     const CoverageKind kind = description_.info.coverage;
@@ -254,14 +252,14 @@ class Surveying {
     survey_.alone_seconds += look.alone_seconds;
     if (look.IsWhole()) return Count(given, c, look);
     if (look.Ended()) {
-      if (survey_.Faulty(Fault::kEnd) == 0) end_ = look.why;
-      hung_ = hung_ || look.stop == Stop::kHung;
+      if (survey_.Faulty(Fault::kEnd) == 0) end_ = look.end.why;
+      hung_ = hung_ || look.end.stop == Stop::kHung;
       Note(Fault::kEnd, given);
     }
-    const bool is_slow = look.stop == Stop::kTooSlow || look.stop == Stop::kDeadline;
+    const bool is_slow = look.end.stop == Stop::kTooSlow || look.end.stop == Stop::kDeadline;
     stops_ += look.Ended() || is_slow ? 1 : 0;
-    survey_.refused += look.stop == Stop::kRefused ? 1 : 0;
-    const bool is_unjudged = !look.is_judged || is_slow || look.stop == Stop::kNotDrawable;
+    survey_.refused += look.end.stop == Stop::kRefused ? 1 : 0;
+    const bool is_unjudged = !look.is_judged || is_slow || look.end.stop == Stop::kNotDrawable;
     survey_.unjudged += is_unjudged ? 1 : 0;
   }
 

@@ -43,10 +43,6 @@ class Centroids final : public Subject {
 
   const SubjectInfo& OwnInfo() const override { return info_; }
 
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += Show({scene, options, counts.samples}).counts;
-  }
-
   Drawing Show(const DrawJob& job) override {
     const Scene scene = SceneOf(job);
     Drawing drawing;
@@ -60,7 +56,7 @@ class Centroids final : public Subject {
       CoverageCounts alone(scene.width, scene.height, job.samples);
       Scene one = scene;
       one.triangles = {scene.triangles[t]};
-      base_->Draw(one, job.options, alone);
+      DrawOnto(*base_, one, job.options, alone);
       ShowTriangle(scene, t, alone, job.wants, drawing);
     }
     return drawing;

@@ -82,7 +82,7 @@ class Clipping final : public Subject {
       if (is_inside || has_nan || !std::ranges::all_of(v, IsFinite)) {
         Scene one = scene;
         one.triangles = {t};
-        base_->Draw(one, options, counts);
+        DrawOnto(*base_, one, options, counts);
       } else {
         DrawClipped(scene, PolygonOf(v, box), options, counts);
       }
@@ -129,7 +129,7 @@ class Clipping final : public Subject {
     DrawOptions both = options;
     both.cull = Cull::kNone;
     CoverageCounts drawn(counts.width, counts.height, counts.samples);
-    base_->Draw(fan, both, drawn);
+    DrawOnto(*base_, fan, both, drawn);
     std::vector<std::uint32_t>& side = is_front ? counts.front : counts.back;
     for (std::size_t k = 0; k < drawn.size(); ++k) {
       const std::int64_t winding = is_front ? drawn.Signed(k) : -drawn.Signed(k);

@@ -151,13 +151,13 @@ class FreeChoice final : public Subject {
     for (const Point2 p : Placed(given)) placed.vertices.push_back({p.x, p.y, 0, 1});
     placed.triangles = {{0, 1, 2}};
     if (!stages_.rule) {
-      base_->Draw(placed, options, counts);
+      DrawOnto(*base_, placed, options, counts);
       return;
     }
     // Another rule is another rasterizer.
     FreeStages ruled = stages_;
     ruled.profile.tie_rule = stages_.rule(given);
-    MakeBase(info_.name, info_.summary, ruled)->Draw(placed, options, counts);
+    DrawOnto(*MakeBase(info_.name, info_.summary, ruled), placed, options, counts);
   }
 
   // Barycentrics are those of the vertices as given, in double.

@@ -45,10 +45,10 @@ class OwnTransform final : public Subject {
       return;
     }
     if (!stages_.shows_fragments) {
-      base_->Draw(InTheWindow(scene), options, counts);
+      DrawOnto(*base_, InTheWindow(scene), options, counts);
       return;
     }
-    counts += Show(DrawJob(scene, options, counts.samples)).counts;
+    Subject::Draw(scene, options, counts);
   }
 
   Drawing Show(const DrawJob& job) override {
@@ -64,7 +64,7 @@ class OwnTransform final : public Subject {
       Scene one = window;
       one.triangles = {window.triangles[t]};
       CoverageCounts alone(window.width, window.height, job.samples);
-      base_->Draw(one, job.options, alone);
+      DrawOnto(*base_, one, job.options, alone);
       for (std::size_t k = 0; k < size; ++k) {
         if (alone.Count(k) != 0) Win(window, t, k, drawing);
       }
@@ -91,7 +91,7 @@ class OwnTransform final : public Subject {
     DrawOptions whole = options;
     whole.scissor.reset();
     CoverageCounts drawn(part.width, part.height, counts.samples);
-    base_->Draw(part, whole, drawn);
+    DrawOnto(*base_, part, whole, drawn);
     for (std::size_t k = 0; k < drawn.size(); ++k) {
       const auto samples = static_cast<std::size_t>(counts.samples);
       const auto width = static_cast<std::size_t>(part.width);

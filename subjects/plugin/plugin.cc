@@ -9,16 +9,15 @@
 #include <cstdint>
 #include <cstring>
 #include <deque>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/stated_edges.h"
-#include "core/subject_errors.h"
 #include "core/target_size.h"
 #include "kit/rasterproof_plugin.h"
 #include "subjects/plugin/environment.h"
@@ -166,12 +165,12 @@ class PluginTarget {
 
   /// What was drawn.
   ///
-  /// Error:      SubjectFault if anything was written outside the target.
+  /// Error:      SubjectStop if anything was written outside the target.
   Drawing Drawn() {
     for (const auto* part :
          {&front_, &back_, &primitive_ids_, &barycentrics_, &depths_, &centroids_}) {
       const std::string damage = *part ? (*part)->Damage() : "";
-      if (!damage.empty()) throw SubjectFault("it wrote outside its target: " + damage);
+      if (!damage.empty()) BreakDown("it wrote outside its target: " + damage);
     }
     CopyRows(front_, rows_, drawing_.counts.size(), drawing_.counts.front);
     CopyRows(back_, rows_, drawing_.counts.size(), drawing_.counts.back);
@@ -242,7 +241,7 @@ class PluginEdges final : public StatedEdges {
       return plugin_.edge_steps(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &stepping,
                                 values.data());
     });
-    if (values.back() != kGuard) throw SubjectFault("it wrote behind the values of its steps");
+    if (values.back() != kGuard) BreakDown("it wrote behind the values of its steps");
     values.pop_back();
     return values;
   }
@@ -288,10 +287,6 @@ class PluginSubject final : public Subject {
 
   const SubjectInfo& OwnInfo() const override { return info_; }
   const EdgeEvaluator* Edges() const override { return edges_ ? &*edges_ : nullptr; }
-
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += Show({scene, options, counts.samples}).counts;
-  }
 
   Drawing Show(const DrawJob& job) override {
     Reset();
@@ -351,12 +346,8 @@ class PluginSubject final : public Subject {
     std::vector<DrawOutcome> outcomes;
     for (PluginTarget& target : targets) {
       DrawOutcome& outcome = outcomes.emplace_back();
-      try {
-        outcome.drawing = target.Drawn();
-      } catch (const SubjectFault&) {
-        outcome.error = std::current_exception();
-        break;
-      }
+      outcome.end = EndOf([&] { outcome.drawing = target.Drawn(); });
+      if (outcome.end.stop != Stop::kNone) break;
     }
     return outcomes;
   }

@@ -19,7 +19,7 @@ struct LoadedPlugin {
 /// alone (tool/outside.h). Its rounding mode and the like are its own (environment.h).
 ///
 /// The subject draws into guarded memory: a write outside the target, or between its rows, is a
-/// SubjectFault that says where, or a crash where it goes farther than a page.
+/// breakdown that says where, or a crash where it goes farther than a page.
 ///
 /// Error:      InputError if the file is no such library, or of a version that this one does not
 ///             know.

@@ -2,8 +2,8 @@
 #include <array>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/quoted.h"
-#include "core/subject_errors.h"
 #include "subjects/process/protocol.h"
 #include "subjects/process/text.h"
 
@@ -42,14 +42,14 @@ std::optional<std::string_view> AfterHead(std::string_view line, std::string_vie
 std::string_view RequireHead(std::string_view line, std::string_view word, std::uint64_t id,
                              const std::string& subject) {
   if (const auto rest = AfterHead(line, word, id)) return *rest;
-  if (const auto reason = AfterHead(line, "fault", id)) throw SubjectFault(std::string(*reason));
+  if (const auto reason = AfterHead(line, "fault", id)) BreakDown(std::string(*reason));
   if (const auto reason = AfterHead(line, "refused", id)) {
-    throw SubjectRefusal("subject " + subject, "it refused the scene: " + std::string(*reason),
-                         "give it another one");
+    const InputError refusal("subject " + subject, "it refused the scene: " + std::string(*reason),
+                             "give it another one");
+    throw SubjectStop(Stop::kRefused, refusal.what());
   }
-  throw SubjectFault("it answered " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) +
-                     " " + std::to_string(id) +
-                     "\" (was a line left over from an earlier answer?)");
+  BreakDown("it answered " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) + " " +
+            std::to_string(id) + "\" (was a line left over from an earlier answer?)");
 }
 
 // The numbers of one line of an answer, and where it goes wrong.
@@ -61,13 +61,12 @@ class RowReader {
   T Next(std::size_t read, std::size_t wanted) {
     T value{};
     if (words_.Number(value)) return value;
-    throw SubjectFault("a row of its answer has " + std::to_string(read) + " samples, not " +
-                       std::to_string(wanted) + Shown());
+    BreakDown("a row of its answer has " + std::to_string(read) + " samples, not " +
+              std::to_string(wanted) + Shown());
   }
   void RequireEnd(std::size_t wanted) {
     if (words_.AtEnd()) return;
-    throw SubjectFault("a row of its answer has more than " + std::to_string(wanted) + " samples" +
-                       Shown());
+    BreakDown("a row of its answer has more than " + std::to_string(wanted) + " samples" + Shown());
   }
 
  private:
@@ -100,9 +99,8 @@ void ReadCounts(const CoverageCounts& shape, std::vector<std::uint32_t>& side,
 
 void RequirePrimitiveId(std::int32_t id, std::size_t triangles) {
   if (id >= kNoPrimitive && id < static_cast<std::int64_t>(triangles)) return;
-  throw SubjectFault("it says that triangle " + std::to_string(id) +
-                     " is visible at a sample, of a scene of " + std::to_string(triangles) +
-                     " triangles");
+  BreakDown("it says that triangle " + std::to_string(id) +
+            " is visible at a sample, of a scene of " + std::to_string(triangles) + " triangles");
 }
 
 std::array<double, 3> NextBarycentrics(RowReader& row, std::size_t column, std::size_t columns) {

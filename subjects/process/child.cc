@@ -15,8 +15,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "subjects/process/groups.h"
 
 namespace rasterproof::subjects {
@@ -72,7 +72,7 @@ void LimitMemory(std::uint64_t bytes) {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes,
                            int errors) {
-  if (Interrupted()) throw SubjectTooSlow(kInterruptedText);
+  if (Interrupted()) throw SubjectStop(Stop::kTooSlow, kInterruptedText);
   const std::string& program = command.front();
   std::vector<char*> argv;
   for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));

@@ -26,7 +26,7 @@ enum class PipeEnd : std::uint8_t {
   kInterrupted,  ///< the command is to end (groups.h)
 };
 
-/// What SubjectTooSlow says where PipeEnd::kInterrupted ended an exchange.
+/// What kTooSlow says where PipeEnd::kInterrupted ended an exchange.
 inline constexpr const char* kInterruptedText = "the command was interrupted before it answered";
 
 /// What Ending() says of a child that had to be killed.
@@ -48,7 +48,7 @@ class ChildProcess {
 
   /// `errors`: the file that it has for its standard error; -1: this program's own.
   ///
-  /// Error:      InputError if the program can't be started; SubjectTooSlow if the command was
+  /// Error:      InputError if the program can't be started; SubjectStop if the command was
   ///             interrupted.
   ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes, int errors = -1);
   ~ChildProcess();

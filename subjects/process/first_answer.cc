@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/call_end.h"
 #include "core/drawing.h"
 #include "core/error.h"
 #include "core/quoted.h"
-#include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "subjects/process/child.h"
 #include "subjects/process/process.h"

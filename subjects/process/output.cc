@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "subjects/process/child.h"
 #include "subjects/process/process.h"
 
@@ -46,7 +46,7 @@ std::string OutputOf(const std::vector<std::string>& command, const std::string&
             place, "it did not end within " + SecondsText(seconds) + ": " + patience.time.Text(),
             "mend the program, or raise --time-limit");
       case PipeEnd::kInterrupted:
-        throw SubjectTooSlow(kInterruptedText);
+        throw SubjectStop(Stop::kTooSlow, kInterruptedText);
     }
     throw InputError(place, "it printed more than 1 MiB", "mend the program");
   }

@@ -3,43 +3,61 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <exception>
 #include <functional>
 #include <iterator>
 #include <string_view>
 #include <utility>
 
-#include "core/error.h"
+#include "core/call_end.h"
 #include "core/evaluators.h"
 #include "core/quoted.h"
 #include "core/stated_edges.h"
-#include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "core/target_size.h"
 #include "subjects/process/child.h"
-#include "subjects/process/outcomes.h"
 #include "subjects/process/protocol.h"
 
 namespace rasterproof::subjects {
 
 // Its own time was over. What is thrown to callers says what that means.
-class ProcessSubject::OutOfTime : public SubjectTooSlow {
+class ProcessSubject::OutOfTime : public SubjectStop {
  public:
   explicit OutOfTime(const OwnTime& time)
-      : SubjectTooSlow(time.Text()), starved_(time.WasStarved()) {}
+      : SubjectStop(Stop::kTooSlow, time.Text()), starved_(time.WasStarved()) {}
   bool WasStarved() const { return starved_; }
 
  private:
   bool starved_;
 };
 
+// What came of one call.
+struct ProcessSubject::Call {
+  std::vector<DrawOutcome> outcomes;  ///< up to the one that ended it
+  double counted = 0;                 ///< own time that the last answer took
+  std::optional<OutOfTime> slow;      ///< if that ended it
+};
+
 namespace {
 
 // The program ended by itself before its answer was whole.
-class EndedByItself : public SubjectFault {
+class EndedByItself : public SubjectStop {
  public:
-  using SubjectFault::SubjectFault;
+  explicit EndedByItself(const std::string& how) : SubjectStop(Stop::kBrokeDown, how) {}
 };
+
+// The least n of [low, high] that does it, if all above do as well: high is known to.
+std::size_t LeastThat(std::size_t low, std::size_t high,
+                      const std::function<bool(std::size_t)>& does) {
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (does(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return high;
+}
 
 // How many times the limit a draw gets that is to show whether it hangs.
 constexpr double kHangFactor = 10;
@@ -47,17 +65,6 @@ constexpr double kHangFactor = 10;
 constexpr int kMostTries = 3;
 
 }  // namespace
-
-bool ProcessSubject::IsOutOfTime(const DrawOutcome& outcome) {
-  try {
-    outcome.Get();
-    return false;
-  } catch (const OutOfTime&) {
-    return true;
-  } catch (...) {
-    return false;
-  }
-}
 
 // The running child, and reading its answers.
 class ProcessSubject::Child {
@@ -78,15 +85,15 @@ class ProcessSubject::Child {
       case PipeEnd::kOpen:
         return line;
       case PipeEnd::kTimedOut:
-        if (process_.ReadsNoMore()) throw SubjectFault("it closed its input and gave no answer");
+        if (process_.ReadsNoMore()) BreakDown("it closed its input and gave no answer");
         throw OutOfTime(patience.time);
       case PipeEnd::kDeadline:
-        throw SubjectDeadline("its time was up before it answered (--seconds)");
+        throw SubjectStop(Stop::kDeadline, "its time was up before it answered (--seconds)");
       case PipeEnd::kInterrupted:
-        throw SubjectTooSlow(kInterruptedText);
+        throw SubjectStop(Stop::kTooSlow, kInterruptedText);
       case PipeEnd::kTooLong:
-        throw SubjectFault("a line of its answer is longer than " + std::to_string(most_bytes) +
-                           " bytes, the most that a correct answer to this scene needs");
+        BreakDown("a line of its answer is longer than " + std::to_string(most_bytes) +
+                  " bytes, the most that a correct answer to this scene needs");
       case PipeEnd::kClosed:
         break;
     }
@@ -94,17 +101,16 @@ class ProcessSubject::Child {
     const std::string what = "it " + (ending == kStillRan ? "closed its output" : ending) +
                              " before its answer was whole";
     if (ending.starts_with(kEnded)) throw EndedByItself(what);
-    throw SubjectFault(what);
+    BreakDown(what);
   }
 
   // Whoever says more than it was asked would be taken for an answer to what comes next.
   void RequireSilence() {
     std::string more;
     if (!process_.HasUnread(more)) return;
-    if (!process_.WasTold())
-      throw SubjectFault("it spoke before it was asked: " + Quoted(more, 60));
-    throw SubjectFault("it said more than its answer: " + Quoted(more, 60) +
-                       "; rows of back faces want `coverage facing-counts`");
+    if (!process_.WasTold()) BreakDown("it spoke before it was asked: " + Quoted(more, 60));
+    BreakDown("it said more than its answer: " + Quoted(more, 60) +
+              "; rows of back faces want `coverage facing-counts`");
   }
 
  private:
@@ -155,16 +161,6 @@ ProcessSubject::~ProcessSubject() = default;
 
 const SubjectInfo& ProcessSubject::OwnInfo() const { return info_; }
 
-void ProcessSubject::Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-  counts += Show({scene, options, counts.samples}).counts;
-}
-
-Drawing ProcessSubject::Show(const DrawJob& job) {
-  DrawOutcome outcome = std::move(AskSome({&job, 1}).front());
-  outcome.Get();  // or it throws
-  return std::move(outcome.drawing);
-}
-
 std::vector<DrawOutcome> ProcessSubject::DrawMany(std::span<const DrawJob> jobs) {
   std::vector<DrawOutcome> outcomes;
   while (outcomes.size() < jobs.size()) {
@@ -172,7 +168,7 @@ std::vector<DrawOutcome> ProcessSubject::DrawMany(std::span<const DrawJob> jobs)
     std::vector<DrawOutcome> drawn =
         AskSome(jobs.subspan(outcomes.size(), std::min(at_hand, most_in_a_batch_)));
     std::ranges::move(drawn, std::back_inserter(outcomes));
-    if (!outcomes.empty() && outcomes.back().BrokeDown()) break;
+    if (!outcomes.empty() && EndsTheCall(outcomes.back().end.stop)) break;
   }
   return outcomes;
 }
@@ -187,17 +183,17 @@ std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) 
   jobs = jobs.first(static_cast<std::size_t>(
       std::ranges::distance(jobs.begin(), std::ranges::find_if_not(jobs, fits))));
   if (jobs.empty()) {
-    DrawOutcome& outcome = outcomes.emplace_back();
-    outcome.error = Thrown([&] {
+    outcomes.emplace_back().end = EndOf([&] {
       RequireTargetSize("subject " + info_.name, first.scene->width, first.scene->height,
                         first.samples);
     });
     return outcomes;
   }
   if (jobs.size() == 1) return {AskAlone(jobs.front())};
-  outcomes = Ask(jobs, limits_.seconds);
-  if (!IsOutOfTime(outcomes.back())) {
-    if (outcomes.back().BrokeDown()) Trace(jobs, outcomes);
+  Call call = Ask(jobs, limits_.seconds);
+  outcomes = std::move(call.outcomes);
+  if (!call.slow) {
+    if (IsBreakdown(outcomes.back().end.stop)) Trace(jobs, outcomes);
     return outcomes;
   }
   // In a batch any job may be slow, or all of them a little: parts of it are asked for. Else it is
@@ -207,7 +203,7 @@ std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) 
     most_in_a_batch_ = (jobs.size() + kPart - 1) / kPart;
     outcomes.pop_back();
   } else {
-    outcomes.back() = AskAgain(jobs[outcomes.size() - 1], outcomes.back());
+    outcomes.back() = AskAgain(jobs[outcomes.size() - 1], *call.slow);
   }
   return outcomes;
 }
@@ -265,7 +261,7 @@ std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest
 
 // The child is in the hands of who asks it: whatever goes wrong, the next one starts a fresh one.
 std::unique_ptr<ProcessSubject::Child> ProcessSubject::TakeChild() {
-  if (Clock::now() >= deadline_) throw SubjectDeadline("its time was up (--seconds)");
+  if (Clock::now() >= deadline_) throw SubjectStop(Stop::kDeadline, "its time was up (--seconds)");
   if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
   std::unique_ptr<Child> child = std::move(child_);
   child->RequireSilence();
@@ -278,43 +274,43 @@ void ProcessSubject::RequireThatItRuns() {
   if (std::exchange(may_not_run_, false)) RequireThatItAnswers(command_, info_, limits_);
 }
 
-// One call. `counted`: the own time that the last answer took.
-std::vector<DrawOutcome> ProcessSubject::Ask(std::span<const DrawJob> jobs, double seconds,
-                                             double* counted) {
-  std::vector<DrawOutcome> outcomes;
+ProcessSubject::Call ProcessSubject::Ask(std::span<const DrawJob> jobs, double seconds) {
+  Call call;
   std::unique_ptr<Child> child;
   const std::uint64_t first_id = next_id_;
   next_id_ += jobs.size();
-  for (std::size_t k = 0; k < jobs.size(); ++k) {
-    DrawOutcome& outcome = outcomes.emplace_back();
-    try {
-      if (child == nullptr) {
-        child = TakeChild();
-        child->Ask(CallText(first_id, jobs));
-      }
-      Patience patience = child->Wait(seconds, deadline_);
-      outcome.drawing = ReadAnswer(first_id + k, jobs[k], info_,
-                                   [&](std::size_t most) { return child->Line(patience, most); });
-      may_not_run_ = false;
-      if (counted != nullptr) *counted = patience.time.Counted();
-      if (k + 1 == jobs.size()) child->RequireSilence();
-    } catch (const SubjectRefusal&) {
-      may_not_run_ = false;
-      outcome.error = std::current_exception();
-    } catch (const EndedByItself&) {
-      RequireThatItRuns();
-      outcome.error = std::current_exception();
-      return outcomes;
-    } catch (const SubjectFault&) {
-      outcome.error = std::current_exception();
-      return outcomes;
-    } catch (const SubjectTooSlow&) {
-      outcome.error = std::current_exception();
-      return outcomes;
+  const auto ask = [&](std::size_t k, Drawing& drawing) {
+    if (child == nullptr) {
+      child = TakeChild();
+      child->Ask(CallText(first_id, jobs));
     }
+    Patience patience = child->Wait(seconds, deadline_);
+    drawing = ReadAnswer(first_id + k, jobs[k], info_,
+                         [&](std::size_t most) { return child->Line(patience, most); });
+    may_not_run_ = false;
+    if (jobs[k].onto != nullptr) drawing.counts += *jobs[k].onto;
+    call.counted = patience.time.Counted();
+    if (k + 1 == jobs.size()) child->RequireSilence();
+  };
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    auto& [drawing, end] = call.outcomes.emplace_back();
+    Drawing& drawn = drawing;
+    end = EndOf([&] {
+      try {
+        ask(k, drawn);
+      } catch (const EndedByItself&) {
+        RequireThatItRuns();
+        throw;
+      } catch (const OutOfTime& slow) {
+        call.slow = slow;
+        throw;
+      }
+    });
+    if (end.stop == Stop::kRefused) may_not_run_ = false;
+    if (end.stop != Stop::kNone && end.stop != Stop::kRefused) return call;
   }
   child_ = std::move(child);
-  return outcomes;
+  return call;
 }
 
 std::optional<DrawTime> ProcessSubject::TimeDraws(const DrawJob& job, int repeats) {
@@ -328,7 +324,7 @@ std::optional<DrawTime> ProcessSubject::TimeDraws(const DrawJob& job, int repeat
   child_ = TakeChild();
   const std::optional<double> used = child_->Used();
   const double begun = WallSeconds();
-  for (const DrawOutcome& outcome : Ask(jobs, limits_.seconds * repeats)) outcome.Get();
+  for (const DrawOutcome& outcome : Ask(jobs, limits_.seconds * repeats).outcomes) outcome.Get();
   if (!used || child_ == nullptr) return std::nullopt;
   const std::optional<double> used_now = child_->Used();
   if (!used_now) return std::nullopt;
@@ -341,27 +337,21 @@ std::string ProcessSubject::CallText(std::uint64_t first_id, std::span<const Dra
 }
 
 DrawOutcome ProcessSubject::AskAlone(const DrawJob& job) {
-  DrawOutcome outcome = std::move(Ask({&job, 1}, limits_.seconds).front());
-  return IsOutOfTime(outcome) ? AskAgain(job, outcome) : outcome;
+  Call call = Ask({&job, 1}, limits_.seconds);
+  return call.slow ? AskAgain(job, *call.slow) : std::move(call.outcomes.front());
 }
 
-// `slow` holds an OutOfTime.
-DrawOutcome ProcessSubject::AskAgain(const DrawJob& job, const DrawOutcome& slow) {
+DrawOutcome ProcessSubject::AskAgain(const DrawJob& job, const OutOfTime& slow) {
   DrawOutcome outcome;
-  try {
-    slow.Get();
-  } catch (const OutOfTime& out_of_time) {
-    try {
-      TryLonger(out_of_time, [&](double seconds) {
-        double counted = 0;
-        outcome = std::move(Ask({&job, 1}, seconds, &counted).front());
-        if (IsOutOfTime(outcome)) outcome.Get();
-        return counted;
-      });
-    } catch (...) {
-      outcome.error = std::current_exception();
-    }
-  }
+  CallEnd end = EndOf([&] {
+    TryLonger(slow, [&](double seconds) {
+      Call again = Ask({&job, 1}, seconds);
+      if (again.slow) throw *again.slow;
+      outcome = std::move(again.outcomes.front());
+      return again.counted;
+    });
+  });
+  if (end.stop != Stop::kNone) outcome.end = std::move(end);
   return outcome;
 }
 
@@ -370,60 +360,51 @@ DrawOutcome ProcessSubject::AskAgain(const DrawJob& job, const DrawOutcome& slow
 void ProcessSubject::TryLonger(const OutOfTime& slow, const std::function<double(double)>& ask) {
   const std::string limit = SecondsText(limits_.seconds);
   const std::string said = std::string(slow.what()) + " and gave no answer";
-  if (hangs_) throw SubjectHang("it hangs: " + said + ", as before with 10 times as much");
+  if (hangs_) {
+    throw SubjectStop(Stop::kHung, "it hangs: " + said + ", as before with 10 times as much");
+  }
   const std::string advice = said + "; raise --time-limit (now " + limit + ") if it needs more";
-  if (slow.WasStarved()) throw SubjectTooSlow(advice);
+  if (slow.WasStarved()) throw SubjectStop(Stop::kTooSlow, advice);
   const auto longer = std::chrono::duration<double>(kHangFactor * limits_.seconds);
-  if (tries_left_ == 0 || deadline_ - Clock::now() < longer) throw SubjectTooSlow(advice);
+  if (tries_left_ == 0 || deadline_ - Clock::now() < longer)
+    throw SubjectStop(Stop::kTooSlow, advice);
   --tries_left_;
   child_.reset();
   double counted = 0;
   try {
     counted = ask(longer.count());
   } catch (const OutOfTime& again) {
-    if (again.WasStarved()) throw SubjectTooSlow(advice);
+    if (again.WasStarved()) throw SubjectStop(Stop::kTooSlow, advice);
     hangs_ = true;
-    throw SubjectHang("it hangs: alone, on a fresh process, " + std::string(again.what()) +
-                      " and gave no answer, 10 times its limit of " + limit);
+    throw SubjectStop(Stop::kHung, "it hangs: alone, on a fresh process, " +
+                                       std::string(again.what()) +
+                                       " and gave no answer, 10 times its limit of " + limit);
   }
   if (counted <= limits_.seconds) return;
-  throw SubjectTooSlow("alone, on a fresh process, it answered after " + SecondsText(counted) +
-                       "; give a --time-limit above that (now " + limit + ")");
+  throw SubjectStop(Stop::kTooSlow, "alone, on a fresh process, it answered after " +
+                                        SecondsText(counted) +
+                                        "; give a --time-limit above that (now " + limit + ")");
 }
 
-// Asks a fresh child. Error: SubjectTooSlow if it can't be found out.
+// Asks a fresh child. Error: SubjectStop if it can't be found out.
 bool ProcessSubject::BreaksDown(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
   constexpr double kPatience = 4;  // a batch may be slow without being at fault
   child_.reset();
-  outcomes = Ask(jobs, jobs.size() > 1 ? kPatience * limits_.seconds : limits_.seconds);
-  try {
-    outcomes.back().Get();
-  } catch (const SubjectFault&) {
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-  return false;
+  outcomes = Ask(jobs, jobs.size() > 1 ? kPatience * limits_.seconds : limits_.seconds).outcomes;
+  const CallEnd& end = outcomes.back().end;
+  if (EndsTheCall(end.stop) && !IsBreakdown(end.stop)) throw SubjectStop(end);
+  return IsBreakdown(end.stop);
 }
 
-// A fault of several draws at once: finds out whose. `outcomes` ends with it.
+// A breakdown over several draws at once: finds out whose it is. `outcomes` ends with it.
 void ProcessSubject::Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
-  const DrawOutcome& last = outcomes.back();
-  try {
-    last.Get();
-  } catch (const SubjectTooSlow&) {
-    return;                        // the budget ended, or the command was interrupted
-  } catch (const SubjectFault&) {  // below
-  }
   const std::vector<DrawOutcome> known = outcomes;
   try {
     TraceAlone(jobs, outcomes);
-  } catch (const SubjectTooSlow& slow) {
+  } catch (const SubjectStop& slow) {
     outcomes = known;
-    const std::string what = FaultText(known.back()) + "; which of " + std::to_string(jobs.size()) +
-                             " draws does it was not found out: " + slow.what();
-    outcomes.back().error = IsHang(known.back()) ? std::make_exception_ptr(SubjectHang(what))
-                                                 : std::make_exception_ptr(SubjectFault(what));
+    outcomes.back().end.why += "; which of " + std::to_string(jobs.size()) +
+                               " draws does it was not found out: " + slow.what();
   }
 }
 
@@ -448,12 +429,11 @@ void ProcessSubject::TraceAlone(std::span<const DrawJob> jobs, std::vector<DrawO
 // None of the jobs does it alone. Finds the first run from the beginning that does, then the
 // shortest one with the same end. `outcomes` ends with the fault.
 void ProcessSubject::TraceRun(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
-  const std::string what = FaultText(outcomes.back());
   std::vector<DrawOutcome> seen;
   if (!BreaksDown(jobs, seen)) {
     if (!info_.takes_batches) {
-      outcomes.back().error = std::make_exception_ptr(
-          SubjectFault(what + "; the same calls on a fresh process do not do it again"));
+      outcomes.back().end.stop = Stop::kBrokeDown;
+      outcomes.back().end.why += "; the same calls on a fresh process do not do it again";
     } else {
       outcomes = seen;  // it was slow as a whole, and nothing more
     }
@@ -467,11 +447,12 @@ void ProcessSubject::TraceRun(std::span<const DrawJob> jobs, std::vector<DrawOut
   outcomes.resize(std::min(outcomes.size() - 1, end - 1));
   while (outcomes.size() + 1 < end) {
     outcomes.push_back(AskAlone(jobs[outcomes.size()]));
-    if (outcomes.back().BrokeDown()) return;
+    if (EndsTheCall(outcomes.back().end.stop)) return;
   }
-  outcomes.emplace_back().error = std::make_exception_ptr(SubjectFault(
-      FaultText(seen.back()) + "; not alone, but after the " + std::to_string(run - 1) +
-      " draws before it" + (info_.takes_batches ? " in the same call" : "")));
+  outcomes.emplace_back().end = {Stop::kBrokeDown,
+                                 seen.back().end.why + "; not alone, but after the " +
+                                     std::to_string(run - 1) + " draws before it" +
+                                     (info_.takes_batches ? " in the same call" : "")};
 }
 
 }  // namespace rasterproof::subjects

@@ -31,9 +31,9 @@ struct ProcessLimits {
 ///
 /// Limits count its own time (own_time.h). A draw that takes longer is asked for once more, alone,
 /// on a fresh process, with ten times the limit: three times in the subject's life, if the deadline
-/// leaves room for it. No answer then either: it hangs, a SubjectFault, and so does whatever takes
+/// leaves room for it. No answer then either: it hangs, and so does whatever takes
 /// longer than the limit from then on. An answer within the limit counts: it was slow once. All
-/// else is SubjectTooSlow. The first answer of a batch is due within the limit, and a batch that
+/// else is kTooSlow. The first answer of a batch is due within the limit, and a batch that
 /// takes longer is asked for in parts.
 class ProcessSubject final : public Subject {
  public:
@@ -51,23 +51,19 @@ class ProcessSubject final : public Subject {
   ~ProcessSubject() override;
 
   const SubjectInfo& OwnInfo() const override;
-  /// Error:      SubjectFault if it died (the signal or status is told), hangs, or answered
-  ///             something else; SubjectTooSlow if it took too long, the deadline came or the
-  ///             command was interrupted; SubjectRefusal if it refused the scene; InputError if it
-  ///             can't be started; SubjectDoesNotRun if the user's program ends by itself before
-  ///             its first answer, and once more where it is asked for one plain triangle alone.
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
-  Drawing Show(const DrawJob& job) override;
   /// Sends all requests before it waits for the first answer.
   ///
-  /// Error:      where the child breaks down, the job that does it is found by drawing alone, each
+  /// Returns:    where the child breaks down, the job that does it is found by drawing alone, each
   ///             on a fresh child, those that it may have been; if none does it alone, the shortest
-  ///             run of jobs that does it, told in the fault of its last one.
+  ///             run of jobs that does it, named in the end of its last one. kTooSlow also if the
+  ///             command was interrupted; kNotDrawable also if the program can't be started.
+  /// Error:      SubjectDoesNotRun if the user's program ends by itself before its first answer,
+  ///             and once more where it is asked for one plain triangle alone.
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
   /// By one request with repeats where the program takes them, else by as many requests in one
   /// call, so that reading and answering are part of it. The time is of its whole process group.
   std::optional<DrawTime> TimeDraws(const DrawJob& job, int repeats) override;
-  /// Error:      of its calls: as Draw.
+  /// Error:      of its calls: SubjectStop; SubjectDoesNotRun.
   const EdgeEvaluator* Edges() const override;
   bool SharesCalls() const override { return true; }
   void SetDeadline(Clock::time_point deadline) override;
@@ -77,17 +73,16 @@ class ProcessSubject final : public Subject {
  private:
   class Child;
   class OutOfTime;
+  struct Call;
   class ShownEdges;
-  static bool IsOutOfTime(const DrawOutcome& outcome);
   std::unique_ptr<Child> TakeChild();
   void RequireThatItRuns();
   std::vector<std::vector<double>> AskValues(std::span<EdgeRequest> requests);
   std::string CallText(std::uint64_t first_id, std::span<const DrawJob> jobs) const;
-  std::vector<DrawOutcome> Ask(std::span<const DrawJob> jobs, double seconds,
-                               double* counted = nullptr);
+  Call Ask(std::span<const DrawJob> jobs, double seconds);
   std::vector<DrawOutcome> AskSome(std::span<const DrawJob> jobs);
   DrawOutcome AskAlone(const DrawJob& job);
-  DrawOutcome AskAgain(const DrawJob& job, const DrawOutcome& slow);
+  DrawOutcome AskAgain(const DrawJob& job, const OutOfTime& slow);
   void TryLonger(const OutOfTime& slow, const std::function<double(double)>& ask);
   bool BreaksDown(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
   void Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
@@ -118,7 +113,7 @@ void RequireThatItAnswers(const std::vector<std::string>& command, const Subject
 /// What a program prints, all of it: at most 1 MiB, within the limits but at least 10 s.
 ///
 /// Error:      InputError that names `place` if it can't be started, does not end in time, or ends
-///             with another status than 0; SubjectTooSlow if the command was interrupted.
+///             with another status than 0; SubjectStop if the command was interrupted.
 std::string OutputOf(const std::vector<std::string>& command, const std::string& place,
                      const ProcessLimits& limits = {});
 

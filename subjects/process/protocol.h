@@ -135,8 +135,8 @@ using NextLine = std::function<std::string_view(std::size_t most_bytes)>;
 
 /// Reads the answer to a request, line by line. What the job does not want may be left out.
 ///
-/// Error:      SubjectFault if it is no answer to request `id` of this kind and shape, or tells of
-///             a fault; InputError if it is a refusal; what next_line throws.
+/// Error:      SubjectStop if it is no answer to request `id` of this kind and shape, or reports a
+///             fault or a refusal; what next_line throws.
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const NextLine& next_line);
 /// The request that a line begins the answer to; 0 if it begins none.

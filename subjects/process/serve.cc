@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "subjects/process/protocol.h"
 
 namespace rasterproof::subjects {
@@ -39,27 +39,34 @@ void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind)
                     (!answered.barycentrics || drawing.barycentrics.size() == target.size()) &&
                     (!answered.depths || drawing.depths.size() == target.size()) &&
                     (!answered.centroids || drawing.centroids.size() == target.size());
-  if (!fits) throw SubjectFault("its drawing has not the shape of the target, or lacks a part");
+  if (!fits) BreakDown("its drawing has not the shape of the target, or lacks a part");
 }
 
-// What `answer` gives, or what it throws as an answer.
-std::string AnswerOrFault(std::uint64_t number, const std::function<std::string()>& answer) {
-  const std::string id = std::to_string(number);
+// As EndOf; in a process of its own memory that runs out is the subject's fault.
+CallEnd EndHere(const std::function<void()>& call) {
   try {
-    return answer();
-  } catch (const InputError& error) {
-    return "refused " + id + " " + OneLine(error.what()) + "\n";
+    return EndOf(call);
   } catch (const std::exception& error) {
-    return "fault " + id + " " + OneLine(error.what()) + "\n";
-  } catch (...) {
-    return "fault " + id + " it threw something that is no std::exception\n";
+    return {Stop::kBrokeDown, error.what()};
   }
 }
 
+std::string EndText(std::uint64_t id, const CallEnd& end) {
+  const bool is_refusal = end.stop == Stop::kRefused || end.stop == Stop::kNotDrawable;
+  return (is_refusal ? "refused " : "fault ") + std::to_string(id) + " " + OneLine(end.why) + "\n";
+}
+
+// What `answer` gives, or how it ended.
+std::string AnswerOrEnd(std::uint64_t id, const std::function<std::string()>& answer) {
+  std::string text;
+  const CallEnd end = EndHere([&] { text = answer(); });
+  return end.stop == Stop::kNone ? text : EndText(id, end);
+}
+
 std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, CoverageKind kind) {
-  return AnswerOrFault(request.id, [&] {
-    if (outcome.error == nullptr) RequireShape(outcome.drawing, request.job, kind);
-    return AnswerText(request.id, outcome.Get(), kind, request.job.wants);
+  return AnswerOrEnd(request.id, [&] {
+    RequireShape(outcome.Get(), request.job, kind);
+    return AnswerText(request.id, outcome.drawing, kind, request.job.wants);
   });
 }
 
@@ -68,7 +75,7 @@ void DrawForTheClock(Subject& subject, const DrawJob& job) {
   if (job.repeats == 1) return;
   try {
     if (!subject.TimeDraws(job, job.repeats - 1)) {
-      for (int k = 1; k < job.repeats; ++k) subject.Show(job);
+      for (int k = 1; k < job.repeats; ++k) DrawOne(subject, job);
     }
   } catch (const std::exception&) {
     return;
@@ -94,7 +101,7 @@ void Serve(Subject& subject, std::istream& in, const std::function<void(const st
   Clock::time_point said = Clock::now();
   for (;;) {
     if (const std::optional<EdgeRequest> request = requests.NextEdgeRequest()) {
-      values += AnswerOrFault(request->id, [&] { return ValuesOf(subject, *request); });
+      values += AnswerOrEnd(request->id, [&] { return ValuesOf(subject, *request); });
       // Where more is asked already the answers go in one write, about every 10 ms: behind the one
       // that is worked on by then. If that one hangs those before it are never said.
       if (requests.HasMore() && Clock::now() - said < kMostKeptBack) continue;
@@ -108,12 +115,15 @@ void Serve(Subject& subject, std::istream& in, const std::function<void(const st
     std::vector<DrawJob> jobs;
     for (const DrawRequest& request : call) jobs.push_back(request.job);
     for (const DrawJob& job : jobs) DrawForTheClock(subject, job);
-    const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
+    std::vector<DrawOutcome> outcomes;
+    CallEnd end = EndHere([&] { outcomes = subject.DrawMany(jobs); });
+    if (end.stop != Stop::kNone) outcomes = {{{}, std::move(end)}};
     std::string answers;
     for (std::size_t k = 0; k < call.size() && k < outcomes.size(); ++k) {
       answers += Answer(call[k], outcomes[k], subject.Info().coverage);
     }
-    if (outcomes.size() < call.size() && !(!outcomes.empty() && outcomes.back().BrokeDown())) {
+    if (outcomes.size() < call.size() &&
+        (outcomes.empty() || !EndsTheCall(outcomes.back().end.stop))) {
       answers += "fault " + std::to_string(call[outcomes.size()].id) + " it left out a scene\n";
     }
     say(answers);

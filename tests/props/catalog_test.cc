@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/profile.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "props/authority.h"
 #include "props/domains/domain.h"
@@ -222,13 +222,13 @@ TEST(EveryProperty, ReachesAVerdictOfASubjectThatRefusesAndBreaksDownAndShowsNoN
   const auto misbehave = [n = std::make_shared<int>(0)] {
     switch (++*n % 12) {
       case 2:
-        throw SubjectRefusal("it", "refuses this scene", "give another one");
+        throw SubjectStop(Stop::kRefused, "it refuses this scene");
       case 5:
-        throw SubjectFault("it crashed");
+        BreakDown("it crashed");
       case 7:
-        throw SubjectHang("it gave no answer");
+        throw SubjectStop(Stop::kHung, "it gave no answer");
       case 9:
-        throw SubjectTooSlow("it took longer than it may");
+        throw SubjectStop(Stop::kTooSlow, "it took longer than it may");
       case 11:
         throw std::runtime_error("something went wrong");
       default:
@@ -239,7 +239,7 @@ TEST(EveryProperty, ReachesAVerdictOfASubjectThatRefusesAndBreaksDownAndShowsNoN
   draws.draw = [=](Subject& sound, const Scene& scene, const DrawOptions& options,
                    CoverageCounts& counts) {
     misbehave();
-    sound.Draw(scene, options, counts);
+    DrawOnto(sound, scene, options, counts);
   };
   Bug shows;
   shows.batch = [](std::vector<DrawOutcome>&) {};
@@ -281,7 +281,7 @@ Verdict Judge(std::string_view property, Bug bug, const Case& c) {
 Bug ExtraCount() {
   return {.draw = [](Subject& sound, const Scene& scene, const DrawOptions& options,
                      CoverageCounts& counts) {
-    sound.Draw(scene, options, counts);
+    DrawOnto(sound, scene, options, counts);
     const Triangle second{0, 3, 2};
     if (std::ranges::find(scene.triangles, second) != scene.triangles.end()) {
       ++counts.front[counts.Index(5, 2)];
@@ -347,7 +347,7 @@ TEST(Fairness, AWatertightSubjectIsJudgedOnMeshesOnlyAndAwayFromTheirOutline) {
   const auto extra = [](int x, int y) {
     return Bug{.draw = [x, y](Subject& sound, const Scene& scene, const DrawOptions& options,
                               CoverageCounts& counts) {
-      sound.Draw(scene, options, counts);
+      DrawOnto(sound, scene, options, counts);
       ++counts.front[counts.Index(x, y)];
     }};
   };

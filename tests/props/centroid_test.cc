@@ -93,9 +93,6 @@ class ShowsCentroids final : public Subject {
   }
   SubjectInfo& info() { return info_; }
   const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += Show({scene, options, counts.samples}).counts;
-  }
   Drawing Show(const DrawJob& job) override {
     const Scene scene = SceneOf(job);
     Drawing drawing;

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/subject_errors.h"
+#include "core/call_end.h"
 #include "exact/coverage.h"
 #include "props/property.h"
 #include "props/run/trial.h"
@@ -47,7 +47,7 @@ Trial Tried(std::string_view property, const Which& is_bad, bool throws,
   info.profile = c.profile;
   info.takes_scissor = true;
   const auto draw = [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-    if (is_bad(scene) && throws) throw SubjectHang("it gives no answer");
+    if (is_bad(scene) && throws) throw SubjectStop(Stop::kHung, "it gives no answer");
     if (!is_bad(scene)) counts += exact::Coverage(scene, c.profile, options);
   };
   PlantedSubject alone(info, draw);
@@ -84,7 +84,7 @@ TEST(DrawnScene, IsTheChangedOneWhereThatIsDrawnWrongly) {
 TEST(DrawnScene, IsTheChangedOneWhereThatBreaksTheSubject) {
   for (const Change& change : kChanges) {
     const Trial trial = Tried(change.property, change.is_bad, true);
-    EXPECT_TRUE(trial.hung) << change.property;
+    EXPECT_EQ(trial.stop, Stop::kHung) << change.property;
     ASSERT_NE(trial.verdict.drawn, nullptr) << change.property;
     EXPECT_TRUE(change.is_bad(trial.verdict.drawn->scene)) << change.property;
   }
@@ -119,7 +119,7 @@ TEST(DrawnScene, IsNoneWhereTheCaseItselfFails) {
   // What is drawn first is the case.
   for (const Change& change : kChanges) {
     const Trial trial = Tried(change.property, always, true);
-    EXPECT_TRUE(trial.hung);
+    EXPECT_EQ(trial.stop, Stop::kHung);
     EXPECT_EQ(trial.verdict.drawn, nullptr) << change.property;
   }
 }

@@ -70,9 +70,6 @@ class HonestSubject final : public Subject {
     info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += Show({scene, options, counts.samples}).counts;
-  }
   Drawing Show(const DrawJob& job) override {
     const Scene scene = SceneOf(job);
     Drawing drawing;

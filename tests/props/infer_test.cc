@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/subject_errors.h"
+#include "core/call_end.h"
 #include "core/tie_rule.h"
 #include "core/transform.h"
 #include "exact/coverage.h"
@@ -319,7 +319,7 @@ TEST(Infer, NoModelFitsARuleThatFlipsByTile) {
   const Case& witness = *inference.witness;
   EXPECT_EQ(witness.scene.triangles.size(), 1U);
   CoverageCounts counts(witness.scene.width, witness.scene.height);
-  subject.Draw(witness.scene, {}, counts);
+  DrawOnto(subject, witness.scene, {}, counts);
   EXPECT_NE(counts, exact::Coverage(witness.scene, nearest.profile));
 }
 
@@ -357,7 +357,7 @@ PlantedSubject EndsAt(int n, void (*end)(), int& draws) {
 TEST(Infer, AsksASubjectThatBrokeOffNoMoreAndSaysHowItEnded) {
   for (const int n : {1, 3, 20, 100}) {
     int draws = 0;
-    PlantedSubject subject = EndsAt(n, [] { throw SubjectFault("it crashed"); }, draws);
+    PlantedSubject subject = EndsAt(n, [] { BreakDown("it crashed"); }, draws);
     const Inference inference = Infer(subject);
     EXPECT_EQ(draws, n);
     EXPECT_EQ(inference.experiments, static_cast<std::uint64_t>(n));
@@ -371,11 +371,11 @@ TEST(Infer, AsksASubjectThatBrokeOffNoMoreAndSaysHowItEnded) {
 
 TEST(Infer, IsInconclusiveWhereTheSubjectIsTooSlow) {
   int draws = 0;
-  PlantedSubject subject = EndsAt(20, [] { throw SubjectTooSlow("it takes a minute"); }, draws);
+  PlantedSubject subject = EndsAt(20, [] { throw SubjectStop(Stop::kTooSlow, "a day"); }, draws);
   const Inference inference = Infer(subject);
   EXPECT_EQ(draws, 20);
   EXPECT_TRUE(inference.is_inconclusive);
-  EXPECT_NE(inference.message.find("it takes a minute"), std::string::npos) << inference.message;
+  EXPECT_NE(inference.message.find("a day"), std::string::npos) << inference.message;
   EXPECT_FALSE(inference.witness.has_value());
 }
 
@@ -487,7 +487,7 @@ TEST(Infer, FindsTheModelOfASubjectThatRefusesSomeScenes) {
   PlantedSubject subject(
       RealInfo(), [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         if (!scene.vertices.empty() && scene.vertices[0].x < 0) {
-          throw SubjectRefusal("scene", "no", "give another one");
+          throw SubjectStop(Stop::kRefused, "no");
         }
         AddTo(counts, exact::Coverage(scene, model, options));
       });

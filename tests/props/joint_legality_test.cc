@@ -173,7 +173,7 @@ bool IsLegalSampleBySample(Subject& subject, const Case& c) {
     Scene one = c.scene;
     one.triangles = {t};
     CoverageCounts seen(one.width, one.height);
-    subject.Draw(one, {}, seen);
+    DrawOnto(subject, one, {}, seen);
     const std::vector<CoverageCounts> legal = LegalDraws(c, t);
     for (std::size_t k = 0; k < seen.size(); ++k) {
       if (std::ranges::none_of(legal, [&](const CoverageCounts& draw) {

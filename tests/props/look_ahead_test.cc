@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/profile.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "props/domains/domain.h"
 #include "props/run/campaign.h"
@@ -36,7 +36,7 @@ class Called final : public Subject {
     if (keeps_scenes) drawn.push_back(scene);
     if (breaks_left_of < 0) {
       for (const Vertex& v : scene.vertices) {
-        if (v.x < breaks_left_of) throw SubjectFault("it broke");
+        if (v.x < breaks_left_of) BreakDown("it broke");
       }
     }
     CoverageCounts covered = exact::Coverage(scene, drawn_, options);
@@ -50,7 +50,7 @@ class Called final : public Subject {
   }
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     calls.push_back(jobs.size());
-    if (keeps_scenes) {
+    if (keeps_scenes && jobs.size() > 1) {
       scenes.emplace_back();
       for (const DrawJob& job : jobs) scenes.back().push_back(SceneOf(job));
     }
@@ -137,7 +137,7 @@ TEST(Batches, NameTheCaseThatBreaksTheSubjectDown) {
   outside.called.breaks_left_of = -100;
   const std::vector<Trial> trials = ExpectTheSameVerdicts(std::move(outside), property, 40);
   ASSERT_FALSE(trials.empty());
-  EXPECT_TRUE(trials.back().broke_down);
+  EXPECT_EQ(trials.back().stop, Stop::kBrokeDown);
 }
 
 TEST(Batches, PutTheDrawsOfManyCasesIntoOneCall) {

@@ -16,7 +16,7 @@ std::array<Vertex, 3> CornersOf(const Scene& scene, const Triangle& t) { return 
 CoverageCounts Alone(Subject& sound, const Scene& scene, const DrawOptions& options,
                      const CoverageCounts& shape) {
   CoverageCounts counts(shape.width, shape.height, shape.samples);
-  sound.Draw(scene, options, counts);
+  DrawOnto(sound, scene, options, counts);
   return counts;
 }
 
@@ -34,7 +34,7 @@ DrawBug Dropping(Drops drops) {
         part.triangles.push_back(triangle);
       }
     }
-    sound.Draw(part, options, counts);
+    DrawOnto(sound, part, options, counts);
   };
 }
 
@@ -44,7 +44,7 @@ DrawBug WithVertices(std::function<void(Vertex&)> change) {
                   CoverageCounts& counts) {
     Scene changed = scene;
     std::ranges::for_each(changed.vertices, change);
-    sound.Draw(changed, options, counts);
+    DrawOnto(sound, changed, options, counts);
   };
 }
 
@@ -53,7 +53,7 @@ DrawBug WithOptions(std::function<void(DrawOptions&, const Scene&)> change) {
                   CoverageCounts& counts) {
     DrawOptions changed = options;
     change(changed, scene);
-    sound.Draw(scene, changed, counts);
+    DrawOnto(sound, scene, changed, counts);
   };
 }
 
@@ -102,7 +102,7 @@ void StopAtTheFirstBadTriangle(Subject& sound, const Scene& scene, const DrawOpt
     if (!std::ranges::all_of(CornersOf(scene, t), IsFinite)) break;
     part.triangles.push_back(t);
   }
-  sound.Draw(part, options, counts);
+  DrawOnto(sound, part, options, counts);
 }
 
 void TakeNonFiniteForZero(Vertex& v) {
@@ -114,7 +114,7 @@ void TakeNonFiniteForZero(Vertex& v) {
 void TurnTheRightHalf(Subject& sound, const Scene& scene, const DrawOptions& options,
                       CoverageCounts& counts) {
   CoverageCounts drawn(counts.width, counts.height, counts.samples);
-  sound.Draw(scene, options, drawn);
+  DrawOnto(sound, scene, options, drawn);
   const auto width = static_cast<std::size_t>(drawn.width * drawn.samples);
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     if (2 * (k % width) >= width) std::swap(drawn.front[k], drawn.back[k]);
@@ -125,7 +125,7 @@ void TurnTheRightHalf(Subject& sound, const Scene& scene, const DrawOptions& opt
 // A triangle without area covers the pixel of its first vertex.
 void DotDegenerates(Subject& sound, const Scene& scene, const DrawOptions& options,
                     CoverageCounts& counts) {
-  sound.Draw(scene, options, counts);
+  DrawOnto(sound, scene, options, counts);
   for (const Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> v = CornersOf(scene, t);
     const bool flat = std::ranges::all_of(v, IsFinite) &&
@@ -154,7 +154,7 @@ void OverwriteCounts(Subject& sound, const Scene& scene, const DrawOptions& opti
 // A span that runs one pixel past the scissor, or into the next row.
 void RunPastTheScissor(Subject& sound, const Scene& scene, const DrawOptions& options,
                        CoverageCounts& counts) {
-  sound.Draw(scene, options, counts);
+  DrawOnto(sound, scene, options, counts);
   const PixelRect rect = options.scissor.value_or(PixelRect{0, 0, scene.width, scene.height});
   const std::size_t k = counts.Index(rect.x1, rect.y0);
   if (k < counts.size()) ++counts.front[k];

@@ -28,14 +28,14 @@ void RepeatTheFirst(Subject& sound, const Scene& scene, const DrawOptions& optio
                     CoverageCounts& counts) {
   Scene drawn = scene;
   if (scene.triangles.size() >= 2) drawn.triangles[1] = drawn.triangles[0];
-  sound.Draw(drawn, options, counts);
+  DrawOnto(sound, drawn, options, counts);
 }
 
 void LoseTheFirstColumn(Subject& sound, const Scene& scene, const DrawOptions& options,
                         CoverageCounts& counts) {
   DrawOptions narrow = options;
   if (narrow.scissor && narrow.scissor->x0 > 0) ++narrow.scissor->x0;
-  sound.Draw(scene, narrow, counts);
+  DrawOnto(sound, scene, narrow, counts);
 }
 
 bool HaveTheSameFloors(const Scene& a, const Scene& b) {
@@ -52,7 +52,7 @@ DrawBug KeepTheLastByItsPixels() {
                         kept.clip_space == scene.clip_space && kept.triangles == scene.triangles &&
                         HaveTheSameFloors(kept, scene);
     if (!agrees) kept = scene;
-    sound.Draw(kept, options, counts);
+    DrawOnto(sound, kept, options, counts);
   };
 }
 

@@ -21,7 +21,7 @@ Drawing SoundFragments(Subject& sound, const DrawJob& job) {
   DrawJob one = job;
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     one.triangles = {scene.triangles[t]};
-    const CoverageCounts covered = sound.Show(one).counts;
+    const CoverageCounts covered = DrawOne(sound, one).counts;
     const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
     const std::array<Point2, 3> at{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
     for (int row = 0; row < scene.height; ++row) {
@@ -65,7 +65,7 @@ void PlantedSubject::Draw(const Scene& scene, const DrawOptions& options, Covera
   if (bug_.draw) {
     bug_.draw(*sound_, scene, options, counts);
   } else {
-    sound_->Draw(scene, options, counts);
+    DrawOnto(*sound_, scene, options, counts);
   }
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/subject_errors.h"
+#include "core/call_end.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "model/target_profile.h"
@@ -340,7 +340,7 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNoLeaveToCrashNorAboutWhatIsNotFinite
   info.profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
   PlantedSubject crashing(info, [](const Scene& scene, const DrawOptions&, CoverageCounts&) {
     for (const Triangle& t : scene.triangles) {
-      if (t[0] == t[1]) throw SubjectFault("it died");
+      if (t[0] == t[1]) BreakDown("it died");
     }
   });
   Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}}, {{0, 0, 1}});

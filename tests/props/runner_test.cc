@@ -1,9 +1,8 @@
-// Subjects that throw, refuse, hang or change their answers; faults that are not the subject's.
+// Subjects that throw, refuse or change their answers; faults that are not the subject's.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,8 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "exact/coverage.h"
 #include "props/judging/redraw.h"
 #include "props/run/campaign.h"
@@ -30,7 +29,6 @@
 namespace rasterproof::props {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using testing::ModelProperty;
 using testing::PlantedSubject;
 using testing::RealInfo;
@@ -41,7 +39,7 @@ void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& c
   counts += exact::Coverage(scene, Profile{}, options);
 }
 
-SubjectRefusal Refusal() { return {"subject planted", "it refused the scene", "give another"}; }
+SubjectStop Refusal() { return {Stop::kRefused, "it refused the scene"}; }
 
 Case SomeCase() { return DrawCase(RealInfo(), ModelProperty(kDomains), kDefaultSeed, 0); }
 
@@ -112,7 +110,7 @@ TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {
   for (Subject* const each : {static_cast<Subject*>(&subject), static_cast<Subject*>(&outside)}) {
     const Trial trial = TryCase(*each, ModelProperty(kDomains), SomeCase());
     EXPECT_EQ(trial.verdict.outcome, Outcome::kViolated);
-    EXPECT_TRUE(trial.broke_down);
+    EXPECT_EQ(trial.stop, Stop::kBrokeDown);
     EXPECT_EQ(trial.verdict.message, "the subject failed: it threw: negative column");
   }
 }
@@ -289,166 +287,6 @@ TEST(AnAnswerThatChanges, ViolatesThePropertyThatEqualDrawsAreEqual) {
   EXPECT_TRUE(Says(result.message, "not every time: first violated")) << result.message;
 }
 
-// ---- time ---------------------------------------------------------------------------------------
-
-// A clock that nobody waits for, and the deadline that a subject was given.
-struct Time {
-  Clock::time_point now{};
-  Clock::time_point deadline = Clock::time_point::max();
-
-  void Pass(double seconds) {
-    now += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  }
-  /// What a subject outside does: it works on, at most until its deadline.
-  void Work(double seconds) {
-    const auto began = now;
-    Pass(seconds);
-    if (now <= deadline) return;
-    now = std::max(began, deadline);
-    throw SubjectDeadline("it was given no more time");
-  }
-};
-
-// Draws what is right, and takes its time over it.
-class Timed final : public Subject {
- public:
-  using Take = std::function<void(const Scene&, Time&)>;
-  Timed(Time& time, Take take) : time_(time), take_(std::move(take)) {}
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    take_(scene, time_);
-    DrawRight(scene, options, counts);
-  }
-  bool SharesCalls() const override { return true; }
-  void SetDeadline(Clock::time_point deadline) override { time_.deadline = deadline; }
-
- private:
-  SubjectInfo info_ = RealInfo();
-  Time& time_;
-  Take take_;
-};
-
-PropertyResult RunTimed(Time& time, Timed::Take take, CampaignOptions options) {
-  Timed outside(time, std::move(take));
-  options.now = [&time] { return time.now; };
-  return RunCampaign(outside, ModelProperty(kDomains), options);
-}
-
-TEST(ASlowSubject, IsNeverViolatedForIt) {
-  const auto slow_over_the_50th = [n = 0](const Scene&, Time& time) mutable {
-    time.Pass(0.01);
-    if (++n == 50) throw SubjectTooSlow("no answer within 10 s; --time-limit gives it more");
-  };
-  Time time;
-  const PropertyResult result = RunTimed(time, slow_over_the_50th, {.cases = 120});
-  EXPECT_EQ(result.outcome, Outcome::kInconclusive);
-  EXPECT_EQ(result.cases, 50U);
-  EXPECT_TRUE(Says(result.message, "fans:4140016@1: no answer within 10 s; --time-limit"))
-      << result.message;
-  EXPECT_TRUE(Says(result.message, "nothing violated so far, exercised in 49 of 50 cases"))
-      << result.message;
-}
-
-TEST(ASlowSubject, IsGivenTheRunsDeadlineWithinACaseAndLosesItAfterwards) {
-  Time time;
-  const auto a_second = [](const Scene&, Time& t) { t.Work(1); };
-  const PropertyResult result = RunTimed(time, a_second, {.cases = 1000, .seconds = 40.5});
-  EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
-  EXPECT_EQ(result.cases, 40U);
-  EXPECT_EQ(time.now, Clock::time_point{} + std::chrono::milliseconds(40500));
-  EXPECT_EQ(time.deadline, Clock::time_point::max());
-}
-
-TEST(ASlowSubject, ThatTookAWholeTimeLimitIsTooSlowThoughTheRunsTimeWasUpToo) {
-  Time time;
-  const auto hangs_late = [n = 0](const Scene&, Time& t) mutable {
-    t.Work(++n < 5 ? 0.01 : 10);
-    if (n >= 5) throw SubjectTooSlow("no answer within 10 s, and no time left to try it longer");
-  };
-  const PropertyResult result =
-      RunTimed(time, hangs_late, {.cases = 1000, .seconds = 15, .time_limit = 10});
-  EXPECT_EQ(result.outcome, Outcome::kInconclusive) << result.message;
-}
-
-std::vector<std::size_t> SizesDrawn(double seconds) {
-  Time time;
-  std::vector<std::size_t> sizes;
-  const auto take = [&](const Scene& scene, Time& t) {
-    t.Work(seconds);
-    sizes.push_back(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height) *
-                    (1 + scene.triangles.size()));
-  };
-  RunTimed(time, take, {.cases = 64});
-  return sizes;
-}
-
-TEST(ASlowSubject, GetsSmallCasesFirstAndAFastOneTheSameAsEver) {
-  const std::vector<std::size_t> fast = SizesDrawn(0.001);
-  const std::vector<std::size_t> slow = SizesDrawn(2);
-  ASSERT_EQ(fast.size(), 64U);
-  ASSERT_EQ(slow.size(), 64U);
-  EXPECT_FALSE(std::is_sorted(fast.begin() + 32, fast.end()));
-  EXPECT_TRUE(std::is_sorted(slow.begin() + 32, slow.end()));
-  EXPECT_TRUE(std::is_permutation(fast.begin(), fast.end(), slow.begin()));
-}
-
-// Loops for ever over thin triangles: after one limit and ten more it is known to hang.
-class Hanging {
- public:
-  static constexpr double kLimit = 10;
-  void operator()(const Scene& scene, Time& time) {
-    time.Pass(0.001);
-    if (scene.width < 3) return;
-    ++hangs;
-    time.Work(11 * kLimit);
-    throw SubjectHang("it gave no answer within 100 s");
-  }
-  int hangs = 0;
-};
-
-TEST(AHang, IsShrunkWithFewTimeLimitsAndEndsItsProperty) {
-  Time time;
-  Hanging hanging;
-  Pace pace;
-  const CampaignOptions options{.cases = 100, .time_limit = Hanging::kLimit, .pace = &pace};
-  const PropertyResult result = RunTimed(time, std::ref(hanging), options);
-  ASSERT_EQ(result.outcome, Outcome::kViolated) << result.message;
-  EXPECT_TRUE(Says(result.message, "it gave no answer within 100 s")) << result.message;
-  EXPECT_TRUE(Says(result.message, "smaller cases without an answer")) << result.message;
-  EXPECT_EQ(result.verdict->outcome, Outcome::kViolated);
-  EXPECT_LE(hanging.hangs, 1 + kMostHangs);
-  EXPECT_LE(result.seconds, (11 + kMostHangs + 1) * Hanging::kLimit);
-  EXPECT_TRUE(pace.hangs);
-
-  // The next property that meets it costs one limit more, and convicts nobody.
-  hanging.hangs = 0;
-  const PropertyResult next = RunTimed(time, std::ref(hanging), options);
-  EXPECT_EQ(next.outcome, Outcome::kInconclusive);
-  EXPECT_TRUE(Says(next.message, "saw the subject hang")) << next.message;
-  EXPECT_EQ(hanging.hangs, 1);
-  EXPECT_LE(next.seconds, 1.5 * Hanging::kLimit);
-}
-
-TEST(AHang, IsNoCrashThatTookItsTime) {
-  Time time;
-  const auto crashes_once = [n = 0](const Scene&, Time& t) mutable {
-    t.Work(11);
-    if (++n == 3) throw SubjectFault("it was killed by signal 6");
-  };
-  const PropertyResult result = RunTimed(time, crashes_once, {.cases = 9, .time_limit = 10});
-  EXPECT_TRUE(Says(result.message, "not deterministic")) << result.message;
-}
-
-TEST(AHang, IsShrunkWithinTheRunsTime) {
-  Time time;
-  Hanging hanging;
-  const PropertyResult result = RunTimed(
-      time, std::ref(hanging), {.cases = 100, .seconds = 135, .time_limit = Hanging::kLimit});
-  EXPECT_EQ(result.outcome, Outcome::kViolated);
-  EXPECT_TRUE(Says(result.message, "not shrunk any further: the time was up")) << result.message;
-  EXPECT_LE(result.seconds, 135.1);
-}
-
 // ---- runs that are stopped ----------------------------------------------------------------------
 
 TEST(ARunThatIsStopped, SaysWhatItKnowsSoFar) {
@@ -491,7 +329,7 @@ TEST(ARunThatIsStopped, BlamesNoSubjectForWhatWasStoppedWithIt) {
   options.stop = [&] { return stopped; };
   const auto killed = [&](const Scene&, const DrawOptions&, CoverageCounts&) {
     stopped = true;
-    throw SubjectFault("it was killed by signal 9");
+    BreakDown("it was killed by signal 9");
   };
   EXPECT_EQ(RunInside(killed, options).outcome, Outcome::kInconclusive);
 }

@@ -101,9 +101,6 @@ class ShowsIds final : public Subject {
     }
     return drawing;
   }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += Show({std::make_shared<const Scene>(scene), options, counts.samples}).counts;
-  }
 
  private:
   bool by_pixel_;

@@ -31,9 +31,6 @@ class ShownSubject final : public Subject {
     info_.coverage = kind;
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += Show(DrawJob(scene, options, counts.samples)).counts;
-  }
   Drawing Show(const DrawJob& job) override {
     ++calls;
     Scene scene = SceneOf(job);

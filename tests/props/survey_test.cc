@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/subject_errors.h"
+#include "core/call_end.h"
 #include "core/tie_rule.h"
 #include "exact/coverage.h"
 #include "props/domains/case_name.h"
@@ -86,7 +86,7 @@ TEST(Survey, CountsAPlantedGapAndKeepsItsCase) {
   EXPECT_EQ(gap.minimal.origin, gap.name);
   EXPECT_LE(gap.minimal.scene.triangles.size(), 4U);
   CoverageCounts counts(gap.minimal.scene.width, gap.minimal.scene.height);
-  subject.Draw(gap.minimal.scene, gap.minimal.options, counts);
+  DrawOnto(subject, gap.minimal.scene, gap.minimal.options, counts);
   EXPECT_GT(Compare(counts, exact::Coverage(gap.minimal.scene, gap.minimal.profile)).missing, 0U);
 }
 
@@ -158,7 +158,7 @@ TEST(Survey, KeepsTheCaseOfACrashAndGivesTheDomainUpAtTheFourth) {
 
 TEST(Survey, CountsRefusalsApart) {
   PlantedSubject subject(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
-    throw SubjectRefusal("scene", "it is not drawn", "draw another one");
+    throw SubjectStop(Stop::kRefused, "it is not drawn");
   });
   const DomainSurvey survey = SurveyOf(subject, "fans");
   EXPECT_EQ(survey.refused, 60U);

@@ -31,7 +31,7 @@ Scene FanFor(const SubjectInfo& info) {
 
 CoverageCounts Drawn(Subject& subject, const DrawOptions& options = {}) {
   CoverageCounts counts(16, 16, subject.Info().profile.pattern.samples());
-  subject.Draw(FanFor(subject.Info()), options, counts);
+  DrawOnto(subject, FanFor(subject.Info()), options, counts);
   return counts;
 }
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/call_end.h"
 #include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/scene.h"
-#include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "subjects/process/protocol.h"
 
@@ -64,7 +64,7 @@ TEST(CentroidProtocol, AsksForCentroidsWhereTheyAreShownAndWanted) {
   EXPECT_EQ(answer, "fragments 12\n0 0.5 0.375 0.125 -1\n");
   EXPECT_EQ(alone.Reads(answer).centroids, drawing.centroids);
   EXPECT_TRUE(alone.Reads(answer).barycentrics.empty());
-  EXPECT_THROW(alone.Reads("fragments 12\n0 0.5 0.375 -1\n"), SubjectFault);
+  EXPECT_THROW(alone.Reads("fragments 12\n0 0.5 0.375 -1\n"), SubjectStop);
 
   Outputs all = kEverything;
   all.centroids = true;

@@ -44,7 +44,7 @@ CoverageCounts Drawn(Subject& subject, const Scene& scene) {
     for (Vertex& v : given.vertices) v = ToClip(v, 1, *transform, scene.width, scene.height);
     given.precision = Precision::kFloat64;
   }
-  subject.Draw(given, {}, counts);
+  DrawOnto(subject, given, {}, counts);
   return counts;
 }
 

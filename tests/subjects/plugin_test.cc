@@ -21,9 +21,9 @@ constexpr const char* kRounds = TEST_PLUGINS "/buggy_ROUNDS.so";
 TEST(Plugin, KeepsItsRoundingModeToItself) {
   ASSERT_EQ(std::fegetround(), FE_TONEAREST);
   const LoadedPlugin loaded = LoadPlugin(kRounds);
-  EXPECT_EQ(loaded.subject->Show({}).counts.front[0], 0U);
+  EXPECT_EQ(DrawOne(*loaded.subject, {}).counts.front[0], 0U);
   EXPECT_EQ(std::fegetround(), FE_TONEAREST) << "who judges is not to round as it does";
-  EXPECT_EQ(loaded.subject->Show({}).counts.front[0], 1U) << "it is drawn with as it is";
+  EXPECT_EQ(DrawOne(*loaded.subject, {}).counts.front[0], 1U) << "it is drawn with as it is";
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
@@ -35,12 +35,12 @@ TEST(Plugin, IsGivenOtherVerticesAtTheSameAddresses) {
   scene.width = scene.height = 4;
   scene.vertices = {{-9, -9}, {-9, 30}, {30, -9}};
   scene.triangles = {{0, 1, 2}};
-  const Drawing covered = loaded.subject->Show({scene, {}, 1});
+  const Drawing covered = DrawOne(*loaded.subject, {scene, {}, 1});
   ASSERT_NE(covered.counts.front[0] + covered.counts.back[0], 0U);
   for (Vertex& v : scene.vertices) v.x += 1000;
-  EXPECT_EQ(loaded.subject->Show({scene, {}, 1}).counts, covered.counts) << "what it kept";
+  EXPECT_EQ(DrawOne(*loaded.subject, {scene, {}, 1}).counts, covered.counts) << "what it kept";
   const LoadedPlugin sound = LoadPlugin(TEST_PLUGINS "/shown_FACING_COUNTS.so");
-  EXPECT_NE(sound.subject->Show({scene, {}, 1}).counts, covered.counts);
+  EXPECT_NE(DrawOne(*sound.subject, {scene, {}, 1}).counts, covered.counts);
 }
 
 TEST(Plugin, IsNotGivenTargetsThatNobodyTakes) {
@@ -49,7 +49,7 @@ TEST(Plugin, IsNotGivenTargetsThatNobodyTakes) {
   wide.width = 16384;
   wide.height = 16384;
   const DrawJob large(wide, {}, 4);
-  EXPECT_THROW(loaded.subject->Show(large), InputError);
+  EXPECT_THROW(DrawOne(*loaded.subject, large), SubjectStop);
 }
 
 // A triangle that covers the target, of a scene in which another stands before it.
@@ -67,15 +67,15 @@ DrawJob SecondOfTwo(Outputs wants) {
 TEST(Plugin, IsAskedForWhatIsWantedIfItSaysThatItReadsIt) {
   for (const char* const name : {"/shown_FRAGMENTS.so", "/shown_NEEDS_ALL.so"}) {
     const LoadedPlugin loaded = LoadPlugin(std::string(TEST_PLUGINS) + name);
-    const Drawing all = loaded.subject->Show(SecondOfTwo(kEverything));
+    const Drawing all = DrawOne(*loaded.subject, SecondOfTwo(kEverything));
     EXPECT_EQ(all.primitive_ids, std::vector<std::int32_t>(16, 0)) << "of the triangles of the job";
     ASSERT_EQ(all.depths.size(), 16U);
     EXPECT_EQ(all.depths[0], 0.5);
     EXPECT_EQ(all.barycentrics.size(), 16U);
-    const Drawing ids = loaded.subject->Show(SecondOfTwo(kCoverageAndPrimitiveIds));
+    const Drawing ids = DrawOne(*loaded.subject, SecondOfTwo(kCoverageAndPrimitiveIds));
     EXPECT_EQ(ids.primitive_ids, all.primitive_ids);
     EXPECT_TRUE(ids.barycentrics.empty() && ids.depths.empty());
-    const Drawing depths = loaded.subject->Show(SecondOfTwo({true, false, true}));
+    const Drawing depths = DrawOne(*loaded.subject, SecondOfTwo({true, false, true}));
     EXPECT_EQ(depths.depths, all.depths);
     EXPECT_TRUE(depths.barycentrics.empty());
   }
@@ -86,15 +86,15 @@ TEST(Plugin, IsAskedForCentroidsIfItShowsThemAndTheyAreWanted) {
   wants.centroids = true;
   const LoadedPlugin shows = LoadPlugin(TEST_PLUGINS "/shown_CENTROIDS.so");
   EXPECT_TRUE(shows.subject->Info().fragments.shows_centroids);
-  const Drawing drawing = shows.subject->Show(SecondOfTwo(wants));
+  const Drawing drawing = DrawOne(*shows.subject, SecondOfTwo(wants));
   ASSERT_EQ(drawing.centroids.size(), 16U);
-  EXPECT_EQ(drawing.centroids, shows.subject->Show(SecondOfTwo(kEverything)).barycentrics);
+  EXPECT_EQ(drawing.centroids, DrawOne(*shows.subject, SecondOfTwo(kEverything)).barycentrics);
   EXPECT_TRUE(drawing.barycentrics.empty() && drawing.depths.empty());
-  EXPECT_TRUE(shows.subject->Show(SecondOfTwo(kEverything)).centroids.empty());
+  EXPECT_TRUE(DrawOne(*shows.subject, SecondOfTwo(kEverything)).centroids.empty());
   // One of a header that had none is never asked.
   const LoadedPlugin older = LoadPlugin(TEST_PLUGINS "/shown_FRAGMENTS.so");
   EXPECT_FALSE(older.subject->Info().fragments.shows_centroids);
-  EXPECT_TRUE(older.subject->Show(SecondOfTwo(wants)).centroids.empty());
+  EXPECT_TRUE(DrawOne(*older.subject, SecondOfTwo(wants)).centroids.empty());
   EXPECT_THROW(LoadPlugin(TEST_PLUGINS "/shown_CENTROIDS_OF_COUNTS.so"), InputError);
 }
 
@@ -111,7 +111,7 @@ TEST(Plugin, DrawsPartsOfASharedSceneLikeScenesOfTheirOwn) {
   ASSERT_EQ(a.size(), 3U);
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_EQ(a[k].Get().counts, b[k].Get().counts);
-    EXPECT_EQ(a[k].Get().counts, loaded.subject->Show(shared[k]).counts);
+    EXPECT_EQ(a[k].Get().counts, DrawOne(*loaded.subject, shared[k]).counts);
   }
 }
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/scene.h"
-#include "core/subject_errors.h"
 
 namespace rasterproof::subjects {
 namespace {
@@ -49,14 +49,9 @@ SubjectInfo Info() {
 
 // "" if it drew, else "fault: ..." or "slow: ...".
 std::string SaidOf(Subject& subject, const DrawJob& job = {}) {
-  try {
-    subject.Show(job);
-    return "";
-  } catch (const SubjectFault& fault) {
-    return std::string("fault: ") + fault.what();
-  } catch (const SubjectTooSlow& slow) {
-    return std::string("slow: ") + slow.what();
-  }
+  const CallEnd end = subject.DrawMany({&job, 1}).front().end;
+  if (end.stop == Stop::kNone) return "";
+  return (IsBreakdown(end.stop) ? "fault: " : "slow: ") + end.why;
 }
 
 bool Has(const std::string& text, const std::string& words) {
@@ -118,7 +113,7 @@ TEST(ProcessSubject, DrawsASlowBatchInParts) {
   const std::vector<DrawJob> jobs(8);
   const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
   ASSERT_EQ(outcomes.size(), jobs.size());
-  for (const DrawOutcome& outcome : outcomes) EXPECT_EQ(outcome.error, nullptr);
+  for (const DrawOutcome& outcome : outcomes) EXPECT_EQ(outcome.end.stop, Stop::kNone);
 }
 
 TEST(ProcessSubject, NamesTheOneOfABatchThatHangs) {
@@ -132,8 +127,8 @@ TEST(ProcessSubject, NamesTheOneOfABatchThatHangs) {
   jobs[1] = {higher, {}, 1};
   const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
   ASSERT_EQ(outcomes.size(), 2U) << "what follows a breakdown is left open";
-  EXPECT_EQ(outcomes[0].error, nullptr);
-  EXPECT_THROW(outcomes[1].Get(), SubjectFault);
+  EXPECT_EQ(outcomes[0].end.stop, Stop::kNone);
+  EXPECT_TRUE(IsBreakdown(outcomes[1].end.stop));
 }
 
 TEST(ProcessSubject, IsNotGivenTargetsThatNobodyTakes) {
@@ -142,12 +137,11 @@ TEST(ProcessSubject, IsNotGivenTargetsThatNobodyTakes) {
   wide.width = 16384;
   wide.height = 16384;
   const DrawJob large(wide, {}, 4);
-  EXPECT_THROW(subject.Show(large), InputError);
   const std::array<DrawJob, 3> jobs{DrawJob{}, large, DrawJob{}};
   const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
   ASSERT_EQ(outcomes.size(), 3U);
-  EXPECT_THROW(outcomes[1].Get(), InputError);
-  EXPECT_EQ(outcomes[2].error, nullptr);
+  EXPECT_EQ(outcomes[1].end.stop, Stop::kNotDrawable);
+  EXPECT_EQ(outcomes[2].end.stop, Stop::kNone);
 }
 
 // Answers two questions once it was asked both, "2" and "3"; alone, any.
@@ -181,7 +175,7 @@ TEST(ProcessSubject, PutsManyEdgeQuestionsBeforeItReadsTheFirstAnswer) {
 TEST(ProcessSubject, TellsWhenOneOfManyEdgeQuestionsIsNotAnswered) {
   const ProcessSubject subject(Valuing("[ \"${rest##* }\" != 7 ] || exit 3"), EdgeInfo());
   const std::array<EdgeQuestion, 2> questions{{{{0, 0}, {1, 0}, {0, 6}}, {{0, 0}, {1, 0}, {0, 7}}}};
-  EXPECT_THROW(subject.Edges()->Values(questions), SubjectFault);
+  EXPECT_THROW(subject.Edges()->Values(questions), SubjectStop);
   EXPECT_EQ(subject.Edges()->Values({questions.data(), 1}), std::vector<double>{4})
       << "what follows a fault is asked afresh";
 }

@@ -17,9 +17,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/subject.h"
-#include "core/subject_errors.h"
 #include "core/subject_info.h"
 #include "subjects/process/serve.h"
 #include "subjects/process/text.h"
@@ -216,20 +216,23 @@ TEST(Protocol, ReadsCountsAndNothingElse) {
   EXPECT_EQ(drawing.counts.back, (std::vector<std::uint32_t>{0, 0, 0}));
   for (const char* const head :
        {"", "counts 1", "counts 123", "count 12", "12 counts", "primitive-ids 12"}) {
-    EXPECT_THROW(Read(std::string(head) + "\n1 2 3\n", CoverageKind::kCounts, 3), SubjectFault)
+    EXPECT_THROW(Read(std::string(head) + "\n1 2 3\n", CoverageKind::kCounts, 3), SubjectStop)
         << head;
   }
   for (const char* const row :
        {"1 2", "1 2 3 4", "1 x 3", "1 -2 3", "1 4294967296 3", "1 2 3x", "1 2.5 3"}) {
     EXPECT_THROW(Read("counts 12\n" + std::string(row) + "\n", CoverageKind::kCounts, 3),
-                 SubjectFault)
+                 SubjectStop)
         << row;
   }
 }
 
 TEST(Protocol, TellsRefusalsFromFaults) {
-  EXPECT_THROW(Read("refused 12 too large\n", CoverageKind::kCounts, 1), InputError);
-  EXPECT_THROW(Read("fault 12\n", CoverageKind::kCounts, 1), SubjectFault);
+  const auto end = [](const char* answer) {
+    return EndOf([&] { Read(answer, CoverageKind::kCounts, 1); }).stop;
+  };
+  EXPECT_EQ(end("refused 12 too large\n"), Stop::kRefused);
+  EXPECT_EQ(end("fault 12\n"), Stop::kBrokeDown);
 }
 
 TEST(Protocol, ReadsPrimitiveIdsOfTheSceneAndNoOthers) {
@@ -239,7 +242,7 @@ TEST(Protocol, ReadsPrimitiveIdsOfTheSceneAndNoOthers) {
   for (const char* const row : {"0 2 1", "0 -2 1", "0 1", "0 1 1 1", "0 x 1"}) {
     EXPECT_THROW(
         Read("primitive-ids 12\n" + std::string(row) + "\n", CoverageKind::kPrimitiveIds, 3),
-        SubjectFault)
+        SubjectStop)
         << row;
   }
 }
@@ -259,7 +262,7 @@ TEST(Protocol, CarriesFragmentsWithoutLosingABit) {
   EXPECT_EQ(read.depths, drawing.depths);
   for (const char* const row : {"0 1 1 1 1 -1", "-1 -1 0 1 1 1", "-1 1 1 1 1 1 1 1 1 1"}) {
     EXPECT_THROW(Read("fragments 12\n" + std::string(row) + "\n", CoverageKind::kFragments, 3),
-                 SubjectFault)
+                 SubjectStop)
         << row;
   }
 }
@@ -291,7 +294,7 @@ TEST(Protocol, CarriesWhatIsWantedAndNoMore) {
     EXPECT_EQ(older.barycentrics, read.barycentrics) << "and what is not wanted is not kept";
   }
   EXPECT_THROW(Read("fragments 12\n1 0 0 1 0.5 -1\n", kind, 2, 2, kCoverageAndPrimitiveIds),
-               SubjectFault);
+               SubjectStop);
 }
 
 TEST(Protocol, ReadsNumbersAsStrtodDoesAndWritesThemBack) {
@@ -425,7 +428,7 @@ class Speaker final : public Subject {
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions&, CoverageCounts& counts) override {
     if (scene.width == 1) throw InputError("place", "too\nsmall", "more");
-    if (scene.width == 2) throw SubjectFault("it broke");
+    if (scene.width == 2) BreakDown("it broke");
     ++drawn;
     counts.front[0] = 5;
     counts.back[1] = 6;

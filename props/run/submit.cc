@@ -1,4 +1,4 @@
-#include "props/run/put.h"
+#include "props/run/submit.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,25 +15,13 @@
 namespace rasterproof::props {
 namespace {
 
-void End(Answers& answers, Stop stop, std::string why) {
-  answers.stop = stop;
-  answers.why = std::move(why);
-}
-
-// Makes a call of the subject's own. What it throws is a stop.
-template <class Call>
-void Guarded(Answers& answers, const Call& call) {
-  CallEnd end = EndOf(call);
-  if (end.stop != Stop::kNone) End(answers, end.stop, std::move(end.why));
-}
-
 // A draw as the subject is given it: where its own transform takes the vertices to their places.
 // Nothing, and a stop, if it can't be.
 std::optional<DrawJob> AsGiven(const PlacedCase& placed, const std::string& subject,
-                               const DrawJob& job, Answers& answers) {
+                               const DrawJob& job, CallEnd& end) {
   if (const auto error =
           TargetSizeError("scene", job.scene->width, job.scene->height, job.samples)) {
-    End(answers, Stop::kNotDrawable, error->what());
+    end = {Stop::kNotDrawable, error->what()};
     return std::nullopt;
   }
   if (!placed.before) return job;
@@ -44,7 +32,7 @@ std::optional<DrawJob> AsGiven(const PlacedCase& placed, const std::string& subj
   }
   const InputError error("subject " + subject, placed.before->WhyNot(*job.scene),
                          "choose another property");
-  End(answers, Stop::kNotDrawable, error.what());
+  end = {Stop::kNotDrawable, error.what()};
   return std::nullopt;
 }
 
@@ -64,9 +52,9 @@ struct Share {
   bool is_whole = false;  ///< all that is shown is taken over; else the counts are added
 };
 
-class Putting {
+class Submission {
  public:
-  Putting(Subject& subject, std::span<const Request> requests)
+  Submission(Subject& subject, std::span<const Request> requests)
       : subject_(subject),
         info_(subject.Info()),
         is_outside_(subject.SharesCalls()),
@@ -84,15 +72,15 @@ class Putting {
     DrawShares();
     for (std::size_t r = 0; r < answers_.size(); ++r) {
       Answers& answers = answers_[r];
-      if (answers.stop == Stop::kNone) End(answers, not_given_[r].stop, not_given_[r].why);
-      if (answers.stop == Stop::kNone) Evaluate(requests_[r].check->questions, answers);
+      if (answers.end.stop == Stop::kNone) answers.end = not_given_[r];
+      if (answers.end.stop == Stop::kNone) Evaluate(requests_[r].check->questions, answers);
     }
     return std::move(answers_);
   }
 
  private:
-  std::optional<DrawJob> GivenOf(std::size_t r, const DrawJob& job, Answers& answers) const {
-    return AsGiven(*requests_[r].placed, info_.name, job, answers);
+  std::optional<DrawJob> GivenOf(std::size_t r, const DrawJob& job, CallEnd& end) const {
+    return AsGiven(*requests_[r].placed, info_.name, job, end);
   }
 
   // Facings are those of the question's scene; what is drawn is the scene as it is given.
@@ -121,15 +109,11 @@ class Putting {
     std::shared_ptr<const Drawing> last;
     for (const DrawQuestion& question : questions.draws) {
       answers.stopped_at = static_cast<std::size_t>(&question - questions.draws.data());
-      const std::optional<DrawJob> job = GivenOf(r, question.job, answers);
+      const std::optional<DrawJob> job = GivenOf(r, question.job, answers.end);
       if (!job) return true;
       auto drawing = std::make_shared<Drawing>();
-      const std::vector<Part> parts = PartsOf(r, question, *job);
-      Guarded(answers, [&] {
-        Subject& draws = question.by_twin ? *subject_.Twin() : subject_;
-        DrawOnto(draws, question, *job, parts, last.get(), *drawing);
-      });
-      if (answers.stop != Stop::kNone) return true;
+      answers.end = DrawInOrder(r, question, *job, last.get(), *drawing);
+      if (answers.end.stop != Stop::kNone) return true;
       last = drawing;
       answers.draws.push_back(std::move(drawing));
     }
@@ -137,19 +121,22 @@ class Putting {
     return true;
   }
 
-  void DrawOnto(Subject& subject, const DrawQuestion& question, const DrawJob& job,
-                const std::vector<Part>& parts, const Drawing* last, Drawing& drawing) {
-    if (question.parts == Parts::kWhole && !NeedsItsTarget(question)) {
-      drawing = subject.Show(job);
-      return;
+  CallEnd DrawInOrder(std::size_t r, const DrawQuestion& question, const DrawJob& job,
+                      const Drawing* last, Drawing& drawing) {
+    Subject& subject = question.by_twin ? *subject_.Twin() : subject_;
+    const bool goes_on = question.onto_the_last && last != nullptr;
+    CoverageCounts target = goes_on ? last->counts : Filled(question.fill, job);
+    const bool has_target = goes_on || question.fill != 0;
+    if (info_.coverage != CoverageKind::kFacingCounts &&
+        (has_target || question.parts == Parts::kFacings)) {
+      drawing.counts = std::move(target);
+      return DrawParts(subject, PartsOf(r, question, job), drawing.counts);
     }
-    drawing.counts = Filled(question.fill, job);
-    if (question.onto_the_last && last != nullptr) drawing.counts = last->counts;
-    if (info_.coverage == CoverageKind::kFacingCounts) {
-      subject.Draw(SceneOf(job), job.options, drawing.counts);
-      return;
-    }
-    DrawParts(subject, parts, drawing.counts);
+    DrawJob onto = job;
+    if (has_target) onto.onto = std::make_shared<const CoverageCounts>(std::move(target));
+    DrawOutcome outcome = std::move(subject.DrawMany({&onto, 1}).front());
+    drawing = std::move(outcome.drawing);
+    return std::move(outcome.end);
   }
 
   void AddShares(std::size_t r) {
@@ -173,10 +160,7 @@ class Putting {
       const std::size_t last = EndOfCall(first);
       const std::size_t drawn = DrawCall(first, last);
       const std::size_t end = shares_[first + (drawn == 0 ? 0 : drawn - 1)].request;
-      const Stop stop = answers_[end].stop;
-      const bool broke_down =
-          stop != Stop::kNone && stop != Stop::kRefused && stop != Stop::kNotDrawable;
-      if (first + drawn < last || broke_down) {
+      if (first + drawn < last || EndsTheCall(answers_[end].end.stop)) {
         // What lies behind a breakdown is not drawn: the case that caused it is judged first.
         answers_.resize(end + 1);
         break;
@@ -186,7 +170,7 @@ class Putting {
     for (std::size_t d = 0; d < drawings_.size(); ++d) {
       if (owners_[d] >= answers_.size()) break;
       Answers& answers = answers_[owners_[d]];
-      if (answers.stop == Stop::kNone) answers.draws.push_back(std::move(drawings_[d]));
+      if (answers.end.stop == Stop::kNone) answers.draws.push_back(std::move(drawings_[d]));
     }
   }
 
@@ -207,20 +191,17 @@ class Putting {
   std::size_t DrawCall(std::size_t first, std::size_t last) {
     std::vector<DrawJob> jobs;
     for (std::size_t n = first; n < last; ++n) jobs.push_back(shares_[n].part.job);
-    std::vector<DrawOutcome> outcomes;
-    Answers& blamed = answers_[shares_[first].request];
-    Guarded(blamed, [&] { outcomes = subject_.DrawMany(jobs); });
-    if (blamed.stop != Stop::kNone && jobs.size() == 1) blamed.stopped_at = shares_[first].question;
+    std::vector<DrawOutcome> outcomes = subject_.DrawMany(jobs);
     for (std::size_t n = 0; n < outcomes.size(); ++n) Take(shares_[first + n], outcomes[n]);
     return outcomes.size();
   }
 
   void Take(const Share& share, DrawOutcome& outcome) {
     Answers& answers = answers_[share.request];
-    if (answers.stop != Stop::kNone) return;
-    if (outcome.error != nullptr) {
-      Guarded(answers, [&] { outcome.Get(); });
-      if (answers.stop != Stop::kNone) answers.stopped_at = share.question;
+    if (answers.end.stop != Stop::kNone) return;
+    if (outcome.end.stop != Stop::kNone) {
+      answers.end = std::move(outcome.end);
+      answers.stopped_at = share.question;
       return;
     }
     Drawing& drawing = *drawings_[share.draw];
@@ -232,7 +213,7 @@ class Putting {
   }
 
   void Evaluate(const Questions& questions, Answers& answers) {
-    Guarded(answers, [&] {
+    answers.end = EndOf([&] {
       const EdgeEvaluator* const edges = subject_.Edges();
       if (!questions.edges.empty()) answers.edges = edges->Values(questions.edges);
       if (!questions.steps.empty()) answers.steps = edges->Steps(questions.steps);
@@ -254,7 +235,7 @@ class Putting {
   bool is_outside_;
   std::span<const Request> requests_;
   std::vector<Answers> answers_;
-  std::vector<Answers> not_given_;  ///< why, if a request has a draw that can't be given
+  std::vector<CallEnd> not_given_;  ///< why, if a request has a draw that can't be given
   std::vector<Share> shares_;
   std::vector<std::shared_ptr<Drawing>> drawings_;
   std::vector<std::size_t> owners_;  ///< the request of each of them
@@ -262,8 +243,8 @@ class Putting {
 
 }  // namespace
 
-std::vector<Answers> Put(Subject& subject, std::span<const Request> requests) {
-  return Putting(subject, requests).All();
+std::vector<Answers> Submit(Subject& subject, std::span<const Request> requests) {
+  return Submission(subject, requests).All();
 }
 
 }  // namespace rasterproof::props

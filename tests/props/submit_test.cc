@@ -1,5 +1,5 @@
 // Questions are put in as few calls as may be, and what breaks down ends its own case.
-#include "props/run/put.h"
+#include "props/run/submit.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject_errors.h"
 #include "props/judging/redraw.h"
 #include "props/run/judge.h"
 #include "tests/props/planted_subjects.h"
@@ -27,7 +27,7 @@ class Empty final : public Subject {
  public:
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions&, CoverageCounts&) override {
-    if (scene.vertices.size() == breaks_over) throw SubjectFault("it crashed");
+    if (scene.vertices.size() == breaks_over) BreakDown("it crashed");
   }
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     calls.push_back(jobs.size());
@@ -61,7 +61,7 @@ class Requests {
     }
     requests_.push_back({&placed_, &check, &drawn_});
   }
-  std::vector<Answers> PutTo(Subject& subject) const { return Put(subject, requests_); }
+  std::vector<Answers> SubmitTo(Subject& subject) const { return Submit(subject, requests_); }
 
  private:
   PlacedCase placed_;
@@ -74,11 +74,11 @@ TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
   Empty subject;
   Requests requests;
   requests.Add({Blank(8, 8, 3), Blank(kMaxTargetSide, kMaxTargetSide, 3)});
-  EXPECT_EQ(requests.PutTo(subject)[0].stop, Stop::kNotDrawable);
+  EXPECT_EQ(requests.SubmitTo(subject)[0].end.stop, Stop::kNotDrawable);
   subject.breaks_over = 3;
-  const Answers crashed = requests.PutTo(subject)[0];
-  EXPECT_EQ(crashed.stop, Stop::kBrokeDown);
-  EXPECT_EQ(crashed.why, "it crashed");
+  const Answers crashed = requests.SubmitTo(subject)[0];
+  EXPECT_EQ(crashed.end.stop, Stop::kBrokeDown);
+  EXPECT_EQ(crashed.end.why, "it crashed");
   EXPECT_TRUE(crashed.draws.empty());
 }
 
@@ -88,16 +88,16 @@ TEST(Questions, BehindABreakdownAtTheEndOfACallAreNotPut) {
   for (const std::size_t vertices : {3U, 4U, 5U}) {
     requests.Add({Blank(8, 8, 1), Blank(8, 8, vertices), Blank(kSide, kSide, 2)});
   }
-  EXPECT_EQ(requests.PutTo(subject).size(), 3U);
+  EXPECT_EQ(requests.SubmitTo(subject).size(), 3U);
   const std::vector<std::size_t> by_size{2, 1, 2, 1, 2, 1};
   EXPECT_EQ(subject.calls, by_size);
   subject.calls.clear();
   subject.breaks_over = 4;  // the last job of the third call
-  const std::vector<Answers> answers = requests.PutTo(subject);
+  const std::vector<Answers> answers = requests.SubmitTo(subject);
   ASSERT_EQ(answers.size(), 2U);
-  EXPECT_EQ(answers[0].stop, Stop::kNone);
+  EXPECT_EQ(answers[0].end.stop, Stop::kNone);
   EXPECT_EQ(answers[0].draws.size(), 3U);
-  EXPECT_EQ(answers[1].stop, Stop::kBrokeDown);
+  EXPECT_EQ(answers[1].end.stop, Stop::kBrokeDown);
   EXPECT_EQ(subject.calls, (std::vector<std::size_t>{2, 1, 2}));
 }
 

@@ -1,6 +1,6 @@
-// Putting questions to a subject.
-#ifndef RASTERPROOF_PROPS_RUN_PUT_H_
-#define RASTERPROOF_PROPS_RUN_PUT_H_
+// Submitting questions to a subject.
+#ifndef RASTERPROOF_PROPS_RUN_SUBMIT_H_
+#define RASTERPROOF_PROPS_RUN_SUBMIT_H_
 
 #include <cstddef>
 #include <memory>
@@ -32,8 +32,8 @@ struct Request {
 /// Returns:    the answers to each, in their order. What the subject's own calls throw is no error
 ///             but a stop. Fewer if it broke down: the last one says so.
 /// Error:      std::bad_alloc.
-std::vector<Answers> Put(Subject& subject, std::span<const Request> requests);
+std::vector<Answers> Submit(Subject& subject, std::span<const Request> requests);
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_RUN_PUT_H_
+#endif  // RASTERPROOF_PROPS_RUN_SUBMIT_H_

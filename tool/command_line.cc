@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdint>
 #include <exception>
@@ -12,6 +14,8 @@
 #include <map>
 #include <new>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "CLI/CLI.hpp"
@@ -411,6 +415,36 @@ void OpenStandardFiles() {
   }
 }
 
+// Verbs of earlier versions, and what to write now.
+constexpr auto kFormer = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"decided", "legal SCENE --decided --profile P"},
+    {"decode", "convert FILE --to case --subject S"},
+    {"diff", "coverage SCENE --subject S --against exact"},
+    {"encode", "convert FILE --to fuzz-input --subject S"},
+    {"gen", "pipe ask"},
+    {"host", "pipe answer plugin:PATH"},
+    {"merge", "certify --merge PART..."},
+    {"render", "coverage SCENE --mode flat --png FILE"},
+    {"shrink", "replay CASE --shrink FILE"},
+    {"ver", "pipe judge"},
+});
+
+// Left to itself the parser would say that a verb is missing, not that this one is unknown.
+void RequireVerb(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  if (std::ranges::find(verbs, name) != verbs.end()) return;
+  const std::string place = fmt::format("verb '{}'", name);
+  for (const auto& [old, now] : kFormer) {
+    if (name != old) continue;
+    throw InputError(place,
+                     fmt::format("{} is now a part of {}", name, now.substr(0, now.find(' '))),
+                     fmt::format("write rasterproof {}", now));
+  }
+  throw InputError(place, "there is no such verb",
+                   Suggestion(name, verbs) + "rasterproof --help lists them");
+}
+
 int Parse(int argc, char** argv, const std::string& own) {
   CLI::App app{"rasterproof: certify triangle rasterizers against exact arithmetic"};
   app.require_subcommand(1);
@@ -436,17 +470,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddVer(app, run);
   AddHost(app, run);
   AddDoctor(app, run);
-  // Left to itself the parser would say that a verb is missing, not that this one is unknown.
-  const auto is_verb = [&](const std::string& name) {
-    return !app.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == name; })
-                .empty();
-  };
-  if (argc > 1 && argv[1][0] != '-' && !is_verb(argv[1])) {
-    std::vector<std::string> verbs;
-    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
-    throw InputError(fmt::format("verb '{}'", argv[1]), "there is no such verb",
-                     Suggestion(argv[1], verbs) + "rasterproof --help lists them");
-  }
+  if (argc > 1 && argv[1][0] != '-') RequireVerb(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -44,55 +44,36 @@ struct ListOptions {
 };
 int RunList(const ListOptions& options);
 
+/// What a subject covers, as rows of counts or a picture, or where it differs from another.
 struct CoverageOptions {
   SceneOptions scene;
-  std::string subject = "exact";
+  std::string subject;  ///< empty: "exact", or "spans-exact" where pixels are shaded
   std::string profile;  ///< empty: "real" for exact, the subject's own otherwise
   std::string output = "-";
+  std::string against;  ///< the subject to compare with; empty: none
+  std::string png;      ///< a picture in place of the rows, or beside the comparison; empty: none
+  std::string mode = "coverage";  ///< of the picture; flat, barycentrics, depth, wireframe: shaded
+  double line_width = 1;
 };
 int RunCoverage(const CoverageOptions& options);
 
-/// What all legal models of a scene agree on.
-struct DecidedOptions {
-  SceneOptions scene;
-  std::string profile = "vulkan";
-  std::string json;  ///< file; empty: none
-  std::string png;
-  std::vector<int> view;  ///< of the picture: column, row, width, height; empty: the target
-  int scale = 1;          ///< side of a pixel in it
-};
-int RunDecided(const DecidedOptions& options);
-
-/// Whether one legal model explains a drawing.
+/// Whether one legal model explains a drawing, or what all legal models agree on.
 struct LegalOptions {
   SceneOptions scene;
   std::string image;    ///< counts as text, or a PNG picture; empty: `subject` draws
   std::string subject;  ///< empty: `image` is given
   std::string profile;  ///< empty: the subject's own
   std::string background = "000000";
-  std::string json;  ///< file; empty: none
-  std::string save;  ///< the part that no model explains, as a case file
+  std::string json;       ///< file; empty: none
+  std::string save;       ///< the part that no model explains, as a case file
+  bool decided = false;   ///< no drawing is judged
+  std::string png;        ///< where legal models differ; empty: none
+  std::vector<int> view;  ///< of that picture: column, row, width, height; empty: the target
+  int scale = 1;          ///< side of a pixel in it
 };
 int RunLegal(const LegalOptions& options);
-
-struct DiffOptions {
-  SceneOptions scene;
-  std::string subject;
-  std::string against = "exact";
-  std::string profile;  ///< of the oracle; empty: the subject's own
-  std::string png;
-};
-int RunDiff(const DiffOptions& options);
-
-struct RenderOptions {
-  SceneOptions scene;
-  std::string mode =
-      "flat";  ///< "flat", "barycentrics", "depth", "wireframe", "coverage", "difference"
-  std::string subject = "spans-exact";
-  double line_width = 1;
-  std::string output;
-};
-int RunRender(const RenderOptions& options);
+/// What `legal --decided` does.
+int TellDecided(const LegalOptions& options);
 
 struct CheckOptions {
   std::vector<std::string> subjects;

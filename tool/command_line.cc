@@ -249,9 +249,34 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
 void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
   static ReplayOptions options;
   options.choice.typed = typed;
-  CLI::App* verb = app.add_subcommand("replay", "Run one case again, saved or generated");
+  CLI::App* verb =
+      app.add_subcommand("replay", "Run one case again, or find a smaller one that still fails");
   AddCase(verb, options.choice);
-  verb->callback([&run] { run = [] { return RunReplay(options); }; });
+  CLI::Option* const shrink =
+      verb->add_option("--shrink", options.shrink,
+                       "File for the smallest case that still fails (- for standard output)");
+  verb->add_option("--budget", options.budget, "Most evaluations to shrink by")
+      ->capture_default_str()
+      ->needs(shrink);
+  verb->callback([&run] {
+    run = [] {
+      const Run replay = [] { return RunReplay(options); };
+      return options.shrink.empty() ? replay() : UntilInterrupted(replay);
+    };
+  });
+}
+
+void AddConvert(CLI::App& app, Run& run, const std::string& typed) {
+  static ConvertOptions options;
+  options.choice.typed = typed;
+  CLI::App* verb = app.add_subcommand(
+      "convert", "Write a fuzz input as a case file, or a case or scene as a fuzz input");
+  AddCase(verb, options.choice);
+  verb->add_option("--to", options.to, "What to write")
+      ->check(CLI::IsMember({"case", "fuzz-input"}))
+      ->required();
+  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
+  verb->callback([&run] { run = [] { return RunConvert(options); }; });
 }
 
 void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
@@ -273,17 +298,6 @@ void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--png", options.png, "Picture as PNG");
   verb->add_flag("--colour", options.colour, "Colours in the terminal");
   verb->callback([&run] { run = [] { return RunExplain(options); }; });
-}
-
-void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
-  static ShrinkOptions options;
-  options.choice.typed = typed;
-  CLI::App* verb = app.add_subcommand("shrink", "Make a failing case as small as it gets");
-  AddCase(verb, options.choice);
-  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->add_option("--budget", options.budget, "Most evaluations")->capture_default_str();
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
 }
 
 void AddClimb(CLI::App& app, Run& run) {
@@ -339,25 +353,6 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--width", options.width, "Of the target of meshes")->check(Positive());
   verb->add_option("--height", options.height, "Of the target of meshes")->check(Positive());
   verb->callback([&run] { run = [] { return RunBench(options); }; });
-}
-
-void AddDecode(CLI::App& app, Run& run) {
-  static DecodeOptions options;
-  CLI::App* verb = app.add_subcommand("decode", "The case that a fuzz input stands for, as a file");
-  verb->add_option("input", options.input, "Fuzz input (- for standard input)")->required();
-  verb->add_option("--subject", options.subject, "Subject it was run on")->required();
-  verb->add_option("--property", options.property, "Property it was run against");
-  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunDecode(options); }; });
-}
-
-void AddEncode(CLI::App& app, Run& run, const std::string& typed) {
-  static EncodeOptions options;
-  options.choice.typed = typed;
-  CLI::App* verb = app.add_subcommand("encode", "A case or scene as a fuzz input for a subject");
-  AddCase(verb, options.choice);
-  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunEncode(options); }; });
 }
 
 void AddSelftest(CLI::App& app, Run& run) {
@@ -461,10 +456,8 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddList(app, run);
   AddSceneVerbs(app, run);
   AddBench(app, run, typed);
-  AddShrink(app, run, typed);
   AddClimb(app, run);
-  AddDecode(app, run);
-  AddEncode(app, run, typed);
+  AddConvert(app, run, typed);
   AddSelftest(app, run);
   AddGen(app, run);
   AddVer(app, run);

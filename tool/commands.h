@@ -157,6 +157,8 @@ struct CaseChoice {
 
 struct ReplayOptions {
   CaseChoice choice;
+  std::string shrink;  ///< file for the smallest case that still fails; empty: as it is
+  std::uint64_t budget = 10000;
 };
 int RunReplay(const ReplayOptions& options);
 
@@ -179,13 +181,6 @@ struct ClimbOptions {
   std::string output;  ///< file; empty: none
 };
 int RunClimb(const ClimbOptions& options);
-
-struct ShrinkOptions {
-  CaseChoice choice;
-  std::string output = "-";
-  std::uint64_t budget = 10000;
-};
-int RunShrink(const ShrinkOptions& options);
 
 struct PlanOptions {
   SceneOptions scene;
@@ -222,19 +217,13 @@ struct BenchOptions {
 };
 int RunBench(const BenchOptions& options);
 
-struct DecodeOptions {
-  std::string input;
-  std::string subject;
-  std::string property;
-  std::string output = "-";
-};
-int RunDecode(const DecodeOptions& options);
-
-struct EncodeOptions {
+/// A case as a file of another kind.
+struct ConvertOptions {
   CaseChoice choice;
+  std::string to;  ///< "case" or "fuzz-input"
   std::string output = "-";
 };
-int RunEncode(const EncodeOptions& options);
+int RunConvert(const ConvertOptions& options);
 
 /// What goes through a pipe by hand: gen | PROGRAM | ver.
 struct PipeOptions {

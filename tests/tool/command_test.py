@@ -243,9 +243,10 @@ class BadInputTest(TemporaryFolder):
         self.refused(names="subcommand")
 
     def test_names_of_no_case(self):
-        for verb in ("check", "replay", "explain", "shrink"):
+        for verb in (("check",), ("replay",), ("explain",), ("replay", "--shrink", "-"),
+                     ("convert", "--to", "case")):  # fmt: skip
             def refused(name, *names, verb=verb):
-                self.refused(verb, "--subject", "f32-direct", "--case", name, names=[name, *names])
+                self.refused(*verb, "--subject", "f32-direct", "--case", name, names=[name, *names])
 
             refused("17", "not the name of a case", "near-edge:17@1", "list domains")
             refused("near-edge:seven@1", "'seven' is no index")

@@ -379,27 +379,23 @@ void AddDoctor(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunDoctor(); }; });
 }
 
-void AddGen(CLI::App& app, Run& run) {
+void AddPipeVerb(CLI::App& app, Run& run) {
   static PipeOptions options;
-  CLI::App* verb = app.add_subcommand("gen", "Requests to draw, for a program's standard input");
-  AddPipe(verb, options);
-  verb->callback([&run] { run = [] { return RunGen(options); }; });
-}
-
-void AddVer(CLI::App& app, Run& run) {
-  static PipeOptions options;
-  CLI::App* verb =
-      app.add_subcommand("ver", "Judge the answers to gen's requests, on standard input");
-  AddPipe(verb, options);
-  verb->callback([&run] { run = [] { return RunVer(options); }; });
-}
-
-void AddHost(CLI::App& app, Run& run) {
-  static HostOptions options;
-  CLI::App* verb = app.add_subcommand("host", "Answer requests by a plugin, on a pipe");
-  verb->add_option("subject", options.subject, "plugin:PATH")->required();
-  verb->add_flag("--describe", options.describe, "Say only what it states");
-  verb->callback([&run] { run = [] { return HostSubject(options.subject, options.describe); }; });
+  static HostOptions host;
+  CLI::App* verb = app.add_subcommand(
+      "pipe", "Test a program on a pipe that you lay: pipe ask | PROGRAM | pipe judge");
+  verb->require_subcommand(1);
+  CLI::App* ask = verb->add_subcommand("ask", "Requests to draw, for a program's standard input");
+  AddPipe(ask, options);
+  ask->callback([&run] { run = [] { return RunAsk(options); }; });
+  CLI::App* judge =
+      verb->add_subcommand("judge", "Judge on standard input the answers to what ask asked");
+  AddPipe(judge, options);
+  judge->callback([&run] { run = [] { return RunJudge(options); }; });
+  CLI::App* answer = verb->add_subcommand("answer", "Answer requests by a plugin");
+  answer->add_option("subject", host.subject, "plugin:PATH")->required();
+  answer->add_flag("--describe", host.describe, "Say only what it states");
+  answer->callback([&run] { run = [] { return HostSubject(host.subject, host.describe); }; });
 }
 
 // A standard file that the caller closed would give its number to the next file that is opened.
@@ -459,9 +455,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddClimb(app, run);
   AddConvert(app, run, typed);
   AddSelftest(app, run);
-  AddGen(app, run);
-  AddVer(app, run);
-  AddHost(app, run);
+  AddPipeVerb(app, run);
   AddDoctor(app, run);
   if (argc > 1 && argv[1][0] != '-') RequireVerb(app, argv[1]);
   try {

@@ -225,15 +225,15 @@ struct ConvertOptions {
 };
 int RunConvert(const ConvertOptions& options);
 
-/// What goes through a pipe by hand: gen | PROGRAM | ver.
+/// What goes through a pipe by hand: pipe ask | PROGRAM | pipe judge.
 struct PipeOptions {
   std::string property = "CoverageEqualsTheModel";
   std::string description;  ///< file; empty: what is assumed of a program that says nothing
   std::string profile;      ///< in place of the description's
   CampaignChoice campaign;
 };
-int RunGen(const PipeOptions& options);
-int RunVer(const PipeOptions& options);
+int RunAsk(const PipeOptions& options);
+int RunJudge(const PipeOptions& options);
 
 struct HostOptions {
   std::string subject;

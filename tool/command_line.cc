@@ -37,16 +37,9 @@
 namespace rasterproof::tool {
 namespace {
 
-void AddSubjects(CLI::App* app, std::vector<std::string>& subjects) {
-  CLI::Option* const named =
-      app->add_option("--subject", subjects, "Subjects")->capture_default_str();
-  // The first one from outside takes the place of the default.
-  bool replace = true;
-  AddOutside(app, [&subjects, named, replace](const std::string& name) mutable {
-    if (replace && named->count() == 0) subjects.clear();
-    replace = false;
-    subjects.push_back(name);
-  });
+void AddSubjects(CLI::App* app, std::vector<std::string>& subjects, const std::string& own) {
+  app->add_option("--subject", subjects, "Subjects")->default_str(own);
+  AddOutside(app, [&subjects](const std::string& name) { subjects.push_back(name); });
 }
 
 void AddSeed(CLI::App* app, CampaignChoice& campaign) {
@@ -141,12 +134,11 @@ void AddFailOn(CLI::App* verb, FailOn& fail_on) {
 
 void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   static CheckOptions options;
-  options.subjects = {own};
   CLI::App* verb = app.add_subcommand(
       "check", "The properties, on generated cases, given scenes or cases by their names");
   verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
   verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
-  AddSubjects(verb, options.subjects);
+  AddSubjects(verb, options.subjects, own);
   verb->add_option("--property", options.properties, "Properties (default: all)");
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_flag("--device", options.device,
@@ -161,16 +153,18 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
       verb, "--batch", "Cases whose draws share calls, of a subject outside", kMostInABatch,
       [](int count) { options.batch = static_cast<std::size_t>(count); },
       static_cast<int>(options.batch));
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunCheck(options); }); }; });
+  verb->callback([&run, own] {
+    if (options.subjects.empty()) options.subjects = {own};
+    run = [] { return UntilInterrupted([] { return RunCheck(options); }); };
+  });
 }
 
 void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   static CertifyOptions options;
-  options.subjects = {own};
   options.campaign.cases = 100;
-  CLI::App* verb = app.add_subcommand("certify", "Certificate, JUnit file and report page");
-  AddSubjects(verb, options.subjects);
+  CLI::App* verb = app.add_subcommand(
+      "certify", "Put everything to the test: certificate, JUnit file and report page");
+  AddSubjects(verb, options.subjects, own);
   verb->add_flag(
       "--all", options.all,
       "Every built-in subject; the exit status then covers only those stated to be exact");
@@ -183,35 +177,30 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   AddSeed(verb, options.campaign);
   verb->add_option_function<std::string>(
           "--cases", [](const std::string& text) { ParseCases(text, options); },
-          "Cases a property; A..B: those alone, A to B - 1, as a part for merge")
+          "Cases a property; A..B: those alone, A to B - 1, as a part for --merge")
       ->default_str("100");
   AddSeconds(verb, options.campaign, "property");
   verb->add_option("--shard", options.shard,
-                   "This shard alone, as a part for merge: I/N, or auto: as the variables of "
+                   "This shard alone, as a part for --merge: I/N, or auto: as the variables of "
                    "GoogleTest, a Slurm array or Open MPI say");
   verb->add_option("--exhaustive", options.worlds,
                    "Small world, every case of which is run as well ('list worlds' names them)")
       ->allow_extra_args(false);
   AddJobs(verb, options.jobs, "Properties, worlds or scenes");
   AddFailOn(verb, options.fail_on);
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });
-}
-
-void AddMerge(CLI::App& app, Run& run) {
-  static MergeOptions options;
-  CLI::App* verb =
-      app.add_subcommand("merge", "The certificate of a campaign that was run in parts");
-  verb->add_option("parts", options.parts, "Files that certify --shard or --cases A..B wrote")
-      ->required();
-  AddSubject(verb, options.subject, "Subject (default: the one the parts name)");
-  verb->add_option("--scenes", options.scene_set, "Scene set to measure")
-      ->default_str("scenes/certify.json beside the command");
-  verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
-  AddJobs(verb, options.jobs, "Scenes");
-  AddFailOn(verb, options.fail_on);
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunMerge(options); }); }; });
+  CLI::Option* const merge = verb->add_option("--merge", options.parts,
+                                              "Files that --shard or --cases A..B wrote: the "
+                                              "certificate of the campaign they are parts of");
+  for (const char* of_a_run :
+       {"--all", "--seed", "--cases", "--seconds", "--shard", "--exhaustive"})
+    merge->excludes(verb->get_option(of_a_run));
+  verb->callback([&run, own] {
+    if (options.subjects.empty() && options.parts.empty()) options.subjects = {own};
+    run = [] {
+      return UntilInterrupted(
+          [] { return options.parts.empty() ? RunCertify(options) : RunMerge(options); });
+    };
+  });
 }
 
 void AddInfer(CLI::App& app, Run& run, const std::string& own) {
@@ -448,7 +437,6 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddInfer(app, run, own);
   AddSurvey(app, run, own);
   AddCertify(app, run, own);
-  AddMerge(app, run);
   AddList(app, run);
   AddSceneVerbs(app, run);
   AddBench(app, run, typed);

@@ -111,19 +111,12 @@ struct CertifyOptions {
   std::vector<std::string> worlds;  ///< small worlds, every case of which is run
   int jobs = 1;                     ///< properties or scenes at once
   FailOn fail_on = FailOn::kStated;
+  /// Files of parts of one subject's campaign, to be put together (RunMerge): no case is run.
+  std::vector<std::string> parts;
 };
 int RunCertify(const CertifyOptions& options);
-
-/// Parts of one subject's campaign, put together.
-struct MergeOptions {
-  std::vector<std::string> parts;  ///< files
-  std::string subject;             ///< empty: the one that the parts name
-  std::string scene_set;
-  std::string output = "out";
-  int jobs = 1;  ///< scenes at once
-  FailOn fail_on = FailOn::kStated;
-};
-int RunMerge(const MergeOptions& options);
+/// The subject is the one that the parts name unless the options name one.
+int RunMerge(const CertifyOptions& options);
 
 struct InferOptions {
   std::string subject = "spans-exact";

@@ -74,7 +74,7 @@ class Names(unittest.TestCase):
                 self.assertLessEqual(len(line), 80)
 
     def test_help_names_what_fails_once(self):
-        for verb in ("check", "certify", "merge"):
+        for verb in ("check", "certify"):
             told = run(verb, "--help").stdout
             self.assertIn("{stated,quality}", " ".join(told.split()))
             self.assertNotIn("->", told)

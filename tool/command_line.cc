@@ -114,7 +114,7 @@ int UntilInterrupted(const Run& verb) {
 
 void AddList(CLI::App& app, Run& run) {
   static ListOptions options;
-  CLI::App* verb = app.add_subcommand("list", "Subjects, properties, domains and profiles");
+  CLI::App* verb = app.add_subcommand("list", "List subjects, properties, domains and profiles");
   verb->add_option("what", options.what, "What; all leaves out the clauses, which are many")
       ->check(CLI::IsMember(
           {"subjects", "properties", "domains", "worlds", "profiles", "mutants", "clauses", "all"}))
@@ -135,7 +135,7 @@ void AddFailOn(CLI::App* verb, FailOn& fail_on) {
 void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   static CheckOptions options;
   CLI::App* verb = app.add_subcommand(
-      "check", "The properties, on generated cases, given scenes or cases by their names");
+      "check", "Put the properties to the test, on generated cases or on your scenes");
   verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
   verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
   AddSubjects(verb, options.subjects, own);
@@ -207,7 +207,7 @@ void AddInfer(CLI::App& app, Run& run, const std::string& own) {
   static InferOptions options;
   options.subject = own;
   CLI::App* verb =
-      app.add_subcommand("infer", "The model that a subject follows, found by experiment");
+      app.add_subcommand("infer", "Find by experiment the model that a subject follows");
   AddSubject(verb, options.subject);
   verb->add_option("--profile", options.profile,
                    "Verify this profile's statements, not the subject's own");
@@ -223,7 +223,7 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
   static SurveyOptions options;
   options.subject = own;
   CLI::App* verb = app.add_subcommand(
-      "survey", "How a subject differs from the model nearest to it, domain by domain");
+      "survey", "Count how a subject differs from the model nearest to it; judge nothing");
   AddSubject(verb, options.subject);
   verb->add_option("--profile", options.profile,
                    "Draw cases for this profile, not for the subject's own");
@@ -272,7 +272,7 @@ void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
   static ExplainOptions options;
   options.choice.typed = typed;
   CLI::App* verb =
-      app.add_subcommand("explain", "The pixel grid at the failing place, with exact edge values");
+      app.add_subcommand("explain", "Show the pixels where a case fails, with exact edge values");
   AddCase(verb, options.choice);
   verb->add_option_function<std::vector<int>>(
           "--pixel",
@@ -292,7 +292,7 @@ void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
 void AddClimb(CLI::App& app, Run& run) {
   static ClimbOptions options;
   CLI::App* verb =
-      app.add_subcommand("climb", "The case of the largest error over its bound, by a search");
+      app.add_subcommand("climb", "Search for the case with the largest error over its bound");
   AddSubject(verb, options.subject);
   verb->add_option("--property", options.property, "Property with a bound")->capture_default_str();
   verb->add_option_function<std::string>(
@@ -310,7 +310,7 @@ void AddClimb(CLI::App& app, Run& run) {
 void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   static BenchOptions options;
   options.command = typed;
-  CLI::App* verb = app.add_subcommand("bench", "Error against run time, measured in one run");
+  CLI::App* verb = app.add_subcommand("bench", "Measure error against run time");
   verb->add_option("--family", options.families, "Families (default: all)");
   verb->add_option("--scene", options.scenes, "Scene files or meshes beside the families");
   verb->add_option("--subject", options.subjects, "Built-in methods and kernels (default: all)");
@@ -346,8 +346,8 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
 
 void AddSelftest(CLI::App& app, Run& run) {
   static SelftestOptions options;
-  CLI::App* verb = app.add_subcommand(
-      "selftest", "Whether the properties find planted bugs and let legal variants pass");
+  CLI::App* verb =
+      app.add_subcommand("selftest", "Check that planted bugs are found and legal variants pass");
   verb->add_option_function<std::string>(
           "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
           "Seed of the generators; legal variants take the next two as well")
@@ -364,7 +364,7 @@ void AddSelftest(CLI::App& app, Run& run) {
 
 void AddDoctor(CLI::App& app, Run& run) {
   CLI::App* verb =
-      app.add_subcommand("doctor", "Whether this machine and build can be trusted to judge");
+      app.add_subcommand("doctor", "Say whether this machine and build can be trusted to judge");
   verb->callback([&run] { run = [] { return RunDoctor(); }; });
 }
 
@@ -430,21 +430,31 @@ int Parse(int argc, char** argv, const std::string& own) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "rasterproof " RASTERPROOF_VERSION);
   Run run;
-  AddCheck(app, run, own);
   const std::string typed = CommandLine(argc, argv);
+  const auto end_group = [&app](const std::string& name) {
+    for (CLI::App* verb : app.get_subcommands(
+             [](const CLI::App* one) { return one->get_group() == "Subcommands"; })) {
+      verb->group(name);
+    }
+  };
+  AddCheck(app, run, own);
   AddExplain(app, run, typed);
   AddReplay(app, run, typed);
   AddInfer(app, run, own);
-  AddSurvey(app, run, own);
   AddCertify(app, run, own);
   AddList(app, run);
+  end_group("Every day");
   AddSceneVerbs(app, run);
+  end_group("One scene");
+  AddSurvey(app, run, own);
   AddBench(app, run, typed);
   AddClimb(app, run);
+  AddPipeVerb(app, run);
+  end_group("Campaign");
   AddConvert(app, run, typed);
   AddSelftest(app, run);
-  AddPipeVerb(app, run);
   AddDoctor(app, run);
+  end_group("Development");
   if (argc > 1 && argv[1][0] != '-') RequireVerb(app, argv[1]);
   try {
     app.parse(argc, argv);

@@ -55,6 +55,36 @@ class Names(unittest.TestCase):
                 self.assertIn(f"did you mean {meant}? ", self.refused(*arguments))
         self.assertNotIn("did you mean", self.refused("frobnicate"))
 
+    def test_a_former_verb_says_what_to_write_now(self):
+        for old, now in (("diff", "coverage SCENE --subject S --against exact"),
+                         ("render", "coverage SCENE --mode flat --png FILE"),
+                         ("decided", "legal SCENE --decided --profile P"),
+                         ("shrink", "replay CASE --shrink FILE"),
+                         ("encode", "convert FILE --to fuzz-input --subject S"),
+                         ("decode", "convert FILE --to case --subject S"),
+                         ("gen", "pipe ask"), ("ver", "pipe judge"),
+                         ("host", "pipe answer plugin:PATH"),
+                         ("merge", "certify --merge PART...")):  # fmt: skip
+            with self.subTest(old):
+                verb, *rest = now.split()
+                self.assertEqual(self.refused(old, "--help"),
+                                 f"rasterproof: verb '{old}': {old} is now a part of {verb}; "
+                                 f"write rasterproof {now}\n")  # fmt: skip
+                told = run(verb, *(w for w in rest if w in ("ask", "judge", "answer")), "--help")
+                for option in filter(lambda word: word.startswith("--"), rest):
+                    self.assertIn(f"{option} ", told.stdout.replace(",", " "))
+
+    def test_help_has_each_verb_once_in_its_group(self):
+        told = run("--help").stdout
+        blocks = re.findall(r"^(\w[\w ]*):\n((?:  [a-z]\S* .*\n)+)", told, re.M)
+        groups = [(group, [line.split()[0] for line in lines.splitlines()])
+                  for group, lines in blocks]  # fmt: skip
+        self.assertEqual(groups, [
+            ("Every day", ["check", "explain", "replay", "infer", "certify", "list"]),
+            ("One scene", ["coverage", "legal", "plan"]),
+            ("Campaign", ["survey", "bench", "climb", "pipe"]),
+            ("Development", ["convert", "selftest", "doctor"])])  # fmt: skip
+
     def test_keys_of_files(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "profile.json")

@@ -42,10 +42,10 @@ void AddSubjects(CLI::App* app, std::vector<std::string>& subjects, const std::s
   AddOutside(app, [&subjects](const std::string& name) { subjects.push_back(name); });
 }
 
-void AddSeed(CLI::App* app, CampaignChoice& campaign) {
+void AddSeed(CLI::App* app, std::uint64_t& seed, const std::string& of = "generators") {
   app->add_option_function<std::string>(
-         "--seed", [&](const std::string& text) { campaign.seed = ParseSeed(text); },
-         "Seed of the generators, or 'random' (the one taken is printed)")
+         "--seed", [&seed](const std::string& text) { seed = ParseSeed(text); },
+         "Seed of the " + of + ", or 'random' (the one taken is printed)")
       ->default_str("1");
 }
 
@@ -56,7 +56,7 @@ void AddSeconds(CLI::App* app, CampaignChoice& campaign, const std::string& of) 
 }
 
 void AddCampaign(CLI::App* app, CampaignChoice& campaign, const std::string& of = "property") {
-  AddSeed(app, campaign);
+  AddSeed(app, campaign.seed);
   app->add_option("--cases", campaign.cases, "Cases a " + of)
       ->check(Positive())
       ->capture_default_str();
@@ -103,9 +103,10 @@ void AddPipe(CLI::App* app, PipeOptions& options) {
 
 // For verbs that say what they know so far when they are interrupted. Any other one ends at once,
 // as programs do.
-int UntilInterrupted(const Run& verb) {
+template <typename Options>
+int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
   CatchInterrupts();
-  const int status = verb();
+  const int status = verb(options);
   return Interrupted() ? InterruptStatus() : status;
 }
 
@@ -155,7 +156,7 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
       static_cast<int>(options.batch));
   verb->callback([&run, own] {
     if (options.subjects.empty()) options.subjects = {own};
-    run = [] { return UntilInterrupted([] { return RunCheck(options); }); };
+    run = [] { return UntilInterrupted(RunCheck, options); };
   });
 }
 
@@ -174,7 +175,7 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option(
       "--bench", options.bench,
       "File that bench --json wrote: the page then begins with error against run time");
-  AddSeed(verb, options.campaign);
+  AddSeed(verb, options.campaign.seed);
   verb->add_option_function<std::string>(
           "--cases", [](const std::string& text) { ParseCases(text, options); },
           "Cases a property; A..B: those alone, A to B - 1, as a part for --merge")
@@ -196,10 +197,7 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
     merge->excludes(verb->get_option(of_a_run));
   verb->callback([&run, own] {
     if (options.subjects.empty() && options.parts.empty()) options.subjects = {own};
-    run = [] {
-      return UntilInterrupted(
-          [] { return options.parts.empty() ? RunCertify(options) : RunMerge(options); });
-    };
+    run = [] { return UntilInterrupted(options.parts.empty() ? RunCertify : RunMerge, options); };
   });
 }
 
@@ -211,10 +209,7 @@ void AddInfer(CLI::App& app, Run& run, const std::string& own) {
   AddSubject(verb, options.subject);
   verb->add_option("--profile", options.profile,
                    "Verify this profile's statements, not the subject's own");
-  verb->add_option_function<std::string>(
-          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-          "Seed of the experiments, or 'random'")
-      ->default_str("1");
+  AddSeed(verb, options.seed, "experiments");
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   verb->callback([&run] { run = [] { return RunInfer(options); }; });
 }
@@ -231,8 +226,7 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   verb->add_option("--save", options.save, "Folder for the first case of each kind, shrunk");
   AddJobs(verb, options.jobs, "Domains");
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunSurvey(options); }); }; });
+  verb->callback([&run] { run = [] { return UntilInterrupted(RunSurvey, options); }; });
 }
 
 void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
@@ -249,8 +243,7 @@ void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
       ->needs(shrink);
   verb->callback([&run] {
     run = [] {
-      const Run replay = [] { return RunReplay(options); };
-      return options.shrink.empty() ? replay() : UntilInterrupted(replay);
+      return options.shrink.empty() ? RunReplay(options) : UntilInterrupted(RunReplay, options);
     };
   });
 }
@@ -295,16 +288,12 @@ void AddClimb(CLI::App& app, Run& run) {
       app.add_subcommand("climb", "Search for the case with the largest error over its bound");
   AddSubject(verb, options.subject);
   verb->add_option("--property", options.property, "Property with a bound")->capture_default_str();
-  verb->add_option_function<std::string>(
-          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-          "Seed of the search, or 'random'")
-      ->default_str("1");
+  AddSeed(verb, options.seed, "search");
   verb->add_option("--evaluations", options.evaluations, "Cases judged in all")
       ->check(Positive())
       ->capture_default_str();
   verb->add_option("-o,--output", options.output, "Case file (- for standard output)");
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunClimb(options); }); }; });
+  verb->callback([&run] { run = [] { return UntilInterrupted(RunClimb, options); }; });
 }
 
 void AddBench(CLI::App& app, Run& run, const std::string& typed) {
@@ -325,9 +314,7 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
           [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },
           "Time for everything, as 90s or 10m; from 3m on families have their full size")
       ->default_str("60s");
-  verb->add_option_function<std::string>(
-      "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-      "Seed of the families");
+  AddSeed(verb, options.seed, "families");
   verb->add_option("--against", options.against,
                    "File of an earlier --json: tell what changed since; status 1 if for the worse");
   verb->add_option("--from", options.from, "File of an earlier --json, in place of a new run");
@@ -348,10 +335,7 @@ void AddSelftest(CLI::App& app, Run& run) {
   static SelftestOptions options;
   CLI::App* verb =
       app.add_subcommand("selftest", "Check that planted bugs are found and legal variants pass");
-  verb->add_option_function<std::string>(
-          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-          "Seed of the generators; legal variants take the next two as well")
-      ->default_str("1");
+  AddSeed(verb, options.seed, "generators (legal variants take the next two as well)");
   verb->add_option("--cases", options.cases,
                    "Most cases a property; a tenth of them for legal variants")
       ->check(Positive())

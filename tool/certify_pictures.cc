@@ -39,7 +39,7 @@ void PictureRender(const MeasuredScene& measured, std::vector<report::Picture>& 
   const std::string file = FileNameOf(measured.name()) + ".png";
   pictures.push_back(
       {measured.name() + ": barycentrics of the nearest triangle",
-       fmt::format("{} --mode barycentrics --output {}", measured.CommandOf("render"), file), "",
+       fmt::format("{} --mode barycentrics --png {}", measured.CommandOf("coverage"), file), "",
        true, "scenes/" + file, io::EncodePng(report::PaintBarycentrics(fragments))});
 }
 

@@ -235,7 +235,9 @@ std::string MeasuredScene::CommandOf(const std::string& verb) const {
 
 std::string MeasuredScene::CommandThatShows(const std::string& subject) const {
   // explain takes no mesh.
-  return fmt::format("{} --subject {}", CommandOf(mesh_ ? "diff" : "explain"), ShellWord(subject));
+  const std::string command =
+      mesh_ ? CommandOf("coverage") + " --against exact" : CommandOf("explain");
+  return fmt::format("{} --subject {}", command, ShellWord(subject));
 }
 
 const CoverageCounts& MeasuredScene::Truth(const Profile& profile) {

@@ -1,4 +1,4 @@
-// rasterproof replay, explain, shrink, decode and encode: one case, saved or generated.
+// rasterproof replay, explain and convert: one case, saved or generated.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -36,6 +36,8 @@
 
 namespace rasterproof::tool {
 namespace {
+
+constexpr double kNoLimit = 1e9;  // seconds
 
 // Why a difference from the canonical model says nothing against the subject; empty if it does.
 std::string WhyObservedOnly(const SubjectInfo& info, const props::PlacedCase& c) {
@@ -106,6 +108,44 @@ std::string PropertyName(const LoadedCase& loaded) {
   return loaded.property != nullptr ? std::string(loaded.property->name) : std::string();
 }
 
+// The smallest case that fails as the loaded one does takes its place and is written.
+Verdict Shrink(const ReplayOptions& options, LoadedCase& loaded) {
+  const Scene& given = loaded.value.scene;
+  RequireTakes(*loaded.subject, given, ShownName(given.name));
+  Progress progress;
+  props::CampaignOptions campaign = CampaignOn(
+      *loaded.subject, {.shrink_budget = options.evaluations, .shrink_seconds = kNoLimit});
+  campaign.shrinking = [&](std::uint64_t evaluations) {
+    if (evaluations == 0) progress.Stage("shrink", campaign.shrink_budget);
+    progress.Done(evaluations);
+  };
+  props::Counterexample shrunk =
+      props::ShrinkFailing(*loaded.subject, PropertyOf(loaded), loaded.value, campaign);
+  if (shrunk.outcome == Outcome::kInconclusive) {
+    progress.Say(shrunk.message);
+    return Verdict::Inconclusive(shrunk.message);
+  }
+  if (shrunk.outcome != Outcome::kViolated) {
+    throw InputError("case", "it does not fail, so there is nothing to shrink",
+                     "give a case that 'rasterproof replay' reports as violated");
+  }
+  const Scene& scene = shrunk.value.scene;
+  CaseChoice again = options.choice;
+  again.path = options.shrink;
+  again.name.clear();
+  again.is_fuzz_input = false;
+  again.subject = loaded.subject->Info().name;
+  again.property = PropertyName(loaded);
+  WriteOutput(options.shrink,
+              io::CaseToJson({shrunk.value, again.subject, again.property, shrunk.verdict.drawn}));
+  progress.Say(fmt::format("{} triangles in {}x{}, after {} evaluations (from {} in {}x{}); {}",
+                           scene.triangles.size(), scene.width, scene.height, shrunk.evaluations,
+                           given.triangles.size(), given.width, given.height, shrunk.message));
+  loaded.value = std::move(shrunk.value);
+  loaded.replay = CommandFor("replay", again);
+  return shrunk.verdict;
+}
+
 void RequirePixel(const ExplainOptions& options, const Scene& scene) {
   if (options.x >= 0 && options.y >= 0 && options.x < scene.width && options.y < scene.height) {
     return;
@@ -149,8 +189,9 @@ std::string PixelLine(const report::Explanation& explanation, int x, int y) {
 
 int RunReplay(const ReplayOptions& options) {
   RequireHonestEnvironment();
-  const LoadedCase loaded = LoadCase(options.choice, "replay");
-  const Verdict verdict = Judge(loaded);
+  LoadedCase loaded = LoadCase(options.choice, "replay");
+  const Verdict verdict = options.shrink.empty() ? Judge(loaded) : Shrink(options, loaded);
+  if (options.shrink == "-") return StatusOf(verdict.outcome);
   std::string text = fmt::format("{}: {}, exercised {} times{}{}\n",
                                  loaded.property ? loaded.property->name : "coverage",
                                  OutcomeName(verdict.outcome), verdict.exercised,
@@ -201,51 +242,14 @@ int RunExplain(const ExplainOptions& options) {
   return StatusOf(verdict.outcome);
 }
 
-int RunShrink(const ShrinkOptions& options) {
-  RequireHonestEnvironment();
-  const LoadedCase loaded = LoadCase(options.choice, "shrink");
-  RequireTakes(*loaded.subject, loaded.value.scene, ShownName(loaded.value.scene.name));
-  Progress progress;
-  props::CampaignOptions campaign = CampaignOn(*loaded.subject, options.campaign);
-  campaign.shrinking = [&](std::uint64_t evaluations) {
-    if (evaluations == 0) progress.Stage("shrink", campaign.shrink_budget);
-    progress.Done(evaluations);
-  };
-  const props::Counterexample shrunk =
-      props::ShrinkFailing(*loaded.subject, PropertyOf(loaded), loaded.value, campaign);
-  if (shrunk.outcome == Outcome::kInconclusive) {
-    progress.Say(shrunk.message);
-    return kExitInconclusive;
-  }
-  if (shrunk.outcome != Outcome::kViolated) {
-    throw InputError("case", "it does not fail, so there is nothing to shrink",
-                     "give a case that 'rasterproof replay' reports as violated");
-  }
-  const Scene& scene = shrunk.value.scene;
-  WriteOutput(options.output, io::CaseToJson({shrunk.value, loaded.subject->Info().name,
-                                              PropertyName(loaded), shrunk.verdict.drawn}));
-  progress.Say(fmt::format("{} triangles in {}x{}, after {} evaluations (from {} in {}x{}); {}",
-                           scene.triangles.size(), scene.width, scene.height, shrunk.evaluations,
-                           loaded.value.scene.triangles.size(), loaded.value.scene.width,
-                           loaded.value.scene.height, shrunk.message));
-  return kExitHolds;
-}
-
-int RunDecode(const DecodeOptions& options) {
-  const std::unique_ptr<Subject> subject = MakeSubject(options.subject);
-  if (!options.property.empty()) RequireProperty(options.property);
-  const std::string bytes = io::ReadFile(options.input);
-  const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-  const Case c = props::DecodeCase(data, subject->Info());
-  const std::string text = io::CaseToJson({c, options.subject, options.property});
-  WriteOutput(options.output, text);
-  return kExitHolds;
-}
-
-int RunEncode(const EncodeOptions& options) {
-  const LoadedCase loaded = LoadCase(options.choice, "encode");
-  RequireTakes(*loaded.subject, loaded.value.scene, options.choice.path);
+int RunConvert(const ConvertOptions& options) {
+  const LoadedCase loaded = LoadCase(options.choice, "convert");
   const SubjectInfo& info = loaded.subject->Info();
+  if (options.to == "case") {
+    WriteOutput(options.output, io::CaseToJson({loaded.value, info.name, PropertyName(loaded)}));
+    return kExitHolds;
+  }
+  RequireTakes(*loaded.subject, loaded.value.scene, options.choice.path);
   Case c = loaded.value;
   // A fuzz input is judged by the subject's profile, and bytes for names would be wasted on it.
   c.profile = info.profile;

@@ -298,7 +298,7 @@ std::string WritePart(const std::string& output, const SubjectPart& part) {
          "\n";
 }
 
-// Whatever the cases show, the status says whether the parts were written: the verdict is merge's.
+// Whatever the cases show, the status says whether the parts were written: --merge judges.
 int RunParts(const CertifyOptions& options, const Source& source) {
   const std::vector<AskedSubject> subjects = SubjectsOf(options);
   MeasuredScenes none;
@@ -326,9 +326,10 @@ void RequireForAPart(const CertifyOptions& options) {
     throw InputError(place, "a part of a campaign takes no " + option, remedy);
   };
   if (options.campaign.seconds > 0) refuse("--seconds", "say how many cases, not how long");
-  if (!options.scene_set.empty()) refuse("--scenes", "give it to merge, which measures the scenes");
-  if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to merge");
-  if (!options.bench.empty()) refuse("--bench", "give it where a page is made: without a part");
+  if (!options.scene_set.empty())
+    refuse("--scenes", "give it to --merge, which measures the scenes");
+  if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to --merge");
+  if (!options.bench.empty()) refuse("--bench", "give it to --merge, which makes the page");
   if (options.range && !options.shard.empty()) {
     refuse("--shard beside it", "give --cases N with --shard, or --cases A..B alone");
   }

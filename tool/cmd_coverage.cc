@@ -1,23 +1,35 @@
-// rasterproof coverage: the count per sample, as rows of integers.
+// rasterproof coverage: what a subject covers, as rows of counts or a picture, or where it differs
+// from another.
 #include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
 
+#include "core/coverage.h"
 #include "core/error.h"
 #include "core/profile.h"
 #include "core/ulp.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
-#include "io/output.h"
+#include "io/image.h"
 #include "model/snap_scene.h"
 #include "model/target_profile.h"
+#include "reference/method.h"
+#include "reference/rasterize.h"
+#include "report/picture.h"
 #include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
+
+bool IsShaded(const CoverageOptions& options) { return options.mode != "coverage"; }
+
+std::string SubjectName(const CoverageOptions& options) {
+  if (!options.subject.empty()) return options.subject;
+  return IsShaded(options) ? "spans-exact" : "exact";
+}
 
 // Rows of space-separated integers, top row first; the samples of a pixel stand side by side.
 std::string CountsToText(const CoverageCounts& counts) {
@@ -61,18 +73,93 @@ Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& 
   return snapped;
 }
 
+// How far the two agree, and the first sample at which they do not.
+std::string DifferenceText(const CoverageCounts& observed, const CoverageCounts& expected,
+                           const CoverageOptions& options) {
+  const CoverageDifference difference = Compare(observed, expected);
+  std::string text = fmt::format("samples {}\ncovered {}\nwrong {}\nmissing {}\nunexpected {}\n",
+                                 difference.samples, difference.covered, difference.wrong,
+                                 difference.missing, difference.unexpected);
+  if (difference.wrong == 0) return text;
+  const std::size_t first = difference.first_wrong;
+  const auto samples = static_cast<std::size_t>(observed.samples);
+  const auto width = static_cast<std::size_t>(observed.width);
+  return text + fmt::format(
+                    "first column {} row {} sample {}: {} has {} front {} back, {} has {} front {} "
+                    "back\n",
+                    first / samples % width, first / samples / width, first % samples,
+                    SubjectName(options), observed.front[first], observed.back[first],
+                    options.against, expected.front[first], expected.back[first]);
+}
+
+int RunAgainst(const CoverageOptions& options) {
+  std::unique_ptr<Subject> subject = MakeSubject(SubjectName(options));
+  const Scene scene = LoadScene(options.scene);
+  RequireTakes(*subject, scene, options.scene.path);
+  // Against the oracle the subject is held to its own profile, unless another one is named.
+  std::unique_ptr<Subject> against;
+  if (IsOracle(options.against) && options.profile.empty()) {
+    against = MakeOracle(options.against, subject->Info().profile);
+  } else {
+    against = MakeSubject(options.against, options.profile);
+  }
+  NotePreset(against->Info().profile);
+  RequireTakes(*against, scene, options.scene.path);
+  if (subject->Info().profile.pattern.samples() != against->Info().profile.pattern.samples()) {
+    throw InputError("--against " + options.against, "the two have different samples per pixel",
+                     "compare subjects of one sample pattern");
+  }
+  // Facings that it does not tell are worked out by the profile that it is compared by.
+  if (!options.profile.empty()) subject = MakeSubject(SubjectName(options), options.profile);
+  const CoverageCounts observed = ShownBy(*against, scene, Draw(*subject, scene));
+  const CoverageCounts expected = ShownBy(*subject, scene, Draw(*against, scene));
+  if (!options.png.empty()) {
+    WriteOutput(options.png, io::EncodePng(report::PaintDifference(observed, expected)));
+  }
+  if (options.png != "-") WriteOutput(options.output, DifferenceText(observed, expected, options));
+  return Compare(observed, expected).wrong == 0 ? kExitHolds : kExitViolated;
+}
+
+io::Image Shaded(const CoverageOptions& options, const Scene& scene) {
+  const std::string& mode = options.mode;
+  const reference::Method* method = reference::FindMethod(SubjectName(options));
+  if (method == nullptr) {
+    throw InputError(
+        "--subject " + options.subject, "only a method of the reference shades pixels",
+        "choose a method without a suffix from 'rasterproof list subjects', or --mode coverage");
+  }
+  reference::Needs needs;
+  needs.barycentrics = mode == "barycentrics";
+  needs.depth = mode == "depth";
+  needs.edge_distance = mode == "wireframe";
+  const FragmentBuffers fragments = reference::RasterizeFragments(scene, *method, {}, needs);
+  if (needs.barycentrics) return report::PaintBarycentrics(fragments);
+  if (needs.depth) return report::PaintDepth(fragments);
+  if (needs.edge_distance) return report::PaintWireframe(fragments, options.line_width);
+  return report::PaintFlat(fragments);
+}
+
 }  // namespace
 
 int RunCoverage(const CoverageOptions& options) {
   RequireHonestEnvironment();
-  const bool oracle = IsOracle(options.subject);
-  const std::unique_ptr<Subject> subject =
-      MakeSubject(options.subject, oracle ? options.profile : "");
+  if (!options.against.empty()) return RunAgainst(options);
   Scene scene = LoadScene(options.scene);
+  if (IsShaded(options)) {
+    WriteOutput(options.png, io::EncodePng(Shaded(options, scene)));
+    return kExitHolds;
+  }
+  const std::string name = SubjectName(options);
+  const bool oracle = IsOracle(name);
+  const std::unique_ptr<Subject> subject = MakeSubject(name, oracle ? options.profile : "");
   if (!oracle && !options.profile.empty()) scene = SnappedFor(*subject, scene, options.profile);
   RequireTakes(*subject, scene, options.scene.path);
-  const std::string text = CountsToText(Draw(*subject, scene));
-  WriteOutput(options.output, text);
+  const CoverageCounts counts = Draw(*subject, scene);
+  if (options.png.empty()) {
+    WriteOutput(options.output, CountsToText(counts));
+  } else {
+    WriteOutput(options.png, io::EncodePng(report::PaintCounts(counts)));
+  }
   return kExitHolds;
 }
 

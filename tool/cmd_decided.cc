@@ -1,4 +1,4 @@
-// rasterproof decided: how often legal models of a profile cover each sample.
+// rasterproof legal --decided: how often legal models of a profile cover each sample.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -120,7 +120,7 @@ io::Image Paint(const legal::Decided& decided) {
 
 // The picture that the options ask for.
 io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profile& profile,
-                  const DecidedOptions& options) {
+                  const LegalOptions& options) {
   PixelRect view{0, 0, decided.width, decided.height};
   if (!options.view.empty()) {
     const std::vector<int>& v = options.view;
@@ -142,8 +142,7 @@ io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profi
 
 }  // namespace
 
-int RunDecided(const DecidedOptions& options) {
-  RequireHonestEnvironment();
+int TellDecided(const LegalOptions& options) {
   const Profile profile = io::ReadProfile(options.profile);
   const Scene scene = LoadScene(options.scene);
   if (const auto why = legal::WhyNotJoint(scene, {profile, scene})) {

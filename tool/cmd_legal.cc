@@ -171,14 +171,21 @@ OneCall Read(const LegalOptions& options, const Scene& scene, const Profile& pro
 
 int RunLegal(const LegalOptions& options) {
   RequireHonestEnvironment();
-  if (options.image.empty() == options.subject.empty()) {
+  const int drawings = (options.image.empty() ? 0 : 1) + (options.subject.empty() ? 0 : 1);
+  if (options.decided && drawings != 0) {
+    throw InputError("--decided", "it judges no drawing",
+                     "leave out --decided, or the image and the subject");
+  }
+  if (!options.decided && drawings != 1) {
     throw InputError("legal", "it judges one drawing",
-                     "give the file of an image, or --subject, --plugin or --exec, not both");
+                     "give the file of an image, or --subject, --plugin or --exec, not both; "
+                     "--decided says what legal models leave open");
   }
   if (options.subject.empty() && options.profile.empty()) {
-    throw InputError("legal", "the image's profile is not known",
+    throw InputError("legal", "the profile whose models are legal is not known",
                      "give --profile: vulkan, gl, d3d11, webgpu or a file");
   }
+  if (options.decided) return TellDecided(options);
   const Scene scene = LoadScene(options.scene);
   std::unique_ptr<Subject> subject;
   if (!options.subject.empty()) {

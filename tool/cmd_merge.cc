@@ -1,4 +1,4 @@
-// rasterproof merge: the certificate of a campaign that was run in parts.
+// rasterproof certify --merge: the certificate of a campaign that was run in parts.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -148,13 +148,14 @@ Parts ReadAll(const std::vector<std::string>& files) {
   return parts;
 }
 
-std::string SubjectOf(const MergeOptions& options, const SubjectPart& part) {
-  if (options.subject.empty() && NamesWhatToRun(part.subject)) {
+std::string SubjectOf(const CertifyOptions& options, const SubjectPart& part) {
+  if (options.subjects.empty() && NamesWhatToRun(part.subject)) {
     throw InputError(part.file,
                      "it names a subject outside this program, and no file decides what is run",
                      "if you trust it, name it yourself: " + SubjectOption(part.subject));
   }
-  if (options.subject.empty() || options.subject == part.subject) return part.subject;
+  const auto is_other = [&](const std::string& name) { return name != part.subject; };
+  if (std::ranges::none_of(options.subjects, is_other)) return part.subject;
   throw InputError(part.file, "it is about the subject " + report::CleanText(part.subject),
                    "merge it with " + SubjectOption(part.subject));
 }
@@ -196,11 +197,11 @@ void RequireUnchanged(const SubjectPart& part) {
 
 }  // namespace
 
-int RunMerge(const MergeOptions& options) {
+int RunMerge(const CertifyOptions& options) {
   RequireHonestEnvironment();
   const Parts parts = ReadAll(options.parts);
   const SubjectPart& first = parts.front();
-  CertifyOptions whole;
+  CertifyOptions whole = options;
   whole.subjects = {SubjectOf(options, first)};
   RequireKnownWorlds(first);
   const SubjectInfo info = ResolveSubject(whole.subjects.front()).Make()->Info();
@@ -211,13 +212,9 @@ int RunMerge(const MergeOptions& options) {
     RequireSound(part, info);
     RequireUnchanged(part);
   }
-  whole.scene_set = options.scene_set;
-  whole.output = options.output;
   whole.campaign.seed = first.seed;
   whole.campaign.cases = parts.back().range.end;
   whole.worlds = first.worlds;
-  whole.jobs = options.jobs;
-  whole.fail_on = options.fail_on;
   Source source;
   source.parts = parts;
   return Certify(whole, source);

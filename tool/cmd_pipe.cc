@@ -1,7 +1,7 @@
-// rasterproof gen and ver: a program that draws, on a pipe laid by hand.
+// rasterproof pipe ask and pipe judge: a program that draws, on a pipe laid by hand.
 //
 // Both make the same cases and put the property to the test on a subject that has no pixels of its
-// own: gen's writes down what it is asked to draw, ver's answers with what the program said.
+// own: ask's writes down what it is asked to draw, judge's answers with what the program said.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -116,14 +116,14 @@ class AnswerLines {
   void RequireAll() const {
     if (is_lost_ || !is_short_) return;
     throw InputError("standard input", "it ends before every request was answered",
-                     "give ver the same options as gen, and flush what the program says");
+                     "give judge the same options as ask, and flush what the program says");
   }
   // Behind the last answer: more was answered than was asked.
   void RequireEnd() {
     if (!Peek()) return;
     throw InputError(fmt::format("standard input: line {}", number_),
                      "it goes on behind the last answer: " + Quoted(line_, 60),
-                     "give ver the same options as gen, and one answer to each request");
+                     "give judge the same options as ask, and one answer to each request");
   }
 
  private:
@@ -142,7 +142,7 @@ class AnswerLines {
   bool is_lost_ = false;      // behind a bad answer no line began another one
 };
 
-// ver's: every job is answered by what the program said, in the same order.
+// judge's: every job is answered by what the program said, in the same order.
 class Answering final : public FarEnd {
  public:
   using FarEnd::FarEnd;
@@ -275,7 +275,7 @@ struct PipeTally {
 
 }  // namespace
 
-int RunGen(const PipeOptions& options) {
+int RunAsk(const PipeOptions& options) {
   RequireHonestEnvironment();
   const SubjectInfo info = InfoOf(options);
   const props::Property& property = RequireProperty(options.property);
@@ -297,7 +297,7 @@ int RunGen(const PipeOptions& options) {
   return kExitInconclusive;
 }
 
-int RunVer(const PipeOptions& options) {
+int RunJudge(const PipeOptions& options) {
   RequireHonestEnvironment();
   const SubjectInfo info = InfoOf(options);
   const props::Property& property = RequireProperty(options.property);
@@ -312,7 +312,7 @@ int RunVer(const PipeOptions& options) {
   std::string failures;
   {
     Progress progress;
-    progress.Stage(fmt::format("ver {}", property.name), options.campaign.cases);
+    progress.Stage(fmt::format("judging {}", property.name), options.campaign.cases);
     for (std::uint64_t n = 0; n < options.campaign.cases; ++n) {
       progress.Done(n);
       const Case c = props::DrawCase(info, property, options.campaign.seed, n);

@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdint>
 #include <exception>
@@ -12,6 +14,8 @@
 #include <map>
 #include <new>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "CLI/CLI.hpp"
@@ -33,22 +37,15 @@
 namespace rasterproof::tool {
 namespace {
 
-void AddSubjects(CLI::App* app, std::vector<std::string>& subjects) {
-  CLI::Option* const named =
-      app->add_option("--subject", subjects, "Subjects")->capture_default_str();
-  // The first one from outside takes the place of the default.
-  bool replace = true;
-  AddOutside(app, [&subjects, named, replace](const std::string& name) mutable {
-    if (replace && named->count() == 0) subjects.clear();
-    replace = false;
-    subjects.push_back(name);
-  });
+void AddSubjects(CLI::App* app, std::vector<std::string>& subjects, const std::string& own) {
+  app->add_option("--subject", subjects, "Subjects")->default_str(own);
+  AddOutside(app, [&subjects](const std::string& name) { subjects.push_back(name); });
 }
 
-void AddSeed(CLI::App* app, props::CampaignOptions& campaign) {
+void AddSeed(CLI::App* app, std::uint64_t& seed, const std::string& of = "generators") {
   app->add_option_function<std::string>(
-         "--seed", [&](const std::string& text) { campaign.seed = ParseSeed(text); },
-         "Seed of the generators, or 'random' (the one taken is printed)")
+         "--seed", [&seed](const std::string& text) { seed = ParseSeed(text); },
+         "Seed of the " + of + ", or 'random' (the one taken is printed)")
       ->default_str("1");
 }
 
@@ -60,7 +57,7 @@ void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::stri
 
 void AddCampaign(CLI::App* app, props::CampaignOptions& campaign,
                  const std::string& of = "property") {
-  AddSeed(app, campaign);
+  AddSeed(app, campaign.seed);
   app->add_option("--cases", campaign.cases, "Cases a " + of)
       ->check(Positive())
       ->capture_default_str();
@@ -107,9 +104,10 @@ void AddPipe(CLI::App* app, PipeOptions& options) {
 
 // For verbs that say what they know so far when they are interrupted. Any other one ends at once,
 // as programs do.
-int UntilInterrupted(const Run& verb) {
+template <typename Options>
+int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
   CatchInterrupts();
-  const int status = verb();
+  const int status = verb(options);
   return Interrupted() ? InterruptStatus() : status;
 }
 
@@ -118,7 +116,7 @@ int UntilInterrupted(const Run& verb) {
 
 void AddList(CLI::App& app, Run& run) {
   static ListOptions options;
-  CLI::App* verb = app.add_subcommand("list", "Subjects, properties, domains and profiles");
+  CLI::App* verb = app.add_subcommand("list", "List subjects, properties, domains and profiles");
   verb->add_option("what", options.what, "What; all leaves out the clauses, which are many")
       ->check(CLI::IsMember(
           {"subjects", "properties", "domains", "worlds", "profiles", "mutants", "clauses", "all"}))
@@ -138,12 +136,11 @@ void AddFailOn(CLI::App* verb, FailOn& fail_on) {
 
 void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   static CheckOptions options;
-  options.subjects = {own};
   CLI::App* verb = app.add_subcommand(
-      "check", "The properties, on generated cases, given scenes or cases by their names");
+      "check", "Put the properties to the test, on generated cases or on your scenes");
   verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
   verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
-  AddSubjects(verb, options.subjects);
+  AddSubjects(verb, options.subjects, own);
   verb->add_option("--property", options.properties, "Properties (default: all)");
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_flag("--device", options.device,
@@ -158,16 +155,18 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
       verb, "--batch", "Cases whose draws share calls, of a subject outside", kMostInABatch,
       [](int count) { options.campaign.batch = static_cast<std::size_t>(count); },
       static_cast<int>(options.campaign.batch));
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunCheck(options); }); }; });
+  verb->callback([&run, own] {
+    if (options.subjects.empty()) options.subjects = {own};
+    run = [] { return UntilInterrupted(RunCheck, options); };
+  });
 }
 
 void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   static CertifyOptions options;
-  options.subjects = {own};
   options.campaign.cases = 100;
-  CLI::App* verb = app.add_subcommand("certify", "Certificate, JUnit file and report page");
-  AddSubjects(verb, options.subjects);
+  CLI::App* verb = app.add_subcommand(
+      "certify", "Put everything to the test: certificate, JUnit file and report page");
+  AddSubjects(verb, options.subjects, own);
   verb->add_flag(
       "--all", options.all,
       "Every built-in subject; the exit status then covers only those that claim to be exact");
@@ -177,52 +176,41 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option(
       "--bench", options.bench,
       "File that bench --json wrote: the page then begins with error against run time");
-  AddSeed(verb, options.campaign);
+  AddSeed(verb, options.campaign.seed);
   verb->add_option_function<std::string>(
           "--cases", [](const std::string& text) { ParseCases(text, options); },
-          "Cases a property; A..B: those alone, A to B - 1, as a part for merge")
+          "Cases a property; A..B: those alone, A to B - 1, as a part for --merge")
       ->default_str("100");
   AddSeconds(verb, options.campaign, "property");
   verb->add_option("--shard", options.shard,
-                   "This shard alone, as a part for merge: I/N, or auto: as the variables of "
+                   "This shard alone, as a part for --merge: I/N, or auto: as the variables of "
                    "GoogleTest, a Slurm array or Open MPI say");
   verb->add_option("--exhaustive", options.worlds,
                    "Small world, every case of which is run as well ('list worlds' names them)")
       ->allow_extra_args(false);
   AddJobs(verb, options.jobs, "Properties, worlds or scenes");
   AddFailOn(verb, options.fail_on);
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunCertify(options); }); }; });
-}
-
-void AddMerge(CLI::App& app, Run& run) {
-  static MergeOptions options;
-  CLI::App* verb =
-      app.add_subcommand("merge", "The certificate of a campaign that was run in parts");
-  verb->add_option("parts", options.parts, "Files that certify --shard or --cases A..B wrote")
-      ->required();
-  AddSubject(verb, options.subject, "Subject (default: the one the parts name)");
-  verb->add_option("--scenes", options.scene_set, "Scene set to measure")
-      ->default_str("scenes/certify.json beside the command");
-  verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
-  AddJobs(verb, options.jobs, "Scenes");
-  AddFailOn(verb, options.fail_on);
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunMerge(options); }); }; });
+  CLI::Option* const merge = verb->add_option("--merge", options.parts,
+                                              "Files that --shard or --cases A..B wrote: the "
+                                              "certificate of the campaign they are parts of");
+  for (const char* of_a_run :
+       {"--all", "--seed", "--cases", "--seconds", "--shard", "--exhaustive"})
+    merge->excludes(verb->get_option(of_a_run));
+  verb->callback([&run, own] {
+    if (options.subjects.empty() && options.parts.empty()) options.subjects = {own};
+    run = [] { return UntilInterrupted(options.parts.empty() ? RunCertify : RunMerge, options); };
+  });
 }
 
 void AddInfer(CLI::App& app, Run& run, const std::string& own) {
   static InferOptions options;
   options.subject = own;
   CLI::App* verb =
-      app.add_subcommand("infer", "The model that a subject follows, found by experiment");
+      app.add_subcommand("infer", "Find by experiment the model that a subject follows");
   AddSubject(verb, options.subject);
   verb->add_option("--profile", options.profile,
                    "Verify this profile's statements, not the subject's own");
-  verb->add_option_function<std::string>(
-          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-          "Seed of the experiments, or 'random'")
-      ->default_str("1");
+  AddSeed(verb, options.seed, "experiments");
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   verb->callback([&run] { run = [] { return RunInfer(options); }; });
 }
@@ -231,7 +219,7 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
   static SurveyOptions options;
   options.subject = own;
   CLI::App* verb = app.add_subcommand(
-      "survey", "How a subject differs from the model nearest to it, domain by domain");
+      "survey", "Count how a subject differs from the model nearest to it; judge nothing");
   AddSubject(verb, options.subject);
   verb->add_option("--profile", options.profile,
                    "Draw cases for this profile, not for the subject's own");
@@ -239,23 +227,46 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   verb->add_option("--save", options.save, "Folder for the first case of each kind, shrunk");
   AddJobs(verb, options.jobs, "Domains");
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunSurvey(options); }); }; });
+  verb->callback([&run] { run = [] { return UntilInterrupted(RunSurvey, options); }; });
 }
 
 void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
   static ReplayOptions options;
   options.choice.typed = typed;
-  CLI::App* verb = app.add_subcommand("replay", "Run one case again, saved or generated");
+  CLI::App* verb =
+      app.add_subcommand("replay", "Run one case again, or find a smaller one that still fails");
   AddCase(verb, options.choice);
-  verb->callback([&run] { run = [] { return RunReplay(options); }; });
+  CLI::Option* const shrink =
+      verb->add_option("--shrink", options.shrink,
+                       "File for the smallest case that still fails (- for standard output)");
+  verb->add_option("--evaluations", options.evaluations, "Most evaluations to shrink by")
+      ->capture_default_str()
+      ->needs(shrink);
+  verb->callback([&run] {
+    run = [] {
+      return options.shrink.empty() ? RunReplay(options) : UntilInterrupted(RunReplay, options);
+    };
+  });
+}
+
+void AddConvert(CLI::App& app, Run& run, const std::string& typed) {
+  static ConvertOptions options;
+  options.choice.typed = typed;
+  CLI::App* verb = app.add_subcommand(
+      "convert", "Write a fuzz input as a case file, or a case or scene as a fuzz input");
+  AddCase(verb, options.choice);
+  verb->add_option("--to", options.to, "What to write")
+      ->check(CLI::IsMember({"case", "fuzz-input"}))
+      ->required();
+  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
+  verb->callback([&run] { run = [] { return RunConvert(options); }; });
 }
 
 void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
   static ExplainOptions options;
   options.choice.typed = typed;
   CLI::App* verb =
-      app.add_subcommand("explain", "The pixel grid at the failing place, with exact edge values");
+      app.add_subcommand("explain", "Show the pixels where a case fails, with exact edge values");
   AddCase(verb, options.choice);
   verb->add_option_function<std::vector<int>>(
           "--pixel",
@@ -272,40 +283,24 @@ void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
   verb->callback([&run] { run = [] { return RunExplain(options); }; });
 }
 
-void AddShrink(CLI::App& app, Run& run, const std::string& typed) {
-  static ShrinkOptions options;
-  options.choice.typed = typed;
-  CLI::App* verb = app.add_subcommand("shrink", "Make a failing case as small as it gets");
-  AddCase(verb, options.choice);
-  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->add_option("--evaluations,--budget", options.campaign.shrink_budget, "Most evaluations")
-      ->capture_default_str();
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunShrink(options); }); }; });
-}
-
 void AddClimb(CLI::App& app, Run& run) {
   static ClimbOptions options;
   CLI::App* verb =
-      app.add_subcommand("climb", "The case of the largest error over its bound, by a search");
+      app.add_subcommand("climb", "Search for the case with the largest error over its bound");
   AddSubject(verb, options.subject);
   verb->add_option("--property", options.property, "Property with a bound")->capture_default_str();
-  verb->add_option_function<std::string>(
-          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-          "Seed of the search, or 'random'")
-      ->default_str("1");
+  AddSeed(verb, options.seed, "search");
   verb->add_option("--evaluations", options.evaluations, "Cases judged in all")
       ->check(Positive())
       ->capture_default_str();
   verb->add_option("-o,--output", options.output, "Case file (- for standard output)");
-  verb->callback(
-      [&run] { run = [] { return UntilInterrupted([] { return RunClimb(options); }); }; });
+  verb->callback([&run] { run = [] { return UntilInterrupted(RunClimb, options); }; });
 }
 
 void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   static BenchOptions options;
   options.command = typed;
-  CLI::App* verb = app.add_subcommand("bench", "Error against run time, measured in one run");
+  CLI::App* verb = app.add_subcommand("bench", "Measure error against run time");
   verb->add_option("--family", options.families, "Families (default: all)");
   verb->add_option("--scene", options.scenes, "Scene files or meshes beside the families");
   verb->add_option("--subject", options.subjects, "Built-in methods and kernels (default: all)");
@@ -320,9 +315,7 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
           [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },
           "Time for everything, as 90s or 10m; from 3m on families have their full size")
       ->default_str("60s");
-  verb->add_option_function<std::string>(
-      "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-      "Seed of the families");
+  AddSeed(verb, options.seed, "families");
   verb->add_option("--against", options.against,
                    "File of an earlier --json: tell what changed since; status 1 if for the worse");
   verb->add_option("--from", options.from, "File of an earlier --json, in place of a new run");
@@ -339,33 +332,11 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->callback([&run] { run = [] { return RunBench(options); }; });
 }
 
-void AddDecode(CLI::App& app, Run& run) {
-  static DecodeOptions options;
-  CLI::App* verb = app.add_subcommand("decode", "The case that a fuzz input stands for, as a file");
-  verb->add_option("input", options.input, "Fuzz input (- for standard input)")->required();
-  verb->add_option("--subject", options.subject, "Subject it was run on")->required();
-  verb->add_option("--property", options.property, "Property it was run against");
-  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunDecode(options); }; });
-}
-
-void AddEncode(CLI::App& app, Run& run, const std::string& typed) {
-  static EncodeOptions options;
-  options.choice.typed = typed;
-  CLI::App* verb = app.add_subcommand("encode", "A case or scene as a fuzz input for a subject");
-  AddCase(verb, options.choice);
-  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunEncode(options); }; });
-}
-
 void AddSelftest(CLI::App& app, Run& run) {
   static SelftestOptions options;
-  CLI::App* verb = app.add_subcommand(
-      "selftest", "Whether the properties find planted bugs and let legal variants pass");
-  verb->add_option_function<std::string>(
-          "--seed", [](const std::string& text) { options.seed = ParseSeed(text); },
-          "Seed of the generators; legal variants take the next two as well")
-      ->default_str("1");
+  CLI::App* verb =
+      app.add_subcommand("selftest", "Check that planted bugs are found and legal variants pass");
+  AddSeed(verb, options.seed, "generators (legal variants take the next two as well)");
   verb->add_option("--cases", options.cases,
                    "Most cases a property; a tenth of them for legal variants")
       ->check(Positive())
@@ -378,31 +349,27 @@ void AddSelftest(CLI::App& app, Run& run) {
 
 void AddDoctor(CLI::App& app, Run& run) {
   CLI::App* verb =
-      app.add_subcommand("doctor", "Whether this machine and build can be trusted to judge");
+      app.add_subcommand("doctor", "Say whether this machine and build can be trusted to judge");
   verb->callback([&run] { run = [] { return RunDoctor(); }; });
 }
 
-void AddGen(CLI::App& app, Run& run) {
+void AddPipeVerb(CLI::App& app, Run& run) {
   static PipeOptions options;
-  CLI::App* verb = app.add_subcommand("gen", "Requests to draw, for a program's standard input");
-  AddPipe(verb, options);
-  verb->callback([&run] { run = [] { return RunGen(options); }; });
-}
-
-void AddVer(CLI::App& app, Run& run) {
-  static PipeOptions options;
-  CLI::App* verb =
-      app.add_subcommand("ver", "Judge the answers to gen's requests, on standard input");
-  AddPipe(verb, options);
-  verb->callback([&run] { run = [] { return RunVer(options); }; });
-}
-
-void AddHost(CLI::App& app, Run& run) {
-  static HostOptions options;
-  CLI::App* verb = app.add_subcommand("host", "Answer requests by a plugin, on a pipe");
-  verb->add_option("subject", options.subject, "plugin:PATH")->required();
-  verb->add_flag("--describe", options.describe, "Say only what it states");
-  verb->callback([&run] { run = [] { return HostSubject(options.subject, options.describe); }; });
+  static HostOptions host;
+  CLI::App* verb = app.add_subcommand(
+      "pipe", "Test a program on a pipe that you lay: pipe ask | PROGRAM | pipe judge");
+  verb->require_subcommand(1);
+  CLI::App* ask = verb->add_subcommand("ask", "Requests to draw, for a program's standard input");
+  AddPipe(ask, options);
+  ask->callback([&run] { run = [] { return RunAsk(options); }; });
+  CLI::App* judge =
+      verb->add_subcommand("judge", "Judge on standard input the answers to what ask asked");
+  AddPipe(judge, options);
+  judge->callback([&run] { run = [] { return RunJudge(options); }; });
+  CLI::App* answer = verb->add_subcommand("answer", "Answer requests by a plugin");
+  answer->add_option("subject", host.subject, "plugin:PATH")->required();
+  answer->add_flag("--describe", host.describe, "Say only what it states");
+  answer->callback([&run] { run = [] { return HostSubject(host.subject, host.describe); }; });
 }
 
 // A standard file that the caller closed would give its number to the next file that is opened.
@@ -413,42 +380,67 @@ void OpenStandardFiles() {
   }
 }
 
+// Verbs of earlier versions, and what to write now.
+constexpr auto kFormer = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"decided", "legal SCENE --decided --profile P"},
+    {"decode", "convert FILE --to case --subject S"},
+    {"diff", "coverage SCENE --subject S --against exact"},
+    {"encode", "convert FILE --to fuzz-input --subject S"},
+    {"gen", "pipe ask"},
+    {"host", "pipe answer plugin:PATH"},
+    {"merge", "certify --merge PART..."},
+    {"render", "coverage SCENE --mode flat --png FILE"},
+    {"shrink", "replay CASE --shrink FILE"},
+    {"ver", "pipe judge"},
+});
+
+// Left to itself the parser would say that a verb is missing, not that this one is unknown.
+void RequireVerb(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  if (std::ranges::find(verbs, name) != verbs.end()) return;
+  const std::string place = fmt::format("verb '{}'", name);
+  for (const auto& [old, now] : kFormer) {
+    if (name != old) continue;
+    throw InputError(place,
+                     fmt::format("{} is now a part of {}", name, now.substr(0, now.find(' '))),
+                     fmt::format("write rasterproof {}", now));
+  }
+  throw InputError(place, "there is no such verb",
+                   Suggestion(name, verbs) + "rasterproof --help lists them");
+}
+
 int Parse(int argc, char** argv, const std::string& own) {
   CLI::App app{"rasterproof: certify triangle rasterizers against exact arithmetic"};
   app.require_subcommand(1);
   app.set_version_flag("--version", "rasterproof " RASTERPROOF_VERSION);
   Run run;
-  AddCheck(app, run, own);
   const std::string typed = CommandLine(argc, argv);
+  const auto end_group = [&app](const std::string& name) {
+    for (CLI::App* verb : app.get_subcommands(
+             [](const CLI::App* one) { return one->get_group() == "Subcommands"; })) {
+      verb->group(name);
+    }
+  };
+  AddCheck(app, run, own);
   AddExplain(app, run, typed);
   AddReplay(app, run, typed);
   AddInfer(app, run, own);
-  AddSurvey(app, run, own);
   AddCertify(app, run, own);
-  AddMerge(app, run);
   AddList(app, run);
+  end_group("Every day");
   AddSceneVerbs(app, run);
+  end_group("One scene");
+  AddSurvey(app, run, own);
   AddBench(app, run, typed);
-  AddShrink(app, run, typed);
   AddClimb(app, run);
-  AddDecode(app, run);
-  AddEncode(app, run, typed);
+  AddPipeVerb(app, run);
+  end_group("Campaign");
+  AddConvert(app, run, typed);
   AddSelftest(app, run);
-  AddGen(app, run);
-  AddVer(app, run);
-  AddHost(app, run);
   AddDoctor(app, run);
-  // Left to itself the parser would say that a verb is missing, not that this one is unknown.
-  const auto is_verb = [&](const std::string& name) {
-    return !app.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == name; })
-                .empty();
-  };
-  if (argc > 1 && argv[1][0] != '-' && !is_verb(argv[1])) {
-    std::vector<std::string> verbs;
-    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
-    throw InputError(fmt::format("verb '{}'", argv[1]), "there is no such verb",
-                     Suggestion(argv[1], verbs) + "rasterproof --help lists them");
-  }
+  end_group("Development");
+  if (argc > 1 && argv[1][0] != '-') RequireVerb(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -37,55 +37,36 @@ struct ListOptions {
 };
 int RunList(const ListOptions& options);
 
+/// What a subject covers, as rows of counts or a picture, or where it differs from another.
 struct CoverageOptions {
   SceneOptions scene;
-  std::string subject = "exact";
+  std::string subject;  ///< empty: "exact", or "spans-exact" where pixels are shaded
   std::string profile;  ///< empty: "real" for exact, the subject's own otherwise
   std::string output = "-";
+  std::string against;  ///< the subject to compare with; empty: none
+  std::string png;      ///< a picture in place of the rows, or beside the comparison; empty: none
+  std::string mode = "coverage";  ///< of the picture; flat, barycentrics, depth, wireframe: shaded
+  double line_width = 1;
 };
 int RunCoverage(const CoverageOptions& options);
 
-/// What all legal models of a scene agree on.
-struct DecidedOptions {
-  SceneOptions scene;
-  std::string profile = "vulkan";
-  std::string json;  ///< file; empty: none
-  std::string png;
-  std::vector<int> view;  ///< of the picture: column, row, width, height; empty: the target
-  int scale = 1;          ///< side of a pixel in it
-};
-int RunDecided(const DecidedOptions& options);
-
-/// Whether one legal model explains a drawing.
+/// Whether one legal model explains a drawing, or what all legal models agree on.
 struct LegalOptions {
   SceneOptions scene;
   std::string image;    ///< counts as text, or a PNG picture; empty: `subject` draws
   std::string subject;  ///< empty: `image` is given
   std::string profile;  ///< empty: the subject's own
   std::string background = "000000";
-  std::string json;  ///< file; empty: none
-  std::string save;  ///< the part that no model explains, as a case file
+  std::string json;       ///< file; empty: none
+  std::string save;       ///< the part that no model explains, as a case file
+  bool decided = false;   ///< no drawing is judged
+  std::string png;        ///< where legal models differ; empty: none
+  std::vector<int> view;  ///< of that picture: column, row, width, height; empty: the target
+  int scale = 1;          ///< side of a pixel in it
 };
 int RunLegal(const LegalOptions& options);
-
-struct DiffOptions {
-  SceneOptions scene;
-  std::string subject;
-  std::string against = "exact";
-  std::string profile;  ///< of the oracle; empty: the subject's own
-  std::string png;
-};
-int RunDiff(const DiffOptions& options);
-
-struct RenderOptions {
-  SceneOptions scene;
-  std::string mode =
-      "flat";  ///< "flat", "barycentrics", "depth", "wireframe", "coverage", "difference"
-  std::string subject = "spans-exact";
-  double line_width = 1;
-  std::string output;
-};
-int RunRender(const RenderOptions& options);
+/// What `legal --decided` does.
+int TellDecided(const LegalOptions& options);
 
 struct CheckOptions {
   std::vector<std::string> subjects;
@@ -122,19 +103,12 @@ struct CertifyOptions {
   std::vector<std::string> worlds;  ///< small worlds, every case of which is run
   int jobs = 1;                     ///< properties or scenes at once
   FailOn fail_on = FailOn::kStated;
+  /// Files of parts of one subject's campaign, to be put together (RunMerge): no case is run.
+  std::vector<std::string> parts;
 };
 int RunCertify(const CertifyOptions& options);
-
-/// Parts of one subject's campaign, put together.
-struct MergeOptions {
-  std::vector<std::string> parts;  ///< files
-  std::string subject;             ///< empty: the one that the parts name
-  std::string scene_set;
-  std::string output = "out";
-  int jobs = 1;  ///< scenes at once
-  FailOn fail_on = FailOn::kStated;
-};
-int RunMerge(const MergeOptions& options);
+/// The subject is the one that the parts name unless the options name one.
+int RunMerge(const CertifyOptions& options);
 
 struct InferOptions {
   std::string subject = "spans-exact";
@@ -168,6 +142,8 @@ struct CaseChoice {
 
 struct ReplayOptions {
   CaseChoice choice;
+  std::string shrink;  ///< file for the smallest case that still fails; empty: as it is
+  std::uint64_t evaluations = 10000;
 };
 int RunReplay(const ReplayOptions& options);
 
@@ -190,13 +166,6 @@ struct ClimbOptions {
   std::string output;  ///< file; empty: none
 };
 int RunClimb(const ClimbOptions& options);
-
-struct ShrinkOptions {
-  CaseChoice choice;
-  std::string output = "-";
-  props::CampaignOptions campaign{.shrink_budget = 10000, .shrink_seconds = 1e9};
-};
-int RunShrink(const ShrinkOptions& options);
 
 struct PlanOptions {
   SceneOptions scene;
@@ -233,29 +202,23 @@ struct BenchOptions {
 };
 int RunBench(const BenchOptions& options);
 
-struct DecodeOptions {
-  std::string input;
-  std::string subject;
-  std::string property;
-  std::string output = "-";
-};
-int RunDecode(const DecodeOptions& options);
-
-struct EncodeOptions {
+/// A case as a file of another kind.
+struct ConvertOptions {
   CaseChoice choice;
+  std::string to;  ///< "case" or "fuzz-input"
   std::string output = "-";
 };
-int RunEncode(const EncodeOptions& options);
+int RunConvert(const ConvertOptions& options);
 
-/// What goes through a pipe by hand: gen | PROGRAM | ver.
+/// What goes through a pipe by hand: pipe ask | PROGRAM | pipe judge.
 struct PipeOptions {
   std::string property = "CoverageEqualsTheModel";
   std::string description;  ///< file; empty: what is assumed of a program that says nothing
   std::string profile;      ///< in place of the description's
   props::CampaignOptions campaign;
 };
-int RunGen(const PipeOptions& options);
-int RunVer(const PipeOptions& options);
+int RunAsk(const PipeOptions& options);
+int RunJudge(const PipeOptions& options);
 
 struct HostOptions {
   std::string subject;

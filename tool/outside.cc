@@ -48,13 +48,13 @@ SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo info, Prog
 // This program once more, as the host of a library or an own type: what they break, they break
 // there.
 SubjectMaker Hosted(const std::string& name) {
-  const std::string text =
-      subjects::OutputOf({ThisProgram(), "host", name, "--describe"}, name, OutsideLimits());
+  const std::string text = subjects::OutputOf({ThisProgram(), "pipe", "answer", name, "--describe"},
+                                              name, OutsideLimits());
   SubjectInfo info = ParseDescription(text, name).info;
   info.summary = info.name + (info.summary.empty() ? "" : ": ") + info.summary;
   info.name = name;
   info.protocol = subjects::kProtocol;
-  return InAProcess({ThisProgram(), "host", name}, info, Program::kOurs);
+  return InAProcess({ThisProgram(), "pipe", "answer", name}, info, Program::kOurs);
 }
 
 // A program that is not there is the caller's to mend, and told before anything is run. The shell
@@ -93,7 +93,7 @@ subjects::LoadedPlugin MakeHere(const std::string& name) {
   }
   const auto own = OwnMakers().find(name);
   if (own == OwnMakers().end()) {
-    throw InputError("host " + name, "there is no such subject", "give plugin:PATH");
+    throw InputError("pipe answer " + name, "there is no such subject", "give plugin:PATH");
   }
   std::unique_ptr<Subject> subject = own->second();
   std::string profile = io::ProfileToJson(subject->Info().profile);

@@ -45,8 +45,9 @@ using SubjectMaker = std::function<std::unique_ptr<Subject>()>;
 /// Error:      InputError if the library or the file is not what it should be.
 SubjectMaker ResolveOutside(const std::string& name);
 
-/// What `rasterproof host NAME` does: loads the library or makes the own type here, and describes
-/// it or answers requests on standard input. What the subject itself prints goes to standard error.
+/// What `rasterproof pipe answer NAME` does: loads the library or makes the own type here, and
+/// describes it or answers requests on standard input. What the subject itself prints goes to
+/// standard error.
 int HostSubject(const std::string& name, bool describe);
 
 }  // namespace rasterproof::tool

@@ -1,4 +1,4 @@
-// Part of a subject's campaign as a file: what `certify --shard` writes and `merge` reads.
+// Part of a subject's campaign as a file: what `certify --shard` writes and `--merge` reads.
 #ifndef RASTERPROOF_TOOL_PART_FILE_H_
 #define RASTERPROOF_TOOL_PART_FILE_H_
 

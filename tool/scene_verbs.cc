@@ -72,68 +72,75 @@ void AddScene(CLI::App* app, SceneOptions& scene) {
 
 void AddCoverage(CLI::App& app, Run& run) {
   static CoverageOptions options;
-  CLI::App* verb = app.add_subcommand("coverage", "The count per sample, as rows of integers");
+  CLI::App* verb = app.add_subcommand(
+      "coverage", "Count the triangles over each sample, or compare two subjects");
   AddScene(verb, options.scene);
-  AddSubject(verb, options.subject);
+  AddSubject(verb, options.subject,
+             "Subject (default: exact, the oracle; of shaded pictures spans-exact)");
   verb->add_option("--profile", options.profile,
-                   "Preset or profile file: the oracle's model (default real); a subject without a "
-                   "grid draws the scene snapped to the profile's");
-  verb->add_option("-o,--output", options.output, "File")->capture_default_str();
-  verb->callback([&run] { run = [] { return RunCoverage(options); }; });
-}
-
-void AddDecided(CLI::App& app, Run& run) {
-  static DecidedOptions options;
-  CLI::App* verb =
-      app.add_subcommand("decided", "How often legal models of a profile cover each sample");
-  AddScene(verb, options.scene);
-  verb->add_option("--profile", options.profile, "Preset or profile file")->capture_default_str();
-  verb->add_option("--json", options.json,
-                   "Counts and what is open, as JSON (- for standard output)");
-  verb->add_option("--png", options.png, "Picture: where legal models differ");
-  verb->add_option("--view", options.view, "The picture's part: COLUMN,ROW,WIDTH,HEIGHT")
-      ->delimiter(',')
-      ->expected(4);
-  verb->add_option("--scale", options.scale,
-                   "Side of a pixel in the picture; from 4 on with the triangles' edges")
-      ->check(CLI::Range(1, 128))
+                   "Preset or profile file: the oracle's model (default: real, or beside --against "
+                   "the subject's own); a subject without a grid draws the scene snapped to it");
+  CLI::Option* output =
+      verb->add_option("-o,--output", options.output, "File for the rows")->capture_default_str();
+  CLI::Option* against = verb->add_option(
+      "--against", options.against,
+      "Subject to compare with (such as exact): what is missing and unexpected; status 1 if any");
+  CLI::Option* png =
+      verb->add_option("--png", options.png,
+                       "Picture (- for standard output) in place of the rows, or of the difference")
+          ->excludes(output);
+  verb->add_option(
+          "--mode", options.mode,
+          "What the picture shows: coverage, or pixels shaded by a method of the reference")
+      ->check(CLI::IsMember({"coverage", "flat", "barycentrics", "depth", "wireframe"}))
+      ->capture_default_str()
+      ->needs(png)
+      ->excludes(against);
+  verb->add_option("--line-width", options.line_width, "Half-width of wireframe lines in pixels")
+      ->check(Positive())
       ->capture_default_str();
-  verb->callback([&run] { run = [] { return RunDecided(options); }; });
-}
-
-void AddDiff(CLI::App& app, Run& run) {
-  static DiffOptions options;
-  CLI::App* verb = app.add_subcommand("diff", "Where two subjects disagree on a scene");
-  AddScene(verb, options.scene);
-  AddSubject(verb, options.subject);
-  verb->add_option("--against", options.against, "What to compare with")->capture_default_str();
-  verb->add_option("--profile", options.profile,
-                   "Profile of the oracle (default: the subject's own)");
-  verb->add_option("--png", options.png, "Picture of the difference");
-  verb->callback([&run] { run = [] { return RunDiff(options); }; });
+  verb->callback([&run] { run = [] { return RunCoverage(options); }; });
 }
 
 void AddLegal(CLI::App& app, Run& run) {
   static LegalOptions options;
-  CLI::App* verb = app.add_subcommand("legal", "Whether one legal model explains a drawing");
+  CLI::App* verb = app.add_subcommand(
+      "legal", "Say whether one legal model explains a drawing, or what is open");
   AddScene(verb, options.scene);
   verb->add_option("image", options.image,
                    "Counts as `coverage` writes them, or a PNG picture (default: a subject draws)");
   AddSubject(verb, options.subject, "Subject that draws the scene");
   verb->add_option("--profile", options.profile,
                    "Preset or profile file (default: the subject's own)");
-  verb->add_option("--background", options.background,
-                   "Colour of a picture where nothing is drawn, RRGGBB")
-      ->capture_default_str();
-  verb->add_option("--json", options.json, "Verdict as JSON (- for standard output)");
-  verb->add_option("--save", options.save, "File for the part that no model explains, as a case");
+  CLI::Option* background = verb->add_option("--background", options.background,
+                                             "Colour of a picture where nothing is drawn, RRGGBB")
+                                ->capture_default_str();
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  CLI::Option* save = verb->add_option("--save", options.save,
+                                       "File for the part that no model explains, as a case");
+  CLI::Option* decided =
+      verb->add_flag("--decided", options.decided,
+                     "Judge no drawing: how often the legal models of --profile cover each sample")
+          ->excludes(background)
+          ->excludes(save);
+  CLI::Option* png =
+      verb->add_option("--png", options.png, "Picture: where legal models differ")->needs(decided);
+  verb->add_option("--view", options.view, "The picture's part: COLUMN,ROW,WIDTH,HEIGHT")
+      ->delimiter(',')
+      ->expected(4)
+      ->needs(png);
+  verb->add_option("--scale", options.scale,
+                   "Side of a pixel in the picture; from 4 on with the triangles' edges")
+      ->check(CLI::Range(1, 128))
+      ->capture_default_str()
+      ->needs(png);
   verb->callback([&run] { run = [] { return RunLegal(options); }; });
 }
 
 void AddPlan(CLI::App& app, Run& run) {
   static PlanOptions options;
   CLI::App* verb =
-      app.add_subcommand("plan", "The cheapest exact arithmetic for a scene, and what is left out");
+      app.add_subcommand("plan", "Choose the cheapest arithmetic that is exact for a scene");
   AddScene(verb, options.scene);
   verb->add_option("--profile", options.profile, "Preset or profile file")->capture_default_str();
   verb->add_flag("--barycentrics", options.barycentrics, "Barycentrics are needed");
@@ -153,32 +160,12 @@ void AddPlan(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunPlan(options); }; });
 }
 
-void AddRender(CLI::App& app, Run& run) {
-  static RenderOptions options;
-  CLI::App* verb = app.add_subcommand("render", "Pictures (PNG) of what a method draws");
-  AddScene(verb, options.scene);
-  verb->add_option("--mode", options.mode,
-                   "flat, barycentrics, depth, wireframe, coverage or difference")
-      ->check(
-          CLI::IsMember({"flat", "barycentrics", "depth", "wireframe", "coverage", "difference"}))
-      ->capture_default_str();
-  AddSubject(verb, options.subject);
-  verb->add_option("--line-width", options.line_width, "Half-width of wireframe lines in pixels")
-      ->check(Positive())
-      ->capture_default_str();
-  verb->add_option("-o,--output", options.output, "PNG file (- for standard output)")->required();
-  verb->callback([&run] { run = [] { return RunRender(options); }; });
-}
-
 }  // namespace
 
 void AddSceneVerbs(CLI::App& app, Run& run) {
   AddCoverage(app, run);
-  AddRender(app, run);
-  AddDecided(app, run);
   AddLegal(app, run);
   AddPlan(app, run);
-  AddDiff(app, run);
 }
 
 }  // namespace rasterproof::tool

@@ -22,7 +22,7 @@ void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& ad
 /// Adds --subject, --plugin and --exec.
 void AddSubject(CLI::App* app, std::string& subject, const std::string& help = "Subject");
 
-/// Adds the verbs that take one scene: coverage, decided, diff, legal, plan, render.
+/// Adds the verbs that take one scene: coverage, legal, plan.
 void AddSceneVerbs(CLI::App& app, Run& run);
 
 }  // namespace rasterproof::tool

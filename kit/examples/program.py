@@ -4,7 +4,7 @@
          rasterproof check --exec kit/examples/program.py
 
 or by hand
-         rasterproof gen | kit/examples/program.py | rasterproof ver
+         rasterproof pipe ask | kit/examples/program.py | rasterproof pipe judge
 """
 import sys
 from fractions import Fraction

@@ -15,7 +15,7 @@ struct LoadedPlugin {
   std::string profile;               ///< a preset's name, or the text of a profile file
 };
 
-/// Loads a library. What it does wrong it does to this process: the verb `host` is a process for it
+/// Loads a library. What it does wrong it does to this process: `pipe answer` is a process for it
 /// alone (tool/outside.h). Its rounding mode and the like are its own (environment.h).
 ///
 /// The subject draws into guarded memory: a write outside the target, or between its rows, is a

@@ -1,5 +1,5 @@
 """The seeds that scripts/fuzz_seeds writes: every target has some, and those of cases are what
-`rasterproof encode` makes of the cases.
+`rasterproof convert` makes of the cases.
 
 usage: seeds_test.py RASTERPROOF SOURCES SEEDS
 """
@@ -17,7 +17,7 @@ RAW = b"\xff\0"
 
 def encoded(path, subject):
     """What the command makes of a case for a subject; nothing if the subject does not take it."""
-    command = [COMMAND, "encode", path, "--subject", subject, "--output", "-"]
+    command = [COMMAND, "convert", path, "--to", "fuzz-input", "--subject", subject, "--output", "-"]
     return subprocess.run(command, capture_output=True, check=False).stdout
 
 

@@ -111,7 +111,7 @@ std::uint64_t HashOf(const Domain& domain) {
 std::uint64_t HashOfTheCode() {
   Hash hash;
   for (std::uint64_t i = 0; i < kCases; ++i) {
-    PhiloxSource random(kSeed, i);
+    PhiloxSource random(kBitsSeed, i);
     std::vector<std::uint8_t> bytes(80);
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.Bits(8));
     bytes[0] &= 0x7f;

@@ -34,7 +34,7 @@ Page SamplePage() {
   page.pictures = {
       {"a gap", "rasterproof explain case.json", "f32-direct", true, "f32-direct/bunny.svg",
        "<svg><rect/></svg>"},
-      {"a bunny", "rasterproof render bunny.obj", "", true, "scenes/bunny.png", "\x89PNG"}};
+      {"a bunny", "rasterproof coverage bunny.obj", "", true, "scenes/bunny.png", "\x89PNG"}};
   return page;
 }
 

@@ -41,18 +41,18 @@ def answering(row, head="'counts ' + number"):
 
 
 class PipesLaidByHand(unittest.TestCase):
-    """ver keeps in step with gen, whatever is answered."""
+    """judge keeps in step with ask, whatever is answered."""
 
     def test_a_refusal_or_a_fault_costs_its_own_case_alone(self):
         example = os.path.join(SOURCES, "kit/examples/program.py")
         # The second one asks one question of a case, and what follows is for the picture alone.
         for name, numbers in (("EqualDrawsGiveEqualCounts", (1, 2)), (STAYS_INSIDE, (1,))):
             chosen = ("--property", name, "--cases", "8")
-            requests = run("gen", *chosen)
+            requests = run("pipe", "ask", *chosen)
             self.assertEqual(requests.returncode, 0, requests.stderr)
             sound = run(program=example, data=requests.stdout).stdout
             answers = re.split(rb"^(?=counts )", sound, flags=re.M)[1:]
-            said = run("ver", *chosen, data=sound).stdout.decode()
+            said = run("pipe", "judge", *chosen, data=sound).stdout.decode()
             held = int(re.search(r": (\d+) cases held, 0 violated", said)[1])
             self.assertGreater(held, 4, said)
             for word, counts in (("refused", "0 violated"), ("fault", "1 violated")):
@@ -60,15 +60,15 @@ class PipesLaidByHand(unittest.TestCase):
                     with self.subTest(name=name, word=word, number=number):
                         said_so = [*answers]
                         said_so[number - 1] = f"{word} {number} no\n".encode()
-                        text = run("ver", *chosen, data=b"".join(said_so)).stdout.decode()
+                        text = run("pipe", "judge", *chosen, data=b"".join(said_so)).stdout.decode()
                         self.assertIn(f": {held - 1} cases held, {counts}", text)
 
     def test_more_answers_than_requests_are_told_by_their_line(self):
         chosen = ("--property", STAYS_INSIDE, "--cases", "8")
-        requests = run("gen", *chosen).stdout
+        requests = run("pipe", "ask", *chosen).stdout
         sound = run(program=os.path.join(SOURCES, "kit/examples/program.py"), data=requests).stdout
-        self.assertEqual(run("ver", *chosen, data=sound).returncode, 0)
-        done = run("ver", *chosen, data=sound + b"counts 9999\n0 0\n")
+        self.assertEqual(run("pipe", "judge", *chosen, data=sound).returncode, 0)
+        done = run("pipe", "judge", *chosen, data=sound + b"counts 9999\n0 0\n")
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertIn(f"line {sound.count(bytes([10])) + 1}: it goes on behind the last answer",
                       done.stderr.decode())  # fmt: skip
@@ -76,10 +76,10 @@ class PipesLaidByHand(unittest.TestCase):
     def test_a_malformed_answer_costs_its_own_case_alone(self):
         example = os.path.join(SOURCES, "kit/examples/program.py")
         chosen = ("--property", STAYS_INSIDE, "--cases", "8")
-        requests = run("gen", *chosen).stdout
+        requests = run("pipe", "ask", *chosen).stdout
         sound = run(program=example, data=requests).stdout
         answers = re.split(rb"^(?=counts )", sound, flags=re.M)[1:]
-        said = run("ver", *chosen, data=sound).stdout.decode()
+        said = run("pipe", "judge", *chosen, data=sound).stdout.decode()
         held = int(re.search(r": (\d+) cases held, 0 violated", said)[1])
         head, rows = answers[3].split(b"\n", 1)  # the second case's: pictures are drawn by facing
         for words, wrong in (
@@ -92,7 +92,7 @@ class PipesLaidByHand(unittest.TestCase):
         ):
             with self.subTest(words):
                 said_so = b"".join([*answers[:3], wrong, *answers[4:]])
-                done = run("ver", *chosen, data=said_so)
+                done = run("pipe", "judge", *chosen, data=said_so)
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
                 self.assertIn(f": {held - 1} cases held, 1 violated", done.stdout.decode())
 
@@ -122,7 +122,7 @@ class Refusals(unittest.TestCase):
         def checked(which):
             with tempfile.NamedTemporaryFile("w", suffix=".subject") as file:
                 print(f"command {sys.executable} {SOURCES}/tests/tool/refuses_ties.py {which} "
-                      f"{PROGRAM} host plugin:{EXAMPLES}/example_plugin.so\n"
+                      f"{PROGRAM} pipe answer plugin:{EXAMPLES}/example_plugin.so\n"
                       "profile gl-canonical\ncoverage facing-counts\ninput float32",
                       file=file, flush=True)  # fmt: skip
                 return run("check", "--subject", file.name, "--property", MODEL, "--cases", "600")

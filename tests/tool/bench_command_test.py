@@ -211,7 +211,7 @@ class Bench(unittest.TestCase):
                 done = subprocess.run([*certify, "--bench", path, *more], cwd=SOURCES,
                                       capture_output=True, text=True, timeout=60)  # fmt: skip
                 self.assertEqual(done.returncode, 2)
-                self.assertIn("a page is made" if more else "measure again", done.stderr)
+                self.assertIn("give it to --merge" if more else "measure again", done.stderr)
 
     def test_fingerprints_are_pictures_and_counts_of_wrong_places(self):
         plugin = os.path.join(EXAMPLES, "example_plugin.so")

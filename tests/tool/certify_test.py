@@ -21,7 +21,7 @@ PROGRAM, SOURCES, EXAMPLES, PLUGINS = (os.path.abspath(path) for path in sys.arg
 HERE = os.path.dirname(os.path.abspath(__file__))
 STATUS = {"holds": 0, "violated": 1, "inconclusive": 4}
 # The example plugin behind a pipe: a program that is fast.
-PIPED = f"{PROGRAM} host plugin:{EXAMPLES}/example_plugin.so"
+PIPED = f"{PROGRAM} pipe answer plugin:{EXAMPLES}/example_plugin.so"
 STATEMENTS = ("profile gl-canonical", "coverage facing-counts", "input float32")
 SECONDS = re.compile(rb'("seconds":\s*)("[^"]*"|[0-9.e+-]+)|( time=)"[0-9.]+"')
 

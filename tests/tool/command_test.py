@@ -243,9 +243,10 @@ class BadInputTest(TemporaryFolder):
         self.refused(names="subcommand")
 
     def test_names_of_no_case(self):
-        for verb in ("check", "replay", "explain", "shrink"):
+        for verb in (("check",), ("replay",), ("explain",), ("replay", "--shrink", "-"),
+                     ("convert", "--to", "case")):  # fmt: skip
             def refused(name, *names, verb=verb):
-                self.refused(verb, "--subject", "f32-direct", "--case", name, names=[name, *names])
+                self.refused(*verb, "--subject", "f32-direct", "--case", name, names=[name, *names])
 
             refused("17", "not the name of a case", "near-edge:17@1", "list domains")
             refused("near-edge:seven@1", "'seven' is no index")
@@ -310,7 +311,7 @@ class FullDeviceTest(TemporaryFolder):
     def test_an_unwritable_output_leaves_nothing_behind(self):
         path = self.write(scene_text(2, 2, [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], [[0, 1, 2]]))
         target = os.path.join(self.folder.name, "no", "such", "folder.png")
-        result = run("render", path, "-o", target)
+        result = run("coverage", path, "--mode", "flat", "--png", target)
         self.assertEqual(result.returncode, 2)
         self.assertIn(target.encode(), result.stderr)
         self.assertEqual(sorted(os.listdir(self.folder.name)), ["scene.json"])
@@ -319,8 +320,9 @@ class FullDeviceTest(TemporaryFolder):
 class VerdictTest(TemporaryFolder):
     def test_a_sound_method_holds_and_a_naive_one_is_violated(self):
         ties = os.path.join(SOURCES, "scenes", "ties.json")
-        self.assertEqual(run("diff", ties, "--subject", "spans-exact").returncode, 0)
-        result = run("diff", ties, "--subject", "textbook")
+        against = ("coverage", ties, "--against", "exact", "--subject")
+        self.assertEqual(run(*against, "spans-exact").returncode, 0)
+        result = run(*against, "textbook")
         self.assertEqual(result.returncode, 1)
         self.assertIn(b"unexpected", result.stdout)
         self.assertEqual(run("check", ties, "--subject", "textbook").returncode, 1)

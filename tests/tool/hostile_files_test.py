@@ -122,7 +122,7 @@ class HostileFilesTest(unittest.TestCase):
                 ("beyond.gltf", gltf([], (0, 1, 2, 0, 1, 9))),
                 ("alone.gltf", gltf([], (0, 1, 9), "alone.bin"))]:
             path = self.write(name, content)
-            message = self.refused(path, "render", path, "--output", self.path("picture.png"))
+            message = self.refused(path, "coverage", path, "--png", self.path("picture.png"))
             self.assertRegex(message, "names? (a )?vertex", name)
             self.assertFalse(os.path.exists(self.path("picture.png")))
 
@@ -188,10 +188,10 @@ class HostileFilesTest(unittest.TestCase):
                 ("explain", named, "--subject", "textbook", "--pixel", "3,0"),
                 ("explain", clip, "--subject", "textbook", "--pixel", "3,0"),
                 ("replay", named, "--subject", "textbook"),
-                ("shrink", named, "--subject", "textbook"),
-                ("diff", named, "--subject", "textbook", "--profile", profile),
+                ("replay", named, "--subject", "textbook", "--shrink", self.path("small.json")),
+                ("coverage", named, "--against", "textbook", "--profile", profile),
                 ("legal", named, "--subject", "textbook", "--profile", profile),
-                ("decided", named, "--profile", profile),
+                ("legal", named, "--decided", "--profile", profile),
                 ("check", named, "--subject", "textbook", "--profile", profile),
                 ("check", "--subject", "textbook", "--profile", profile, "--cases", "2"),
                 ("certify", "--subject", "textbook", "--cases", "1", "--scenes", scenes, "--out",

@@ -62,16 +62,19 @@ class LegalTest(unittest.TestCase):
     def legal(self, image, profile, *more):
         return run("legal", self.scene, image, "--profile", profile, *more)
 
+    def decided(self, profile, *more):
+        return run("legal", self.scene, "--decided", "--profile", profile, *more)
+
     def test_an_inner_sample_is_decided_though_its_owner_is_not(self):
-        decided = run("decided", self.scene, "--profile", "vulkan")
+        decided = self.decided("vulkan")
         self.assertEqual(decided.returncode, 0, decided.stderr)
         # The diagonal's samples have one owner of two; on the outline nothing lies.
         self.assertEqual(decided.stdout, "1 1 1 0\n1 1 1 0\n1 1 1 0\n0 0 0 0\n")
-        open_ties = run("decided", self.scene, "--profile", "webgpu")
+        open_ties = self.decided("webgpu")
         self.assertIn("?", open_ties.stdout.splitlines()[1])
 
     def test_what_is_open_is_told_with_the_edge_and_its_distance(self):
-        told = json.loads(run("decided", self.scene, "--profile", "webgpu", "--json", "-").stdout)
+        told = json.loads(self.decided("webgpu", "--json", "-").stdout)
         self.assertEqual(told["rasterproof_decided"], 1)
         self.assertGreater(told["open"], 0)
         on_diagonal = [may for may in told["may"] if may["column"] == may["row"] == 1]
@@ -110,7 +113,7 @@ class LegalTest(unittest.TestCase):
         self.assertEqual(lost.returncode, 1)
         self.assertIn("the value of one sample contradicts every legal model", lost.stdout)
         self.assertIn("column 30 row 30: 0 of triangles", lost.stdout)
-        told = run("decided", self.scene, "--profile", "vulkan").stderr
+        told = self.decided("vulkan").stderr
         number = told.split("; ")[1].split()[0]
         self.assertIn(f"{number} samples are open", lost.stdout)
         self.assertIn("in every legal model 1 do", lost.stdout)
@@ -185,7 +188,13 @@ class LegalTest(unittest.TestCase):
         self.refused(*legal, small, "--profile", "gl", names=["2 x 2", "4 x 4"])
         self.refused(*legal, small, "--profile", "gl", "--background", "red", names=["red"])
         watertight = self.write("p.json", '{"name": "mine", "contract": "watertight"}')
-        self.refused("decided", self.scene, "--profile", watertight, names=["single samples"])
+        decided = (*legal, "--decided")
+        self.refused(*decided, "--profile", watertight, names=["single samples"])
+        self.refused(*decided, names=["give --profile"])
+        for drawing in ((self.as_text(rows),), ("--subject", "exact")):
+            self.refused(*decided, *drawing, "--profile", "gl", names=["judges no drawing"])
+        self.refused(*legal, "--subject", "exact", "--profile", "gl", "--png", "x.png",
+                     names=["--decided"])  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -5,6 +5,8 @@ usage: names_test.py PROGRAM SOURCES
 """
 import json
 import os
+import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -28,14 +30,14 @@ class Names(unittest.TestCase):
 
     def test_no_name_decides_by_its_beginning(self):
         for name in ("exactt", "exact-", "exact:canonical", "exact-integer"):
-            for verb in (("diff", SCENE, "--subject", "f32-direct", "--against", name),
+            for verb in (("coverage", SCENE, "--subject", "f32-direct", "--against", name),
                          ("coverage", SCENE, "--subject", name)):  # fmt: skip
                 with self.subTest(verb=verb):
                     told = self.refused(*verb)
                     self.assertIn(f"subject '{name}': there is no such subject", told)
         self.assertIn("did you mean exact?", self.refused("coverage", SCENE, "--subject", "exactt"))
         for name in ("exact", "exact-integers", "exact-cgal"):
-            done = run("diff", SCENE, "--subject", "spans-exact", "--against", name)
+            done = run("coverage", SCENE, "--subject", "spans-exact", "--against", name)
             self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_what_may_be_meant_is_said(self):
@@ -52,6 +54,36 @@ class Names(unittest.TestCase):
             with self.subTest(arguments=arguments):
                 self.assertIn(f"did you mean {meant}? ", self.refused(*arguments))
         self.assertNotIn("did you mean", self.refused("frobnicate"))
+
+    def test_a_former_verb_says_what_to_write_now(self):
+        for old, now in (("diff", "coverage SCENE --subject S --against exact"),
+                         ("render", "coverage SCENE --mode flat --png FILE"),
+                         ("decided", "legal SCENE --decided --profile P"),
+                         ("shrink", "replay CASE --shrink FILE"),
+                         ("encode", "convert FILE --to fuzz-input --subject S"),
+                         ("decode", "convert FILE --to case --subject S"),
+                         ("gen", "pipe ask"), ("ver", "pipe judge"),
+                         ("host", "pipe answer plugin:PATH"),
+                         ("merge", "certify --merge PART...")):  # fmt: skip
+            with self.subTest(old):
+                verb, *rest = now.split()
+                self.assertEqual(self.refused(old, "--help"),
+                                 f"rasterproof: verb '{old}': {old} is now a part of {verb}; "
+                                 f"write rasterproof {now}\n")  # fmt: skip
+                told = run(verb, *(w for w in rest if w in ("ask", "judge", "answer")), "--help")
+                for option in filter(lambda word: word.startswith("--"), rest):
+                    self.assertIn(f"{option} ", told.stdout.replace(",", " "))
+
+    def test_help_has_each_verb_once_in_its_group(self):
+        told = run("--help").stdout
+        blocks = re.findall(r"^(\w[\w ]*):\n((?:  [a-z]\S* .*\n)+)", told, re.M)
+        groups = [(group, [line.split()[0] for line in lines.splitlines()])
+                  for group, lines in blocks]  # fmt: skip
+        self.assertEqual(groups, [
+            ("Every day", ["check", "explain", "replay", "infer", "certify", "list"]),
+            ("One scene", ["coverage", "legal", "plan"]),
+            ("Campaign", ["survey", "bench", "climb", "pipe"]),
+            ("Development", ["convert", "selftest", "doctor"])])  # fmt: skip
 
     def test_keys_of_files(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -72,7 +104,7 @@ class Names(unittest.TestCase):
                 self.assertLessEqual(len(line), 80)
 
     def test_help_names_what_fails_once(self):
-        for verb in ("check", "certify", "merge"):
+        for verb in ("check", "certify"):
             told = run(verb, "--help").stdout
             self.assertIn("{stated,quality}", " ".join(told.split()))
             self.assertNotIn("->", told)
@@ -90,6 +122,35 @@ class Names(unittest.TestCase):
 
 
 class Pictures(unittest.TestCase):
+    def look(self, *arguments):
+        return subprocess.run([PROGRAM, "coverage", SCENE, *arguments], capture_output=True,
+                              cwd=SOURCES, timeout=300)  # fmt: skip
+
+    def test_each_mode_is_a_picture_of_the_target(self):
+        shown = [(), ("--against", "textbook")]
+        shown += [("--mode", mode) for mode in ("flat", "barycentrics", "depth", "wireframe")]
+        pictures = [self.look("--png", "-", *more).stdout for more in shown]
+        with open(SCENE, encoding="utf-8") as file:
+            scene = json.load(file)
+        for picture in pictures:
+            self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+            self.assertEqual(struct.unpack(">II", picture[16:24]),
+                             (scene["width"], scene["height"]))  # fmt: skip
+        self.assertEqual(len(set(pictures)), len(pictures))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "difference.png")
+            told = self.look("--against", "textbook", "--png", path)
+            self.assertIn(b"\nmissing ", told.stdout)
+            with open(path, "rb") as file:
+                self.assertEqual(file.read(), pictures[1])
+
+    def test_what_does_not_go_together_is_refused(self):
+        for more in (("--mode", "depth"), ("--png", "-", "--mode", "depth", "--against", "exact"),
+                     ("--png", "-", "-o", "rows"),
+                     ("--png", "-", "--mode", "depth", "--subject", "exact")):  # fmt: skip
+            refused = self.look(*more)
+            self.assertEqual((refused.returncode, refused.stdout), (2, b""), more)
+
     def test_the_guilty_pair_stands_first(self):
         done = run("explain", SCENE, "--subject", "f32-direct-fma")
         lines = [line for line in done.stdout.splitlines() if ": E = " in line]

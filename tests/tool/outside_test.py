@@ -71,21 +71,21 @@ class SoundSubjects(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
 
     def test_a_pipe_laid_by_hand_says_the_same(self):
-        requests = run("gen", "--cases", "6")
+        requests = run("pipe", "ask", "--cases", "6")
         self.assertEqual(requests.returncode, 0, requests.stderr)
         answers = run(program=PYTHON_EXAMPLE, data=requests.stdout)
-        verdict = run("ver", "--cases", "6", data=answers.stdout)
+        verdict = run("pipe", "judge", "--cases", "6", data=answers.stdout)
         self.assertEqual(verdict.returncode, 0, verdict.stdout.decode() + verdict.stderr.decode())
         self.assertIn(b"0 violated", verdict.stdout)
 
     def test_a_wrong_answer_on_the_pipe_is_violated(self):
-        requests = run("gen", "--cases", "3")
+        requests = run("pipe", "ask", "--cases", "3")
         answers = run(program=PYTHON_EXAMPLE, data=requests.stdout)
         wrong = [
             line.replace(b"0", b"1") if b"counts" not in line else line
             for line in answers.stdout.split(b"\n")
         ]
-        verdict = run("ver", "--cases", "3", data=b"\n".join(wrong))
+        verdict = run("pipe", "judge", "--cases", "3", data=b"\n".join(wrong))
         self.assertEqual(verdict.returncode, 1, verdict.stderr)
         self.assertIn(b"--exec PROGRAM --property CoverageEqualsTheModel --case "
                       b"near-edge:5330000@1\n", verdict.stdout)
@@ -124,7 +124,7 @@ class MeshProperties(unittest.TestCase):
                       "--property", SHARED_EDGE, "--cases", "36"]  # fmt: skip
             if verb == "check":
                 chosen += ["--property", EMBEDDED_MESH]
-            return run(verb, *chosen, data=data)
+            return run(*(["check"] if verb == "check" else ["pipe", verb]), *chosen, data=data)
 
     def test_are_put_to_a_clip_space_subject_that_shares_ties(self):
         done = self.checked("check", "tests/tool/clip_program.py", SHARED_TIES)
@@ -137,16 +137,16 @@ class MeshProperties(unittest.TestCase):
         self.assertIn(b"a gap in the mesh", done.stdout)
 
     def test_are_put_to_an_inclusive_subject_on_a_pipe_laid_by_hand(self):
-        requests = self.checked("gen", "unused", SHARED_TIES)
+        requests = self.checked("ask", "unused", SHARED_TIES)
         self.assertEqual(requests.returncode, 0, requests.stderr)
         answers = run("crack", program=os.path.join(SOURCES, "tests/tool/clip_program.py"),
                       data=requests.stdout)  # fmt: skip
-        verdict = self.checked("ver", "unused", SHARED_TIES, data=answers.stdout)
+        verdict = self.checked("judge", "unused", SHARED_TIES, data=answers.stdout)
         self.assertEqual(verdict.returncode, 1, verdict.stdout.decode() + verdict.stderr.decode())
 
     def test_that_nothing_can_be_asked_about_is_said_and_inconclusive(self):
         profile = '{"name": "ties", "contract": "watertight", "tie_rule": "exclusive"}'
-        for verb in ("gen", "ver"):
+        for verb in ("ask", "judge"):
             done = self.checked(verb, "unused", profile, takes="window", data=b"")
             self.assertEqual(done.returncode, 4, done.stderr)
             self.assertIn(b"an exclusive tie rule covers shared edges never", done.stderr)
@@ -493,7 +493,7 @@ class BadNames(unittest.TestCase):
                 self.check("coverage", SCENE, "--subject", path, words=[path, word])
 
     def test_answers_that_end_early(self):
-        self.check("ver", "--cases", "1", words=["standard input", "ends before"])
+        self.check("pipe", "judge", "--cases", "1", words=["standard input", "ends before"])
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ PROGRAM, SOURCES, EXAMPLES, PLUGINS = (os.path.abspath(path) for path in sys.arg
 PYTHON_EXAMPLE = os.path.join(SOURCES, "kit/examples/program.py")
 CANARY_LIBRARY = os.path.join(PLUGINS, "canary.so")
 MODEL = "CoverageEqualsTheModel"
-VERBS = ("replay", "explain", "shrink")
+VERBS = (("replay",), ("explain",), ("replay", "--shrink", "-"), ("convert", "--to", "case"))
 
 
 def run(*arguments, program=PROGRAM, data=None, **environment):
@@ -67,7 +67,7 @@ class FuzzInputs(TemporaryFolder):
 
     def encoded(self, source, *arguments):
         target = self.path("input")
-        result = run("encode", source, *arguments, "-o", target)
+        result = run("convert", source, *arguments, "--to", "fuzz-input", "-o", target)
         self.assertEqual(result.returncode, 0, result.stderr)
         return target
 
@@ -80,12 +80,12 @@ class FuzzInputs(TemporaryFolder):
             source = os.path.join(SOURCES, "scenes", f"{name}.json")
             bytes_of_it = self.encoded(source, "--subject", subject)
             back = self.path("back.json")
-            run("decode", bytes_of_it, "--subject", subject, "-o", back)
+            run("convert", bytes_of_it, "--subject", subject, "--to", "case", "-o", back)
             scene = self.write("scene.json", json.dumps(self.scene(back)))
             self.assertEqual(run("coverage", scene, "--subject", "exact").stdout,
                              run("coverage", source, "--subject", "exact").stdout)  # fmt: skip
             again = self.path("again")
-            run("encode", back, "--subject", subject, "-o", again)
+            run("convert", back, "--subject", subject, "--to", "fuzz-input", "-o", again)
             with open(bytes_of_it, "rb") as one, open(again, "rb") as other:
                 self.assertEqual(one.read(), other.read())
 
@@ -112,6 +112,33 @@ class FuzzInputs(TemporaryFolder):
         self.assertEqual(run("replay", saved, "--subject", "f32-direct").returncode, 2)
         result = run("replay", saved, "--subject", "spans-exact", "--fuzz-input")
         self.assertEqual(result.returncode, 0, result.stderr)
+
+
+class Shrinking(TemporaryFolder):
+    TIES = ("replay", "scenes/ties.json", "--property", "SharedEdgeSamplesAreCoveredOnce",
+            "--subject")  # fmt: skip
+
+    def test_the_smallest_case_takes_the_place_of_the_given_one(self):
+        small = self.path("small.json")
+        done = run(*self.TIES, "textbook", "--shrink", small)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        scene = json.loads(content(small))["scene"]
+        self.assertLess(len(scene["triangles"]),
+                        len(json.loads(content("scenes/ties.json"))["triangles"]))  # fmt: skip
+        again = type_in_bash(printed_command(done.stdout.decode(), "replay"))
+        self.assertEqual((again.returncode, again.stdout), (1, done.stdout))
+        piped = run(*self.TIES, "textbook", "--shrink", "-")
+        self.assertEqual((piped.returncode, piped.stdout.decode()), (1, content(small)))
+        few = run(*self.TIES, "textbook", "--shrink", "-", "--evaluations", "1")
+        self.assertGreater(len(json.loads(few.stdout)["scene"]["triangles"]),
+                           len(scene["triangles"]))  # fmt: skip
+
+    def test_what_does_not_fail_is_refused(self):
+        small = self.path("small.json")
+        done = run(*self.TIES, "spans-exact", "--shrink", small)
+        self.assertEqual((done.returncode, done.stdout), (2, b""))
+        self.assertIn(b"nothing to shrink", done.stderr)
+        self.assertFalse(os.path.exists(small))
 
 
 class WhatAFileMayBring(TemporaryFolder):
@@ -142,11 +169,11 @@ class WhatAFileMayBring(TemporaryFolder):
             path = self.case(subject)
             for verb in VERBS:
                 with self.subTest(subject=subject, verb=verb):
-                    done = run(verb, path, "--property", MODEL, CANARY=self.canary)
+                    done = run(*verb, path, "--property", MODEL, CANARY=self.canary)
                     self.assertFalse(self.sings())
                     self.assertEqual((done.returncode, done.stdout), (2, b""))
-                    typed = shlex.split(printed_command(done.stderr.decode(), verb))
-                    self.assertEqual(typed, ["rasterproof", verb, path, "--property", MODEL,
+                    typed = shlex.split(printed_command(done.stderr.decode(), verb[0]))
+                    self.assertEqual(typed, ["rasterproof", *verb, path, "--property", MODEL,
                                              option, value])  # fmt: skip
 
     def test_nothing_runs_of_a_case_on_standard_input(self):

@@ -1,4 +1,4 @@
-"""certify --shard and --cases A..B, merge: the certificate of the whole, however it was cut.
+"""certify --shard and --cases A..B, --merge: the certificate of the whole, however it was cut.
 
 usage: shard_test.py PROGRAM SOURCES EXAMPLES
 """
@@ -47,7 +47,8 @@ class Parts(unittest.TestCase):
         return re.search(r": ([^ ]+\.json)\n$", done.stdout)[1]
 
     def merge(self, *parts, subject=(), out="out"):
-        return self.run_it("merge", *parts, *subject, "--scenes", SCENES, "--out", out)
+        return self.run_it("certify", "--merge", *parts, *subject, "--scenes", SCENES,
+                           "--out", out)  # fmt: skip
 
     def refused(self, done, *words):
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
@@ -284,8 +285,8 @@ class Refused(Parts):
     def test_options_that_a_part_does_not_take(self):
         for arguments, words in (
             (("--shard", "1/2", "--seconds", "1"), "takes no --seconds"),
-            (("--shard", "1/2", "--scenes", SCENES), "give it to merge"),
-            (("--shard", "1/2", "--fail-on", "quality"), "give it to merge"),
+            (("--shard", "1/2", "--scenes", SCENES), "give it to --merge"),
+            (("--shard", "1/2", "--fail-on", "quality"), "give it to --merge"),
             (("--shard", "1/2", "--cases", "0..5"), "takes no --shard beside it"),
             (("--cases", "0..5", "--exhaustive", "pairs-3x3"), "--shard, which cuts worlds"),
             (("--shard", "0/2"), "not a shard"), (("--shard", "3/2"), "not a shard"),

@@ -24,7 +24,7 @@ def run(*arguments):
 
 
 def decided(scene, profile):
-    result = run("decided", scene, "--profile", profile, "--json", "-")
+    result = run("legal", scene, "--decided", "--profile", profile, "--json", "-")
     assert result.returncode == 0, result.stderr
     return json.loads(result.stdout)
 

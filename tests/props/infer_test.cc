@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/profile_keys.h"
 #include "core/subject_errors.h"
 #include "core/tie_rule.h"
 #include "core/transform.h"
@@ -33,10 +34,9 @@ using testing::RealInfo;
 
 // What is compared of a model: all but its name and what bounds verdicts only.
 Profile ModelPart(Profile profile) {
-  const Profile plain;
-  profile.name = plain.name;
-  profile.coordinate_limit = plain.coordinate_limit;
-  profile.contract = plain.contract;
+  for (const ProfileKey& key : kProfileKeys) {
+    if (key.kind != KeyKind::kModel && key.kind != KeyKind::kFreedom) key.copy({}, profile);
+  }
   return profile;
 }
 

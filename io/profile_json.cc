@@ -42,6 +42,13 @@ constexpr auto kTransformKeys =
 
 constexpr std::array<std::pair<Precision, std::string_view>, 2> kPrecisions{
     {{Precision::kFloat32, "float32"}, {Precision::kFloat64, "float64"}}};
+constexpr std::array<std::pair<Division, std::string_view>, 2> kDivisions{
+    {{Division::kQuotient, "quotient"}, {Division::kReciprocal, "reciprocal"}}};
+constexpr std::array<std::pair<ViewportForm, std::string_view>, 4> kViewportForms{
+    {{ViewportForm::kNone, "none"},
+     {ViewportForm::kMultiplyAdd, "multiply-add"},
+     {ViewportForm::kFused, "fused"},
+     {ViewportForm::kAddMultiply, "add-multiply"}}};
 
 std::string Name(const JsonValue& value) { return value.RequireName(); }
 std::string Text(const JsonValue& value) { return std::string(value.RequireString()); }
@@ -185,15 +192,10 @@ Transform TransformFromJson(const JsonValue& value) {
   Transform transform;
   ReadIfThere(value, "precision", transform.precision,
               [](const JsonValue& v) { return FromName(v, Names<Precision>(kPrecisions)); });
-  ReadIfThere(value, "division", transform.division, [](const JsonValue& v) {
-    if (const auto division = DivisionFromName(v.RequireString())) return *division;
-    throw v.Error(Quoted(v.text()) + " is no division", "write quotient or reciprocal");
-  });
-  ReadIfThere(value, "viewport", transform.viewport, [](const JsonValue& v) {
-    if (const auto form = ViewportFormFromName(v.RequireString())) return *form;
-    throw v.Error(Quoted(v.text()) + " is no viewport form",
-                  "write none, multiply-add, fused or add-multiply");
-  });
+  ReadIfThere(value, "division", transform.division,
+              [](const JsonValue& v) { return FromName(v, Names<Division>(kDivisions)); });
+  ReadIfThere(value, "viewport", transform.viewport,
+              [](const JsonValue& v) { return FromName(v, Names<ViewportForm>(kViewportForms)); });
   ReadIfThere(value, "flips_y", transform.flips_y, Boolean);
   ReadIfThere(value, "map", transform.map, MapFromJson);
   if (transform.map && (transform.viewport != ViewportForm::kNone || transform.flips_y)) {
@@ -219,8 +221,9 @@ std::string ScanlineRoundingToJson(const Snap& rounding) {
 std::string TransformToJson(const Transform& transform) {
   const std::optional<MapGrid>& map = transform.map;
   return "{\"precision\": " + InQuotes(NameOf(transform.precision, Names<Precision>(kPrecisions))) +
-         ", \"division\": " + InQuotes(DivisionName(transform.division)) +
-         ", \"viewport\": " + InQuotes(ViewportFormName(transform.viewport)) +
+         ", \"division\": " + InQuotes(NameOf(transform.division, Names<Division>(kDivisions))) +
+         ", \"viewport\": " +
+         InQuotes(NameOf(transform.viewport, Names<ViewportForm>(kViewportForms))) +
          ", \"flips_y\": " + (transform.flips_y ? "true" : "false") +
          (map ? ", \"map\": " + NumbersToJson({map->x0, map->y0, map->dx, map->dy}) : "") + "}";
 }

@@ -392,8 +392,8 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
                "transform: has a map and a viewport; leave viewport and flips_y out: a map's dy "
                "turns y over"},
            Bad{R"("transform": {"division": "rcp"})",
-               "transform.division: \"rcp\" is no division; write quotient or reciprocal"},
-           Bad{R"("transform": {"viewport": "half"})", "write none, multiply-add, fused"},
+               "transform.division: \"rcp\" is unknown; known here are"},
+           Bad{R"("transform": {"viewport": "half"})", "none, multiply-add, fused, add-multiply"},
            Bad{R"("transform": {"matrix": 1})", "unknown key \"matrix\""},
            Bad{R"("degenerate_triangles": "line")",
                "degenerate_triangles: \"line\" is unknown; known here are"},

@@ -40,10 +40,10 @@ target_compile_options(rasterproof_flags INTERFACE
 target_include_directories(rasterproof_flags INTERFACE ${CMAKE_SOURCE_DIR})
 if(RASTERPROOF_SANITIZE)
   target_compile_options(rasterproof_flags INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g1
+    -fsanitize=${RASTERPROOF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1
     # Null pointers and objects too small are AddressSanitizer's as well; twice cost a fifth more.
     -fno-sanitize=null,object-size)
-  target_link_options(rasterproof_flags INTERFACE -fsanitize=address,undefined)
+  target_link_options(rasterproof_flags INTERFACE -fsanitize=${RASTERPROOF_SANITIZE})
 endif()
 # libFuzzer is told which branches an input took in what is put to the test, in the oracle and in
 # the recipes; not what was compared, which costs a third of the time, and what decides here are

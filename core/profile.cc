@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/profile_keys.h"
 #include "core/square_presets.h"
 
 namespace rasterproof {
@@ -109,6 +110,14 @@ std::optional<Profile> MultisampledPreset(std::string_view name) {
   return std::nullopt;
 }
 
+// Copies the keys that `is_copied` is true of.
+template <class IsCopied>
+void CopyKeys(const Profile& from, Profile& to, IsCopied is_copied) {
+  for (const ProfileKey& key : kProfileKeys) {
+    if (is_copied(key)) key.copy(from, to);
+  }
+}
+
 }  // namespace
 
 std::optional<Profile> PresetProfile(std::string_view name) {
@@ -126,10 +135,7 @@ bool IsCanonicalPreset(std::string_view name) {
 
 Profile FilledIn(const Profile& set, const Profile& device) {
   Profile filled = set;
-  filled.pattern = device.pattern;
-  filled.coordinate_limit = device.coordinate_limit;
-  filled.guard_band = device.guard_band;
-  filled.front_face = device.front_face;
+  CopyKeys(device, filled, [](const ProfileKey& key) { return (key.marks & kOfDevice) != 0; });
   if (set.freedom.least_bits && !device.snap.IsNone()) {
     filled.snap.bits = device.snap.bits;
     filled.freedom.least_bits = device.freedom.least_bits;
@@ -141,30 +147,14 @@ bool IsFilledIn(const Profile& profile) {
   const std::optional<Profile> set = PresetProfile(profile.specification);
   if (!set) return false;
   Profile filled = FilledIn(*set, profile);
-  filled.name = profile.name;
-  filled.specification = profile.specification;
+  CopyKeys(profile, filled, [](const ProfileKey& key) { return key.kind == KeyKind::kName; });
   const int least = set->freedom.least_bits.value_or(0);
   return filled == profile && profile.freedom.least_bits.value_or(profile.snap.bits) >= least;
 }
 
-// Every key not listed here is part of the model, including keys added later.
 bool SameModel(const Profile& a, const Profile& b) {
   Profile judged_alike = a;
-  judged_alike.name = b.name;
-  judged_alike.specification = b.specification;
-  judged_alike.contract = b.contract;
-  judged_alike.freedom = b.freedom;
-  judged_alike.coordinate_limit = b.coordinate_limit;
-  judged_alike.degenerate_triangles = b.degenerate_triangles;
-  judged_alike.infinite_vertex = b.infinite_vertex;
-  judged_alike.nan_vertex = b.nan_vertex;
-  judged_alike.nan_z = b.nan_z;
-  judged_alike.translation_invariant = b.translation_invariant;
-  judged_alike.shares_edge_samples = b.shares_edge_samples;
-  judged_alike.guard_band = b.guard_band;
-  judged_alike.front_face = b.front_face;
-  judged_alike.sample_positions = b.sample_positions;
-  judged_alike.centroid = b.centroid;
+  CopyKeys(b, judged_alike, [](const ProfileKey& key) { return key.kind != KeyKind::kModel; });
   return judged_alike == b;
 }
 

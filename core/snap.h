@@ -3,8 +3,6 @@
 #define RASTERPROOF_CORE_SNAP_H_
 
 #include <cstdint>
-#include <optional>
-#include <string_view>
 
 namespace rasterproof {
 
@@ -34,14 +32,6 @@ struct Snap {
 };
 
 inline constexpr int kMaxSubpixelBits = 16;
-
-/// Names: "nearest-even", "nearest-away", "half-up", "floor", "truncate".
-std::string_view SnapRuleName(SnapRule rule);
-std::optional<SnapRule> SnapRuleFromName(std::string_view name);
-
-/// Names: "coordinate", "float32-difference", "exact-difference".
-std::string_view SnapFormName(SnapForm form);
-std::optional<SnapForm> SnapFormFromName(std::string_view name);
 
 }  // namespace rasterproof
 

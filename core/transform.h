@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "core/scene.h"
 
@@ -50,14 +49,6 @@ struct Transform {
 
   friend bool operator==(const Transform&, const Transform&) = default;
 };
-
-/// Names: "quotient", "reciprocal".
-std::string_view DivisionName(Division division);
-std::optional<Division> DivisionFromName(std::string_view name);
-
-/// Names: "none", "multiply-add", "fused", "add-multiply".
-std::string_view ViewportFormName(ViewportForm form);
-std::optional<ViewportForm> ViewportFormFromName(std::string_view name);
 
 }  // namespace rasterproof
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "core/profile_keys.h"
 #include "core/snap.h"
 #include "exact/rational.h"
 #include "fuzz/fuzz_target.h"

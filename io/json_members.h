@@ -3,6 +3,7 @@
 #define RASTERPROOF_IO_JSON_MEMBERS_H_
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -27,16 +28,21 @@ std::string_view NameOf(E value, Names<E> names) {
   return std::ranges::find(names, value, &std::pair<E, std::string_view>::first)->second;
 }
 
-template <class E>
-E FromName(const JsonValue& value, Names<E> names) {
+/// Returns which of the words the text is.
+inline std::size_t IndexOf(const JsonValue& value, std::span<const std::string_view> words) {
   const std::string_view text = value.RequireString();
-  std::vector<std::string_view> all;
-  for (const auto& [known, name] : names) {
-    if (name == text) return known;
-    all.push_back(name);
-  }
+  const auto found = std::ranges::find(words, text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  const std::vector<std::string_view> all(words.begin(), words.end());
   throw value.Error(Quoted(text) + " is unknown" + RenamedText(text),
                     Suggestion(text, all) + "known here are" + ListedNames(all));
+}
+
+template <class E>
+E FromName(const JsonValue& value, Names<E> names) {
+  std::vector<std::string_view> words;
+  for (const auto& [known, name] : names) words.push_back(name);
+  return names[IndexOf(value, words)].first;
 }
 
 /// The member `key`, turned by `read`, if the object has it.

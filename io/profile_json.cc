@@ -1,5 +1,6 @@
 #include "io/profile_json.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -8,15 +9,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "core/profile_keys.h"
 #include "core/quoted.h"
 #include "core/square_presets.h"
 #include "core/suggestion.h"
 #include "io/case_file.h"
-#include "io/freedom_json.h"
 #include "io/json_document.h"
 #include "io/json_members.h"
 #include "io/number_text.h"
@@ -28,38 +30,6 @@
 namespace rasterproof::io {
 namespace {
 
-constexpr auto kProfileKeys = std::to_array<std::string_view>({"name",
-                                                               "specification",
-                                                               "subpixel_bits",
-                                                               "snap_rule",
-                                                               "snap_form",
-                                                               "snap_origin",
-                                                               "sample_locations",
-                                                               "sample_positions",
-                                                               "centroid",
-                                                               "y_axis",
-                                                               "front_face",
-                                                               "tie_rule",
-                                                               "coordinate_limit",
-                                                               "contract",
-                                                               "snap_tolerance",
-                                                               "rounding",
-                                                               "least_subpixel_bits",
-                                                               "tie_ownership",
-                                                               "transform_error",
-                                                               "nan_vertex",
-                                                               "nan_z",
-                                                               "translation_invariant",
-                                                               "degenerate_triangles",
-                                                               "edge_samples",
-                                                               "fixed",
-                                                               "max_primitive_extent",
-                                                               "guard_band",
-                                                               "scanline_rounding",
-                                                               "transform",
-                                                               "by_target_size",
-                                                               "infinite_vertex",
-                                                               "coverage"});
 constexpr auto kTargetKeys =
     std::to_array<std::string_view>({"max_width", "max_height", "subpixel_bits", "snap_rule",
                                      "snap_form", "snap_origin", "sample_locations", "tie_rule"});
@@ -72,56 +42,19 @@ constexpr auto kTransformKeys =
 
 constexpr std::array<std::pair<Precision, std::string_view>, 2> kPrecisions{
     {{Precision::kFloat32, "float32"}, {Precision::kFloat64, "float64"}}};
-constexpr std::array<std::pair<YAxis, std::string_view>, 2> kYAxes{
-    {{YAxis::kDown, "down"}, {YAxis::kUp, "up"}}};
-constexpr std::array<std::pair<FrontFace, std::string_view>, 2> kFrontFaces{
-    {{FrontFace::kPositiveArea, "positive-area"}, {FrontFace::kUnstated, "unstated"}}};
-constexpr std::array<std::pair<SamplePositions, std::string_view>, 3> kSamplePositions{
-    {{SamplePositions::kStated, "stated"},
-     {SamplePositions::kFixed, "fixed"},
-     {SamplePositions::kVary, "vary"}}};
-constexpr std::array<std::pair<Centroid, std::string_view>, 3> kCentroids{
-    {{Centroid::kUnstated, "unstated"},
-     {Centroid::kDirect3D, "direct3d"},
-     {Centroid::kInside, "inside"}}};
-constexpr std::array<std::pair<Contract, std::string_view>, 7> kContracts{
-    {{Contract::kSampleExact, "sample-exact"},
-     {Contract::kWatertight, "watertight"},
-     {Contract::kClosed, "closed"},
-     {Contract::kAtLeastModel, "at-least-model"},
-     {Contract::kAtMostModel, "at-most-model"},
-     {Contract::kSquares, "squares"},
-     {Contract::kNone, "none"}}};
-constexpr std::array<std::pair<DegenerateTriangles, std::string_view>, 2> kDegenerates{
-    {{DegenerateTriangles::kNothing, "nothing"},
-     {DegenerateTriangles::kUnspecified, "unspecified"}}};
-constexpr std::array<std::pair<InfiniteVertex, std::string_view>, 2> kInfiniteVertices{
-    {{InfiniteVertex::kNothing, "nothing"}, {InfiniteVertex::kUnspecified, "unspecified"}}};
-constexpr std::array<std::pair<NanVertex, std::string_view>, 2> kNanVertices{
-    {{NanVertex::kNothing, "nothing"}, {NanVertex::kUnspecified, "unspecified"}}};
-constexpr std::array<std::pair<NanZ, std::string_view>, 3> kNanZs{
-    {{NanZ::kIgnored, "ignored"},
-     {NanZ::kNothing, "nothing"},
-     {NanZ::kUnspecified, "unspecified"}}};
-constexpr std::array<std::pair<bool, std::string_view>, 2> kEdgeSamples{
-    {{false, "owned"}, {true, "may-be-shared"}}};
+constexpr std::array<std::pair<Division, std::string_view>, 2> kDivisions{
+    {{Division::kQuotient, "quotient"}, {Division::kReciprocal, "reciprocal"}}};
+constexpr std::array<std::pair<ViewportForm, std::string_view>, 4> kViewportForms{
+    {{ViewportForm::kNone, "none"},
+     {ViewportForm::kMultiplyAdd, "multiply-add"},
+     {ViewportForm::kFused, "fused"},
+     {ViewportForm::kAddMultiply, "add-multiply"}}};
+
+std::string Name(const JsonValue& value) { return value.RequireName(); }
+std::string Text(const JsonValue& value) { return std::string(value.RequireString()); }
 
 int SubpixelBits(const JsonValue& value) {
   return value.kind() == JsonKind::kNull ? Snap::kNone : Integer(value, 0, kMaxSubpixelBits);
-}
-
-SnapRule SnapRuleFromJson(const JsonValue& value) {
-  const std::optional<SnapRule> rule = SnapRuleFromName(value.RequireString());
-  if (rule) return *rule;
-  throw value.Error(Quoted(value.text()) + " is no snap rule",
-                    "write nearest-even, nearest-away, half-up, floor or truncate");
-}
-
-SnapForm SnapFormFromJson(const JsonValue& value) {
-  const std::optional<SnapForm> form = SnapFormFromName(value.RequireString());
-  if (form) return *form;
-  throw value.Error(Quoted(value.text()) + " is no snap form",
-                    "write coordinate, float32-difference or exact-difference");
 }
 
 TieRule TieRuleFromJson(const JsonValue& value) {
@@ -130,6 +63,25 @@ TieRule TieRuleFromJson(const JsonValue& value) {
   throw value.Error(Quoted(value.text()) + " is no tie rule",
                     "write top-left, top-right, bottom-left, bottom-right, one of them with -y "
                     "(y moves first), inclusive or exclusive");
+}
+
+std::string ExactJson(double number) { return InQuotes(ExactText(number)); }
+std::string BooleanToJson(bool value) { return value ? "true" : "false"; }
+std::string BitsToJson(int bits) { return bits == Snap::kNone ? "null" : std::to_string(bits); }
+std::string TieRuleToJson(const TieRule& rule) { return InQuotes(TieRuleName(rule)); }
+
+double SnapTolerance(const JsonValue& value) {
+  const double steps = CoordinateFromJson(value, Precision::kFloat64);
+  if (steps >= 0 && steps <= kMaxSnapTolerance) return steps;
+  throw value.Error("is not a snap tolerance", "write a number of grid steps from 0 to 1");
+}
+
+double TransformError(const JsonValue& value) {
+  const double units = CoordinateFromJson(value, Precision::kFloat64);
+  if (units >= 0 && std::isfinite(units)) return units;
+  throw value.Error("is not the error of a transform",
+                    "write a number of 2^-24 of a coordinate, 0 or more, or null where none is "
+                    "stated");
 }
 
 double SnapOrigin(const JsonValue& value) { return PlaceInPixel(value, "a snap origin"); }
@@ -157,8 +109,7 @@ std::array<double, kCount> FiniteNumbers(const JsonValue& list, const std::strin
   return numbers;
 }
 
-std::optional<MaxPrimitiveExtent> MaxPrimitiveExtentFromJson(const JsonValue& value) {
-  if (value.kind() == JsonKind::kNull) return std::nullopt;
+MaxPrimitiveExtent MaxPrimitiveExtentFromJson(const JsonValue& value) {
   const auto [width, height] = FiniteNumbers<2>(value, "[width, height]");
   if (width > 0 && height > 0) return MaxPrimitiveExtent{width, height};
   throw value.Error("is not the size of a triangle", "write two positive numbers");
@@ -185,6 +136,10 @@ std::optional<GuardBand> NamedGuardBand(const JsonValue& value) {
                     "write none, unknown, viewport, viewport+64 or [x0, y0, x1, y1]");
 }
 
+std::string MaxPrimitiveExtentToJson(const MaxPrimitiveExtent& most) {
+  return NumbersToJson({most.width, most.height});
+}
+
 std::string GuardBandToJson(const GuardBand& band) {
   if (const auto* box = std::get_if<WindowBox>(&band))
     return NumbersToJson({box->x0, box->y0, box->x1, box->y1});
@@ -196,15 +151,13 @@ std::string GuardBandToJson(const GuardBand& band) {
 }
 
 std::optional<GuardBand> GuardBandFromJson(const JsonValue& value) {
-  if (value.kind() == JsonKind::kNull) return std::nullopt;
   if (value.kind() == JsonKind::kString) return NamedGuardBand(value);
   const auto [x0, y0, x1, y1] = FiniteNumbers<4>(value, "[x0, y0, x1, y1]");
   if (x0 < x1 && y0 < y1) return WindowBox{x0, y0, x1, y1};
   throw value.Error("is empty", "write x0 < x1 and y0 < y1");
 }
 
-std::optional<FixedInput> FixedInputFromJson(const JsonValue& value) {
-  if (value.kind() == JsonKind::kNull) return std::nullopt;
+FixedInput FixedInputFromJson(const JsonValue& value) {
   value.RequireObject(kFixedKeys);
   FixedInput fixed;
   fixed.integer_bits = Integer(value.Get("integer_bits"), 1, kMaxIntegerBits);
@@ -214,19 +167,14 @@ std::optional<FixedInput> FixedInputFromJson(const JsonValue& value) {
   return fixed;
 }
 
-void ReadSnap(const JsonValue& value, Snap& snap) {
-  ReadIfThere(value, "subpixel_bits", snap.bits, SubpixelBits);
-  ReadIfThere(value, "snap_rule", snap.rule, SnapRuleFromJson);
-  ReadIfThere(value, "snap_form", snap.form, SnapFormFromJson);
-  ReadIfThere(value, "snap_origin", snap.origin, SnapOrigin);
-}
-
 Snap ScanlineRoundingFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kNull) return {};
   value.RequireObject(kScanlineRoundingKeys);
   Snap rounding;
   rounding.bits = Integer(value.Get("bits"), 0, kMaxSubpixelBits);
-  ReadIfThere(value, "rule", rounding.rule, SnapRuleFromJson);
+  ReadIfThere(value, "rule", rounding.rule, [](const JsonValue& v) {
+    return static_cast<SnapRule>(IndexOf(v, WordsOf(KeyNamed("snap_rule"))));
+  });
   ReadIfThere(value, "origin", rounding.origin, SnapOrigin);
   if (rounding.origin != 0) rounding.form = SnapForm::kExactDifference;
   return rounding;
@@ -244,15 +192,10 @@ Transform TransformFromJson(const JsonValue& value) {
   Transform transform;
   ReadIfThere(value, "precision", transform.precision,
               [](const JsonValue& v) { return FromName(v, Names<Precision>(kPrecisions)); });
-  ReadIfThere(value, "division", transform.division, [](const JsonValue& v) {
-    if (const auto division = DivisionFromName(v.RequireString())) return *division;
-    throw v.Error(Quoted(v.text()) + " is no division", "write quotient or reciprocal");
-  });
-  ReadIfThere(value, "viewport", transform.viewport, [](const JsonValue& v) {
-    if (const auto form = ViewportFormFromName(v.RequireString())) return *form;
-    throw v.Error(Quoted(v.text()) + " is no viewport form",
-                  "write none, multiply-add, fused or add-multiply");
-  });
+  ReadIfThere(value, "division", transform.division,
+              [](const JsonValue& v) { return FromName(v, Names<Division>(kDivisions)); });
+  ReadIfThere(value, "viewport", transform.viewport,
+              [](const JsonValue& v) { return FromName(v, Names<ViewportForm>(kViewportForms)); });
   ReadIfThere(value, "flips_y", transform.flips_y, Boolean);
   ReadIfThere(value, "map", transform.map, MapFromJson);
   if (transform.map && (transform.viewport != ViewportForm::kNone || transform.flips_y)) {
@@ -262,16 +205,180 @@ Transform TransformFromJson(const JsonValue& value) {
   return transform;
 }
 
+std::string FixedToJson(const FixedInput& fixed) {
+  return "{\"integer_bits\": " + std::to_string(fixed.integer_bits) +
+         ", \"fraction_bits\": " + std::to_string(fixed.fraction_bits) +
+         ", \"signed\": " + (fixed.is_signed ? "true" : "false") +
+         ", \"wrap\": " + (fixed.wraps ? "true" : "false") + "}";
+}
+
+std::string ScanlineRoundingToJson(const Snap& rounding) {
+  return "{\"bits\": " + std::to_string(rounding.bits) +
+         ", \"rule\": " + InQuotes(SnapRuleName(rounding.rule)) +
+         ", \"origin\": " + InQuotes(ExactText(rounding.origin)) + "}";
+}
+
+std::string TransformToJson(const Transform& transform) {
+  const std::optional<MapGrid>& map = transform.map;
+  return "{\"precision\": " + InQuotes(NameOf(transform.precision, Names<Precision>(kPrecisions))) +
+         ", \"division\": " + InQuotes(NameOf(transform.division, Names<Division>(kDivisions))) +
+         ", \"viewport\": " +
+         InQuotes(NameOf(transform.viewport, Names<ViewportForm>(kViewportForms))) +
+         ", \"flips_y\": " + (transform.flips_y ? "true" : "false") +
+         (map ? ", \"map\": " + NumbersToJson({map->x0, map->y0, map->dx, map->dy}) : "") + "}";
+}
+
+// What a key of the profile table is in files.
+struct KeyFormat {
+  std::string_view name;
+  void (*read)(const ProfileKey& key, const JsonValue& value, Profile& profile);
+  std::string (*write)(const ProfileKey& key, const Profile& profile);
+  bool (*is_written)(const Profile& profile);
+};
+
+bool Always(const Profile& /*profile*/) { return true; }
+
+template <auto... kMembers>
+bool IsUnusual(const Profile& profile) {
+  const Profile usual;
+  return MemberOf<kMembers...>(profile) != MemberOf<kMembers...>(usual);
+}
+
+// Later keys than most: files without them stay as they are.
+bool HasSnapForm(const Profile& profile) {
+  return IsUnusual<&Profile::snap, &Snap::form>(profile) ||
+         IsUnusual<&Profile::snap, &Snap::origin>(profile);
+}
+
+bool HasFreedom(const Profile& profile) { return !profile.freedom.IsNone(); }
+
+// A specification's set begins with its own front face.
+bool HasFrontFace(const Profile& profile) {
+  return IsUnusual<&Profile::front_face>(profile) || !profile.specification.empty();
+}
+
+bool RoundsCrossings(const Profile& profile) { return !profile.scanline_rounding.IsNone(); }
+
+template <class T>
+constexpr bool kIsOptional = false;
+template <class T>
+constexpr bool kIsOptional<std::optional<T>> = true;
+
+// A key whose value `kRead` and `kWrite` know; null is none, where the member may have none.
+template <auto kRead, auto kWrite, auto... kMembers>
+constexpr KeyFormat Value(std::string_view name,
+                          bool (*is_written)(const Profile&) = IsUnusual<kMembers...>) {
+  return {name,
+          [](const ProfileKey& /*key*/, const JsonValue& value, Profile& profile) {
+            auto& member = MemberOf<kMembers...>(profile);
+            if constexpr (kIsOptional<std::decay_t<decltype(member)>>) {
+              if (value.kind() == JsonKind::kNull) return member.reset();
+            }
+            if constexpr (requires { kRead(value, profile); }) {
+              member = kRead(value, profile);
+            } else {
+              member = kRead(value);
+            }
+          },
+          [](const ProfileKey& /*key*/, const Profile& profile) -> std::string {
+            const auto& member = MemberOf<kMembers...>(profile);
+            if constexpr (kIsOptional<std::decay_t<decltype(member)>>) {
+              return member ? kWrite(*member) : "null";
+            } else {
+              return kWrite(member);
+            }
+          },
+          is_written};
+}
+
+// A key whose values are the words of the profile table.
+template <auto... kMembers>
+constexpr KeyFormat Word(std::string_view name,
+                         bool (*is_written)(const Profile&) = IsUnusual<kMembers...>) {
+  return {
+      name,
+      [](const ProfileKey& key, const JsonValue& value, Profile& profile) {
+        auto& member = MemberOf<kMembers...>(profile);
+        member = static_cast<std::decay_t<decltype(member)>>(IndexOf(value, WordsOf(key)));
+      },
+      [](const ProfileKey& key, const Profile& profile) {
+        return InQuotes(WordsOf(key).at(static_cast<std::size_t>(MemberOf<kMembers...>(profile))));
+      },
+      is_written};
+}
+
+std::vector<TargetModel> TargetsFromJson(const JsonValue& list, const Profile& profile);
+std::string TargetsToJson(const std::vector<TargetModel>& models);
+
+constexpr auto kKeyFormats = std::to_array<KeyFormat>({
+    Value<Name, JsonString, &Profile::name>("name", Always),
+    Value<Text, JsonString, &Profile::specification>("specification"),
+    Value<SubpixelBits, BitsToJson, &Profile::snap, &Snap::bits>("subpixel_bits", Always),
+    Word<&Profile::snap, &Snap::rule>("snap_rule", Always),
+    Word<&Profile::snap, &Snap::form>("snap_form", HasSnapForm),
+    Value<SnapOrigin, ExactJson, &Profile::snap, &Snap::origin>("snap_origin", HasSnapForm),
+    Value<PatternFromJson, PatternToJson, &Profile::pattern>("sample_locations", Always),
+    Word<&Profile::y_axis>("y_axis", Always),
+    Value<TieRuleFromJson, TieRuleToJson, &Profile::tie_rule>("tie_rule", Always),
+    Word<&Profile::contract>("contract", Always),
+    Value<SnapTolerance, ExactJson, &Profile::freedom, &Freedom::snap_tolerance>("snap_tolerance",
+                                                                                 HasFreedom),
+    Word<&Profile::freedom, &Freedom::any_rounding>("rounding", HasFreedom),
+    Value<SubpixelBits, BitsToJson, &Profile::freedom, &Freedom::least_bits>("least_subpixel_bits"),
+    Word<&Profile::freedom, &Freedom::ties>("tie_ownership", HasFreedom),
+    Value<TransformError, ExactJson, &Profile::freedom, &Freedom::transform_error>(
+        "transform_error"),
+    Value<LimitFromJson, ExactJson, &Profile::coordinate_limit>("coordinate_limit", Always),
+    Word<&Profile::degenerate_triangles>("degenerate_triangles"),
+    Word<&Profile::infinite_vertex>("infinite_vertex"),
+    Word<&Profile::nan_vertex>("nan_vertex"),
+    Word<&Profile::nan_z>("nan_z"),
+    Word<&Profile::front_face>("front_face", HasFrontFace),
+    Word<&Profile::sample_positions>("sample_positions"),
+    Word<&Profile::centroid>("centroid"),
+    Value<Boolean, BooleanToJson, &Profile::translation_invariant>("translation_invariant"),
+    Word<&Profile::shares_edge_samples>("edge_samples"),
+    Value<FixedInputFromJson, FixedToJson, &Profile::fixed>("fixed"),
+    Value<MaxPrimitiveExtentFromJson, MaxPrimitiveExtentToJson, &Profile::max_primitive_extent>(
+        "max_primitive_extent"),
+    Value<GuardBandFromJson, GuardBandToJson, &Profile::guard_band>("guard_band"),
+    Value<ScanlineRoundingFromJson, ScanlineRoundingToJson, &Profile::scanline_rounding>(
+        "scanline_rounding", RoundsCrossings),
+    Value<TransformFromJson, TransformToJson, &Profile::transform>("transform"),
+    Value<SquareRuleFromJson, SquareRuleToJson, &Profile::squares>("coverage"),
+    Value<TargetsFromJson, TargetsToJson, &Profile::by_target_size>("by_target_size"),
+});
+static_assert(std::ranges::equal(kKeyFormats, kProfileKeys, {}, &KeyFormat::name,
+                                 &ProfileKey::name),
+              "each key has a row here and one in core/profile_keys.h, in the same order");
+
+bool IsOfTarget(std::string_view name) { return std::ranges::count(kTargetKeys, name) != 0; }
+
+// Reads the keys that are there and that `is_read` is true of.
+void ReadKeys(const JsonValue& object, Profile& profile, bool (*is_read)(std::string_view)) {
+  for (std::size_t k = 0; k < kKeyFormats.size(); ++k) {
+    if (!is_read(kKeyFormats[k].name)) continue;
+    if (const std::optional<JsonValue> value = object.Find(kKeyFormats[k].name))
+      kKeyFormats[k].read(kProfileKeys[k], *value, profile);
+  }
+}
+
+// '"nan_z": "ignored"'
+std::string MemberToJson(std::size_t k, const Profile& profile) {
+  return InQuotes(kKeyFormats[k].name) + ": " + kKeyFormats[k].write(kProfileKeys[k], profile);
+}
+
 TargetModel TargetFromJson(const JsonValue& value, const Profile& profile) {
   value.RequireObject(kTargetKeys);
   const auto side = [](const JsonValue& v) { return Integer(v, 1, kMaxTargetSide); };
-  TargetModel target{
-      .snap = profile.snap, .pattern = profile.pattern, .tie_rule = profile.tie_rule};
+  TargetModel target;
   ReadIfThere(value, "max_width", target.max_width, side);
   ReadIfThere(value, "max_height", target.max_height, side);
-  ReadSnap(value, target.snap);
-  ReadIfThere(value, "sample_locations", target.pattern, PatternFromJson);
-  ReadIfThere(value, "tie_rule", target.tie_rule, TieRuleFromJson);
+  Profile own = profile;
+  ReadKeys(value, own, IsOfTarget);
+  target.snap = own.snap;
+  target.pattern = own.pattern;
+  target.tie_rule = own.tie_rule;
   if (target.pattern.samples() == profile.pattern.samples()) return target;
   throw value.Get("sample_locations")
       .Error("has " + std::to_string(target.pattern.samples()) + " sample locations, the profile " +
@@ -293,149 +400,33 @@ std::vector<TargetModel> TargetsFromJson(const JsonValue& list, const Profile& p
   return models;
 }
 
-// The keys of a model: those that an entry of `by_target_size` can override.
-std::string SnapToJson(const Snap& snap, const std::string& line) {
-  std::string json = line + "\"subpixel_bits\": ";
-  json += snap.IsNone() ? "null" : std::to_string(snap.bits);
-  json += line + "\"snap_rule\": " + InQuotes(SnapRuleName(snap.rule));
-  // Keys of a later day than the others: left out where they say nothing, so that files without
-  // them stay as they are.
-  if (snap.form != SnapForm::kCoordinate || snap.origin != 0) {
-    json += line + "\"snap_form\": " + InQuotes(SnapFormName(snap.form));
-    json += line + "\"snap_origin\": " + InQuotes(ExactText(snap.origin));
+std::string TargetToJson(const TargetModel& target) {
+  Profile own;
+  own.snap = target.snap;
+  own.pattern = target.pattern;
+  own.tie_rule = target.tie_rule;
+  std::string json = "{\"max_width\": " + std::to_string(target.max_width) +
+                     ", \"max_height\": " + std::to_string(target.max_height);
+  for (std::size_t k = 0; k < kKeyFormats.size(); ++k) {
+    if (!IsOfTarget(kKeyFormats[k].name)) continue;
+    if (kKeyFormats[k].is_written(own)) json += ", " + MemberToJson(k, own);
+    // Written even if it is none, or the profile's own would come back in its place.
+    else if (kKeyFormats[k].name == "snap_form")
+      json += ", \"snap_form\": \"coordinate\"";
+    else
+      json += ", \"snap_origin\": 0";
   }
-  return json;
+  return json + "}";
 }
 
 std::string TargetsToJson(const std::vector<TargetModel>& models) {
   std::string json;
-  for (const TargetModel& target : models) {
-    json += json.empty() ? "[{" : ", {";
-    json += "\"max_width\": " + std::to_string(target.max_width);
-    json += ", \"max_height\": " + std::to_string(target.max_height);
-    json += SnapToJson(target.snap, ", ");
-    // Written even if it is none, or the profile's own would come back in its place.
-    if (target.snap.form == SnapForm::kCoordinate && target.snap.origin == 0) {
-      json += ", \"snap_form\": \"coordinate\", \"snap_origin\": 0";
-    }
-    json += ", \"sample_locations\": " + PatternToJson(target.pattern);
-    json += ", \"tie_rule\": " + InQuotes(TieRuleName(target.tie_rule)) + "}";
-  }
+  for (const TargetModel& target : models)
+    json += (json.empty() ? "[" : ", ") + TargetToJson(target);
   return json + "]";
 }
 
-std::string FixedToJson(const FixedInput& fixed) {
-  return "{\"integer_bits\": " + std::to_string(fixed.integer_bits) +
-         ", \"fraction_bits\": " + std::to_string(fixed.fraction_bits) +
-         ", \"signed\": " + (fixed.is_signed ? "true" : "false") +
-         ", \"wrap\": " + (fixed.wraps ? "true" : "false") + "}";
-}
-
-std::string ScanlineRoundingToJson(const Snap& rounding) {
-  return "{\"bits\": " + std::to_string(rounding.bits) +
-         ", \"rule\": " + InQuotes(SnapRuleName(rounding.rule)) +
-         ", \"origin\": " + InQuotes(ExactText(rounding.origin)) + "}";
-}
-
-std::string TransformToJson(const Transform& transform) {
-  const std::optional<MapGrid>& map = transform.map;
-  return "{\"precision\": " + InQuotes(NameOf(transform.precision, Names<Precision>(kPrecisions))) +
-         ", \"division\": " + InQuotes(DivisionName(transform.division)) +
-         ", \"viewport\": " + InQuotes(ViewportFormName(transform.viewport)) +
-         ", \"flips_y\": " + (transform.flips_y ? "true" : "false") +
-         (map ? ", \"map\": " + NumbersToJson({map->x0, map->y0, map->dx, map->dy}) : "") + "}";
-}
-
-// What most profiles leave out.
-std::string RareKeysToJson(const Profile& profile, const std::string& line) {
-  std::string json;
-  if (profile.degenerate_triangles != DegenerateTriangles::kNothing) {
-    json +=
-        line + "\"degenerate_triangles\": " +
-        InQuotes(NameOf(profile.degenerate_triangles, Names<DegenerateTriangles>(kDegenerates)));
-  }
-  if (profile.infinite_vertex != InfiniteVertex::kNothing) {
-    json += line + "\"infinite_vertex\": " +
-            InQuotes(NameOf(profile.infinite_vertex, Names<InfiniteVertex>(kInfiniteVertices)));
-  }
-  if (profile.nan_vertex != NanVertex::kNothing) {
-    json += line + "\"nan_vertex\": " +
-            InQuotes(NameOf(profile.nan_vertex, Names<NanVertex>(kNanVertices)));
-  }
-  if (profile.nan_z != NanZ::kIgnored) {
-    json += line + "\"nan_z\": " + InQuotes(NameOf(profile.nan_z, Names<NanZ>(kNanZs)));
-  }
-  // A specification's set begins with its own.
-  if (profile.front_face != FrontFace::kPositiveArea || !profile.specification.empty()) {
-    json += line + "\"front_face\": " +
-            InQuotes(NameOf(profile.front_face, Names<FrontFace>(kFrontFaces)));
-  }
-  if (profile.sample_positions != SamplePositions::kStated) {
-    json += line + "\"sample_positions\": " +
-            InQuotes(NameOf(profile.sample_positions, Names<SamplePositions>(kSamplePositions)));
-  }
-  if (profile.centroid != Centroid::kUnstated) {
-    json +=
-        line + "\"centroid\": " + InQuotes(NameOf(profile.centroid, Names<Centroid>(kCentroids)));
-  }
-  if (profile.translation_invariant) json += line + "\"translation_invariant\": true";
-  if (profile.shares_edge_samples) {
-    json += line + "\"edge_samples\": " + InQuotes(NameOf(true, Names<bool>(kEdgeSamples)));
-  }
-  if (profile.fixed) json += line + "\"fixed\": " + FixedToJson(*profile.fixed);
-  if (const std::optional<MaxPrimitiveExtent>& most = profile.max_primitive_extent) {
-    json += line + "\"max_primitive_extent\": " + NumbersToJson({most->width, most->height});
-  }
-  if (profile.guard_band) json += line + "\"guard_band\": " + GuardBandToJson(*profile.guard_band);
-  if (!profile.scanline_rounding.IsNone())
-    json += line + "\"scanline_rounding\": " + ScanlineRoundingToJson(profile.scanline_rounding);
-  if (profile.transform) json += line + "\"transform\": " + TransformToJson(*profile.transform);
-  if (profile.squares) json += line + "\"coverage\": " + SquareRuleToJson(*profile.squares);
-  if (!profile.by_target_size.empty())
-    json += line + "\"by_target_size\": " + TargetsToJson(profile.by_target_size);
-  return json;
-}
-
-Profile ProfileFromObject(const JsonValue& value) {
-  value.RequireObject(kProfileKeys);
-  Profile profile = BeginningOf(value);
-  profile.name = value.Get("name").RequireName();
-  ReadSnap(value, profile.snap);
-  ReadIfThere(value, "sample_locations", profile.pattern, PatternFromJson);
-  ReadIfThere(value, "y_axis", profile.y_axis,
-              [](const JsonValue& v) { return FromName(v, Names<YAxis>(kYAxes)); });
-  ReadIfThere(value, "front_face", profile.front_face,
-              [](const JsonValue& v) { return FromName(v, Names<FrontFace>(kFrontFaces)); });
-  ReadIfThere(value, "tie_rule", profile.tie_rule, TieRuleFromJson);
-  ReadIfThere(value, "contract", profile.contract,
-              [](const JsonValue& v) { return FromName(v, Names<Contract>(kContracts)); });
-  ReadFreedom(value, profile.freedom);
-  ReadIfThere(value, "coordinate_limit", profile.coordinate_limit, LimitFromJson);
-  ReadIfThere(value, "degenerate_triangles", profile.degenerate_triangles, [](const JsonValue& v) {
-    return FromName(v, Names<DegenerateTriangles>(kDegenerates));
-  });
-  ReadIfThere(value, "infinite_vertex", profile.infinite_vertex, [](const JsonValue& v) {
-    return FromName(v, Names<InfiniteVertex>(kInfiniteVertices));
-  });
-  ReadIfThere(value, "nan_vertex", profile.nan_vertex,
-              [](const JsonValue& v) { return FromName(v, Names<NanVertex>(kNanVertices)); });
-  ReadIfThere(value, "nan_z", profile.nan_z,
-              [](const JsonValue& v) { return FromName(v, Names<NanZ>(kNanZs)); });
-  ReadIfThere(value, "sample_positions", profile.sample_positions, [](const JsonValue& v) {
-    return FromName(v, Names<SamplePositions>(kSamplePositions));
-  });
-  ReadIfThere(value, "centroid", profile.centroid,
-              [](const JsonValue& v) { return FromName(v, Names<Centroid>(kCentroids)); });
-  ReadIfThere(value, "translation_invariant", profile.translation_invariant, Boolean);
-  ReadIfThere(value, "edge_samples", profile.shares_edge_samples,
-              [](const JsonValue& v) { return FromName(v, Names<bool>(kEdgeSamples)); });
-  ReadIfThere(value, "fixed", profile.fixed, FixedInputFromJson);
-  ReadIfThere(value, "max_primitive_extent", profile.max_primitive_extent,
-              MaxPrimitiveExtentFromJson);
-  ReadIfThere(value, "guard_band", profile.guard_band, GuardBandFromJson);
-  ReadIfThere(value, "scanline_rounding", profile.scanline_rounding, ScanlineRoundingFromJson);
-  ReadIfThere(value, "transform", profile.transform, TransformFromJson);
-  ReadIfThere(value, "coverage", profile.squares, SquareRuleFromJson);
+void RequireSound(const JsonValue& value, const Profile& profile) {
   if (profile.squares.has_value() != (profile.contract == Contract::kSquares)) {
     throw value.Error("has the key coverage or the contract squares, but not both",
                       "write both: \"contract\": \"squares\" is about what coverage states");
@@ -444,10 +435,17 @@ Profile ProfileFromObject(const JsonValue& value) {
     throw value.Error("leaves front_face unstated and nothing else free",
                       "write \"front_face\": \"positive-area\", and tell facings by that");
   }
-  // Last: an entry has of the profile what it leaves out.
-  ReadIfThere(value, "by_target_size", profile.by_target_size,
-              [&](const JsonValue& v) { return TargetsFromJson(v, profile); });
   RequireWithinItsSpecification(value, profile);
+}
+
+Profile ProfileFromObject(const JsonValue& value) {
+  std::array<std::string_view, kKeyFormats.size()> names;
+  std::ranges::transform(kKeyFormats, names.begin(), &KeyFormat::name);
+  value.RequireObject(names);
+  Profile profile = BeginningOf(value);
+  static_cast<void>(value.Get("name"));  // the one that may not be left out
+  ReadKeys(value, profile, [](std::string_view /*name*/) { return true; });
+  RequireSound(value, profile);
   return profile;
 }
 
@@ -480,18 +478,14 @@ Profile ProfileFromJson(const JsonValue& value) {
 
 std::string ProfileToJson(const Profile& profile) {
   if (PresetProfile(profile.name) == profile) return JsonString(profile.name);
-  const std::string line = ",\n    ";
-  std::string json = "{\n    \"name\": " + JsonString(ProfileName(profile));
-  if (!profile.specification.empty())
-    json += line + "\"specification\": " + JsonString(profile.specification);
-  json += SnapToJson(profile.snap, line);
-  json += line + "\"sample_locations\": " + PatternToJson(profile.pattern);
-  json += line + "\"y_axis\": " + InQuotes(NameOf(profile.y_axis, Names<YAxis>(kYAxes)));
-  json += line + "\"tie_rule\": " + InQuotes(TieRuleName(profile.tie_rule));
-  json += line + "\"contract\": " + InQuotes(NameOf(profile.contract, Names<Contract>(kContracts)));
-  if (!profile.freedom.IsNone()) json += FreedomToJson(profile.freedom, line);
-  json += line + "\"coordinate_limit\": " + InQuotes(ExactText(profile.coordinate_limit));
-  return json + RareKeysToJson(profile, line) + "\n  }";
+  Profile named = profile;
+  named.name = ProfileName(profile);
+  std::string json;
+  for (std::size_t k = 0; k < kKeyFormats.size(); ++k) {
+    if (!kKeyFormats[k].is_written(named)) continue;
+    json += (json.empty() ? "{\n    " : ",\n    ") + MemberToJson(k, named);
+  }
+  return json + "\n  }";
 }
 
 }  // namespace rasterproof::io

@@ -1,28 +1,25 @@
 #include "io/specification_json.h"
 
-#include <cstddef>
+#include <algorithm>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include "core/clauses/clauses.h"
+#include "core/profile_keys.h"
 #include "core/quoted.h"
-#include "io/case_file.h"
 
 namespace rasterproof::io {
 namespace {
 
-// The first key that two profiles say otherwise.
+// The first key by which two different profiles say different things.
 std::string FirstDifference(const Profile& a, const Profile& b) {
-  std::istringstream one(ProfileToJson(a));
-  std::istringstream other(ProfileToJson(b));
-  std::string line;
-  for (std::string expected; std::getline(one, line) && std::getline(other, expected);) {
-    if (line != expected) break;
-  }
-  const std::size_t begin = line.find('"');
-  return line.substr(begin, line.find('"', begin + 1) + 1 - begin);
+  const auto* const key = std::ranges::find_if(kProfileKeys, [&](const ProfileKey& one) {
+    Profile alike = a;
+    one.copy(b, alike);
+    return alike != a;
+  });
+  return Quoted(key->name);
 }
 
 }  // namespace

@@ -72,8 +72,7 @@ std::string RegionToJson(const std::optional<SquareRegion>& region) {
 
 }  // namespace
 
-std::optional<SquareRule> SquareRuleFromJson(const JsonValue& value) {
-  if (value.kind() == JsonKind::kNull) return std::nullopt;
+SquareRule SquareRuleFromJson(const JsonValue& value) {
   value.RequireObject(kRuleKeys);
   SquareRule rule;
   ReadIfThere(value, "must", rule.must, RegionFromJson);

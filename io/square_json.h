@@ -2,7 +2,6 @@
 #ifndef RASTERPROOF_IO_SQUARE_JSON_H_
 #define RASTERPROOF_IO_SQUARE_JSON_H_
 
-#include <optional>
 #include <string>
 
 #include "core/square_rule.h"
@@ -11,7 +10,7 @@
 namespace rasterproof::io {
 
 /// Error:      InputError with place, reason and remedy.
-std::optional<SquareRule> SquareRuleFromJson(const JsonValue& value);
+SquareRule SquareRuleFromJson(const JsonValue& value);
 
 std::string SquareRuleToJson(const SquareRule& rule);
 

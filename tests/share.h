@@ -11,7 +11,7 @@ namespace rasterproof {
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr int kOneCaseIn = 16;
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 inline constexpr int kOneCaseIn = 16;
 #else
 inline constexpr int kOneCaseIn = 1;
@@ -20,7 +20,8 @@ inline constexpr int kOneCaseIn = 1;
 inline constexpr int kOneCaseIn = 1;
 #endif
 
-/// Returns how many of `full` cases to run: all of them, or a share under AddressSanitizer.
+/// Returns how many of `full` cases to run: all of them, or a share under AddressSanitizer or
+/// ThreadSanitizer.
 ///
 /// Domain:     full >= 1. At least one case is run.
 template <class Integer>

@@ -14,6 +14,7 @@
 
 #include "core/clauses/clauses.h"
 #include "core/error.h"
+#include "core/profile_keys.h"
 #include "core/quoted.h"
 #include "core/renamed.h"
 #include "core/square_presets.h"

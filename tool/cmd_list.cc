@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/freedom.h"
 #include "core/profile.h"
+#include "core/profile_keys.h"
 #include "core/square_presets.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
@@ -110,6 +111,16 @@ std::string ListProfiles() {
   return text;
 }
 
+std::string ListKeys() {
+  std::string text = "profile keys\n";
+  for (const ProfileKey& key : kProfileKeys) {
+    text += fmt::format("  {} ({})\n    values:  {}\n    default: {}\n    says:    {}\n", key.name,
+                        KeyKindName(key.kind), key.values, key.usual.empty() ? "none" : key.usual,
+                        key.says);
+  }
+  return text;
+}
+
 std::string ListMutants() {
   std::string text = "mutants and legal variants: sound rasterizers, but ...\n";
   for (const subjects::MutantInfo& mutant : subjects::Mutants()) {
@@ -132,6 +143,7 @@ int RunList(const ListOptions& options) {
   if (all || options.what == "worlds") text += ListWorlds();
   if (all || options.what == "profiles") text += ListProfiles();
   if (all || options.what == "mutants") text += ListMutants();
+  if (options.what == "keys") text += ListKeys();
   if (options.what == "clauses") text += options.json ? ClausesToJson() : ListClauses();
   io::WriteStandardOutput(text);
   return kExitHolds;

@@ -116,10 +116,12 @@ int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
 
 void AddList(CLI::App& app, Run& run) {
   static ListOptions options;
-  CLI::App* verb = app.add_subcommand("list", "List subjects, properties, domains and profiles");
-  verb->add_option("what", options.what, "What; all leaves out the clauses, which are many")
-      ->check(CLI::IsMember(
-          {"subjects", "properties", "domains", "worlds", "profiles", "mutants", "clauses", "all"}))
+  CLI::App* verb =
+      app.add_subcommand("list", "List subjects, properties, domains, profiles and their keys");
+  verb->add_option("what", options.what,
+                   "What; all leaves out profile keys and clauses, which are many")
+      ->check(CLI::IsMember({"subjects", "properties", "domains", "worlds", "profiles", "mutants",
+                             "keys", "clauses", "all"}))
       ->capture_default_str();
   verb->add_flag("--json", options.json, "Clauses as JSON");
   verb->callback([&run] { run = [] { return RunList(options); }; });

@@ -30,8 +30,8 @@ struct SceneOptions {
 };
 
 struct ListOptions {
-  /// "subjects", "properties", "domains", "worlds", "profiles", "mutants", "clauses", or "all" but
-  /// clauses
+  /// "subjects", "properties", "domains", "worlds", "profiles", "mutants", "keys", "clauses", or
+  /// "all" but the last two
   std::string what = "all";
   bool json = false;  ///< of clauses
 };

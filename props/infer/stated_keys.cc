@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "core/profile_keys.h"
 #include "core/tie_rule.h"
 #include "props/infer/model_space.h"
 #include "props/judging/witness.h"

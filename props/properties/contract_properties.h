@@ -48,27 +48,6 @@ constexpr std::span<const std::string_view> PropertiesOf(Contract contract) {
   return {};
 }
 
-/// As a profile's `contract` key spells it.
-constexpr std::string_view ContractName(Contract contract) {
-  switch (contract) {
-    case Contract::kSampleExact:
-      return "sample-exact";
-    case Contract::kWatertight:
-      return "watertight";
-    case Contract::kClosed:
-      return "closed";
-    case Contract::kAtLeastModel:
-      return "at-least-model";
-    case Contract::kAtMostModel:
-      return "at-most-model";
-    case Contract::kSquares:
-      return "squares";
-    case Contract::kNone:
-      break;
-  }
-  return "none";
-}
-
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_PROPERTIES_CONTRACT_PROPERTIES_H_

@@ -1,7 +1,6 @@
 #include "props/run/contract_evidence.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "core/draw_options.h"
 #include "core/profile.h"
+#include "core/profile_keys.h"
 #include "exact/coverage.h"
 #include "props/properties/contract_properties.h"
 #include "props/property.h"
@@ -48,41 +48,15 @@ bool CanBePutToTheTest(const SubjectInfo& info) {
   return false;
 }
 
-// A key of the profile, and how it reads when it is left out.
-struct Key {
-  std::string_view name;
-  void (*leave_out)(Profile&);
-};
-
-constexpr auto kKeys = std::to_array<Key>(
-    {{"tie_rule", [](Profile& p) { p.tie_rule = {}; }},
-     {"edge_samples", [](Profile& p) { p.shares_edge_samples = false; }},
-     {"guard_band", [](Profile& p) { p.guard_band.reset(); }},
-     {"scanline_rounding", [](Profile& p) { p.scanline_rounding = {}; }},
-     {"fixed", [](Profile& p) { p.fixed.reset(); }},
-     {"max_primitive_extent", [](Profile& p) { p.max_primitive_extent.reset(); }},
-     {"degenerate_triangles",
-      [](Profile& p) { p.degenerate_triangles = DegenerateTriangles::kNothing; }},
-     {"coordinate_limit", [](Profile& p) { p.coordinate_limit = Profile{}.coordinate_limit; }},
-     {"snap_tolerance", [](Profile& p) { p.freedom.snap_tolerance = 0; }},
-     {"rounding", [](Profile& p) { p.freedom.any_rounding = false; }},
-     {"least_subpixel_bits", [](Profile& p) { p.freedom.least_bits.reset(); }},
-     {"transform_error", [](Profile& p) { p.freedom.transform_error = 0; }},
-     {"tie_ownership", [](Profile& p) { p.freedom.ties = TieOwnership::kStated; }},
-     {"snap_form", [](Profile& p) { p.snap.form = SnapForm::kCoordinate; }},
-     {"subpixel_bits", [](Profile& p) { p.snap = {}; }},
-     {"by_target_size", [](Profile& p) { p.by_target_size.clear(); }},
-     {"transform", [](Profile& p) { p.transform.reset(); }}});
-
 // The keys that are set and that change things when they alone are left out; and if there are none,
 // all that are set.
 std::string KeysInTheWay(const SubjectInfo& info) {
   std::string alone;
   std::string together;
-  for (const Key& key : kKeys) {
+  for (const ProfileKey& key : kProfileKeys) {
     SubjectInfo without = info;
-    key.leave_out(without.profile);
-    if (without.profile == info.profile) continue;
+    key.copy(Profile{}, without.profile);
+    if ((key.marks & kHinders) == 0 || without.profile == info.profile) continue;
     const auto add = [&](std::string& keys, std::string_view joint) {
       keys += (keys.empty() ? "" : std::string(joint)) + std::string(key.name);
     };

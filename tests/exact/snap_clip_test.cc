@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/profile_keys.h"
 #include "core/snap.h"
 #include "core/ulp.h"
 #include "model/snap.h"

@@ -17,7 +17,7 @@ RAW = b"\xff\0"
 
 def encoded(path, subject):
     """What the command makes of a case for a subject; nothing if the subject does not take it."""
-    command = [COMMAND, "convert", path, "--to", "fuzz-input", "--subject", subject, "--output", "-"]
+    command = [COMMAND, "convert", path, "--to", "fuzz-input", "--subject", subject, "-o", "-"]
     return subprocess.run(command, capture_output=True, check=False).stdout
 
 

@@ -14,6 +14,7 @@
 
 #include "core/clauses/clauses.h"
 #include "core/profile.h"
+#include "core/profile_keys.h"
 #include "core/square_presets.h"
 #include "io/case_file.h"
 #include "nlohmann/json.hpp"
@@ -89,6 +90,18 @@ TEST(PresetClauses, EveryKeyOfEveryPresetCitesARow) {
     }
   }
   EXPECT_GE(checked, 3U * 7U);
+}
+
+TEST(PresetClauses, ClausesStandForKeysThatProfilesHave) {
+  for (const Specification& specification : Specifications()) {
+    for (const Clause& clause : specification.clauses) {
+      for (const ClauseKey& one : KeysOf(clause)) {
+        const std::string_view name = one.key.substr(0, one.key.find('.'));
+        EXPECT_EQ(std::ranges::count(kProfileKeys, name, &ProfileKey::name), 1)
+            << clause.id << ": " << one.key;
+      }
+    }
+  }
 }
 
 // A preset that leaves a key out states its usual value by that: it is cited as well.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/profile_keys.h"
 #include "core/snap.h"
 #include "model/snap.h"
 #include "reference/integer_form.h"

@@ -40,8 +40,8 @@ void ExpectPlaced(const Vertex& clip, const Transform& transform, int width, int
   };
   ASSERT_TRUE(is_same(clip.x, width, false, window.x) && is_same(clip.y, height, true, window.y))
       << std::hexfloat << clip.x << " " << clip.y << " " << clip.w << " to " << window.x << " "
-      << window.y << ", " << DivisionName(transform.division) << ", "
-      << ViewportFormName(transform.viewport) << ", on " << width << " x " << height
+      << window.y << ", " << static_cast<int>(transform.division) << ", "
+      << static_cast<int>(transform.viewport) << ", on " << width << " x " << height
       << (transform.precision == Precision::kFloat32 ? ", float32" : ", float64")
       << (transform.flips_y ? ", flipped" : "");
   ASSERT_EQ(window.z, clip.z);

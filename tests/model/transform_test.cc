@@ -63,7 +63,7 @@ TEST(TransformTest, ToClipComesBackWhereNothingIsRounded) {
                                   ViewportForm::kFused, ViewportForm::kAddMultiply}) {
     const Transform transform{.viewport = form, .flips_y = true};
     EXPECT_EQ(ToWindow(ToClip(v, 4, transform, 8, 16), transform, 8, 16), v)
-        << ViewportFormName(form);
+        << static_cast<int>(form);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/call_end.h"
+#include "core/profile_keys.h"
 #include "core/tie_rule.h"
 #include "core/transform.h"
 #include "exact/coverage.h"
@@ -33,10 +34,9 @@ using testing::RealInfo;
 
 // What is compared of a model: all but its name and what bounds verdicts only.
 Profile ModelPart(Profile profile) {
-  const Profile plain;
-  profile.name = plain.name;
-  profile.coordinate_limit = plain.coordinate_limit;
-  profile.contract = plain.contract;
+  for (const ProfileKey& key : kProfileKeys) {
+    if (key.kind != KeyKind::kModel && key.kind != KeyKind::kFreedom) key.copy({}, profile);
+  }
   return profile;
 }
 

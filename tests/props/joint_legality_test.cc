@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/profile_keys.h"
 #include "core/snap.h"
 #include "core/tie_rule.h"
 #include "exact/coverage.h"

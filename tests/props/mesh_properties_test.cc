@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/profile_keys.h"
 #include "core/scene.h"
 #include "exact/coverage.h"
 #include "props/judging/thin_triangles.h"

@@ -33,8 +33,14 @@ class ClausesTest(unittest.TestCase):
         specifications = json.loads(text)
         self.assertGreaterEqual(sum(len(one["clauses"]) for one in specifications), 60)
 
-    def test_the_long_table_is_not_part_of_all(self):
+    def test_profile_keys_are_listed_with_their_kind_and_values(self):
+        status, text, _ = run("list", "keys")
+        self.assertEqual(status, 0)
+        self.assertIn("nan_z (freedom)\n    values:  ignored, nothing, unspecified\n", text)
+
+    def test_the_long_tables_are_not_part_of_all(self):
         self.assertNotIn("vulkan.hub", run("list")[1])
+        self.assertNotIn("nan_z", run("list")[1])
 
     def test_nothing_else_is_listed_as_json(self):
         status, _, error = run("list", "subjects", "--json")

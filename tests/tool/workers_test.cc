@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "core/subject.h"
+#include "tool/progress.h"
 #include "tool/typed_number.h"
 
 namespace rasterproof::tool {
@@ -78,6 +79,23 @@ TEST(ShareWork, ThrowsTheFirstFailureByNumberAndDoesAllThatComeBeforeIt) {
     EXPECT_TRUE(done.contains(0) && done.contains(1)) << jobs;
     EXPECT_FALSE(done.contains(5)) << jobs;
   }
+}
+
+TEST(Progress, TakesWhatSeveralWorkersSayAtOnce) {
+  ::testing::internal::CaptureStderr();
+  {
+    Progress progress(4);
+    ShareWork(4, Ascending(40), [&](std::size_t worker, std::size_t i) {
+      progress.Stage("piece " + std::to_string(i), 2, worker);
+      progress.Done(1, worker);
+      progress.Say("done");
+    });
+  }
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  std::size_t lines = 0;
+  for (std::size_t at = said.find("done\n"); at != said.npos; at = said.find("done\n", at + 1))
+    ++lines;
+  EXPECT_EQ(lines, 40U) << said;
 }
 
 TEST(OrderOfWork, PutsLongOnesFirstWhereSeveralWork) {

@@ -181,7 +181,7 @@ class FiguresTest(unittest.TestCase):
 
     def test_the_help_names_the_suites_that_get_more_cases(self):
         help_text = read("run").partition("<<'HELP'")[2].partition("\nHELP")[0]
-        suites = re.findall(r"^more_of \S+ '(\w+)\.\*'", read("scripts/test_more"), re.M)
+        suites = re.findall(r"^more_of build/\S+ '(\w+)\.\*'", read("scripts/test_more"), re.M)
         self.assertTrue(suites)
         for suite in suites:
             self.assertIn(f"({suite})", help_text)

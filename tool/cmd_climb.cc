@@ -7,6 +7,7 @@
 #include "io/output.h"
 #include "props/climb/climb.h"
 #include "report/text.h"
+#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"

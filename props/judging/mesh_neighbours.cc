@@ -36,7 +36,7 @@ std::vector<Neighbours> SharedEdges(const PlacedCase& c, std::size_t limit) {
   for (std::size_t t = 0; t < keyed.triangles.size(); ++t) {
     const std::array<Vertex, 3> v = Corners(keyed, keyed.triangles[t]);
     if (!std::ranges::all_of(v, IsFinite)) continue;
-    const int facing = c.facings[t];
+    const std::int8_t facing = c.facings[t];
     if (facing == 0) continue;
     for (int i = 0; i < 3; ++i) {
       const Vertex& a = EdgeStart(v, i);

@@ -13,9 +13,9 @@ namespace rasterproof::exact {
 /// screen positive.
 ///
 /// The boundary is what is left of the directed edges (keyed by position bits, not by index) after
-/// opposite pairs cancel, of the placed scene; triangles with a
-/// non-finite vertex are left out, and so are those that the profile drops for their extent. The
-/// inclusive and the exclusive rule, which no sample's shift expresses, count as top-left.
+/// opposite pairs cancel, of the placed scene; triangles with a non-finite vertex are left out, and
+/// so are those that the profile drops for their extent. The inclusive and the exclusive rule,
+/// which no sample's shift expresses, count as top-left.
 /// Shape:      as CoverageCounts.
 /// Error:      none; throws InputError for a scene that is placed in clip space.
 /// Properties: equals the signed coverage, docs/mathematics.md.

@@ -105,8 +105,8 @@ CoverageCounts Drawn(const BoundSubject& bound, const Case& c, const DrawOptions
 }
 
 // Whether a case is one that the model speaks of. The rest is for the properties about extremes.
-bool IsModelled(const Case& c) {
-  return WithinLimits(c.scene, c.profile) && !exact::WhyNotDecided({c.scene, c.profile});
+bool IsModelled(const props::PlacedCase& c) {
+  return WithinLimits(c.scene, c.profile) && !exact::WhyNotDecided(c);
 }
 
 }  // namespace
@@ -129,8 +129,9 @@ int ScreenEdgeSigns(const Bound& bound, std::span<const std::uint8_t> bytes) {
 
 int ScreenCoverage(const Bound& bound, std::span<const std::uint8_t> bytes) {
   return bound.ForEachCase(bytes, [](const Group& group, const Case& c) {
-    if (!IsModelled(c)) return;
-    const CoverageCounts model = exact::Coverage(c.scene, c.profile, c.options);
+    const props::PlacedCase placed(c);
+    if (!IsModelled(placed)) return;
+    const CoverageCounts model = exact::Coverage(placed, c.options);
     for (const BoundSubject& each : group.subjects) {
       if (Drawn(each, c, c.options) != model) PutToTheTest(each, c);
     }
@@ -139,10 +140,12 @@ int ScreenCoverage(const Bound& bound, std::span<const std::uint8_t> bytes) {
 
 int ScreenWinding(const Bound& bound, std::span<const std::uint8_t> bytes) {
   return bound.ForEachCase(bytes, [](const Group& group, const Case& c) {
-    if (c.scene.clip_space || !IsModelled(c)) return;
-    const std::vector<std::int64_t> winding = exact::BoundaryWinding({c.scene, c.profile});
+    if (c.scene.clip_space) return;
+    const props::PlacedCase placed(c);
+    if (!IsModelled(placed)) return;
+    const std::vector<std::int64_t> winding = exact::BoundaryWinding(placed);
     for (const BoundSubject& each : group.subjects) {
-      const CoverageCounts counts = Drawn(each, c, props::WholeTarget(props::PlacedCase(c)));
+      const CoverageCounts counts = Drawn(each, c, props::WholeTarget(placed));
       for (std::size_t k = 0; k < winding.size(); ++k) {
         if (counts.Signed(k) != winding[k]) {
           PutToTheTest(each, c);

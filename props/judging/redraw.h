@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,13 @@ Check BaseDraw(DrawQuestion question);
 Check CheckAgainstBase(
     DrawQuestion question,
     std::function<Verdict(const CoverageCounts& observed, const CoverageCounts& base)> judge);
+
+/// Asks for the case, culling and scissor off, with a drawing option at `base` and at each of the
+/// others, and holds if the option leaves no trace. `whose` completes "coverage differs from ...".
+///
+/// Domain:     a case that outlives what is returned.
+Asked CompareOption(const PlacedCase& c, int DrawOptions::* option, int base,
+                    std::initializer_list<int> others, std::string (*whose)(int value));
 
 /// Another scene that should cover what the case covers.
 struct Variation {

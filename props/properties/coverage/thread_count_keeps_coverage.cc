@@ -1,7 +1,7 @@
 // The number of threads that share the work leaves no trace in the coverage.
 #include <string>
 
-#include "core/coverage.h"
+#include "core/draw_options.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
@@ -12,20 +12,9 @@ namespace rasterproof::props {
 namespace thread_count_keeps_coverage {
 
 Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
-  DrawOptions options = WholeTarget(c);
-  options.threads = 1;
-  Asked asked;
-  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
-  for (const int threads : {2, 3, 8}) {
-    options.threads = threads;
-    asked.checks.push_back(CheckAgainstBase(
-        WholeCallOf(c.scene, c.profile, options),
-        [&c, threads](const CoverageCounts& observed, const CoverageCounts& base) {
-          return SameCounts(observed, base, DecisionsOf(c),
-                            "one thread's with " + std::to_string(threads) + " threads");
-        }));
-  }
-  return asked;
+  return CompareOption(c, &DrawOptions::threads, 1, {2, 3, 8}, [](int threads) {
+    return "one thread's with " + std::to_string(threads) + " threads";
+  });
 }
 
 }  // namespace thread_count_keeps_coverage

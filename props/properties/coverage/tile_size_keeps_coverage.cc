@@ -1,8 +1,7 @@
 // The tiles that the target is walked in leave no trace in the coverage.
-#include <array>
 #include <string>
 
-#include "core/coverage.h"
+#include "core/draw_options.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
@@ -12,24 +11,11 @@
 namespace rasterproof::props {
 namespace tile_size_keeps_coverage {
 
-// One pixel, an odd size that fits no target, the usual ones, and one larger than most targets.
-constexpr std::array<int, 4> kTiles{1, 5, 8, 64};
-
+// One pixel, an odd size that fits no target, usual ones, and one larger than most targets.
 Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
-  DrawOptions options = WholeTarget(c);
-  options.tile = 0;
-  Asked asked;
-  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
-  for (const int tile : kTiles) {
-    options.tile = tile;
-    asked.checks.push_back(CheckAgainstBase(
-        WholeCallOf(c.scene, c.profile, options),
-        [&c, tile](const CoverageCounts& observed, const CoverageCounts& base) {
-          return SameCounts(observed, base, DecisionsOf(c),
-                            "the subject's own with tiles of " + std::to_string(tile) + " pixels");
-        }));
-  }
-  return asked;
+  return CompareOption(c, &DrawOptions::tile, 0, {1, 5, 8, 64}, [](int tile) {
+    return "the subject's own with tiles of " + std::to_string(tile) + " pixels";
+  });
 }
 
 }  // namespace tile_size_keeps_coverage

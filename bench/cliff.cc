@@ -123,13 +123,13 @@ std::optional<BenchCliff> FindCliff(SceneDrawer& drawer, const Parameter& parame
 
 double ProvedTo(const BenchMethod& method, const Parameter& parameter) {
   const double most = std::ldexp(1.0, parameter.most_exponent);
-  if (parameter.asked == Asked::kSample && method.is_proved) {
+  if (parameter.compared == Compared::kSample && method.is_proved) {
     const double limit = ValueAt(parameter, method.coordinate_limit);
     return limit > 0 ? std::min(most, limit) : kNone;
   }
   const reference::ExactnessRow* row = reference::FindExactness(method.name);
   if (row == nullptr || !parameter.is_grid) return kNone;
-  if (parameter.asked == Asked::kValues) return static_cast<double>(row->values);
+  if (parameter.compared == Compared::kValues) return static_cast<double>(row->values);
   // Samples lie on the grid of half pixels: a pixel is two of its steps.
   const double step = std::min(parameter.reach, 0.5);
   const double box = static_cast<double>(row->signs) - row->columns_before / step;

@@ -108,7 +108,7 @@ CaseErrors JudgedCases::Of(SceneDrawer& drawer, const Parameter& parameter, doub
     if (drawer.Takes(one.scene)) taken.push_back(&one);
   }
   if (taken.empty()) return {};
-  if (parameter.asked == Asked::kValues) {
+  if (parameter.compared == Compared::kValues) {
     // Of snapped corners, and of exact values shown as the nearest double, nothing is to be learnt.
     const bool is_float =
         drawer.edges() != nullptr && drawer.model().snap.IsNone() && !drawer.method().is_proved;

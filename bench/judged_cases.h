@@ -27,7 +27,7 @@ struct CaseErrors {
   double share_of_bound = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Whether edge values are compared with their bounds too: of Asked::kSample.
+/// Whether edge values are compared with their bounds too: of Compared::kSample.
 enum class WithBounds : std::uint8_t { kNo, kYes };
 
 /// The cases of every value that was asked for, with what is right of them, both worked out once.

@@ -41,7 +41,7 @@ constexpr std::array kParameters{
               .summary = "Larger side of a triangle on the grid of 1/256 pixel whose edge values "
                          "are exact, not their signs alone",
               .unit = "steps of 1/256 pixel",
-              .asked = Asked::kValues,
+              .compared = Compared::kValues,
               .least_exponent = 2,
               .most_exponent = 53,
               .reach = 0x1p-8,

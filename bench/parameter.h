@@ -26,7 +26,7 @@ struct HardCase {
 };
 
 /// What is looked at in a case.
-enum class Asked : std::uint8_t {
+enum class Compared : std::uint8_t {
   kSample,  ///< whether the sample is covered
   kValues   ///< whether every edge value at the sample is exact
 };
@@ -42,7 +42,7 @@ struct Parameter {
   std::string_view name;
   std::string_view summary;  ///< a sentence
   std::string_view unit;
-  Asked asked = Asked::kSample;
+  Compared compared = Compared::kSample;
   Scale scale = Scale::kWhole;
   int least_exponent = 0;
   int most_exponent = 0;  ///< at most 53 of whole numbers

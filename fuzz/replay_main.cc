@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> InputsOf(const std::filesystem::path& path) {
   return files;
 }
 
-struct Asked {
+struct Options {
   std::uint64_t seconds = 0;
   std::uint64_t runs = 0;
   std::uint64_t seed = 1;
@@ -54,8 +54,8 @@ bool Takes(std::string_view word, std::string_view option, std::uint64_t& value)
   return true;
 }
 
-Asked Parse(int argc, char** argv) {
-  Asked asked;
+Options Parse(int argc, char** argv) {
+  Options asked;
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
     if (Takes(word, "-seconds=", asked.seconds) || Takes(word, "-runs=", asked.runs) ||
@@ -77,7 +77,7 @@ Asked Parse(int argc, char** argv) {
 
 void Run(const Input& input) { LLVMFuzzerTestOneInput(input.data(), input.size()); }
 
-void RunRandom(const Asked& asked) {
+void RunRandom(const Options& asked) {
   constexpr std::uint64_t kMostBytes = 128;
   for (std::uint64_t run = 0; run < asked.runs; ++run) {
     rasterproof::props::PhiloxSource random(asked.seed, run);
@@ -91,7 +91,7 @@ void RunRandom(const Asked& asked) {
 
 int main(int argc, char** argv) {
   if (LLVMFuzzerInitialize != nullptr) LLVMFuzzerInitialize(&argc, &argv);
-  const Asked asked = Parse(argc, argv);
+  const Options asked = Parse(argc, argv);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   std::size_t runs = 0;

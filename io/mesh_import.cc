@@ -77,7 +77,7 @@ class Welder {
   void AddNode(const aiScene& scene, const aiNode& node, const Transform& parent) {
     const Transform transform = parent * node.mTransformation;
     for (const unsigned k : std::span(node.mMeshes, node.mNumMeshes)) {
-      AddPart(*scene.mMeshes[k], transform);
+      AddFacingDraw(*scene.mMeshes[k], transform);
     }
     for (const aiNode* child : std::span(node.mChildren, node.mNumChildren)) {
       AddNode(scene, *child, transform);
@@ -85,7 +85,7 @@ class Welder {
   }
 
  private:
-  void AddPart(const aiMesh& part, const Transform& transform) {
+  void AddFacingDraw(const aiMesh& part, const Transform& transform) {
     for (const aiFace& face : std::span(part.mFaces, part.mNumFaces)) {
       // Points and lines, with fewer corners, cover nothing.
       for (unsigned k = 2; k < face.mNumIndices; ++k) {

@@ -30,23 +30,23 @@ struct Check {
 };
 
 /// What a property asks about a case.
-struct Asked {
+struct Checks {
   std::vector<Check> checks;
   /// The verdict if there is no check.
   Verdict otherwise = {};
 };
 
 /// Nothing is asked: the case does not put the property to the test, and why.
-inline Asked NothingAsked(std::string why) {
+inline Checks NotExercised(std::string why) {
   return {{}, {Outcome::kNotExercised, 0, 0, std::move(why), std::nullopt}};
 }
 
 /// Nothing is asked: what the property asks the oracle about is not decided, and why.
-inline Asked NotDecided(const std::string& why) { return {{}, Verdict::NotApplicable(why)}; }
+inline Checks NotDecided(const std::string& why) { return {{}, Verdict::NotApplicable(why)}; }
 
 /// Everything is asked and judged at once.
-inline Asked OneCheck(Questions questions, std::function<Verdict(const Answers&)> judge) {
-  Asked asked;
+inline Checks OneCheck(Questions questions, std::function<Verdict(const Answers&)> judge) {
+  Checks asked;
   asked.checks.push_back({std::move(questions), std::move(judge)});
   return asked;
 }
@@ -72,10 +72,10 @@ struct Property {
   /// The checks of a case that the gate lets through, in the order in which they are judged, up to
   /// the first violated one. The case is as the property sees it: in window space behind a
   /// transform of the subject's own, under the model of its target's size.
-  Asked (*ask)(const PlacedCase&, const Description&) = nullptr;
+  Checks (*ask)(const PlacedCase&, const Description&) = nullptr;
   /// A second round: who is to blame for the violation. The first of its checks that is violated
   /// gives the witness; one that is refused is passed over. nullptr: the verdict says it.
-  Asked (*blame)(const PlacedCase&, const Verdict&, const Description&) = nullptr;
+  Checks (*blame)(const PlacedCase&, const Verdict&, const Description&) = nullptr;
 };
 
 /// Every property, in the order of the documentation.

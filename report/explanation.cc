@@ -1,4 +1,4 @@
-// The failing place as a drawing: three panels with the exact triangles over the pixel grid.
+// The failing place as a figure: three panels with the exact triangles over the pixel grid.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fmt/format.h"
-#include "report/drawing.h"
+#include "report/figure.h"
 #include "report/picture.h"
 #include "report/pixel_state.h"
 #include "report/text.h"
@@ -55,11 +55,11 @@ class Layout {
     const int high = view_.y1 - view_.y0;
     cell_ = std::clamp(std::floor(352.0 / std::max({wide, high, 1})), 8.0, 56.0);
     panel_width_ = std::max(cell_ * wide, kAdvance * kText * 10);
-    drawing_.width = std::max(2 * kMargin + kGutter + 3 * panel_width_ + 2 * kGap, kLeastWidth);
-    columns_ = static_cast<std::size_t>((drawing_.width - 2 * kMargin) / (kAdvance * kText));
+    figure_.width = std::max(2 * kMargin + kGutter + 3 * panel_width_ + 2 * kGap, kLeastWidth);
+    columns_ = static_cast<std::size_t>((figure_.width - 2 * kMargin) / (kAdvance * kText));
   }
 
-  Drawing Take() {
+  Figure Take() {
     y_ = kMargin;
     Paragraph(explanation_.headline, kInk, kTitle);
     if (!explanation_.headline.empty()) y_ += kText / 2;
@@ -78,8 +78,8 @@ class Layout {
       y_ += kText / 2;
       Paragraph(explanation_.replay, kFaintInk, kText);
     }
-    drawing_.height = y_ + kMargin / 2;
-    return std::move(drawing_);
+    figure_.height = y_ + kMargin / 2;
+    return std::move(figure_);
   }
 
  private:
@@ -91,14 +91,14 @@ class Layout {
     if (text.empty()) return;
     const auto columns = static_cast<std::size_t>(static_cast<double>(columns_) * kText / size);
     for (const std::string& line : Wrapped(CleanText(text), columns)) {
-      drawing_.Text({kMargin, y_ + size}, line, colour, size);
+      figure_.Text({kMargin, y_ + size}, line, colour, size);
       y_ += kLeading * size;
     }
   }
 
   void DrawPanel(std::size_t panel, double top) {
     const double left = PanelLeft(panel);
-    drawing_.Text({left, top - kLeading * kLabel - kText / 2}, titles_[panel], kInk, kText);
+    figure_.Text({left, top - kLeading * kLabel - kText / 2}, titles_[panel], kInk, kText);
     DrawLabels(panel, left, top);
     for (int y = view_.y0; y < view_.y1; ++y) {
       for (int x = view_.x0; x < view_.x1; ++x) {
@@ -116,16 +116,16 @@ class Layout {
     const double digits = static_cast<double>(fmt::format("{}", view_.x1).size());
     const int every_x = static_cast<int>(std::ceil((digits + 1) * kAdvance * kLabel / cell_));
     for (int x = view_.x0; x < view_.x1; x += every_x) {
-      drawing_.CentredText({left + cell_ * (x - view_.x0 + 0.5), top - kLabel * 0.8},
-                           std::to_string(x), kFaintInk, kLabel);
+      figure_.CentredText({left + cell_ * (x - view_.x0 + 0.5), top - kLabel * 0.8},
+                          std::to_string(x), kFaintInk, kLabel);
     }
     if (panel != 0) return;
     const int every_y = static_cast<int>(std::ceil(1.2 * kLabel / cell_));
     for (int y = view_.y0; y < view_.y1; y += every_y) {
       const std::string label = std::to_string(y);
       const double wide = kAdvance * kLabel * static_cast<double>(label.size());
-      drawing_.Text({left - wide - 6, top + cell_ * (y - view_.y0 + 0.5) + 0.35 * kLabel}, label,
-                    kFaintInk, kLabel);
+      figure_.Text({left - wide - 6, top + cell_ * (y - view_.y0 + 0.5) + 0.35 * kLabel}, label,
+                   kFaintInk, kLabel);
     }
   }
 
@@ -137,7 +137,7 @@ class Layout {
     const std::uint64_t level = (count + samples - 1) / samples;
     const Colour colour =
         panel == 2 ? StateColour(pixel.state, pixel.expected) : CountColour(level);
-    drawing_.Rectangle(left, top, left + cell_, top + cell_, colour);
+    figure_.Rectangle(left, top, left + cell_, top + cell_, colour);
     if (cell_ < 16) return;
     // The samples' dots keep the middle; what the pixel says stands in its corner.
     const double size = std::min(kText, cell_ / 1.8);
@@ -146,10 +146,10 @@ class Layout {
       const char* mark = pixel.state == SampleState::kMissing      ? "-"
                          : pixel.state == SampleState::kUnexpected ? "+"
                                                                    : "!";
-      drawing_.CentredText(corner, mark, kPaper, size);
+      figure_.CentredText(corner, mark, kPaper, size);
     } else if (panel != 2 && level > 1) {
-      drawing_.CentredText(corner, count <= 9 ? std::to_string(count) : "#",
-                           level > 2 ? kPaper : kInk, size);
+      figure_.CentredText(corner, count <= 9 ? std::to_string(count) : "#",
+                          level > 2 ? kPaper : kInk, size);
     }
   }
 
@@ -158,11 +158,11 @@ class Layout {
     const double bottom = top + cell_ * (view_.y1 - view_.y0);
     for (int x = view_.x0; x <= view_.x1; ++x) {
       const double at = left + cell_ * (x - view_.x0);
-      drawing_.Line({at, top}, {at, bottom}, kGrid, 1);
+      figure_.Line({at, top}, {at, bottom}, kGrid, 1);
     }
     for (int y = view_.y0; y <= view_.y1; ++y) {
       const double at = top + cell_ * (y - view_.y0);
-      drawing_.Line({left, at}, {right, at}, kGrid, 1);
+      figure_.Line({left, at}, {right, at}, kGrid, 1);
     }
   }
 
@@ -194,11 +194,11 @@ class Layout {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto edge = ClipSegment((*corners)[k], (*corners)[(k + 1) % 3], box);
       if (!edge) continue;
-      drawing_.Line(OnPaper((*edge)[0], left, top), OnPaper((*edge)[1], left, top), kInk, 1.5, 0.9);
+      figure_.Line(OnPaper((*edge)[0], left, top), OnPaper((*edge)[1], left, top), kInk, 1.5, 0.9);
     }
     for (const Point2& p : *corners) {
       if (p.x < box.x0 || p.x > box.x1 || p.y < box.y0 || p.y > box.y1) continue;
-      drawing_.Dot(OnPaper(p, left, top), 3, kInk);
+      figure_.Dot(OnPaper(p, left, top), 3, kInk);
     }
   }
 
@@ -225,10 +225,10 @@ class Layout {
     const SampleState state = StateOf(observed, expected, index);
     const bool covered = (panel == 0 ? expected : observed).Count(index) != 0;
     if (state != SampleState::kRight && panel != 0) {
-      drawing_.Dot(at, radius + 1.2, kPaper);
-      drawing_.Dot(at, radius, StateColour(state, 0));
+      figure_.Dot(at, radius + 1.2, kPaper);
+      figure_.Dot(at, radius, StateColour(state, 0));
     } else {
-      drawing_.Dot(at, covered ? radius : 0.7 * radius, covered ? kInk : Mix(kGrid, kInk, 0.2));
+      figure_.Dot(at, covered ? radius : 0.7 * radius, covered ? kInk : Mix(kGrid, kInk, 0.2));
     }
   }
 
@@ -238,8 +238,8 @@ class Layout {
     if (x < view_.x0 || x >= view_.x1 || y < view_.y0 || y >= view_.y1) return;
     const double x0 = left + cell_ * (x - view_.x0);
     const double y0 = top + cell_ * (y - view_.y0);
-    drawing_.Frame(x0, y0, x0 + cell_, y0 + cell_, kInk, 4);
-    drawing_.Frame(x0, y0, x0 + cell_, y0 + cell_, kYellow, 2);
+    figure_.Frame(x0, y0, x0 + cell_, y0 + cell_, kInk, 4);
+    figure_.Frame(x0, y0, x0 + cell_, y0 + cell_, kYellow, 2);
   }
 
   void DrawLegend() {
@@ -255,9 +255,9 @@ class Layout {
                                              {kPurple, "facing"}}};
     double x = kMargin;
     for (const Entry& entry : kEntries) {
-      drawing_.Rectangle(x, y_ + 1, x + 0.9 * kText, y_ + 1 + 0.9 * kText, entry.colour);
+      figure_.Rectangle(x, y_ + 1, x + 0.9 * kText, y_ + 1 + 0.9 * kText, entry.colour);
       x += 1.4 * kText;
-      drawing_.Text({x, y_ + 0.85 * kText}, entry.text, kFaintInk, kText);
+      figure_.Text({x, y_ + 0.85 * kText}, entry.text, kFaintInk, kText);
       x += kAdvance * kText * static_cast<double>(entry.text.size()) + 1.6 * kText;
     }
     y_ += 2.2 * kText;
@@ -266,7 +266,7 @@ class Layout {
   const Explanation& explanation_;
   std::span<const std::string_view> titles_;
   PixelRect view_;
-  Drawing drawing_;
+  Figure figure_;
   double cell_ = 8;
   double panel_width_ = 0;
   std::size_t columns_ = 0;
@@ -276,11 +276,11 @@ class Layout {
 }  // namespace
 
 std::string ExplanationToSvg(const Explanation& explanation) {
-  return DrawingToSvg(Layout(explanation).Take());
+  return FigureToSvg(Layout(explanation).Take());
 }
 
 io::Image ExplanationToImage(const Explanation& explanation) {
-  return DrawingToImage(Layout(explanation).Take(), kImageScale);
+  return FigureToImage(Layout(explanation).Take(), kImageScale);
 }
 
 }  // namespace rasterproof::report

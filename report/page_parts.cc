@@ -85,7 +85,7 @@ std::string Command(std::string_view command) {
   return fmt::format("<pre><code>{}</code></pre>\n", words);
 }
 
-std::string Figure(const Picture& picture, std::string_view above) {
+std::string FigureHtml(const Picture& picture, std::string_view above) {
   const std::string file = Escaped(fmt::format("{}{}", above, picture.file));
   return fmt::format(
       "<figure>\n<figcaption>{0}</figcaption>\n<div class=\"scroll{3}\"><a href=\"{1}\">"

@@ -61,7 +61,7 @@ std::string Failure(const Page& page, const Certificate& certificate,
   const auto picture = std::ranges::find_if(
       page.pictures, [&](const Picture& one) { return Shows(one, certificate, result); });
   if (picture != page.pictures.end()) {
-    html += Figure(*picture, "../");
+    html += FigureHtml(*picture, "../");
   } else if (result.counterexample || certificate.replay.contains(NameOf(result))) {
     html += Command(ReplayCommand(certificate, result));
   }
@@ -74,7 +74,8 @@ std::string Failures(const Page& page, const Certificate& certificate) {
     const bool is_of_case = std::ranges::any_of(
         certificate.tested,
         [&](const PropertyResult& result) { return Shows(picture, certificate, result); });
-    if (picture.subject == certificate.subject.name && !is_of_case) html += Figure(picture, "../");
+    if (picture.subject == certificate.subject.name && !is_of_case)
+      html += FigureHtml(picture, "../");
   }
   for (const PropertyResult& result : certificate.tested) {
     if (IsFailure(result, certificate.fail_on)) html += Failure(page, certificate, result);

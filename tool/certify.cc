@@ -22,12 +22,12 @@
 #include "props/run/campaign_part.h"
 #include "props/run/contract_evidence.h"
 #include "subjects/process/process.h"
-#include "tool/asked.h"
 #include "tool/description.h"
 #include "tool/evidence.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/part_file.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 #include "tool/shard.h"
 #include "tool/shell.h"
@@ -104,7 +104,7 @@ std::vector<Test> TestsOf(const std::vector<std::string>& worlds) {
 
 }  // namespace
 
-Certification::Certification(const AskedSubject& subject, const CertifyOptions& options,
+Certification::Certification(const SubjectFactory& subject, const CertifyOptions& options,
                              MeasuredScenes& scenes, const Source& source)
     : subject_(subject),
       info_(subject.Make()->Info()),

@@ -25,10 +25,10 @@
 #include "props/run/campaign_part.h"
 #include "report/certificate.h"
 #include "report/page.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/part_file.h"
 #include "tool/progress.h"
+#include "tool/resolve.h"
 #include "tool/shard.h"
 
 namespace rasterproof::tool {
@@ -105,8 +105,8 @@ class Certification {
  public:
   /// Domain:     subject, options, scenes and source that outlive this; worlds that there are;
   ///             parts of these properties and worlds.
-  Certification(const AskedSubject& subject, const CertifyOptions& options, MeasuredScenes& scenes,
-                const Source& source);
+  Certification(const SubjectFactory& subject, const CertifyOptions& options,
+                MeasuredScenes& scenes, const Source& source);
 
   std::size_t size() const { return parts_.size(); }
   bool TakesLong(std::size_t part) const;
@@ -137,7 +137,7 @@ class Certification {
   props::CampaignPart RunTest(Subject& subject, const Test& test);
   void DoTest(Subject& subject, std::size_t test, Part& mine);
 
-  const AskedSubject& subject_;
+  const SubjectFactory& subject_;
   SubjectInfo info_;
   const CertifyOptions& options_;
   MeasuredScenes& scenes_;

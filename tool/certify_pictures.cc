@@ -15,10 +15,10 @@
 #include "reference/method.h"
 #include "reference/rasterize.h"
 #include "report/picture.h"
-#include "tool/asked.h"
 #include "tool/certify.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

@@ -24,7 +24,6 @@
 #include "props/run/counterexample.h"
 #include "report/picture.h"
 #include "report/text.h"
-#include "tool/asked.h"
 #include "tool/certify.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
@@ -32,6 +31,7 @@
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -76,7 +76,7 @@ Verdict CompareWithModel(const CoverageCounts& observed, const props::Descriptio
                            witness);
 }
 
-props::Asked AskForTheModel(const props::PlacedCase& c, const props::Description& subject) {
+props::Checks AskForTheModel(const props::PlacedCase& c, const props::Description& subject) {
   Questions questions;
   questions.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
   return props::OneCheck(std::move(questions), [&c, &subject](const Answers& answers) {

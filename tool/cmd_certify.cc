@@ -25,7 +25,6 @@
 #include "report/page.h"
 #include "report/text.h"
 #include "subjects/builtin/builtin.h"
-#include "tool/asked.h"
 #include "tool/certify.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
@@ -34,6 +33,7 @@
 #include "tool/outside.h"
 #include "tool/part_file.h"
 #include "tool/progress.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 #include "tool/shard.h"
 #include "tool/shell.h"
@@ -49,7 +49,7 @@ struct Task {
 };
 
 // Does the parts of all certifications, shared among the workers. What it throws goes to `failure`.
-void DoAll(const std::vector<AskedSubject>& subjects, std::deque<Certification>& all, int jobs,
+void DoAll(const std::vector<SubjectFactory>& subjects, std::deque<Certification>& all, int jobs,
            Progress& progress, std::exception_ptr& failure) {
   std::vector<Task> tasks;
   std::vector<std::size_t> order;
@@ -80,12 +80,12 @@ void DoAll(const std::vector<AskedSubject>& subjects, std::deque<Certification>&
 
 // Certifies the subjects; the order of the result is theirs. Those that an interrupt kept from
 // being begun are left out; so is the one that met `failure`, and those behind it.
-std::vector<report::Certificate> CertifyAll(const std::vector<AskedSubject>& subjects,
+std::vector<report::Certificate> CertifyAll(const std::vector<SubjectFactory>& subjects,
                                             const CertifyOptions& options, const Source& source,
                                             MeasuredScenes& scenes, Progress& progress,
                                             std::exception_ptr& failure) {
   std::deque<Certification> all;
-  for (const AskedSubject& subject : subjects) all.emplace_back(subject, options, scenes, source);
+  for (const SubjectFactory& subject : subjects) all.emplace_back(subject, options, scenes, source);
   DoAll(subjects, all, options.jobs, progress, failure);
   std::vector<report::Certificate> certificates;
   for (const Certification& one : all) {
@@ -245,10 +245,10 @@ int ExitStatus(const std::vector<report::Certificate>& certificates, bool survey
 }
 
 // Each once, in order; misspelt names are found before any work.
-std::vector<AskedSubject> SubjectsOf(const CertifyOptions& options) {
-  std::vector<AskedSubject> subjects;
+std::vector<SubjectFactory> SubjectsOf(const CertifyOptions& options) {
+  std::vector<SubjectFactory> subjects;
   for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
-    if (std::ranges::find(subjects, name, &AskedSubject::name) != subjects.end()) continue;
+    if (std::ranges::find(subjects, name, &SubjectFactory::name) != subjects.end()) continue;
     NotePreset(subjects.emplace_back(ResolveSubject(name)).Make()->Info().profile);
   }
   return subjects;
@@ -300,10 +300,10 @@ std::string WritePart(const std::string& output, const SubjectPart& part) {
 
 // Whatever the cases show, the status says whether the parts were written: --merge judges.
 int RunParts(const CertifyOptions& options, const Source& source) {
-  const std::vector<AskedSubject> subjects = SubjectsOf(options);
+  const std::vector<SubjectFactory> subjects = SubjectsOf(options);
   MeasuredScenes none;
   std::deque<Certification> all;
-  for (const AskedSubject& subject : subjects) all.emplace_back(subject, options, none, source);
+  for (const SubjectFactory& subject : subjects) all.emplace_back(subject, options, none, source);
   std::exception_ptr failure;
   {
     Progress progress;
@@ -352,7 +352,7 @@ int RunCertify(const CertifyOptions& options) {
 }
 
 int Certify(const CertifyOptions& options, const Source& source) {
-  const std::vector<AskedSubject> subjects = SubjectsOf(options);
+  const std::vector<SubjectFactory> subjects = SubjectsOf(options);
   report::Page page;
   if (!options.bench.empty()) page.bench = io::ReadBench(options.bench);
   page.folder = ShellWord(options.output);

@@ -31,7 +31,6 @@
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/text.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -39,6 +38,7 @@
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 #include "tool/workers.h"
 
@@ -185,7 +185,7 @@ std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, cons
 }
 
 // One property on generated cases, its progress told.
-PropertyResult Campaign(Subject& subject, const AskedSubject& asked,
+PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
                         const props::Property& property, const CheckOptions& options,
                         Progress& progress, std::size_t worker, props::Pace& pace) {
   const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
@@ -291,7 +291,7 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
 }
 
 // The first of the saved failures of the property that the subject still shows.
-bool FailsAsSaved(Subject& subject, const props::Property& property, const CheckAsked& asked,
+bool FailsAsSaved(Subject& subject, const props::Property& property, const ResolvedCheck& asked,
                   const CheckOptions& options, Share& share) {
   const auto [first, last] = asked.saved.equal_range(std::string(property.name));
   for (auto saved = first; saved != last; ++saved) {
@@ -305,7 +305,7 @@ bool FailsAsSaved(Subject& subject, const props::Property& property, const Check
   return false;
 }
 
-void CheckGenerated(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,
+void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,
                     const CheckOptions& options, Progress& progress, Report& found) {
   props::Pace pace;
   std::exception_ptr error;
@@ -326,7 +326,7 @@ void CheckGenerated(Crew& crew, const AskedSubject& subject, const CheckAsked& a
   }
 }
 
-void CheckGiven(Crew& crew, const AskedSubject& subject, const CheckAsked& asked,
+void CheckGiven(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,
                 const CheckOptions& options, Progress& progress, Report& found) {
   std::vector<PropertyResult> results;
   for (const GivenCase& given : asked.cases) {
@@ -359,7 +359,8 @@ std::string Hint(const std::string& subject, const Tally& tally, const std::stri
 }
 
 // Runs what is asked of one subject. What was found up to an error is printed all the same.
-Report Check(const AskedSubject& subject, const CheckAsked& asked, const CheckOptions& options) {
+Report Check(const SubjectFactory& subject, const ResolvedCheck& asked,
+             const CheckOptions& options) {
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
   NotePreset(crew.Of(0).Info().profile);
   Report found(options.fail_on);
@@ -382,10 +383,10 @@ Report Check(const AskedSubject& subject, const CheckAsked& asked, const CheckOp
 
 int RunCheck(const CheckOptions& options) {
   RequireHonestEnvironment();
-  const CheckAsked asked = ResolveCheck(options);
+  const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   int status = kExitHolds;
-  for (const AskedSubject& subject : asked.subjects) {
+  for (const SubjectFactory& subject : asked.subjects) {
     if (Interrupted()) break;
     const Report found = Check(subject, asked, options);
     io::WriteStandardOutput(found.text + report::AssumptionLines(found.profile) +

@@ -7,12 +7,12 @@
 #include "io/output.h"
 #include "props/climb/climb.h"
 #include "report/text.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

@@ -17,8 +17,8 @@
 #include "reference/method.h"
 #include "reference/rasterize.h"
 #include "report/picture.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

@@ -8,9 +8,9 @@
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
 #include "report/json_writer.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/interrupt.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

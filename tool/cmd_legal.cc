@@ -24,9 +24,9 @@
 #include "props/judging/witness.h"
 #include "report/grounds.h"
 #include "report/json_writer.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/legality.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

@@ -17,11 +17,11 @@
 #include "io/output.h"
 #include "report/bench_json.h"
 #include "report/limits_text.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/limits.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
+#include "tool/resolve.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -13,9 +13,9 @@
 #include "props/domains/worlds.h"
 #include "props/property.h"
 #include "subjects/mutants/mutants.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/list_clauses.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

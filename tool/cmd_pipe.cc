@@ -31,12 +31,12 @@
 #include "props/run/submit.h"
 #include "props/run/tally.h"
 #include "subjects/process/protocol.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/description.h"
 #include "tool/failure.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -223,7 +223,8 @@ AllAnswers SubmitAll(const SubmitOne& submit_one, const props::CaseJudge& hand) 
     return submit_one({&hand.Placed(), &check, nullptr});
   };
   if (hand.IsDone()) return all;
-  for (const props::Check& check : hand.Checks()) all.of_checks.push_back(submit(check.questions));
+  for (const props::Check& check : hand.AllChecks())
+    all.of_checks.push_back(submit(check.questions));
   const props::PlacedCase& c = hand.Placed();
   Questions picture;
   picture.draws.push_back(props::CountsOf(c.scene, c.profile, c.options));
@@ -243,7 +244,7 @@ const Verdict& JudgeAll(props::CaseJudge& hand, AllAnswers& all) {
     Answers& answers = all.of_checks[k];
     const std::vector<std::shared_ptr<const Drawing>> own = answers.draws;
     std::vector<std::shared_ptr<const Drawing>> draws;
-    for (const std::size_t base : hand.Checks()[k].bases) draws.push_back(drawn[base]);
+    for (const std::size_t base : hand.AllChecks()[k].bases) draws.push_back(drawn[base]);
     draws.insert(draws.end(), own.begin(), own.end());
     drawn.insert(drawn.end(), own.begin(), own.end());
     answers.draws = std::move(draws);
@@ -253,8 +254,8 @@ const Verdict& JudgeAll(props::CaseJudge& hand, AllAnswers& all) {
 }
 
 // Of a run that asked for no drawing at all.
-void TellNothingAsked(const props::Property& property, std::uint64_t cases,
-                      const std::string& why_not) {
+void ReportNotExercised(const props::Property& property, std::uint64_t cases,
+                        const std::string& why_not) {
   std::cerr << fmt::format("{}: none of {} cases asks for a drawing: {}\n", property.name, cases,
                            why_not.empty() ? "it was never put to the test" : why_not);
 }
@@ -293,7 +294,7 @@ int RunAsk(const PipeOptions& options) {
     id += jobs.size();
   }
   if (id != 0) return kExitHolds;
-  TellNothingAsked(property, options.campaign.cases, why_not);
+  ReportNotExercised(property, options.campaign.cases, why_not);
   return kExitInconclusive;
 }
 
@@ -342,7 +343,7 @@ int RunJudge(const PipeOptions& options) {
     }
   }
   answering.RequireEnd();
-  if (answering.answered() == 0) TellNothingAsked(property, options.campaign.cases, why_not);
+  if (answering.answered() == 0) ReportNotExercised(property, options.campaign.cases, why_not);
   io::WriteStandardOutput(
       fmt::format("{}{}: {} cases held, {} violated, {} did not exercise it, {} refused\n",
                   failures, property.name, tally.held, tally.violated, tally.idle, tally.refused));

@@ -16,11 +16,11 @@
 #include "props/survey/survey.h"
 #include "report/json_writer.h"
 #include "report/text.h"
-#include "tool/asked.h"
 #include "tool/commands.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
+#include "tool/resolve.h"
 #include "tool/session.h"
 #include "tool/workers.h"
 

@@ -119,7 +119,8 @@ FixedInput FixedInputFrom(std::istream& words, const std::string& place) {
   return fixed;
 }
 
-void TakeInput(const std::string& value, const std::string& place, Description& description) {
+void TakeInput(const std::string& value, const std::string& place,
+               ProgramDescription& description) {
   std::istringstream words(value);
   std::string kind;
   words >> kind;
@@ -131,7 +132,7 @@ void TakeInput(const std::string& value, const std::string& place, Description& 
 }
 
 // The input and the profile are one contract, whichever of the two states it.
-void JoinFixedInput(Description& description, const std::string& place) {
+void JoinFixedInput(ProgramDescription& description, const std::string& place) {
   std::optional<FixedInput>& stated = description.info.profile.fixed;
   if (stated && description.fixed && *stated != *description.fixed) {
     throw InputError(place, "its input and its profile state different fixed-point formats",
@@ -166,7 +167,7 @@ int ProtocolOf(const std::string& value, const std::string& place) {
 }
 
 void TakeLine(const std::string& key, const std::string& value, const std::string& place,
-              Description& description) {
+              ProgramDescription& description) {
   SubjectInfo& info = description.info;
   if (key == "name") {
     info.name = value;
@@ -245,16 +246,16 @@ void RequireWhatItShows(const SubjectInfo& info, const std::string& place) {
 
 }  // namespace
 
-Description PlainDescription() {
-  Description description;
+ProgramDescription PlainDescription() {
+  ProgramDescription description;
   SubjectInfo& info = description.info;
   info.takes_culling = info.takes_scissor = info.takes_tiles = false;
   info.coverage = CoverageKind::kCounts;
   return description;
 }
 
-Description ParseDescription(std::string_view text, const std::string& place) {
-  Description description = PlainDescription();
+ProgramDescription ParseDescription(std::string_view text, const std::string& place) {
+  ProgramDescription description = PlainDescription();
   std::istringstream lines{std::string(text)};
   int number = 0;
   for (std::string line; std::getline(lines, line);) {

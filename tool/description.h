@@ -19,7 +19,7 @@ namespace rasterproof::tool {
 /// if another processor draws), protocol (the version
 /// that it speaks, see subjects/process/protocol.h; 1 if it says nothing), profile (a preset, or a
 /// profile file's JSON on the one line). Lines that begin with # are comments.
-struct Description {
+struct ProgramDescription {
   SubjectInfo info;
   std::string command;
   /// What the line `input` says; info.profile.fixed holds it, or what the profile says.
@@ -28,10 +28,10 @@ struct Description {
 
 /// What is assumed of a program that says nothing: float32, window space, counts without facings,
 /// no culling, scissor, tiles or threads, profile "real".
-Description PlainDescription();
+ProgramDescription PlainDescription();
 
 /// Error:      InputError with place, line and remedy.
-Description ParseDescription(std::string_view text, const std::string& place);
+ProgramDescription ParseDescription(std::string_view text, const std::string& place);
 
 /// The text that ParseDescription reads back; `profile` is a preset's name or JSON.
 std::string DescriptionText(const SubjectInfo& info, const std::string& profile);

@@ -76,7 +76,7 @@ void RequireProgram(const std::string& command, const std::string& name) {
   }
 }
 
-SubjectMaker Executed(const Description& description, const std::string& name) {
+SubjectMaker Executed(const ProgramDescription& description, const std::string& name) {
   if (description.command.empty()) {
     throw InputError(name, "it names no command", "add a line: command PROGRAM ARGUMENT...");
   }
@@ -146,7 +146,7 @@ bool IsOutside(std::string_view name) {
 SubjectMaker ResolveOutside(const std::string& name) {
   if (name.starts_with(kPluginPrefix) || OwnMakers().contains(name)) return Hosted(name);
   if (name.starts_with(kExecPrefix)) {
-    Description description = PlainDescription();
+    ProgramDescription description = PlainDescription();
     description.command = name.substr(kExecPrefix.size());
     return Executed(description, name);
   }

@@ -28,9 +28,9 @@
 #include "props/run/property_domains.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
-#include "tool/asked.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
+#include "tool/resolve.h"
 #include "tool/shared_files.h"
 #include "tool/shell.h"
 

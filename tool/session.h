@@ -1,5 +1,5 @@
 // What several verbs share: reading scenes and cases, drawing them, and commands to type again.
-// Names of subjects, profiles and properties are resolved by tool/asked.h.
+// Names of subjects, profiles and properties are resolved by tool/resolve.h.
 #ifndef RASTERPROOF_TOOL_SESSION_H_
 #define RASTERPROOF_TOOL_SESSION_H_
 

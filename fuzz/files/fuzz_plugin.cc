@@ -30,7 +30,7 @@ using rasterproof::fuzz::Bound;
 
 std::optional<Bound> bound;
 
-struct Asked {
+struct Options {
   std::string plugin;
   std::string profile;
   std::string subject;
@@ -43,8 +43,8 @@ struct Asked {
 }
 
 // The words that are for this program; the others stay.
-Asked TakeOptions(int* argc, char*** argv) {
-  Asked asked;
+Options TakeOptions(int* argc, char*** argv) {
+  Options asked;
   int kept = 0;
   for (int k = 0; k < *argc; ++k) {
     const std::string_view word = (*argv)[k];
@@ -68,7 +68,7 @@ Asked TakeOptions(int* argc, char*** argv) {
   return asked;
 }
 
-std::unique_ptr<rasterproof::Subject> Loaded(const Asked& asked) {
+std::unique_ptr<rasterproof::Subject> Loaded(const Options& asked) {
   if (asked.plugin.empty() == asked.subject.empty()) {
     Refuse("of what? give --plugin FILE, or --subject NAME");
   }
@@ -81,7 +81,7 @@ std::unique_ptr<rasterproof::Subject> Loaded(const Asked& asked) {
   return std::move(subject);
 }
 
-void Bind(const Asked& asked) {
+void Bind(const Options& asked) {
   std::unique_ptr<rasterproof::Subject> subject = Loaded(asked);
   std::vector<std::string_view> names(asked.properties.begin(), asked.properties.end());
   if (names.empty()) names = rasterproof::fuzz::ContractPropertiesOf(*subject);

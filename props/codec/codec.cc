@@ -12,17 +12,17 @@
 
 #include "props/codec/raw_code.h"
 #include "props/codec/spelled.h"
+#include "props/domains/case_builder.h"
 #include "props/domains/domain.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
 
 constexpr std::uint64_t kFirstRecipeByte = 192;
 
-double Spelled(Sketch& sketch) {
-  const std::uint64_t anchor = sketch.bits().Bits(8);
-  return SpelledCoordinate(anchor, sketch.bits().Bits(8), sketch.lattice());
+double Spelled(CaseBuilder& builder) {
+  const std::uint64_t anchor = builder.bits().Bits(8);
+  return SpelledCoordinate(anchor, builder.bits().Bits(8), builder.lattice());
 }
 
 }  // namespace
@@ -31,10 +31,10 @@ Case LatticeCase(BitSource& bits, const SubjectInfo& info) {
   const int width = 1 + static_cast<int>(bits.Bits(8) % kMostSpelledSide);
   const int height = 1 + static_cast<int>(bits.Bits(8) % kMostSpelledSide);
   const auto vertices = static_cast<std::int32_t>(3 + bits.Bits(8) % (kMostSpelledVertices - 2));
-  Sketch sketch(bits, info, width, height);
+  CaseBuilder builder(bits, info, width, height);
   for (std::int32_t v = 0; v < vertices; ++v) {
-    const double x = Spelled(sketch);
-    sketch.Add({x, Spelled(sketch)});
+    const double x = Spelled(builder);
+    builder.Add({x, Spelled(builder)});
   }
   const auto triangles = static_cast<std::int32_t>(1 + bits.Bits(8) % kMostSpelledTriangles);
   for (std::int32_t t = 0; t < triangles; ++t) {
@@ -44,9 +44,9 @@ Case LatticeCase(BitSource& bits, const SubjectInfo& info) {
     };
     const std::int32_t a = index(0);
     const std::int32_t b = index(1);
-    sketch.AddTriangle(a, b, index(2));
+    builder.AddTriangle(a, b, index(2));
   }
-  return sketch.Done(Finish::kAsIs);
+  return builder.Done(Finish::kAsIs);
 }
 
 Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info) {

@@ -37,44 +37,44 @@ double OnGrid(double x, int grid_bits) {
   return std::ldexp(std::nearbyint(std::ldexp(x, grid_bits)), -grid_bits);
 }
 
-Point2 GridPlace(Sketch& sketch) {
-  const int grid_bits = sketch.lattice().GridBits(kReach);
-  const int bits = sketch.bits().Chance(64) ? std::min(1, grid_bits) : grid_bits;
-  return {OnGrid(sketch.Uniform(-4, sketch.width() + 4), bits),
-          OnGrid(sketch.Uniform(-4, sketch.height() + 4), bits)};
+Point2 GridPlace(CaseBuilder& builder) {
+  const int grid_bits = builder.lattice().GridBits(kReach);
+  const int bits = builder.bits().Chance(64) ? std::min(1, grid_bits) : grid_bits;
+  return {OnGrid(builder.Uniform(-4, builder.width() + 4), bits),
+          OnGrid(builder.Uniform(-4, builder.height() + 4), bits)};
 }
 
-Point2 ThroughSample(Sketch& sketch, Point2 a, Point2 p) {
-  const int grid_bits = sketch.lattice().GridBits(kReach);
+Point2 ThroughSample(CaseBuilder& builder, Point2 a, Point2 p) {
+  const int grid_bits = builder.lattice().GridBits(kReach);
   const int doublings =
       std::max(DoublingsOntoGrid(p.x, grid_bits), DoublingsOntoGrid(p.y, grid_bits));
-  const auto times = static_cast<double>(doublings == 0 ? sketch.bits().Int(2, 5)
-                                                        : sketch.bits().Int(1, 2) << doublings);
+  const auto times = static_cast<double>(doublings == 0 ? builder.bits().Int(2, 5)
+                                                        : builder.bits().Int(1, 2) << doublings);
   return {a.x + times * (p.x - a.x), a.y + times * (p.y - a.y)};
 }
 
-Segment SegmentThrough(Sketch& sketch, Point2 p) {
-  const Point2 a = GridPlace(sketch);
-  const Point2 b = ThroughSample(sketch, a, p);
-  return sketch.bits().Chance(128) ? Segment{a, b} : Segment{b, a};
+Segment SegmentThrough(CaseBuilder& builder, Point2 p) {
+  const Point2 a = GridPlace(builder);
+  const Point2 b = ThroughSample(builder, a, p);
+  return builder.bits().Chance(128) ? Segment{a, b} : Segment{b, a};
 }
 
-Point2 Nudged(Sketch& sketch, Point2 p, int most) {
-  const std::int64_t steps = sketch.bits().Int(-most, most);
-  double& coordinate = sketch.bits().Chance(128) ? p.x : p.y;
-  coordinate = sketch.lattice().Move(sketch.lattice().Round(coordinate), steps);
+Point2 Nudged(CaseBuilder& builder, Point2 p, int most) {
+  const std::int64_t steps = builder.bits().Int(-most, most);
+  double& coordinate = builder.bits().Chance(128) ? p.x : p.y;
+  coordinate = builder.lattice().Move(builder.lattice().Round(coordinate), steps);
   return p;
 }
 
-Point2 OnLattice(const Sketch& sketch, Point2 p) {
-  return {sketch.lattice().RoundWithinLimit(p.x), sketch.lattice().RoundWithinLimit(p.y)};
+Point2 OnLattice(const CaseBuilder& builder, Point2 p) {
+  return {builder.lattice().RoundWithinLimit(p.x), builder.lattice().RoundWithinLimit(p.y)};
 }
 
-Point2 Hardest(Sketch& sketch, Point2 guess, Point2 q, Point2 p) {
-  const InputLattice& lattice = sketch.lattice();
+Point2 Hardest(CaseBuilder& builder, Point2 guess, Point2 q, Point2 p) {
+  const InputLattice& lattice = builder.lattice();
   const Point2 on_line = OntoLine({lattice.Round(guess.x), lattice.Round(guess.y)}, q, p);
   const Point2 start{lattice.Round(on_line.x), lattice.Round(on_line.y)};
-  const int sign = sketch.bits().Chance(128) ? 1 : -1;
+  const int sign = builder.bits().Chance(128) ? 1 : -1;
   return HardestVertex(start, q, p, lattice, sign).value_or(start);
 }
 

@@ -79,12 +79,13 @@ bool PlanarMesh::IsFacingOneWay() const {
          });
 }
 
-void PlanarMesh::AddTo(Sketch& sketch) const {
+void PlanarMesh::AddTo(CaseBuilder& builder) const {
   std::vector<std::int32_t> index;
-  for (const Point2& p : vertices) index.push_back(sketch.Add(p));
+  for (const Point2& p : vertices) index.push_back(builder.Add(p));
   for (const Triangle& t : triangles) {
-    sketch.AddTriangle(index[static_cast<std::size_t>(t[0])], index[static_cast<std::size_t>(t[1])],
-                       index[static_cast<std::size_t>(t[2])]);
+    builder.AddTriangle(index[static_cast<std::size_t>(t[0])],
+                        index[static_cast<std::size_t>(t[1])],
+                        index[static_cast<std::size_t>(t[2])]);
   }
 }
 

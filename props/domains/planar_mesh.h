@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "core/vertex.h"
-#include "props/domains/sketch.h"
+#include "props/domains/case_builder.h"
 
 namespace rasterproof::props {
 
 /// Triangles of one facing that overlap nowhere. Splits keep it so, by exact signs.
 ///
-/// Domain:     vertices on the lattice of the sketch that it is added to, so that nothing moves.
+/// Domain:     vertices on the lattice of the builder that it is added to, so that nothing moves.
 struct PlanarMesh {
   std::vector<Point2> vertices;
   std::vector<Triangle> triangles;
@@ -28,7 +28,7 @@ struct PlanarMesh {
   void SplitOneSide(std::size_t t, std::size_t edge, Point2 p);
   /// Whether every triangle has the same facing as the first, and none has zero area.
   bool IsFacingOneWay() const;
-  void AddTo(Sketch& sketch) const;
+  void AddTo(CaseBuilder& builder) const;
 
  private:
   // Signs of p against the edges 12, 20, 01 of triangle t, positive inside.

@@ -7,7 +7,7 @@
 #include "core/case.h"
 #include "core/subject_info.h"
 #include "props/domains/bit_source.h"
-#include "props/domains/sketch.h"
+#include "props/domains/case_builder.h"
 
 namespace rasterproof::props {
 
@@ -47,7 +47,7 @@ Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info);
 Case DecidingSnapTies(BitSource& bits, const SubjectInfo& info);
 Case FullCoverage(BitSource& bits, const SubjectInfo& info);
 /// Triangles one vertex of which decides a sample by how it is snapped.
-void AddDecidingTies(Sketch& sketch);
+void AddDecidingTies(CaseBuilder& builder);
 
 // recipes_far_sides.cc
 Case FarSides(BitSource& bits, const SubjectInfo& info);

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/hardest_ray.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -56,8 +56,8 @@ Surface DrawSurface(BitSource& bits) {
   return Bipyramid(static_cast<std::int32_t>(bits.Int(3, 8)));
 }
 
-void AddTriangles(Sketch& sketch, const Surface& surface) {
-  for (const Triangle& t : surface.triangles) sketch.AddTriangle(t[0], t[1], t[2]);
+void AddTriangles(CaseBuilder& builder, const Surface& surface) {
+  for (const Triangle& t : surface.triangles) builder.AddTriangle(t[0], t[1], t[2]);
 }
 
 // A direction that lies inside no smaller cone: the place of vertex v on a surface around the
@@ -70,154 +70,155 @@ std::array<double, 3> AroundOrigin(std::int32_t v, const Surface& surface) {
 }
 
 // The clip-space vertex that projects to the window place p, with this w.
-void AddProjected(Sketch& sketch, Point2 p, double w) {
+void AddProjected(CaseBuilder& builder, Point2 p, double w) {
   if (w == 0) {
-    sketch.AddRaw({p.x, p.y, 0, w});  // a direction
+    builder.AddRaw({p.x, p.y, 0, w});  // a direction
     return;
   }
-  sketch.AddRaw({p.x * w, p.y * w, 0, w});
+  builder.AddRaw({p.x * w, p.y * w, 0, w});
 }
 
-double DrawMixedW(Sketch& sketch) {
-  BitSource& bits = sketch.bits();
-  const bool is_float32 = sketch.lattice().precision() == Precision::kFloat32;
+double DrawMixedW(CaseBuilder& builder) {
+  BitSource& bits = builder.bits();
+  const bool is_float32 = builder.lattice().precision() == Precision::kFloat32;
   switch (bits.Int(0, 7)) {
     case 0:
       return 0.0;
     case 1:
       return -0.0;
     case 2:  // w -> 0
-      return sketch.LogUniform(is_float32 ? -149 : -1074, -20);
+      return builder.LogUniform(is_float32 ? -149 : -1074, -20);
     case 3:  // just behind or before the eye
-      return sketch.Sign() * 0x1p-12;
+      return builder.Sign() * 0x1p-12;
     case 4:
-      return sketch.Sign();
+      return builder.Sign();
     default:
-      return sketch.LogUniform(-12, 3);
+      return builder.LogUniform(-12, 3);
   }
 }
 
 // A few triangles at places of the window, each vertex with a w of its own.
-Case ClipTriangles(BitSource& bits, const SubjectInfo& info, double (*draw_w)(Sketch&)) {
-  Sketch sketch(bits, info);
-  sketch.UseClipSpace();
+Case ClipTriangles(BitSource& bits, const SubjectInfo& info, double (*draw_w)(CaseBuilder&)) {
+  CaseBuilder builder(bits, info);
+  builder.UseClipSpace();
   const auto triangles = static_cast<std::int32_t>(bits.Int(1, 4));
   for (std::int32_t t = 0; t < triangles; ++t) {
     for (int v = 0; v < 3; ++v) {
-      const double w = draw_w(sketch);
-      AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(w));
+      const double w = draw_w(builder);
+      AddProjected(builder, builder.Place(), builder.lattice().RoundToPrecision(w));
     }
-    sketch.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
+    builder.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace
 
 Case ClosedMesh(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const Surface surface = DrawSurface(bits);
-  for (std::int32_t v = 0; v < surface.vertices; ++v) sketch.Add(sketch.Place());
-  AddTriangles(sketch, surface);
-  return sketch.Done(Finish::kMesh);
+  for (std::int32_t v = 0; v < surface.vertices; ++v) builder.Add(builder.Place());
+  AddTriangles(builder, surface);
+  return builder.Done(Finish::kMesh);
 }
 
 Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  sketch.UseClipSpace();
+  CaseBuilder builder(bits, info);
+  builder.UseClipSpace();
   const Surface surface = DrawSurface(bits);
   // Window = focal * (x, y) / depth + centre of the target: x and y of clip space carry both.
   const double focal = std::ldexp(1.0, static_cast<int>(bits.Int(1, 5)));
   const bool around = bits.Chance(160);
   for (std::int32_t v = 0; v < surface.vertices; ++v) {
-    std::array<double, 3> p{sketch.Uniform(-1, 1), sketch.Uniform(-1, 1), sketch.Uniform(-1, 1)};
+    std::array<double, 3> p{builder.Uniform(-1, 1), builder.Uniform(-1, 1), builder.Uniform(-1, 1)};
     if (around) {
       const std::array<double, 3> outward = AroundOrigin(v, surface);
       for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = outward[axis] + 0.5 * p[axis];
     }
-    const double w = bits.Chance(16) ? 0.0 : sketch.lattice().RoundToPrecision(p[2]);
-    sketch.AddRaw(
-        {focal * p[0] + w * sketch.width() / 2, focal * p[1] + w * sketch.height() / 2, 0, w});
+    const double w = bits.Chance(16) ? 0.0 : builder.lattice().RoundToPrecision(p[2]);
+    builder.AddRaw(
+        {focal * p[0] + w * builder.width() / 2, focal * p[1] + w * builder.height() / 2, 0, w});
   }
-  AddTriangles(sketch, surface);
-  return sketch.Done(Finish::kMesh);
+  AddTriangles(builder, surface);
+  return builder.Done(Finish::kMesh);
 }
 
 Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  sketch.UseClipSpace();
+  CaseBuilder builder(bits, info);
+  builder.UseClipSpace();
   const Surface surface = Bipyramid(static_cast<std::int32_t>(bits.Int(3, 8)));
   const double focal = std::ldexp(1.0, static_cast<int>(bits.Int(1, 5)));
   // Turned about the upright axis, and each vertex as far away as it likes: seen from the origin,
   // every triangle faces the same way and none hides another.
-  const double turn = sketch.Uniform(0, 2 * std::acos(-1.0));
+  const double turn = builder.Uniform(0, 2 * std::acos(-1.0));
   for (std::int32_t v = 0; v < surface.vertices; ++v) {
     const std::array<double, 3> p = AroundOrigin(v, surface);
-    const double distance = std::fabs(sketch.LogUniform(-2, 3));
+    const double distance = std::fabs(builder.LogUniform(-2, 3));
     const double x = distance * (std::cos(turn) * p[0] - std::sin(turn) * p[2]);
     const double depth = distance * (std::sin(turn) * p[0] + std::cos(turn) * p[2]);
-    const double w = sketch.lattice().RoundToFloat(depth);
-    sketch.AddRaw({focal * x + w * sketch.width() / 2,
-                   focal * distance * p[1] + w * sketch.height() / 2, 0, w});
+    const double w = builder.lattice().RoundToFloat(depth);
+    builder.AddRaw({focal * x + w * builder.width() / 2,
+                    focal * distance * p[1] + w * builder.height() / 2, 0, w});
   }
   // Some are left out: the mesh then has an outline, which may pass behind the eye.
   const bool is_open = bits.Chance(96);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Triangle& v = surface.triangles[t];
-    if (t == 0 || !is_open || !bits.Chance(64)) sketch.AddTriangle(v[0], v[1], v[2]);
+    if (t == 0 || !is_open || !bits.Chance(64)) builder.AddTriangle(v[0], v[1], v[2]);
   }
-  return sketch.Done(Finish::kMesh);
+  return builder.Done(Finish::kMesh);
 }
 
 Case Perspective(BitSource& bits, const SubjectInfo& info) {
-  return ClipTriangles(bits, info, [](Sketch& sketch) {
+  return ClipTriangles(bits, info, [](CaseBuilder& builder) {
     // Powers of two keep the window place exact: ties stay ties.
-    if (!sketch.bits().Chance(128)) return std::fabs(sketch.LogUniform(-4, 4));
-    return std::ldexp(1.0, static_cast<int>(sketch.bits().Int(-4, 4)));
+    if (!builder.bits().Chance(128)) return std::fabs(builder.LogUniform(-4, 4));
+    return std::ldexp(1.0, static_cast<int>(builder.bits().Int(-4, 4)));
   });
 }
 
 Case MixedW(BitSource& bits, const SubjectInfo& info) {
-  return ClipTriangles(bits, info, [](Sketch& sketch) {
-    return sketch.bits().Chance(96) ? 1.0 : DrawMixedW(sketch);
+  return ClipTriangles(bits, info, [](CaseBuilder& builder) {
+    return builder.bits().Chance(96) ? 1.0 : DrawMixedW(builder);
   });
 }
 
 Case OneVertexBehind(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  sketch.UseClipSpace();
+  CaseBuilder builder(bits, info);
+  builder.UseClipSpace();
   const auto triangles = static_cast<std::int32_t>(bits.Int(1, 2));
   for (std::int32_t t = 0; t < triangles; ++t) {
     const std::int64_t behind = bits.Int(0, 2);
     for (std::int64_t k = 0; k < 3; ++k) {
       const double w = bits.Chance(128) ? std::ldexp(1.0, static_cast<int>(bits.Int(-3, 3)))
-                                        : std::fabs(sketch.LogUniform(-4, 3));
-      AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(k == behind ? -w : w));
+                                        : std::fabs(builder.LogUniform(-4, 3));
+      AddProjected(builder, builder.Place(),
+                   builder.lattice().RoundToPrecision(k == behind ? -w : w));
     }
-    sketch.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
+    builder.AddTriangle(3 * t, 3 * t + 1, 3 * t + 2);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case HardestRays(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  sketch.UseClipSpace();
+  CaseBuilder builder(bits, info);
+  builder.UseClipSpace();
   const auto add = [&](const Ray& v) {
     const double scale = std::ldexp(1.0, -static_cast<int>(bits.Int(0, 24)));
-    return sketch.AddRaw({static_cast<double>(v.x) * scale, static_cast<double>(v.y) * scale, 0,
-                          static_cast<double>(v.w) * scale});
+    return builder.AddRaw({static_cast<double>(v.x) * scale, static_cast<double>(v.y) * scale, 0,
+                           static_cast<double>(v.w) * scale});
   };
   const std::int64_t triangles = bits.Int(1, 2);
   for (std::int64_t t = 0; t < triangles; ++t) {
-    const Point2 sample = sketch.Sample();
-    const HardRays rays = DrawHardestRays(bits, sample, sketch.lattice().digits() - 1);
+    const Point2 sample = builder.Sample();
+    const HardRays rays = DrawHardestRays(bits, sample, builder.lattice().digits() - 1);
     const std::int32_t a = add(rays.a);
     const std::int32_t b = add(rays.b);
-    const double w = std::fabs(sketch.LogUniform(-4, 3));
-    AddProjected(sketch, sketch.Place(), sketch.lattice().RoundToPrecision(w));
-    sketch.AddTriangle(a, b, b + 1);
+    const double w = std::fabs(builder.LogUniform(-4, 3));
+    AddProjected(builder, builder.Place(), builder.lattice().RoundToPrecision(w));
+    builder.AddTriangle(a, b, b + 1);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -28,8 +28,8 @@ int DrawCutBits(BitSource& bits) {
 // Triangles that cover the sample of one pixel each: of the target's left half, or its right one.
 class Cells {
  public:
-  Cells(Sketch& sketch, bool owns_vertices, int padding)
-      : sketch_(sketch), owns_vertices_(owns_vertices), padding_(padding) {}
+  Cells(CaseBuilder& builder, bool owns_vertices, int padding)
+      : builder_(builder), owns_vertices_(owns_vertices), padding_(padding) {}
 
   void Add(bool on_the_right, std::int64_t number) {
     const std::int64_t cell = number % kCells + (on_the_right ? kCells : 0);
@@ -39,19 +39,19 @@ class Cells {
       const std::int64_t column = cell / kSide;
       const auto x = static_cast<double>(column);
       const auto y = static_cast<double>(cell % kSide);
-      first = sketch_.Add({x, y});
-      sketch_.Add({x, y + 1.5});
-      sketch_.Add({x + 1.5, y});
-      for (int k = 0; k < padding_; ++k) sketch_.Add({0, 0});
+      first = builder_.Add({x, y});
+      builder_.Add({x, y + 1.5});
+      builder_.Add({x + 1.5, y});
+      for (int k = 0; k < padding_; ++k) builder_.Add({0, 0});
       first_of_[static_cast<std::size_t>(cell)] = first;
     } else {
       first = first_of_[static_cast<std::size_t>(cell)];
     }
-    sketch_.AddTriangle(first, first + 1, first + 2);
+    builder_.AddTriangle(first, first + 1, first + 2);
   }
 
  private:
-  Sketch& sketch_;
+  CaseBuilder& builder_;
   bool owns_vertices_;
   int padding_;
   std::vector<std::int32_t> first_of_ = std::vector<std::int32_t>(std::size_t{2} * kCells, -1);
@@ -59,9 +59,9 @@ class Cells {
 
 // One after the other; or from two places in turn whose vertices' numbers are a power of two apart,
 // as a cache meets them that keeps too few bits of a number.
-void AddInTurn(Sketch& sketch, std::int64_t apart) {
+void AddInTurn(CaseBuilder& builder, std::int64_t apart) {
   constexpr int kPadding = 1;  // four numbers a triangle
-  Cells cells(sketch, true, kPadding);
+  Cells cells(builder, true, kPadding);
   for (std::int64_t t = 0; t < apart; ++t) cells.Add(false, t);
   for (std::int64_t t = 0; t < apart; ++t) cells.Add(true, t);
 }
@@ -77,44 +77,44 @@ void Interleave(std::vector<Triangle>& triangles) {
 }
 
 // Three corners of one kind or another: drawn, on samples, near an edge, outside, flat.
-std::array<Point2, 3> DrawCorners(Sketch& sketch) {
-  BitSource& bits = sketch.bits();
+std::array<Point2, 3> DrawCorners(CaseBuilder& builder) {
+  BitSource& bits = builder.bits();
   switch (bits.Int(0, 7)) {
     case 0: {
-      const Point2 a = sketch.Sample();
-      const Point2 b = sketch.Sample();
-      return {a, b, sketch.Sample()};
+      const Point2 a = builder.Sample();
+      const Point2 b = builder.Sample();
+      return {a, b, builder.Sample()};
     }
     case 1:
     case 2: {
-      const Segment edge = SegmentThrough(sketch, sketch.Sample());
-      return {edge.a, edge.b, sketch.Place()};
+      const Segment edge = SegmentThrough(builder, builder.Sample());
+      return {edge.a, edge.b, builder.Place()};
     }
     case 3: {
-      const Segment edge = SegmentThrough(sketch, sketch.Sample());
-      const Point2 a = Nudged(sketch, edge.a, 1);
-      return {a, edge.b, sketch.Place()};
+      const Segment edge = SegmentThrough(builder, builder.Sample());
+      const Point2 a = Nudged(builder, edge.a, 1);
+      return {a, edge.b, builder.Place()};
     }
     case 4: {  // outside the target
-      const auto away = static_cast<double>(sketch.width() + bits.Int(2, 64));
-      const Point2 a = sketch.Place();
-      const Point2 b = sketch.Place();
+      const auto away = static_cast<double>(builder.width() + bits.Int(2, 64));
+      const Point2 a = builder.Place();
+      const Point2 b = builder.Place();
       return {Point2{a.x + away, a.y}, Point2{b.x + away, b.y}, Point2{a.x + away, b.y + 3}};
     }
     case 5: {  // flat
-      const Point2 a = sketch.Sample();
-      const Point2 b = sketch.Sample();
+      const Point2 a = builder.Sample();
+      const Point2 b = builder.Sample();
       return {a, b, bits.Chance(128) ? a : b};
     }
     case 6: {  // along a row and a column of samples
-      const Point2 a = sketch.Sample();
-      const Point2 b = sketch.Sample();
+      const Point2 a = builder.Sample();
+      const Point2 b = builder.Sample();
       return {a, Point2{b.x, a.y}, Point2{a.x, b.y}};
     }
     default: {
-      const Point2 a = sketch.Place();
-      const Point2 b = sketch.Place();
-      return {a, b, sketch.Place()};
+      const Point2 a = builder.Place();
+      const Point2 b = builder.Place();
+      return {a, b, builder.Place()};
     }
   }
 }
@@ -122,36 +122,36 @@ std::array<Point2, 3> DrawCorners(Sketch& sketch) {
 }  // namespace
 
 Case LongLists(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info, kSide, kSide);
+  CaseBuilder builder(bits, info, kSide, kSide);
   const int cut = DrawCutBits(bits);
   const std::int64_t many = std::int64_t{1} << cut;
   const std::int64_t more = bits.Int(1, kCells);
   const std::int64_t kind = bits.Int(0, 3);
   Case c;
   if (kind == 0 && cut <= 12) {
-    AddInTurn(sketch, many);
-    c = sketch.Done(Finish::kAsIs);
+    AddInTurn(builder, many);
+    c = builder.Done(Finish::kAsIs);
     Interleave(c.scene.triangles);
     return c;
   }
   // Those from a power of two on are on the right, and nothing else is: numbers of triangles, or of
   // vertices.
   const bool is_of_vertices = kind == 1;
-  Cells cells(sketch, is_of_vertices || bits.Chance(64), 0);
+  Cells cells(builder, is_of_vertices || bits.Chance(64), 0);
   const std::int64_t on_the_left = is_of_vertices ? many / 3 + 1 : many;
   for (std::int64_t t = 0; t < on_the_left; ++t) cells.Add(false, t);
   for (std::int64_t t = 0; t < more; ++t) cells.Add(true, t);
-  return sketch.Done(Finish::kAsIs);
+  return builder.Done(Finish::kAsIs);
 }
 
 Case Crowds(BitSource& bits, const SubjectInfo& info) {
   // One less, as many as and one more than lanes.
   constexpr std::array<int, 17> kCounts{3,  4,  5,  6,  7,  8,  9,  12, 15,
                                         16, 17, 18, 24, 31, 32, 33, 40};
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const int count = bits.OneOf(std::span<const int>(kCounts));
-  for (int t = 0; t < count; ++t) sketch.AddTriangle(DrawCorners(sketch));
-  return sketch.Done(Finish::kAnyOrder);
+  for (int t = 0; t < count; ++t) builder.AddTriangle(DrawCorners(builder));
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "core/ulp.h"
+#include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -25,70 +25,70 @@ double MovedInPrecision(double x, std::int64_t n, Precision precision) {
 }  // namespace
 
 Case SnapTies(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const Snap& snap = sketch.profile().snap;
+  CaseBuilder builder(bits, info);
+  const Snap& snap = builder.profile().snap;
   const int subpixel_bits = snap.IsNone() ? (bits.Chance(128) ? 8 : 4) : snap.bits;
   const auto tie = [&](double near) {
     const double cell = std::floor(std::ldexp(near, subpixel_bits));
     const double x = std::ldexp(cell + 0.5, -subpixel_bits);
-    return MovedInPrecision(x, bits.Int(-1, 1), sketch.lattice().precision());
+    return MovedInPrecision(x, bits.Int(-1, 1), builder.lattice().precision());
   };
   // Half of the coordinates are ties, a quarter anywhere between two subpixels.
   const auto coordinate = [&](double near) {
     const std::int64_t kind = bits.Int(0, 3);
     if (kind < 2) return tie(near);
-    return kind == 2 ? near + std::ldexp(sketch.Uniform(0, 1), -subpixel_bits) : near;
+    return kind == 2 ? near + std::ldexp(builder.Uniform(0, 1), -subpixel_bits) : near;
   };
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
     std::array<std::int32_t, 3> index{};
     for (std::int32_t& i : index) {
-      const Point2 p = sketch.Place();
+      const Point2 p = builder.Place();
       const double x = coordinate(p.x);
-      i = sketch.AddRaw({x, coordinate(p.y)});
+      i = builder.AddRaw({x, coordinate(p.y)});
     }
-    sketch.AddTriangle(index[0], index[1], index[2]);
+    builder.AddTriangle(index[0], index[1], index[2]);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case Degenerate(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
-    const Point2 p = bits.Chance(128) ? sketch.Sample() : GridPlace(sketch);
-    const Point2 q = GridPlace(sketch);
+    const Point2 p = bits.Chance(128) ? builder.Sample() : GridPlace(builder);
+    const Point2 q = GridPlace(builder);
     const Point2 d{q.x - p.x, q.y - p.y};
     const auto times = static_cast<double>(bits.Int(-2, 3));
     switch (bits.Int(0, 5)) {
       case 0:
-        sketch.AddTriangle({p, p, p});
+        builder.AddTriangle({p, p, p});
         break;
       case 1:
-        sketch.AddTriangle({p, q, p});
+        builder.AddTriangle({p, q, p});
         break;
       case 2: {
-        const std::int32_t a = sketch.Add(p);
-        sketch.AddTriangle(a, sketch.Add(q), a);
+        const std::int32_t a = builder.Add(p);
+        builder.AddTriangle(a, builder.Add(q), a);
         break;
       }
       case 3:
-        sketch.AddTriangle({p, q, {p.x + times * d.x, p.y + times * d.y}});
+        builder.AddTriangle({p, q, {p.x + times * d.x, p.y + times * d.y}});
         break;
       case 4:  // along an axis
-        sketch.AddTriangle({p, Point2{q.x, p.y}, Point2{p.x + times, p.y}});
+        builder.AddTriangle({p, Point2{q.x, p.y}, Point2{p.x + times, p.y}});
         break;
       default:  // not quite
-        sketch.AddTriangle({p, q, Nudged(sketch, {p.x + times * d.x, p.y + times * d.y}, 1)});
+        builder.AddTriangle({p, q, Nudged(builder, {p.x + times * d.x, p.y + times * d.y}, 1)});
     }
     // A neighbour that shares the degenerate one's first vertices: its samples stay its own.
-    if (bits.Chance(64)) sketch.AddTriangle({p, q, sketch.Place()});
+    if (bits.Chance(64)) builder.AddTriangle({p, q, builder.Place()});
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const auto coordinate = [&](int extent, bool along_y) {
     switch (bits.Int(0, 4)) {
       case 0:
@@ -97,7 +97,7 @@ Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
       case 2:
         return -0.0;
       case 3:
-        return sketch.Coordinate(extent, along_y);
+        return builder.Coordinate(extent, along_y);
       default:
         return static_cast<double>(bits.Int(-1, 1) * extent);
     }
@@ -106,38 +106,38 @@ Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
   for (std::int64_t t = 0; t < triangles; ++t) {
     std::array<std::int32_t, 3> index{};
     for (std::int32_t& i : index) {
-      const double x = coordinate(sketch.width(), false);
-      i = sketch.AddRaw({x, coordinate(sketch.height(), true)});
+      const double x = coordinate(builder.width(), false);
+      i = builder.AddRaw({x, coordinate(builder.height(), true)});
     }
-    sketch.AddTriangle(index[0], index[1], index[2]);
+    builder.AddTriangle(index[0], index[1], index[2]);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case NonFiniteDepths(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
     std::array<std::int32_t, 3> index{};
     const std::int64_t replaced = bits.Int(0, 7);  // a bit for each vertex
     for (std::size_t k = 0; k < 3; ++k) {
-      const Point2 p = sketch.Place();
+      const Point2 p = builder.Place();
       const double z =
           (replaced >> k & 1) != 0 ? bits.OneOf(std::span<const double>(kNotNumbers)) : 0.5;
-      index[k] = sketch.AddRaw({p.x, p.y, z});
+      index[k] = builder.AddRaw({p.x, p.y, z});
     }
-    sketch.AddTriangle(index[0], index[1], index[2]);
+    builder.AddTriangle(index[0], index[1], index[2]);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case NonFinite(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
     std::array<Vertex, 3> v;
     for (Vertex& vertex : v) {
-      const Point2 p = sketch.Place();
+      const Point2 p = builder.Place();
       vertex = {p.x, p.y};
     }
     const std::int64_t replaced = t == 0 ? bits.Int(1, 3) : bits.Int(0, 2);
@@ -147,11 +147,11 @@ Case NonFinite(BitSource& bits, const SubjectInfo& info) {
       *members[bits.Int(0, bits.Chance(32) ? 2 : 1)] =
           bits.OneOf(std::span<const double>(kNotNumbers));
     }
-    const std::int32_t a = sketch.AddRaw(v[0]);
-    const std::int32_t b = sketch.AddRaw(v[1]);
-    sketch.AddTriangle(a, b, sketch.AddRaw(v[2]));
+    const std::int32_t a = builder.AddRaw(v[0]);
+    const std::int32_t b = builder.AddRaw(v[1]);
+    builder.AddTriangle(a, b, builder.AddRaw(v[2]));
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

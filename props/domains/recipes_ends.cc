@@ -7,9 +7,9 @@
 #include <limits>
 #include <span>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -18,16 +18,16 @@ namespace {
 constexpr std::array<int, 8> kAccumulators{15, 16, 23, 24, 31, 31, 32, 32};
 
 // The unit of fixed point: the profile's subpixel; else a pixel, a half or 1/256 of one.
-double DrawUnit(Sketch& sketch) {
-  const Snap& snap = sketch.profile().snap;
-  if (!snap.IsNone() && sketch.bits().Chance(192)) return std::ldexp(1.0, -snap.bits);
+double DrawUnit(CaseBuilder& builder) {
+  const Snap& snap = builder.profile().snap;
+  if (!snap.IsNone() && builder.bits().Chance(192)) return std::ldexp(1.0, -snap.bits);
   constexpr std::array<int, 4> kBits{0, 0, 1, 8};
-  return std::ldexp(1.0, -sketch.bits().OneOf(std::span<const int>(kBits)));
+  return std::ldexp(1.0, -builder.bits().OneOf(std::span<const int>(kBits)));
 }
 
 // The smallest subnormal of the scene's numbers.
-double Subnormal(const Sketch& sketch) {
-  return sketch.lattice().precision() == Precision::kFloat32
+double Subnormal(const CaseBuilder& builder) {
+  return builder.lattice().precision() == Precision::kFloat32
              ? double{std::numeric_limits<float>::denorm_min()}
              : std::numeric_limits<double>::denorm_min();
 }
@@ -43,10 +43,10 @@ struct Sides {
   Point2 second;
 };
 
-Sides DrawSides(Sketch& sketch, double scale) {
-  BitSource& bits = sketch.bits();
+Sides DrawSides(CaseBuilder& builder, double scale) {
+  BitSource& bits = builder.bits();
   const auto part = [&](int least) {
-    return scale * static_cast<double>(bits.Int(least, 24)) / 2 * sketch.Sign();
+    return scale * static_cast<double>(bits.Int(least, 24)) / 2 * builder.Sign();
   };
   const double along = part(1);
   if (bits.Chance(96)) {
@@ -61,62 +61,63 @@ Sides DrawSides(Sketch& sketch, double scale) {
 }  // namespace
 
 Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 2);
   for (std::int64_t t = 0; t < triangles; ++t) {
-    const double unit = DrawUnit(sketch);
+    const double unit = DrawUnit(builder);
     const double end = std::ldexp(1.0, bits.OneOf(std::span<const int>(kAccumulators)));
     // A product m n next to the end: m and n no farther apart than a factor of 16, in units.
     // Or the end itself, or a multiple of it.
     const bool is_exact = bits.Chance(64);
-    const double about = std::floor(std::sqrt(end) * std::fabs(sketch.LogUniform(-2, 1)));
+    const double about = std::floor(std::sqrt(end) * std::fabs(builder.LogUniform(-2, 1)));
     const double m = is_exact ? std::ldexp(1.0, std::ilogb(about)) : about;
     const double n = is_exact ? end / m * static_cast<double>(bits.Int(1, 2))
                               : std::floor(end / m) + static_cast<double>(bits.Int(-1, 1));
     const auto little = [&] { return is_exact ? 0 : unit * static_cast<double>(bits.Int(-2, 2)); };
-    const double right = sketch.Sign() * m * unit;
-    const double down = sketch.Sign() * n * unit;
+    const double right = builder.Sign() * m * unit;
+    const double down = builder.Sign() * n * unit;
     // The sample is beside the corner at the right angle, or beside the far end of one side.
-    const Point2 s = sketch.Sample();
+    const Point2 s = builder.Sample();
     const Point2 a{s.x + little(), s.y - (bits.Chance(128) ? down : 0) + little()};
     const Point2 b{a.x + right, a.y + little()};
     const Point2 c{a.x + little(), a.y + down};
-    sketch.AddTriangle({a, b, c});
+    builder.AddTriangle({a, b, c});
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case UnderflowingProducts(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const double least = Subnormal(sketch);
+  CaseBuilder builder(bits, info);
+  const double least = Subnormal(builder);
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // An edge from the origin through a sample, and a third corner so near to the origin that it is
     // told from it by products that underflow alone.
-    const Point2 s = sketch.Sample();
+    const Point2 s = builder.Sample();
     const auto times = static_cast<double>(bits.Int(1, 5));
     const double size = std::ldexp(least, bits.Chance(128) ? 0 : static_cast<int>(bits.Int(1, 60)));
     const auto few = [&] { return size * static_cast<double>(bits.Int(-9, 9)); };
-    const std::int32_t a = bits.Chance(192) ? sketch.AddRaw({0, 0}) : sketch.AddRaw({few(), few()});
-    const std::int32_t b = sketch.AddRaw({times * s.x, times * s.y});
+    const std::int32_t a =
+        bits.Chance(192) ? builder.AddRaw({0, 0}) : builder.AddRaw({few(), few()});
+    const std::int32_t b = builder.AddRaw({times * s.x, times * s.y});
     const double x = few();
-    sketch.AddTriangle(a, b, sketch.AddRaw({x, few()}));
+    builder.AddTriangle(a, b, builder.AddRaw({x, few()}));
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t pairs = bits.Int(1, 2);
   for (std::int64_t k = 0; k < pairs; ++k) {
     // A few pixels, or less than one.
     const double scale = bits.Chance(96) ? std::ldexp(1.0, -static_cast<int>(bits.Int(3, 6))) : 1;
-    const Sides sides = DrawSides(sketch, scale);
-    const Point2 s = sketch.Sample();
+    const Sides sides = DrawSides(builder, scale);
+    const Point2 s = builder.Sample();
     // The sample is a corner, the middle of the diagonal, or beside them.
     const Point2 middle = Times(0.5, Plus(sides.first, sides.second));
     const Point2 from = scale < 1 || bits.Chance(128) ? middle : Point2{};
-    const Point2 a = Minus(Nudged(sketch, s, 1), from);
+    const Point2 a = Minus(Nudged(builder, s, 1), from);
     Point2 b = Plus(a, sides.first);
     Point2 c = Plus(b, sides.second);
     Point2 d = Plus(a, sides.second);
@@ -137,20 +138,20 @@ Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
         break;
       }
       case 2:  // a corner a step off
-        d = Nudged(sketch, d, 1);
+        d = Nudged(builder, d, 1);
         break;
       default:  // a trapezium, or a dart: the right angle at b alone
         d = Plus(d, Times(static_cast<double>(bits.Int(-3, 3)) / 4, sides.first));
     }
-    const std::int32_t ia = sketch.Add(a);
-    const std::int32_t ib = sketch.Add(b);
-    const std::int32_t ic = sketch.Add(c);
-    const std::int32_t id = sketch.Add(d);
-    sketch.AddTriangle(ia, ib, ic);
-    sketch.AddTriangle(ia, ic, id);
+    const std::int32_t ia = builder.Add(a);
+    const std::int32_t ib = builder.Add(b);
+    const std::int32_t ic = builder.Add(c);
+    const std::int32_t id = builder.Add(d);
+    builder.AddTriangle(ia, ib, ic);
+    builder.AddTriangle(ia, ic, id);
   }
   // One behind the other, as a test for rectangles meets them.
-  return sketch.Done(bits.Chance(192) ? Finish::kAsIs : Finish::kAnyOrder);
+  return builder.Done(bits.Chance(192) ? Finish::kAsIs : Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -19,17 +19,17 @@ constexpr int kFewRows = 8;
 constexpr int kMostRows = 40;  // where bins of 16 pixels begin beyond 33 bits
 
 // The lower or the upper end of the range: itself, up to two steps inside, or up to an eighth.
-double NearEnd(Sketch& sketch, bool upper) {
-  const double end = upper ? sketch.Range() : sketch.LeastOfRange();
-  const std::int64_t kind = sketch.bits().Int(0, 3);
+double NearEnd(CaseBuilder& builder, bool upper) {
+  const double end = upper ? builder.Range() : builder.LeastOfRange();
+  const std::int64_t kind = builder.bits().Int(0, 3);
   if (kind < 2) return end;
   const int inwards = upper ? -1 : 1;
-  if (kind == 2) return sketch.lattice().Move(end, inwards * sketch.bits().Int(0, 2));
-  const int most = std::max(0, std::ilogb(sketch.Range()) - 2);
-  return end + inwards * std::fabs(sketch.LogUniform(-4, most));
+  if (kind == 2) return builder.lattice().Move(end, inwards * builder.bits().Int(0, 2));
+  const int most = std::max(0, std::ilogb(builder.Range()) - 2);
+  return end + inwards * std::fabs(builder.LogUniform(-4, most));
 }
 
-Sketch DrawLongTarget(BitSource& bits, const SubjectInfo& info) {
+CaseBuilder DrawLongTarget(BitSource& bits, const SubjectInfo& info) {
   const int samples = info.profile.pattern.samples();
   const int rows = bits.Chance(192) ? kFewRows : kMostRows;
   const int length = bits.OneOf(std::span<const int>(kLengths));
@@ -41,32 +41,32 @@ Sketch DrawLongTarget(BitSource& bits, const SubjectInfo& info) {
 }  // namespace
 
 Case FarSides(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch = DrawLongTarget(bits, info);
+  CaseBuilder builder = DrawLongTarget(bits, info);
   // From corner to corner of the range. Where the edge falls to the left, the target's far corner
   // lies on one side of it, as far away as can be; else its two other corners do.
   const bool falls_left = bits.Chance(192);
-  const double right = NearEnd(sketch, true);
-  const double top = NearEnd(sketch, false);
-  const double left = NearEnd(sketch, false);
-  const double bottom = NearEnd(sketch, true);
+  const double right = NearEnd(builder, true);
+  const double top = NearEnd(builder, false);
+  const double left = NearEnd(builder, false);
+  const double bottom = NearEnd(builder, true);
   const Point2 a{falls_left ? right : left, top};
   const Point2 b{falls_left ? left : right, bottom};
   // The others near the edge or as far as the range is: at a sample beyond a thin triangle two
   // values are about half of the third, and only the third has too many bits.
-  const double least = 4 * sketch.lattice().Step(sketch.Range());
+  const double least = 4 * builder.lattice().Step(builder.Range());
   const auto beside = [&](double side) {
-    const double along = sketch.Uniform(0, 1);
-    const int most = std::max(0, std::ilogb(sketch.Range()) - 1);
-    const double off = side * std::max(least, std::fabs(sketch.LogUniform(-4, most)));
+    const double along = builder.Uniform(0, 1);
+    const int most = std::max(0, std::ilogb(builder.Range()) - 1);
+    const double off = side * std::max(least, std::fabs(builder.LogUniform(-4, most)));
     return Point2{a.x + along * (b.x - a.x) + (falls_left ? off : -off),
                   a.y + along * (b.y - a.y) + off};
   };
-  const std::int32_t ia = sketch.Add(a);
-  const std::int32_t ib = sketch.Add(b);
+  const std::int32_t ia = builder.Add(a);
+  const std::int32_t ib = builder.Add(b);
   const std::int64_t kind = bits.Int(0, 3);
-  if (kind != 3) sketch.AddTriangle(ia, ib, sketch.Add(beside(-1)));
-  if (kind >= 2) sketch.AddTriangle(ib, ia, sketch.Add(beside(+1)));
-  return sketch.Done(Finish::kMesh);
+  if (kind != 3) builder.AddTriangle(ia, ib, builder.Add(beside(-1)));
+  if (kind >= 2) builder.AddTriangle(ib, ia, builder.Add(beside(+1)));
+  return builder.Done(Finish::kMesh);
 }
 
 }  // namespace rasterproof::props

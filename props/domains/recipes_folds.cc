@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -18,27 +18,27 @@ constexpr std::array<double, 4> kUnstatedSteps{1, 0.25, 0x1p-4, 0x1p-8};
 
 class Folder {
  public:
-  explicit Folder(Sketch& sketch)
-      : sketch_(sketch),
-        step_(DrawStep(sketch)),
-        at_(sketch.Sample()),
-        exchanged_(sketch.bits().Chance(128)),
-        mirrored_(sketch.bits().Chance(128)) {}
+  explicit Folder(CaseBuilder& builder)
+      : builder_(builder),
+        step_(DrawStep(builder)),
+        at_(builder.Sample()),
+        exchanged_(builder.bits().Chance(128)),
+        mirrored_(builder.bits().Chance(128)) {}
 
   // So many steps and a few pixels: nothing turns that.
-  double Far() { return 4 * step_ + static_cast<double>(sketch_.bits().Int(2, 8)); }
+  double Far() { return 4 * step_ + static_cast<double>(builder_.bits().Int(2, 8)); }
   // Up to so many steps, in 64ths: half of the time next to a half.
   double Near(int steps) {
-    const auto whole = static_cast<double>(sketch_.bits().Int(-steps, steps - 1));
+    const auto whole = static_cast<double>(builder_.bits().Int(-steps, steps - 1));
     const std::int64_t part =
-        sketch_.bits().Chance(128) ? sketch_.bits().Int(24, 40) : sketch_.bits().Int(0, 63);
+        builder_.bits().Chance(128) ? builder_.bits().Int(24, 40) : builder_.bits().Int(0, 63);
     return step_ * (whole + static_cast<double>(part) / 64);
   }
   // From the sample, along the fold and across it.
   std::int32_t Add(double along, double across) {
     if (mirrored_) across = -across;
     const Point2 p{at_.x + (exchanged_ ? across : along), at_.y + (exchanged_ ? along : across)};
-    return sketch_.AddRaw({p.x, p.y});
+    return builder_.AddRaw({p.x, p.y});
   }
   void AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c) {
     triangles_.push_back({a, b, c});
@@ -46,21 +46,21 @@ class Folder {
   // Every triangle, or every one and its back.
   Case Done(bool doubled) {
     for (const Triangle& t : triangles_) {
-      sketch_.AddTriangle(t[0], t[1], t[2]);
-      if (doubled) sketch_.AddTriangle(t[0], t[2], t[1]);
+      builder_.AddTriangle(t[0], t[1], t[2]);
+      if (doubled) builder_.AddTriangle(t[0], t[2], t[1]);
     }
-    return sketch_.Done(Finish::kMesh);
+    return builder_.Done(Finish::kMesh);
   }
-  BitSource& bits() { return sketch_.bits(); }
+  BitSource& bits() { return builder_.bits(); }
 
  private:
-  static double DrawStep(Sketch& sketch) {
-    const Snap& snap = sketch.profile().snap;
-    return snap.IsNone() ? sketch.bits().OneOf(std::span<const double>(kUnstatedSteps))
+  static double DrawStep(CaseBuilder& builder) {
+    const Snap& snap = builder.profile().snap;
+    return snap.IsNone() ? builder.bits().OneOf(std::span<const double>(kUnstatedSteps))
                          : std::ldexp(1.0, -snap.bits);
   }
 
-  Sketch& sketch_;
+  CaseBuilder& builder_;
   double step_;
   Point2 at_;
   bool exchanged_;
@@ -118,8 +118,8 @@ void AddFan(Folder& folder) {
 }
 
 Case Folded(BitSource& bits, const SubjectInfo& info, bool doubled) {
-  Sketch sketch(bits, info);
-  Folder folder(sketch);
+  CaseBuilder builder(bits, info);
+  Folder folder(builder);
   if (bits.Chance(128)) {
     AddStrip(folder);
   } else {

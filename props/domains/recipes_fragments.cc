@@ -5,70 +5,70 @@
 #include <cstdint>
 #include <numbers>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/planar_mesh.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
 
 // Anywhere; an integer input has its lattice alone.
-std::int32_t AddOffGrid(Sketch& sketch, Point2 p) {
-  return sketch.profile().fixed ? sketch.Add(p) : sketch.AddRaw({p.x, p.y});
+std::int32_t AddOffGrid(CaseBuilder& builder, Point2 p) {
+  return builder.profile().fixed ? builder.Add(p) : builder.AddRaw({p.x, p.y});
 }
 
-void AddMesh(Sketch& sketch, const PlanarMesh& mesh) {
-  for (const Point2 p : mesh.vertices) AddOffGrid(sketch, p);
-  for (const Triangle& t : mesh.triangles) sketch.AddTriangle(t[0], t[1], t[2]);
+void AddMesh(CaseBuilder& builder, const PlanarMesh& mesh) {
+  for (const Point2 p : mesh.vertices) AddOffGrid(builder, p);
+  for (const Triangle& t : mesh.triangles) builder.AddTriangle(t[0], t[1], t[2]);
 }
 
 Point2 Towards(Point2 from, double turn, double distance) {
   return {from.x + std::cos(turn) * distance, from.y + std::sin(turn) * distance};
 }
 
-double DrawTurn(Sketch& sketch) { return sketch.Uniform(-1, 1) * std::numbers::pi; }
+double DrawTurn(CaseBuilder& builder) { return builder.Uniform(-1, 1) * std::numbers::pi; }
 
 // Around samples, down to a few steps of a grid of eight bits, and as flat as it comes.
-void AddSmallTriangles(Sketch& sketch) {
+void AddSmallTriangles(CaseBuilder& builder) {
   constexpr int kLeast = -6;
-  const std::int64_t triangles = sketch.bits().Int(1, 6);
+  const std::int64_t triangles = builder.bits().Int(1, 6);
   for (std::int64_t t = 0; t < triangles; ++t) {
-    const Point2 p = sketch.Sample();
-    double turn = DrawTurn(sketch);
+    const Point2 p = builder.Sample();
+    double turn = DrawTurn(builder);
     std::array<std::int32_t, 3> corners{};
     for (std::int32_t& corner : corners) {
-      corner = AddOffGrid(sketch, Towards(p, turn, std::fabs(sketch.LogUniform(kLeast, 0))));
-      turn += sketch.Uniform(1.5, 2.6);  // less than half a turn, three of them more than one
+      corner = AddOffGrid(builder, Towards(p, turn, std::fabs(builder.LogUniform(kLeast, 0))));
+      turn += builder.Uniform(1.5, 2.6);  // less than half a turn, three of them more than one
     }
-    sketch.AddTriangle(corners[0], corners[1], corners[2]);
+    builder.AddTriangle(corners[0], corners[1], corners[2]);
   }
 }
 
 // A hub in the target and a rim of up to 64 vertices, each as far away as it likes.
-PlanarMesh DrawFan(Sketch& sketch) {
+PlanarMesh DrawFan(CaseBuilder& builder) {
   PlanarMesh mesh;
-  const Point2 hub = sketch.Place();
+  const Point2 hub = builder.Place();
   mesh.AddVertex(hub);
-  const auto rim = static_cast<std::int32_t>(sketch.bits().Int(5, 64));
-  const double first = DrawTurn(sketch);
+  const auto rim = static_cast<std::int32_t>(builder.bits().Int(5, 64));
+  const double first = DrawTurn(builder);
   for (std::int32_t k = 0; k < rim; ++k) {
-    const double turn = first + 2 * std::numbers::pi * (k + sketch.Uniform(0, 0.5)) / rim;
-    mesh.AddVertex(Towards(hub, turn, sketch.Uniform(2, 24)));
+    const double turn = first + 2 * std::numbers::pi * (k + builder.Uniform(0, 0.5)) / rim;
+    mesh.AddVertex(Towards(hub, turn, builder.Uniform(2, 24)));
     mesh.triangles.push_back({0, 1 + k, 1 + (k + 1) % rim});
   }
   return mesh;
 }
 
 // Quads of two triangles from beyond the target's upper left corner on, every vertex moved.
-PlanarMesh DrawQuads(Sketch& sketch) {
+PlanarMesh DrawQuads(CaseBuilder& builder) {
   PlanarMesh mesh;
-  const auto columns = static_cast<std::int32_t>(sketch.bits().Int(2, 7));
-  const auto rows = static_cast<std::int32_t>(sketch.bits().Int(2, 7));
-  const double side = sketch.Uniform(0.5, 6);
+  const auto columns = static_cast<std::int32_t>(builder.bits().Int(2, 7));
+  const auto rows = static_cast<std::int32_t>(builder.bits().Int(2, 7));
+  const double side = builder.Uniform(0.5, 6);
   for (std::int32_t row = 0; row <= rows; ++row) {
     for (std::int32_t column = 0; column <= columns; ++column) {
-      const double x = side * (column + sketch.Uniform(-0.3, 0.3));
-      mesh.AddVertex({x, side * (row + sketch.Uniform(-0.3, 0.3))});
+      const double x = side * (column + builder.Uniform(-0.3, 0.3));
+      mesh.AddVertex({x, side * (row + builder.Uniform(-0.3, 0.3))});
       if (row == rows || column == columns) continue;
       const std::int32_t at = row * (columns + 1) + column;
       const std::int32_t below = at + columns + 1;
@@ -82,19 +82,19 @@ PlanarMesh DrawQuads(Sketch& sketch) {
 }  // namespace
 
 Case OffGridFragments(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   switch (bits.Int(0, 2)) {
     case 0:
-      AddSmallTriangles(sketch);
+      AddSmallTriangles(builder);
       break;
     case 1:
-      AddMesh(sketch, DrawFan(sketch));
+      AddMesh(builder, DrawFan(builder));
       break;
     default:
-      AddMesh(sketch, DrawQuads(sketch));
+      AddMesh(builder, DrawQuads(builder));
       break;
   }
-  return sketch.Done(Finish::kMesh);
+  return builder.Done(Finish::kMesh);
 }
 
 }  // namespace rasterproof::props

@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -22,73 +22,73 @@ struct ListedCorner {
 };
 using TriangleCorners = std::array<ListedCorner, 3>;
 
-ListedCorner Placed(Sketch& sketch, Point2 p) { return {p, sketch.Add(p)}; }
+ListedCorner Placed(CaseBuilder& builder, Point2 p) { return {p, builder.Add(p)}; }
 
-Point2 Far(Sketch& sketch) {
-  const int most = std::max(5, std::ilogb(sketch.Range()));
-  const auto far = [&] { return sketch.LogUniform(4, most); };
+Point2 Far(CaseBuilder& builder) {
+  const int most = std::max(5, std::ilogb(builder.Range()));
+  const auto far = [&] { return builder.LogUniform(4, most); };
   const double x = far();
   return {x, far()};
 }
 
 // One coordinate of a corner anew.
-void ChangeCoordinate(Sketch& sketch, ListedCorner& corner) {
-  const bool along_y = sketch.bits().Chance(128);
+void ChangeCoordinate(CaseBuilder& builder, ListedCorner& corner) {
+  const bool along_y = builder.bits().Chance(128);
   Point2 p = corner.at;
-  (along_y ? p.y : p.x) = sketch.Coordinate(along_y ? sketch.height() : sketch.width(), along_y);
-  corner = Placed(sketch, p);
+  (along_y ? p.y : p.x) = builder.Coordinate(along_y ? builder.height() : builder.width(), along_y);
+  corner = Placed(builder, p);
 }
 
-void Write(Sketch& sketch, const TriangleCorners& v) {
-  sketch.AddTriangle(v[0].index, v[1].index, v[2].index);
+void Write(CaseBuilder& builder, const TriangleCorners& v) {
+  builder.AddTriangle(v[0].index, v[1].index, v[2].index);
 }
 
 }  // namespace
 
 Case NearRepeats(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   TriangleCorners v;
-  for (ListedCorner& corner : v) corner = Placed(sketch, sketch.Place());
-  Write(sketch, v);
+  for (ListedCorner& corner : v) corner = Placed(builder, builder.Place());
+  Write(builder, v);
   const std::int64_t more = bits.Int(1, 7);
   for (std::int64_t n = 0; n < more; ++n) {
     const std::int64_t kind = bits.Int(0, 7);
     const auto k = static_cast<std::size_t>(bits.Int(0, 2));
     // The neighbour across the edge opposite corner k: what a strip or a fan goes on with.
     const auto across = [&] {
-      v = {v[(k + 1) % 3], v[(k + 2) % 3], Placed(sketch, sketch.Place())};
+      v = {v[(k + 1) % 3], v[(k + 2) % 3], Placed(builder, builder.Place())};
     };
     if (kind < 4) {
-      ChangeCoordinate(sketch, v[k]);
+      ChangeCoordinate(builder, v[k]);
     } else if (kind == 4) {
       across();
     } else if (kind == 5) {
       std::swap(v[k], v[(k + 1) % 3]);
     } else {
       // One that may not be drawn, too large or without area, and its neighbour.
-      v[k] = kind == 6 ? Placed(sketch, Far(sketch)) : v[(k + 1) % 3];
-      Write(sketch, v);
+      v[k] = kind == 6 ? Placed(builder, Far(builder)) : v[(k + 1) % 3];
+      Write(builder, v);
       across();
     }
-    Write(sketch, v);
+    Write(builder, v);
   }
-  return sketch.Done(bits.Chance(48) ? Finish::kAnyOrder : Finish::kAsIs);
+  return builder.Done(bits.Chance(48) ? Finish::kAnyOrder : Finish::kAsIs);
 }
 
 Case SparseIndices(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int32_t stride = bits.OneOf(std::span<const int>(kStrides));
   const std::int64_t triangles = bits.Int(2, stride < 1024 ? 5 : 3);
-  const Point2 between = sketch.Place();
+  const Point2 between = builder.Place();
   for (std::int64_t t = 0; t < triangles; ++t) {
     std::array<std::int32_t, 3> v{};
-    for (std::int32_t& index : v) index = sketch.Add(sketch.Place());
-    sketch.AddTriangle(v[0], v[1], v[2]);
+    for (std::int32_t& index : v) index = builder.Add(builder.Place());
+    builder.AddTriangle(v[0], v[1], v[2]);
     for (std::int32_t unused = 3; unused < stride && t + 1 < triangles; ++unused) {
-      sketch.Add(between);
+      builder.Add(between);
     }
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

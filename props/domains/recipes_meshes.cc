@@ -5,33 +5,33 @@
 #include <numbers>
 #include <vector>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
 
 // The diagonal of a quad: exactly through a sample, a step or some steps off it, or as near as the
 // lattice allows.
-Segment DrawDiagonal(Sketch& sketch) {
-  const Point2 p = sketch.Sample();
-  const Segment through = SegmentThrough(sketch, p);
-  const std::int64_t kind = sketch.bits().Int(0, 3);
+Segment DrawDiagonal(CaseBuilder& builder) {
+  const Point2 p = builder.Sample();
+  const Segment through = SegmentThrough(builder, p);
+  const std::int64_t kind = builder.bits().Int(0, 3);
   if (kind == 0) return through;
-  if (kind == 1) return {through.a, Hardest(sketch, through.b, through.a, p)};
-  return {Nudged(sketch, through.a, kind == 2 ? 1 : 16), through.b};
+  if (kind == 1) return {through.a, Hardest(builder, through.b, through.a, p)};
+  return {Nudged(builder, through.a, kind == 2 ? 1 : 16), through.b};
 }
 
 // The diagonal of a square whose corners are the same small power of two off the samples, as in a
 // 6-pixel gap found along the shared diagonal of a quad at 0.49993896484375 = 1/2 - 2^-14 (DRTK
 // pull request 9). It passes exactly through the samples between its ends.
-Segment DrawOffsetDiagonal(Sketch& sketch) {
-  const Point2 p = sketch.Sample();
-  const double sign = sketch.Sign();
-  const double off = -sign * std::ldexp(1.0, -static_cast<int>(sketch.bits().Int(6, 18)));
-  const double side = sign * static_cast<double>(sketch.bits().Int(1, 32));
+Segment DrawOffsetDiagonal(CaseBuilder& builder) {
+  const Point2 p = builder.Sample();
+  const double sign = builder.Sign();
+  const double off = -sign * std::ldexp(1.0, -static_cast<int>(builder.bits().Int(6, 18)));
+  const double side = sign * static_cast<double>(builder.bits().Int(1, 32));
   return {{p.x + off, p.y + off}, {p.x + off + side, p.y + off + side}};
 }
 
@@ -45,34 +45,34 @@ struct GridShape {
   int sample_row = 0;
 };
 
-GridShape DrawGridShape(Sketch& sketch, int columns, int rows) {
-  GridShape shape{.columns = columns, .rows = rows, .sample = sketch.Sample()};
-  shape.spacing = static_cast<double>(sketch.bits().Int(2, 16)) / 2;
-  shape.sample_column = static_cast<int>(sketch.bits().Int(0, columns));
-  shape.sample_row = static_cast<int>(sketch.bits().Int(0, rows));
+GridShape DrawGridShape(CaseBuilder& builder, int columns, int rows) {
+  GridShape shape{.columns = columns, .rows = rows, .sample = builder.Sample()};
+  shape.spacing = static_cast<double>(builder.bits().Int(2, 16)) / 2;
+  shape.sample_column = static_cast<int>(builder.bits().Int(0, columns));
+  shape.sample_row = static_cast<int>(builder.bits().Int(0, rows));
   return shape;
 }
 
 // Two nodes that are `spacing` apart may come 4 * jitter nearer in the determinant: below
 // spacing / 4 no triangle folds. Rounding to a coarse lattice can still fold one: see the caller.
-PlanarMesh MakeGrid(Sketch& sketch, const GridShape& shape, double jitter) {
+PlanarMesh MakeGrid(CaseBuilder& builder, const GridShape& shape, double jitter) {
   PlanarMesh mesh;
   const int across = shape.columns + 1;
   for (int j = 0; j <= shape.rows; ++j) {
     for (int i = 0; i < across; ++i) {
       const bool pinned = i == shape.sample_column && j == shape.sample_row;
-      const double moved = pinned || sketch.bits().Chance(64) ? 0 : jitter;
+      const double moved = pinned || builder.bits().Chance(64) ? 0 : jitter;
       const double x = shape.sample.x + (i - shape.sample_column) * shape.spacing;
       const double y = shape.sample.y + (j - shape.sample_row) * shape.spacing;
       mesh.AddVertex(OnLattice(
-          sketch, {x + sketch.Uniform(-moved, moved), y + sketch.Uniform(-moved, moved)}));
+          builder, {x + builder.Uniform(-moved, moved), y + builder.Uniform(-moved, moved)}));
     }
   }
   for (int j = 0; j < shape.rows; ++j) {
     for (int i = 0; i < shape.columns; ++i) {
       const int a = j * across + i;
       const int b = a + 1, c = a + across, d = c + 1;
-      const bool falling = sketch.bits().Chance(128);
+      const bool falling = builder.bits().Chance(128);
       mesh.triangles.push_back(falling ? Triangle{a, d, b} : Triangle{a, c, b});
       mesh.triangles.push_back(falling ? Triangle{a, c, d} : Triangle{b, c, d});
     }
@@ -80,12 +80,12 @@ PlanarMesh MakeGrid(Sketch& sketch, const GridShape& shape, double jitter) {
   return mesh;
 }
 
-Case DoneGrid(Sketch& sketch, const GridShape& shape) {
-  const double jitter = sketch.bits().Chance(128) ? 0 : 0.24 * shape.spacing;
-  PlanarMesh mesh = MakeGrid(sketch, shape, jitter);
-  if (!mesh.IsFacingOneWay()) mesh = MakeGrid(sketch, shape, 0);
-  mesh.AddTo(sketch);
-  return sketch.Done(Finish::kMesh);
+Case DoneGrid(CaseBuilder& builder, const GridShape& shape) {
+  const double jitter = builder.bits().Chance(128) ? 0 : 0.24 * shape.spacing;
+  PlanarMesh mesh = MakeGrid(builder, shape, jitter);
+  if (!mesh.IsFacingOneWay()) mesh = MakeGrid(builder, shape, 0);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
 }
 
 // The place at distance t of [0, 8 radius) along the perimeter of a square of half side `radius`.
@@ -100,14 +100,14 @@ Point2 OnSquare(Point2 centre, double radius, double t) {
 
 // The rim of a fan in order around its hub: the square's corners and places between them, so that
 // no wedge reaches half a turn.
-std::vector<double> DrawRim(Sketch& sketch, double radius, double grid_step) {
+std::vector<double> DrawRim(CaseBuilder& builder, double radius, double grid_step) {
   const std::int64_t places = static_cast<std::int64_t>(8 * radius / grid_step);
   std::vector<double> rim;
   for (int corner = 0; corner < 4; ++corner) rim.push_back(corner * 2 * radius);
   const std::int64_t more =
-      sketch.bits().Chance(32) ? sketch.bits().Int(24, 124) : sketch.bits().Int(0, 12);
+      builder.bits().Chance(32) ? builder.bits().Int(24, 124) : builder.bits().Int(0, 12);
   for (std::int64_t i = 0; i < more; ++i) {
-    rim.push_back(grid_step * static_cast<double>(sketch.bits().Int(0, places - 1)));
+    rim.push_back(grid_step * static_cast<double>(builder.bits().Int(0, places - 1)));
   }
   std::ranges::sort(rim);
   rim.erase(std::ranges::unique(rim).begin(), rim.end());
@@ -116,37 +116,37 @@ std::vector<double> DrawRim(Sketch& sketch, double radius, double grid_step) {
 
 // Log-uniform up to 2^15 pixels, whatever the range is beyond that; or up to an eighth of it. The
 // largest mesh of such a size around a target still lies in the range.
-double DrawSize(Sketch& sketch) {
+double DrawSize(CaseBuilder& builder) {
   constexpr int kOrdinary = 14;
-  const int end = std::max(1, std::ilogb(sketch.Range()) - 4);
-  const int most = sketch.bits().Chance(48) ? end : std::min(kOrdinary, end);
-  return std::fabs(sketch.LogUniform(1, most));
+  const int end = std::max(1, std::ilogb(builder.Range()) - 4);
+  const int most = builder.bits().Chance(48) ? end : std::min(kOrdinary, end);
+  return std::fabs(builder.LogUniform(1, most));
 }
 
 // A sample, or a place as far from it as a mesh of that size still reaches.
-Point2 DrawCentre(Sketch& sketch, double size) {
-  const Point2 p = sketch.Sample();
-  if (sketch.bits().Chance(128)) return p;
-  const double x = sketch.Uniform(-size, size);
-  return {p.x + x, p.y + sketch.Uniform(-size, size)};
+Point2 DrawCentre(CaseBuilder& builder, double size) {
+  const Point2 p = builder.Sample();
+  if (builder.bits().Chance(128)) return p;
+  const double x = builder.Uniform(-size, size);
+  return {p.x + x, p.y + builder.Uniform(-size, size)};
 }
 
-PlanarMesh DrawSizedGrid(Sketch& sketch, double size) {
-  GridShape shape{.columns = static_cast<int>(sketch.bits().Int(1, 3)),
-                  .rows = static_cast<int>(sketch.bits().Int(1, 3)),
+PlanarMesh DrawSizedGrid(CaseBuilder& builder, double size) {
+  GridShape shape{.columns = static_cast<int>(builder.bits().Int(1, 3)),
+                  .rows = static_cast<int>(builder.bits().Int(1, 3)),
                   .spacing = size,
-                  .sample = DrawCentre(sketch, size)};
-  shape.sample_column = static_cast<int>(sketch.bits().Int(0, shape.columns));
-  shape.sample_row = static_cast<int>(sketch.bits().Int(0, shape.rows));
-  return MakeGrid(sketch, shape, sketch.bits().Chance(128) ? 0 : 0.24 * size);
+                  .sample = DrawCentre(builder, size)};
+  shape.sample_column = static_cast<int>(builder.bits().Int(0, shape.columns));
+  shape.sample_row = static_cast<int>(builder.bits().Int(0, shape.rows));
+  return MakeGrid(builder, shape, builder.bits().Chance(128) ? 0 : 0.24 * size);
 }
 
-PlanarMesh DrawSizedFan(Sketch& sketch, double size) {
-  const Point2 centre = OnLattice(sketch, DrawCentre(sketch, size));
+PlanarMesh DrawSizedFan(CaseBuilder& builder, double size) {
+  const Point2 centre = OnLattice(builder, DrawCentre(builder, size));
   PlanarMesh mesh;
   mesh.AddVertex(centre);
-  std::vector<double> rim = DrawRim(sketch, size, std::ldexp(1.0, std::ilogb(size) - 8));
-  for (const double t : rim) mesh.AddVertex(OnLattice(sketch, OnSquare(centre, size, t)));
+  std::vector<double> rim = DrawRim(builder, size, std::ldexp(1.0, std::ilogb(size) - 8));
+  for (const double t : rim) mesh.AddVertex(OnLattice(builder, OnSquare(centre, size, t)));
   const auto n = static_cast<std::int32_t>(rim.size());
   for (std::int32_t i = 0; i < n; ++i) mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
   return mesh;
@@ -154,19 +154,19 @@ PlanarMesh DrawSizedFan(Sketch& sketch, double size) {
 
 // Two on an edge past a sample, each of a height of its own: where a rasterizer goes another way
 // from some size on, they go different ways.
-PlanarMesh DrawUnequalNeighbours(Sketch& sketch, double size) {
-  const Point2 p = sketch.bits().Chance(128) ? sketch.Sample() : sketch.Place();
-  const double turn = sketch.Uniform(-1, 1) * std::numbers::pi;
+PlanarMesh DrawUnequalNeighbours(CaseBuilder& builder, double size) {
+  const Point2 p = builder.bits().Chance(128) ? builder.Sample() : builder.Place();
+  const double turn = builder.Uniform(-1, 1) * std::numbers::pi;
   const Point2 along{std::cos(turn) * size, std::sin(turn) * size};
-  const double before = sketch.Uniform(0.25, 1);
-  const double behind = sketch.Uniform(0.25, 1);
-  const Point2 a = OnLattice(sketch, {p.x - before * along.x, p.y - before * along.y});
-  const Point2 b = OnLattice(sketch, {p.x + behind * along.x, p.y + behind * along.y});
+  const double before = builder.Uniform(0.25, 1);
+  const double behind = builder.Uniform(0.25, 1);
+  const Point2 a = OnLattice(builder, {p.x - before * along.x, p.y - before * along.y});
+  const Point2 b = OnLattice(builder, {p.x + behind * along.x, p.y + behind * along.y});
   const auto beside = [&](double sign) {
-    const double height = sign * DrawSize(sketch) / size;
-    const double t = sketch.Uniform(0, 1);
-    return OnLattice(sketch, {a.x + t * (b.x - a.x) - height * along.y,
-                              a.y + t * (b.y - a.y) + height * along.x});
+    const double height = sign * DrawSize(builder) / size;
+    const double t = builder.Uniform(0, 1);
+    return OnLattice(builder, {a.x + t * (b.x - a.x) - height * along.y,
+                               a.y + t * (b.y - a.y) + height * along.x});
   };
   PlanarMesh mesh;
   mesh.AddVertex(a);
@@ -180,101 +180,101 @@ PlanarMesh DrawUnequalNeighbours(Sketch& sketch, double size) {
 }  // namespace
 
 Case SharedEdge(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const Segment drawn = bits.Chance(64) ? DrawOffsetDiagonal(sketch) : DrawDiagonal(sketch);
-  const Point2 a = OnLattice(sketch, drawn.a);
-  const Point2 b = OnLattice(sketch, drawn.b);
+  CaseBuilder builder(bits, info);
+  const Segment drawn = bits.Chance(64) ? DrawOffsetDiagonal(builder) : DrawDiagonal(builder);
+  const Point2 a = OnLattice(builder, drawn.a);
+  const Point2 b = OnLattice(builder, drawn.b);
   const Point2 d{b.x - a.x, b.y - a.y};
   // Two more corners, at least two pixels to either side of the diagonal.
   const auto beside = [&](double sign) {
     const double length = std::max(1.0, std::hypot(d.x, d.y));
-    const double off = sign * sketch.Uniform(2, 24) / length;
-    const double along = sketch.Uniform(-0.25, 1.25);
-    return OnLattice(sketch, {a.x + along * d.x - off * d.y, a.y + along * d.y + off * d.x});
+    const double off = sign * builder.Uniform(2, 24) / length;
+    const double along = builder.Uniform(-0.25, 1.25);
+    return OnLattice(builder, {a.x + along * d.x - off * d.y, a.y + along * d.y + off * d.x});
   };
   const bool square = bits.Chance(64) && d.x != 0 && d.y != 0;
-  const std::int32_t ia = sketch.Add(a);
-  const std::int32_t ib = sketch.Add(b);
-  sketch.AddTriangle(ia, ib, sketch.Add(square ? Point2{a.x, b.y} : beside(+1)));
-  sketch.AddTriangle(ib, ia, sketch.Add(square ? Point2{b.x, a.y} : beside(-1)));
-  return sketch.Done(Finish::kMesh);
+  const std::int32_t ia = builder.Add(a);
+  const std::int32_t ib = builder.Add(b);
+  builder.AddTriangle(ia, ib, builder.Add(square ? Point2{a.x, b.y} : beside(+1)));
+  builder.AddTriangle(ib, ia, builder.Add(square ? Point2{b.x, a.y} : beside(-1)));
+  return builder.Done(Finish::kMesh);
 }
 
 Case Fans(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const Point2 p = sketch.Sample();
+  CaseBuilder builder(bits, info);
+  const Point2 p = builder.Sample();
   const double radius = static_cast<double>(bits.Int(4, 48)) / 2;
-  const int grid_bits = std::max(0, std::min(8, sketch.lattice().GridBits(256)));
-  const Point2 centre = OnLattice(sketch, p);
-  const Point2 hub = bits.Chance(96) ? centre : OnLattice(sketch, Nudged(sketch, centre, 1));
+  const int grid_bits = std::max(0, std::min(8, builder.lattice().GridBits(256)));
+  const Point2 centre = OnLattice(builder, p);
+  const Point2 hub = bits.Chance(96) ? centre : OnLattice(builder, Nudged(builder, centre, 1));
   PlanarMesh mesh;
   const std::int32_t h = mesh.AddVertex(hub);
-  const std::vector<double> rim = DrawRim(sketch, radius, std::ldexp(1.0, -grid_bits));
-  for (const double t : rim) mesh.AddVertex(OnLattice(sketch, OnSquare(centre, radius, t)));
+  const std::vector<double> rim = DrawRim(builder, radius, std::ldexp(1.0, -grid_bits));
+  for (const double t : rim) mesh.AddVertex(OnLattice(builder, OnSquare(centre, radius, t)));
   const auto n = static_cast<std::int32_t>(rim.size());
   const std::int32_t left_out = bits.Chance(64) ? static_cast<std::int32_t>(bits.Int(1, n - 1)) : 0;
   for (std::int32_t i = 0; i < n - left_out; ++i) {
     mesh.triangles.push_back({h, h + 1 + i, h + 1 + (i + 1) % n});
   }
-  mesh.AddTo(sketch);
-  return sketch.Done(Finish::kMesh);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
 }
 
 Case Strips(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const int cells = static_cast<int>(bits.Int(2, 16));
   const bool along_y = bits.Chance(128);
-  return DoneGrid(sketch, DrawGridShape(sketch, along_y ? 1 : cells, along_y ? cells : 1));
+  return DoneGrid(builder, DrawGridShape(builder, along_y ? 1 : cells, along_y ? cells : 1));
 }
 
 Case Grids(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const int columns = static_cast<int>(bits.Int(1, 6));
-  return DoneGrid(sketch, DrawGridShape(sketch, columns, static_cast<int>(bits.Int(1, 6))));
+  return DoneGrid(builder, DrawGridShape(builder, columns, static_cast<int>(bits.Int(1, 6))));
 }
 
 Case EverySize(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const double size = DrawSize(sketch);
+  CaseBuilder builder(bits, info);
+  const double size = DrawSize(builder);
   PlanarMesh mesh;
   switch (bits.Int(0, 3)) {
     case 0:
-      mesh = DrawSizedGrid(sketch, size);
+      mesh = DrawSizedGrid(builder, size);
       break;
     case 1:
-      mesh = DrawSizedFan(sketch, size);
+      mesh = DrawSizedFan(builder, size);
       break;
     default:
-      mesh = DrawUnequalNeighbours(sketch, size);
+      mesh = DrawUnequalNeighbours(builder, size);
       break;
   }
   // An end of the range or a coarse lattice has folded it.
   if (!mesh.IsFacingOneWay()) mesh.triangles.resize(1);
-  mesh.AddTo(sketch);
-  return sketch.Done(Finish::kMesh);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
 }
 
 Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  sketch.UseClipSpace();
+  CaseBuilder builder(bits, info);
+  builder.UseClipSpace();
   const int columns = static_cast<int>(bits.Int(1, 4));
-  const GridShape shape = DrawGridShape(sketch, columns, static_cast<int>(bits.Int(1, 4)));
-  PlanarMesh mesh = MakeGrid(sketch, shape, bits.Chance(128) ? 0 : 0.2 * shape.spacing);
-  if (!mesh.IsFacingOneWay()) mesh = MakeGrid(sketch, shape, 0);
+  const GridShape shape = DrawGridShape(builder, columns, static_cast<int>(bits.Int(1, 4)));
+  PlanarMesh mesh = MakeGrid(builder, shape, bits.Chance(128) ? 0 : 0.2 * shape.spacing);
+  if (!mesh.IsFacingOneWay()) mesh = MakeGrid(builder, shape, 0);
   for (const Point2 p : mesh.vertices) {
     // Powers of two keep the place exact; others move it by an ulp or two.
     const double w = bits.Chance(96)
                          ? std::ldexp(1.0, static_cast<int>(bits.Int(-4, 4)))
-                         : sketch.lattice().RoundToFloat(std::fabs(sketch.LogUniform(-4, 3)));
-    sketch.AddRaw({p.x * w, p.y * w, 0, w});
+                         : builder.lattice().RoundToFloat(std::fabs(builder.LogUniform(-4, 3)));
+    builder.AddRaw({p.x * w, p.y * w, 0, w});
   }
-  for (const Triangle& t : mesh.triangles) sketch.AddTriangle(t[0], t[1], t[2]);
-  return sketch.Done(Finish::kMesh);
+  for (const Triangle& t : mesh.triangles) builder.AddTriangle(t[0], t[1], t[2]);
+  return builder.Done(Finish::kMesh);
 }
 
 Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const Snap& snap = sketch.profile().snap;
+  CaseBuilder builder(bits, info);
+  const Snap& snap = builder.profile().snap;
   const double step = std::ldexp(1.0, -(snap.IsNone() ? 8 : snap.bits));
   // Half of the coordinates lie half way between two grid points or within a sixteenth of that.
   const auto between = [&] {
@@ -282,7 +282,7 @@ Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
     if (kind < 4) return 0.0;
     return step * (0.5 + static_cast<double>(kind - 5) / 16);
   };
-  const Point2 p = sketch.Sample();
+  const Point2 p = builder.Sample();
   auto dx = static_cast<double>(bits.Int(-3, 3));
   const auto dy = static_cast<double>(bits.Int(-3, 3));
   if (dx == 0 && dy == 0) dx = 1;
@@ -290,7 +290,7 @@ Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
   const auto place = [&](double along, double across) {
     const double off_x = between();
     const double off_y = between();
-    return sketch.AddRaw(
+    return builder.AddRaw(
         {p.x + along * dx - across * dy + off_x, p.y + along * dy + across * dx + off_y});
   };
   const auto before = static_cast<double>(bits.Int(2, 6));
@@ -298,9 +298,9 @@ Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
   const std::int32_t b = place(static_cast<double>(bits.Int(2, 6)), 0);
   const std::int32_t left = place(0, 4);
   const std::int32_t right = place(0, -4);
-  sketch.AddTriangle(a, b, left);
-  sketch.AddTriangle(b, a, right);
-  return sketch.Done(Finish::kMesh);
+  builder.AddTriangle(a, b, left);
+  builder.AddTriangle(b, a, right);
+  return builder.Done(Finish::kMesh);
 }
 
 }  // namespace rasterproof::props

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -19,59 +19,59 @@ constexpr int kMostSamples = 1 << 17;
 }  // namespace
 
 Case UniformSubpixel(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
-    const Point2 a = sketch.Place();
-    const Point2 b = sketch.Place();
-    sketch.AddTriangle({a, b, sketch.Place()});
+    const Point2 a = builder.Place();
+    const Point2 b = builder.Place();
+    builder.AddTriangle({a, b, builder.Place()});
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case VerticesOnSamples(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
     std::array<Point2, 3> v;
     for (Point2& p : v) {
-      p = sketch.Sample();
+      p = builder.Sample();
       if (!bits.Chance(64)) continue;
       p.x += static_cast<double>(bits.Int(-8, 8)) / 2;
       p.y += static_cast<double>(bits.Int(-8, 8)) / 2;
     }
-    v[0] = sketch.Sample();
-    sketch.AddTriangle(v);
+    v[0] = builder.Sample();
+    builder.AddTriangle(v);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case AxisAligned(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t rectangles = bits.Int(1, 3);
   for (std::int64_t r = 0; r < rectangles; ++r) {
-    const Point2 corner = sketch.Sample();
-    const Point2 other = bits.Chance(160) ? sketch.Sample() : sketch.Place();
-    const std::int32_t a = sketch.Add(corner);
-    const std::int32_t b = sketch.Add({other.x, corner.y});
-    const std::int32_t c = sketch.Add(other);
-    const std::int32_t d = sketch.Add({corner.x, other.y});
-    sketch.AddTriangle(a, b, c);
-    if (bits.Chance(192)) sketch.AddTriangle(a, c, d);
+    const Point2 corner = builder.Sample();
+    const Point2 other = bits.Chance(160) ? builder.Sample() : builder.Place();
+    const std::int32_t a = builder.Add(corner);
+    const std::int32_t b = builder.Add({other.x, corner.y});
+    const std::int32_t c = builder.Add(other);
+    const std::int32_t d = builder.Add({corner.x, other.y});
+    builder.AddTriangle(a, b, c);
+    if (bits.Chance(192)) builder.AddTriangle(a, c, d);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case VertexOrders(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const std::int32_t a = sketch.Add(sketch.Place());
-  const std::int32_t b = sketch.Add(sketch.Place());
-  const std::int32_t c = sketch.Add(sketch.Place());
+  CaseBuilder builder(bits, info);
+  const std::int32_t a = builder.Add(builder.Place());
+  const std::int32_t b = builder.Add(builder.Place());
+  const std::int32_t c = builder.Add(builder.Place());
   std::array<std::int32_t, 3> order{a, b, c};
   do {
-    sketch.AddTriangle(order[0], order[1], order[2]);
+    builder.AddTriangle(order[0], order[1], order[2]);
   } while (std::next_permutation(order.begin(), order.end()));
-  return sketch.Done(Finish::kAsIs);
+  return builder.Done(Finish::kAsIs);
 }
 
 Case TargetSizes(BitSource& bits, const SubjectInfo& info) {
@@ -79,21 +79,21 @@ Case TargetSizes(BitSource& bits, const SubjectInfo& info) {
   const int most = std::min(side, kMostSamples / side);
   const int other = static_cast<int>(bits.Chance(128) ? most : bits.Int(1, most));
   const bool tall = bits.Chance(128);
-  Sketch sketch(bits, info, tall ? other : side, tall ? side : other);
+  CaseBuilder builder(bits, info, tall ? other : side, tall ? side : other);
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // Boxes that are large both ways, even where the target is not.
     std::array<Point2, 3> v;
     for (Point2& p : v) {
       if (bits.Chance(96)) {
-        p = sketch.Sample();
+        p = builder.Sample();
       } else {
-        p = {sketch.Coordinate(side, false), sketch.Coordinate(side, true)};
+        p = {builder.Coordinate(side, false), builder.Coordinate(side, true)};
       }
     }
-    sketch.AddTriangle(v);
+    builder.AddTriangle(v);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <span>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
@@ -22,8 +22,8 @@ double StepAt(const InputLattice& lattice, double x) {
 }  // namespace
 
 Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  sketch.IgnoreLimit();
+  CaseBuilder builder(bits, info);
+  builder.IgnoreLimit();
   const FixedInput fixed = info.profile.fixed.value_or(FixedInput{});
   const auto most = std::min(info.profile.coordinate_limit, 3 * fixed.Span());
   const auto wrapping = [&](double x) {
@@ -37,89 +37,89 @@ Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info) {
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // An edge through a sample, and a place beside it: all of it taken apart by whole spans.
-    const Point2 p = sketch.Sample();
-    const Segment edge = SegmentThrough(sketch, p);
-    std::array<Point2, 3> v{edge.a, edge.b, sketch.Place()};
+    const Point2 p = builder.Sample();
+    const Segment edge = SegmentThrough(builder, p);
+    std::array<Point2, 3> v{edge.a, edge.b, builder.Place()};
     for (Point2& corner : v) {
-      const double x = wrapping(sketch.lattice().Round(corner.x));
-      corner = {x, wrapping(sketch.lattice().Round(corner.y))};
+      const double x = wrapping(builder.lattice().Round(corner.x));
+      corner = {x, wrapping(builder.lattice().Round(corner.y))};
     }
-    sketch.AddTriangle(v);
+    builder.AddTriangle(v);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const MaxPrimitiveExtent most =
       info.profile.max_primitive_extent.value_or(MaxPrimitiveExtent{64, 32});
   // From `low` on, an extent a few steps off the largest one; in half steps, so that on a grid of
   // fewer bits than the input the snap decides. Or an ordinary extent.
   const auto high_end = [&](double low, double extent) {
-    if (bits.Chance(96)) return low + extent * sketch.Uniform(0.1, 0.9);
-    const double step = StepAt(sketch.lattice(), low + extent);
+    if (bits.Chance(96)) return low + extent * builder.Uniform(0.1, 0.9);
+    const double step = StepAt(builder.lattice(), low + extent);
     return low + extent + static_cast<double>(bits.Int(-4, 4)) * 0.5 * step;
   };
   const auto low_end = [&](double extent, int side, bool along_y) {
-    const double at = sketch.Coordinate(side, along_y);
+    const double at = builder.Coordinate(side, along_y);
     const double back = bits.Chance(128) ? extent : 0;
-    return sketch.lattice().Round(at - back * sketch.Uniform(0, 1));
+    return builder.lattice().Round(at - back * builder.Uniform(0, 1));
   };
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
-    const double left = low_end(most.width, sketch.width(), false);
+    const double left = low_end(most.width, builder.width(), false);
     const double right = high_end(left, most.width);
-    const double top = low_end(most.height, sketch.height(), true);
+    const double top = low_end(most.height, builder.height(), true);
     const double bottom = high_end(top, most.height);
-    const double part = sketch.Uniform(0, 1);
+    const double part = builder.Uniform(0, 1);
     const bool right_angle = bits.Chance(128);
-    const double within = sketch.lattice().limit();
+    const double within = builder.lattice().limit();
     const std::array<Point2, 3> v{
         Point2{left, top}, Point2{right, right_angle ? top : top + part * (bottom - top)},
         Point2{right_angle ? left : left + part * (right - left), bottom}};
     std::array<std::int32_t, 3> corner{};
     for (std::size_t k = 0; k < 3; ++k) {
-      corner[k] = sketch.AddRaw({std::clamp(v[k].x, sketch.lattice().lowest(), within),
-                                 std::clamp(v[k].y, sketch.lattice().lowest(), within)});
+      corner[k] = builder.AddRaw({std::clamp(v[k].x, builder.lattice().lowest(), within),
+                                  std::clamp(v[k].y, builder.lattice().lowest(), within)});
     }
-    sketch.AddTriangle(corner[0], corner[1], corner[2]);
+    builder.AddTriangle(corner[0], corner[1], corner[2]);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case GuardBandEnds(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const WindowBox box = UnclippedBox(info.profile, sketch.width(), sketch.height())
+  CaseBuilder builder(bits, info);
+  const WindowBox box = UnclippedBox(info.profile, builder.width(), builder.height())
                             .value_or(WindowBox{-256, -256, 256, 256});
   // On a side of the rectangle, a step or two inside or outside it, well outside, or well inside.
   // Now and then all ends lie inside, or single samples would hardly ever be judged.
   const bool all_inside = bits.Chance(112);
   const auto end = [&](double side, double outwards) {
     const std::int64_t kind = bits.Int(0, 5);
-    if (kind == 0 && !all_inside) return side + outwards * sketch.Uniform(1, 64);
-    if (kind == 1) return side - outwards * sketch.Uniform(1, 8);
+    if (kind == 0 && !all_inside) return side + outwards * builder.Uniform(1, 64);
+    if (kind == 1) return side - outwards * builder.Uniform(1, 8);
     const auto steps = static_cast<double>(bits.Int(-2, all_inside ? 0 : 2));
-    return side + outwards * steps * StepAt(sketch.lattice(), side);
+    return side + outwards * steps * StepAt(builder.lattice(), side);
   };
   // Two triangles on either side of an edge across the target, or a fan of four about a place in
   // it: neighbours share edges that leave the rectangle.
-  const Point2 hub = bits.Chance(128) ? sketch.Sample() : sketch.Place();
-  const Point2 left{end(box.x0, -1), sketch.Coordinate(sketch.height(), true)};
-  const Point2 top{sketch.Coordinate(sketch.width(), false), end(box.y0, -1)};
-  const Point2 right{end(box.x1, 1), sketch.Coordinate(sketch.height(), true)};
-  const Point2 bottom{sketch.Coordinate(sketch.width(), false), end(box.y1, 1)};
-  const std::array<std::int32_t, 4> around{sketch.Add(left), sketch.Add(top), sketch.Add(right),
-                                           sketch.Add(bottom)};
+  const Point2 hub = bits.Chance(128) ? builder.Sample() : builder.Place();
+  const Point2 left{end(box.x0, -1), builder.Coordinate(builder.height(), true)};
+  const Point2 top{builder.Coordinate(builder.width(), false), end(box.y0, -1)};
+  const Point2 right{end(box.x1, 1), builder.Coordinate(builder.height(), true)};
+  const Point2 bottom{builder.Coordinate(builder.width(), false), end(box.y1, 1)};
+  const std::array<std::int32_t, 4> around{builder.Add(left), builder.Add(top), builder.Add(right),
+                                           builder.Add(bottom)};
   if (bits.Chance(128)) {
-    sketch.AddTriangle(around[0], around[1], around[2]);
-    sketch.AddTriangle(around[0], around[2], around[3]);
+    builder.AddTriangle(around[0], around[1], around[2]);
+    builder.AddTriangle(around[0], around[2], around[3]);
   } else {
-    const std::int32_t middle = sketch.Add(hub);
+    const std::int32_t middle = builder.Add(hub);
     for (std::size_t k = 0; k < 4; ++k) {
-      sketch.AddTriangle(around[k], around[(k + 1) % 4], middle);
+      builder.AddTriangle(around[k], around[(k + 1) % 4], middle);
     }
   }
-  return sketch.Done(Finish::kMesh);
+  return builder.Done(Finish::kMesh);
 }
 
 Case OffGridMoves(BitSource& bits, const SubjectInfo& info) {
@@ -127,23 +127,23 @@ Case OffGridMoves(BitSource& bits, const SubjectInfo& info) {
   constexpr int kMargin = 6;
   const auto side = [&] { return static_cast<int>(bits.Int(2 * kMargin + 2, 48)); };
   const int width = side();
-  Sketch sketch(bits, info, width, side());
+  CaseBuilder builder(bits, info, width, side());
   // Some bits more than the grid has, and few enough that float32 holds all that are moved.
   const auto fraction = static_cast<int>(bits.Int(1, 16));
   const auto within = [&](int extent) {
-    const double x = sketch.Uniform(kMargin, extent - kMargin);
+    const double x = builder.Uniform(kMargin, extent - kMargin);
     return std::ldexp(std::floor(std::ldexp(x, fraction)), -fraction);
   };
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     std::array<std::int32_t, 3> corner{};
     for (std::int32_t& k : corner) {
-      const double x = within(sketch.width());
-      k = sketch.AddRaw({x, within(sketch.height())});
+      const double x = within(builder.width());
+      k = builder.AddRaw({x, within(builder.height())});
     }
-    sketch.AddTriangle(corner[0], corner[1], corner[2]);
+    builder.AddTriangle(corner[0], corner[1], corner[2]);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info) {
@@ -158,9 +158,9 @@ Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info) {
   const std::int64_t beside = bits.Chance(128) ? 0 : bits.Int(-1, 1);
   const int side = static_cast<int>(std::clamp<std::int64_t>(most + beside, 1, kMaxTargetSide));
   const int other = static_cast<int>(bits.Int(1, 16));
-  Sketch sketch(bits, info, wide ? side : other, wide ? other : side);
-  AddDecidingTies(sketch);
-  return sketch.Done(Finish::kAnyOrder);
+  CaseBuilder builder(bits, info, wide ? side : other, wide ? other : side);
+  AddDecidingTies(builder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

@@ -6,187 +6,187 @@
 #include <cstdint>
 
 #include "core/ulp.h"
+#include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
 
 // An end of the range or up to two steps inside, and sometimes an ordinary place.
-double EndOfRange(Sketch& sketch, double range, bool along_y) {
-  if (sketch.bits().Chance(48)) {
-    return sketch.Coordinate(along_y ? sketch.height() : sketch.width(), along_y);
+double EndOfRange(CaseBuilder& builder, double range, bool along_y) {
+  if (builder.bits().Chance(48)) {
+    return builder.Coordinate(along_y ? builder.height() : builder.width(), along_y);
   }
-  const double sign = sketch.Sign();
-  const std::int64_t steps = sketch.bits().Int(0, 2);
-  if (sign > 0) return sketch.lattice().Move(range, -steps);
-  return sketch.lattice().Move(sketch.LeastOfRange(), steps);
+  const double sign = builder.Sign();
+  const std::int64_t steps = builder.bits().Int(0, 2);
+  if (sign > 0) return builder.lattice().Move(range, -steps);
+  return builder.lattice().Move(builder.LeastOfRange(), steps);
 }
 
 // Somewhere on the outline of the range.
-Point2 OnOutline(Sketch& sketch, double range) {
-  const double along = sketch.Uniform(-range, range);
-  const double across = sketch.Sign() * range;
-  return sketch.bits().Chance(128) ? Point2{along, across} : Point2{across, along};
+Point2 OnOutline(CaseBuilder& builder, double range) {
+  const double along = builder.Uniform(-range, range);
+  const double across = builder.Sign() * range;
+  return builder.bits().Chance(128) ? Point2{along, across} : Point2{across, along};
 }
 
 }  // namespace
 
 Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const double range = sketch.Range();
+  CaseBuilder builder(bits, info);
+  const double range = builder.Range();
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     if (bits.Chance(128)) {
       std::array<Point2, 3> v;
       for (Point2& p : v) {
-        const double x = EndOfRange(sketch, range, false);
-        p = {x, EndOfRange(sketch, range, true)};
+        const double x = EndOfRange(builder, range, false);
+        p = {x, EndOfRange(builder, range, true)};
       }
-      sketch.AddTriangle(v);
+      builder.AddTriangle(v);
       continue;
     }
     if (bits.Chance(64)) {
       // Legs along a row and a column of samples, as long as any that the range allows.
-      const Point2 p = sketch.Sample();
+      const Point2 p = builder.Sample();
       const int most = std::max(2, std::ilogb(range));
-      const Point2 far{p.x + sketch.LogUniform(1, most), p.y + sketch.LogUniform(1, most)};
-      sketch.AddTriangle({p, Point2{far.x, p.y}, Point2{p.x, far.y}});
+      const Point2 far{p.x + builder.LogUniform(1, most), p.y + builder.LogUniform(1, most)};
+      builder.AddTriangle({p, Point2{far.x, p.y}, Point2{p.x, far.y}});
       continue;
     }
     // A needle across the range, a step or two wide, through a sample. Or as thin as the lattice
     // allows without being empty, the sample its third vertex.
-    const Point2 p = sketch.Sample();
-    const Point2 q = OnOutline(sketch, range);
-    const double times = sketch.Uniform(0.25, 1);
+    const Point2 p = builder.Sample();
+    const Point2 q = OnOutline(builder, range);
+    const double times = builder.Uniform(0.25, 1);
     const Point2 far{p.x - times * (q.x - p.x), p.y - times * (q.y - p.y)};
     if (bits.Chance(128)) {
-      const Point2 end{sketch.lattice().RoundWithinLimit(q.x),
-                       sketch.lattice().RoundWithinLimit(q.y)};
-      sketch.AddTriangle({end, Hardest(sketch, far, end, p), p});
+      const Point2 end{builder.lattice().RoundWithinLimit(q.x),
+                       builder.lattice().RoundWithinLimit(q.y)};
+      builder.AddTriangle({end, Hardest(builder, far, end, p), p});
       continue;
     }
-    sketch.AddTriangle({q, far, Nudged(sketch, bits.Chance(128) ? far : q, 2)});
+    builder.AddTriangle({q, far, Nudged(builder, bits.Chance(128) ? far : q, 2)});
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const double range = sketch.Range();
+  CaseBuilder builder(bits, info);
+  const double range = builder.Range();
   const int most = std::max(5, std::ilogb(range));
-  const auto far = [&] { return -std::min(std::fabs(sketch.LogUniform(4, most)), range); };
+  const auto far = [&] { return -std::min(std::fabs(builder.LogUniform(4, most)), range); };
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // One corner far to the left, one far above, either or both of them far both ways; the third on
     // the target or beyond it.
     const double left = far();
     const double above = far();
-    const double y = bits.Chance(128) ? far() : sketch.Coordinate(sketch.height(), true);
-    const double x = bits.Chance(128) ? far() : sketch.Coordinate(sketch.width(), false);
-    const double times = bits.Chance(128) ? 1 : std::fabs(sketch.LogUniform(0, most - 5));
-    const Point2 third = sketch.Place();
+    const double y = bits.Chance(128) ? far() : builder.Coordinate(builder.height(), true);
+    const double x = bits.Chance(128) ? far() : builder.Coordinate(builder.width(), false);
+    const double times = bits.Chance(128) ? 1 : std::fabs(builder.LogUniform(0, most - 5));
+    const Point2 third = builder.Place();
     const Point2 end{times * third.x, times * third.y};
-    sketch.AddTriangle({Point2{left, y}, Point2{x, above}, end});
+    builder.AddTriangle({Point2{left, y}, Point2{x, above}, end});
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case RoundedDifferences(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  const bool is_float32 = sketch.lattice().precision() == Precision::kFloat32;
+  CaseBuilder builder(bits, info);
+  const bool is_float32 = builder.lattice().precision() == Precision::kFloat32;
   const int least = is_float32 ? -149 : -1074;
   const int significant = is_float32 ? 24 : 53;
   const auto draw_scale = [&] {
     const std::int64_t kind = bits.Int(0, 3);
     // Where the difference of a float32 and a sample has more bits than a double.
-    if (kind >= 2) return sketch.LogUniform(-54, -26);
+    if (kind >= 2) return builder.LogUniform(-54, -26);
     // Subnormal, or anything.
-    return sketch.LogUniform(least, kind == 1 ? least + significant : -8);
+    return builder.LogUniform(least, kind == 1 ? least + significant : -8);
   };
   const std::int64_t triangles = bits.Int(1, 8);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // One end on the line through a sample and the origin, next to the origin; the other end a
     // multiple of the sample. What the difference of sample and end rounds away decides the sign.
-    const Point2 p = sketch.Sample();
+    const Point2 p = builder.Sample();
     const double scale = draw_scale();
     Point2 end{scale * p.x, scale * p.y};
-    if (bits.Chance(192)) end = Nudged(sketch, end, 2);
+    if (bits.Chance(192)) end = Nudged(builder, end, 2);
     if (bits.Chance(32)) end = {0, 0};
     const auto times = static_cast<double>(bits.Int(1, 4));
-    Point2 third = sketch.Place();
+    Point2 third = builder.Place();
     if (bits.Chance(128)) {
       // A sliver whose short side is as tiny.
-      const double x = scale * sketch.Uniform(-2, 2) * p.x;
-      third = {x, scale * sketch.Uniform(-2, 2) * p.y};
+      const double x = scale * builder.Uniform(-2, 2) * p.x;
+      third = {x, scale * builder.Uniform(-2, 2) * p.y};
     }
-    sketch.AddTriangle({end, Point2{times * p.x, times * p.y}, third});
+    builder.AddTriangle({end, Point2{times * p.x, times * p.y}, third});
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
+  CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 6);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // Around one sample, every side shorter than a pixel, down to the lattice's step.
-    const Point2 p = sketch.Sample();
-    const double reach = std::fabs(sketch.LogUniform(-12, -2));
+    const Point2 p = builder.Sample();
+    const double reach = std::fabs(builder.LogUniform(-12, -2));
     const auto beside = [&] {
-      const double x = p.x + reach * sketch.Uniform(-1, 1);
-      return Point2{x, p.y + reach * sketch.Uniform(-1, 1)};
+      const double x = p.x + reach * builder.Uniform(-1, 1);
+      return Point2{x, p.y + reach * builder.Uniform(-1, 1)};
     };
     const Point2 drawn = beside();
-    const Point2 q{sketch.lattice().RoundWithinLimit(drawn.x),
-                   sketch.lattice().RoundWithinLimit(drawn.y)};
-    const double times = sketch.Uniform(0.5, 1);
+    const Point2 q{builder.lattice().RoundWithinLimit(drawn.x),
+                   builder.lattice().RoundWithinLimit(drawn.y)};
+    const double times = builder.Uniform(0.5, 1);
     const Point2 opposite{p.x - times * (q.x - p.x), p.y - times * (q.y - p.y)};
-    const Point2 v = bits.Chance(192) ? Hardest(sketch, opposite, q, p) : opposite;
-    sketch.AddTriangle({q, v, beside()});
+    const Point2 v = bits.Chance(192) ? Hardest(builder, opposite, q, p) : opposite;
+    builder.AddTriangle({q, v, beside()});
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
-void AddDecidingTies(Sketch& sketch) {
-  BitSource& bits = sketch.bits();
-  const Snap& snap = sketch.profile().snap;
+void AddDecidingTies(CaseBuilder& builder) {
+  BitSource& bits = builder.bits();
+  const Snap& snap = builder.profile().snap;
   const int subpixel_bits = snap.IsNone() ? 8 : snap.bits;
   // Log-uniform places: next to the origin an ulp is far below the grid's step, and forms of the
   // snap that agree elsewhere part.
   const auto grid_place = [&] {
     const auto most = static_cast<double>(subpixel_bits + 5);
-    const double cells = std::floor(std::exp2(sketch.Uniform(0, most))) - 1;
-    return sketch.Sign() * std::ldexp(cells, -subpixel_bits);
+    const double cells = std::floor(std::exp2(builder.Uniform(0, most))) - 1;
+    return builder.Sign() * std::ldexp(cells, -subpixel_bits);
   };
   // Half way to the next grid place, or a few ulps beside.
   const auto tie_beside = [&](double x) {
     const double tie =
-        sketch.lattice().RoundToPrecision(x + sketch.Sign() * std::ldexp(0.5, -subpixel_bits));
+        builder.lattice().RoundToPrecision(x + builder.Sign() * std::ldexp(0.5, -subpixel_bits));
     const std::int64_t ulps = bits.Int(-2, 2);
-    return sketch.lattice().precision() == Precision::kFloat32
+    return builder.lattice().precision() == Precision::kFloat32
                ? double{MoveByUlps(static_cast<float>(tie), ulps)}
                : MoveByUlps(tie, ulps);
   };
   const std::int64_t triangles = bits.Int(2, 6);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // From the grid place the edge passes through a sample; from its neighbours it does not.
-    const Point2 p = sketch.Sample();
+    const Point2 p = builder.Sample();
     const double x = grid_place();
     const Point2 g{x, grid_place()};
     const auto times = static_cast<double>(bits.Int(1, 3));
-    const std::int32_t end = sketch.Add({p.x + times * (p.x - g.x), p.y + times * (p.y - g.y)});
+    const std::int32_t end = builder.Add({p.x + times * (p.x - g.x), p.y + times * (p.y - g.y)});
     const bool along_x = bits.Chance(128);
     const Vertex tie{along_x ? tie_beside(g.x) : g.x, along_x ? g.y : tie_beside(g.y)};
-    const std::int32_t decided = sketch.AddRaw(tie);
-    sketch.AddTriangle(decided, end, sketch.Add(sketch.Place()));
+    const std::int32_t decided = builder.AddRaw(tie);
+    builder.AddTriangle(decided, end, builder.Add(builder.Place()));
   }
 }
 
 Case DecidingSnapTies(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  AddDecidingTies(sketch);
-  return sketch.Done(Finish::kAnyOrder);
+  CaseBuilder builder(bits, info);
+  AddDecidingTies(builder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 Case FullCoverage(BitSource& bits, const SubjectInfo& info) {
@@ -194,25 +194,25 @@ Case FullCoverage(BitSource& bits, const SubjectInfo& info) {
   const int most = std::max(16, 512 / std::max(1, samples));
   const int width = static_cast<int>(bits.Int(most / 2, most));
   const int height = static_cast<int>(bits.Int(most / 4, most / 2));
-  Sketch sketch(bits, info, width, height);
+  CaseBuilder builder(bits, info, width, height);
   const std::int64_t triangles = bits.Int(4, 8);
   for (std::int64_t t = 0; t < triangles; ++t) {
     // The right angle outside one corner of the target, the legs about twice its sides: some cover
     // all of it, the others most.
     const bool right = bits.Chance(128);
     const bool bottom = bits.Chance(128);
-    const double x = sketch.Uniform(-0.25, 0) * width;
-    const double y = sketch.Uniform(-0.25, 0) * height;
-    const double along = sketch.Uniform(1.5, 2.5) * width;
-    const double down = sketch.Uniform(1.5, 2.5) * height;
+    const double x = builder.Uniform(-0.25, 0) * width;
+    const double y = builder.Uniform(-0.25, 0) * height;
+    const double along = builder.Uniform(1.5, 2.5) * width;
+    const double down = builder.Uniform(1.5, 2.5) * height;
     std::array<Point2, 3> v{Point2{x, y}, Point2{along, y}, Point2{x, down}};
     for (Point2& p : v) {
       if (right) p.x = width - p.x;
       if (bottom) p.y = height - p.y;
     }
-    sketch.AddTriangle(v);
+    builder.AddTriangle(v);
   }
-  return sketch.Done(Finish::kAnyOrder);
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

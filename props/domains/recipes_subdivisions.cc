@@ -4,24 +4,24 @@
 #include <cmath>
 #include <cstdint>
 
+#include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
 #include "props/domains/recipes.h"
-#include "props/domains/sketch.h"
 
 namespace rasterproof::props {
 namespace {
 
 // A quad around the target, on whole pixels a few off its border, cut along a diagonal.
-PlanarMesh DrawFrame(Sketch& sketch) {
-  BitSource& bits = sketch.bits();
+PlanarMesh DrawFrame(CaseBuilder& builder) {
+  BitSource& bits = builder.bits();
   const auto margin = [&] { return static_cast<double>(bits.Int(1, 6)); };
   PlanarMesh mesh;
-  const auto add = [&](Point2 p) { mesh.AddVertex(OnLattice(sketch, p)); };
+  const auto add = [&](Point2 p) { mesh.AddVertex(OnLattice(builder, p)); };
   add({-margin(), -margin()});
-  add({-margin(), sketch.height() + margin()});
-  add({sketch.width() + margin(), sketch.height() + margin()});
-  add({sketch.width() + margin(), -margin()});
+  add({-margin(), builder.height() + margin()});
+  add({builder.width() + margin(), builder.height() + margin()});
+  add({builder.width() + margin(), -margin()});
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }
@@ -32,54 +32,54 @@ struct EdgeMiddle {
   Point2 at;             ///< on the lattice
 };
 
-EdgeMiddle DrawMiddle(Sketch& sketch, const PlanarMesh& mesh) {
+EdgeMiddle DrawMiddle(CaseBuilder& builder, const PlanarMesh& mesh) {
   const auto count = static_cast<std::int64_t>(mesh.triangles.size());
-  EdgeMiddle middle{.triangle = static_cast<std::size_t>(sketch.bits().Int(0, count - 1)),
-                    .edge = static_cast<std::size_t>(sketch.bits().Int(0, 2)),
+  EdgeMiddle middle{.triangle = static_cast<std::size_t>(builder.bits().Int(0, count - 1)),
+                    .edge = static_cast<std::size_t>(builder.bits().Int(0, 2)),
                     .at = {}};
   const Triangle& t = mesh.triangles[middle.triangle];
   const Point2 a = mesh.vertices[static_cast<std::size_t>(t[(middle.edge + 1) % 3])];
   const Point2 b = mesh.vertices[static_cast<std::size_t>(t[(middle.edge + 2) % 3])];
-  middle.at = OnLattice(sketch, {(a.x + b.x) / 2, (a.y + b.y) / 2});
+  middle.at = OnLattice(builder, {(a.x + b.x) / 2, (a.y + b.y) / 2});
   return middle;
 }
 
 // A fan around a sample of the target, its rim one corner in each outer quadrant, up to the end of
 // the range: it covers the target, however far the corners are. Real geometry, whose range is
 // large, would have all of the target count as beside the outline of two neighbours: 2^17 at most.
-PlanarMesh DrawCoveringFan(Sketch& sketch) {
-  const bool is_real = sketch.profile().snap.IsNone();
-  const double range = is_real ? std::min(sketch.Range(), 0x1p17) : sketch.Range();
+PlanarMesh DrawCoveringFan(CaseBuilder& builder) {
+  const bool is_real = builder.profile().snap.IsNone();
+  const double range = is_real ? std::min(builder.Range(), 0x1p17) : builder.Range();
   const int most = std::max(4, std::ilogb(range));
   const auto beyond = [&] {
-    const int least = sketch.bits().Chance(128) ? 1 : most - 3;
-    return std::min(std::fabs(sketch.LogUniform(least, most)), range);
+    const int least = builder.bits().Chance(128) ? 1 : most - 3;
+    return std::min(std::fabs(builder.LogUniform(least, most)), range);
   };
   PlanarMesh mesh;
   for (const Point2 side : {Point2{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
-    const double x = side.x < 0 ? -beyond() : sketch.width() + beyond();
-    const double y = side.y < 0 ? -beyond() : sketch.height() + beyond();
-    mesh.AddVertex(OnLattice(sketch, {x, y}));
+    const double x = side.x < 0 ? -beyond() : builder.width() + beyond();
+    const double y = side.y < 0 ? -beyond() : builder.height() + beyond();
+    mesh.AddVertex(OnLattice(builder, {x, y}));
   }
-  const std::int32_t hub = mesh.AddVertex(OnLattice(sketch, sketch.Sample()));
+  const std::int32_t hub = mesh.AddVertex(OnLattice(builder, builder.Sample()));
   for (std::int32_t k = 0; k < 4; ++k) mesh.triangles.push_back({hub, k, (k + 1) % 4});
   return mesh;
 }
 
 // Splits the mesh at middles of edges, samples, places beside them and others.
-void InsertPlaces(Sketch& sketch, PlanarMesh& mesh) {
-  BitSource& bits = sketch.bits();
+void InsertPlaces(CaseBuilder& builder, PlanarMesh& mesh) {
+  BitSource& bits = builder.bits();
   const std::int64_t places = bits.Int(1, 16);
   for (std::int64_t i = 0; i < places; ++i) {
     const std::int64_t kind = bits.Int(0, 3);
     if (kind == 0) {
-      mesh.Insert(DrawMiddle(sketch, mesh).at);
+      mesh.Insert(DrawMiddle(builder, mesh).at);
     } else if (kind == 1) {
-      mesh.Insert(OnLattice(sketch, sketch.Sample()));
+      mesh.Insert(OnLattice(builder, builder.Sample()));
     } else if (kind == 2) {
-      mesh.Insert(OnLattice(sketch, Nudged(sketch, sketch.Sample(), 2)));
+      mesh.Insert(OnLattice(builder, Nudged(builder, builder.Sample(), 2)));
     } else {
-      mesh.Insert(OnLattice(sketch, sketch.Place()));
+      mesh.Insert(OnLattice(builder, builder.Place()));
     }
   }
 }
@@ -87,52 +87,52 @@ void InsertPlaces(Sketch& sketch, PlanarMesh& mesh) {
 }  // namespace
 
 Case Triangulations(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  PlanarMesh mesh = DrawFrame(sketch);
-  mesh.Insert(OnLattice(sketch, sketch.Sample()));
-  InsertPlaces(sketch, mesh);
-  mesh.AddTo(sketch);
-  return sketch.Done(Finish::kMesh);
+  CaseBuilder builder(bits, info);
+  PlanarMesh mesh = DrawFrame(builder);
+  mesh.Insert(OnLattice(builder, builder.Sample()));
+  InsertPlaces(builder, mesh);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
 }
 
 Case CoveringFans(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  PlanarMesh mesh = DrawCoveringFan(sketch);
-  if (bits.Chance(192)) InsertPlaces(sketch, mesh);
-  mesh.AddTo(sketch);
-  return sketch.Done(Finish::kMesh);
+  CaseBuilder builder(bits, info);
+  PlanarMesh mesh = DrawCoveringFan(builder);
+  if (bits.Chance(192)) InsertPlaces(builder, mesh);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
 }
 
 Case Subdivisions(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  PlanarMesh mesh = DrawFrame(sketch);
-  mesh.Insert(OnLattice(sketch, sketch.Sample()));
+  CaseBuilder builder(bits, info);
+  PlanarMesh mesh = DrawFrame(builder);
+  mesh.Insert(OnLattice(builder, builder.Sample()));
   // Every split is taken by both sides of the edge, so the mesh stays conforming; midpoints halve
   // until the lattice ends them.
   const std::int64_t splits = bits.Int(4, 40);
-  for (std::int64_t i = 0; i < splits; ++i) mesh.Insert(DrawMiddle(sketch, mesh).at);
-  mesh.AddTo(sketch);
-  return sketch.Done(Finish::kMesh);
+  for (std::int64_t i = 0; i < splits; ++i) mesh.Insert(DrawMiddle(builder, mesh).at);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
 }
 
 Case TJunctions(BitSource& bits, const SubjectInfo& info) {
-  Sketch sketch(bits, info);
-  PlanarMesh mesh = DrawFrame(sketch);
-  const Point2 p = sketch.Sample();
-  mesh.Insert(OnLattice(sketch, p));
+  CaseBuilder builder(bits, info);
+  PlanarMesh mesh = DrawFrame(builder);
+  const Point2 p = builder.Sample();
+  mesh.Insert(OnLattice(builder, p));
   const std::int64_t splits = bits.Int(1, 8);
   for (std::int64_t i = 0; i < splits; ++i) {
-    EdgeMiddle middle = DrawMiddle(sketch, mesh);
+    EdgeMiddle middle = DrawMiddle(builder, mesh);
     // Half of them on the edge as nearly as the lattice allows; of the others half a step off it,
     // a quarter some steps, a quarter visibly.
     const std::int64_t kind = bits.Int(0, 7);
-    if (kind < 2) middle.at = OnLattice(sketch, Nudged(sketch, middle.at, 1));
-    if (kind == 2) middle.at = OnLattice(sketch, Nudged(sketch, middle.at, 16));
-    if (kind == 3) middle.at = OnLattice(sketch, {OnGrid(middle.at.x, 0), OnGrid(middle.at.y, 0)});
+    if (kind < 2) middle.at = OnLattice(builder, Nudged(builder, middle.at, 1));
+    if (kind == 2) middle.at = OnLattice(builder, Nudged(builder, middle.at, 16));
+    if (kind == 3) middle.at = OnLattice(builder, {OnGrid(middle.at.x, 0), OnGrid(middle.at.y, 0)});
     mesh.SplitOneSide(middle.triangle, middle.edge, middle.at);
   }
-  mesh.AddTo(sketch);
-  return sketch.Done(Finish::kMesh);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
 }
 
 }  // namespace rasterproof::props

@@ -12,7 +12,7 @@
 #include "core/scene.h"
 #include "core/vertex.h"
 #include "props/domains/bit_source.h"
-#include "props/domains/sketch.h"
+#include "props/domains/case_builder.h"
 
 namespace rasterproof::props {
 namespace {
@@ -62,17 +62,17 @@ Point2 HalvesAt(std::uint64_t column, std::uint64_t row) {
   return {static_cast<double>(column) / 2, static_cast<double>(row) / 2};
 }
 
-void AddTriangles(Shape shape, Sketch& sketch) {
+void AddTriangles(Shape shape, CaseBuilder& builder) {
   switch (shape) {
     case Shape::kTriangle:
-      sketch.AddTriangle(0, 1, 2);
+      builder.AddTriangle(0, 1, 2);
       break;
     case Shape::kPair:
-      sketch.AddTriangle(0, 1, 2);
-      sketch.AddTriangle(1, 0, 3);
+      builder.AddTriangle(0, 1, 2);
+      builder.AddTriangle(1, 0, 3);
       break;
     case Shape::kFan:
-      for (int k = 0; k < kRing; ++k) sketch.AddTriangle(0, 1 + k, 1 + (k + 1) % kRing);
+      for (int k = 0; k < kRing; ++k) builder.AddTriangle(0, 1 + k, 1 + (k + 1) % kRing);
       break;
   }
 }
@@ -81,30 +81,30 @@ template <Shape shape, int side>
 Case OnPoints(std::uint64_t index, const SubjectInfo& info) {
   constexpr int kPixels = side / 2;  // they hold all points
   NoChance bits;
-  Sketch sketch(bits, info, kPixels, kPixels);
+  CaseBuilder builder(bits, info, kPixels, kPixels);
   for (int k = 0; k < VerticesOf(shape); ++k) {
     const std::uint64_t digit = index % (side * side);
     index /= side * side;
-    sketch.Add(HalvesAt(digit % side, digit / side));
+    builder.Add(HalvesAt(digit % side, digit / side));
   }
-  AddTriangles(shape, sketch);
-  return sketch.Done(Finish::kAsIs);
+  AddTriangles(shape, builder);
+  return builder.Done(Finish::kAsIs);
 }
 
 // Each vertex its own index, each square of half a pixel two triangles.
 Case Sheet(int side, const SubjectInfo& info) {
   NoChance bits;
-  Sketch sketch(bits, info, side / 2, side / 2);
+  CaseBuilder builder(bits, info, side / 2, side / 2);
   const auto points = static_cast<std::uint64_t>(side);
-  for (std::uint64_t k = 0; k < points * points; ++k) sketch.Add(HalvesAt(k % points, k / points));
+  for (std::uint64_t k = 0; k < points * points; ++k) builder.Add(HalvesAt(k % points, k / points));
   for (int row = 0; row + 1 < side; ++row) {
     for (int column = 0; column + 1 < side; ++column) {
       const int at = row * side + column;
-      sketch.AddTriangle(at, at + side, at + 1);
-      sketch.AddTriangle(at + 1, at + side, at + side + 1);
+      builder.AddTriangle(at, at + side, at + 1);
+      builder.AddTriangle(at + 1, at + side, at + side + 1);
     }
   }
-  return sketch.Done(Finish::kAsIs);
+  return builder.Done(Finish::kAsIs);
 }
 
 // More than 2^16 triangles of fewer vertices; then more vertices, too.
@@ -115,15 +115,15 @@ Case LongLists(std::uint64_t index, const SubjectInfo& info) { return Sheet(kShe
 // A triangle in each corner, and one from end to end whose long edges pass through samples.
 Case InCorners(int width, int height, const SubjectInfo& info) {
   NoChance bits;
-  Sketch sketch(bits, info, width, height);
+  CaseBuilder builder(bits, info, width, height);
   const double right = width;
   const double bottom = height;
-  sketch.AddTriangle({{{0, 0}, {0.5, 1}, {1, 0.5}}});
-  sketch.AddTriangle({{{right, 0}, {right - 1, 0.5}, {right - 0.5, 1}}});
-  sketch.AddTriangle({{{0, bottom}, {1, bottom - 0.5}, {0.5, bottom - 1}}});
-  sketch.AddTriangle({{{right, bottom}, {right - 0.5, bottom - 1}, {right - 1, bottom - 0.5}}});
-  sketch.AddTriangle({{{0.5, 0.5}, {right - 0.5, bottom - 0.5}, {right, bottom - 0.5}}});
-  return sketch.Done(Finish::kAsIs);
+  builder.AddTriangle({{{0, 0}, {0.5, 1}, {1, 0.5}}});
+  builder.AddTriangle({{{right, 0}, {right - 1, 0.5}, {right - 0.5, 1}}});
+  builder.AddTriangle({{{0, bottom}, {1, bottom - 0.5}, {0.5, bottom - 1}}});
+  builder.AddTriangle({{{right, bottom}, {right - 0.5, bottom - 1}, {right - 1, bottom - 0.5}}});
+  builder.AddTriangle({{{0.5, 0.5}, {right - 0.5, bottom - 0.5}, {right, bottom - 0.5}}});
+  return builder.Done(Finish::kAsIs);
 }
 
 constexpr int kLongSide = 16400;  // more than 2^14, the largest target of current APIs
@@ -185,11 +185,11 @@ std::string WhyNotGiven(const World& world, const SubjectInfo& info) {
   }
   const int pixels = (world.reach + 1) / 2;
   NoChance bits;
-  const Sketch sketch(bits, info, pixels, 1);
+  const CaseBuilder builder(bits, info, pixels, 1);
   constexpr int kLooked = 16;  // coordinates at both ends: what takes these takes those between
   for (int k = 0; k <= world.reach; ++k) {
     if (k > kLooked && k < world.reach - kLooked) continue;
-    if (sketch.lattice().RoundWithinLimit(k * 0.5) == k * 0.5) continue;
+    if (builder.lattice().RoundWithinLimit(k * 0.5) == k * 0.5) continue;
     return k <= kLooked ? "its input does not take coordinates of half a pixel"
                         : "its input does not take coordinates up to " + std::to_string(pixels) +
                               ", half a pixel apart";

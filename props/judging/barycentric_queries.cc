@@ -83,8 +83,9 @@ std::vector<BarycentricForm> FormsFor(const BarycentricQuery& q) {
   return forms;
 }
 
-Asked AskBarycentrics(const std::vector<BarycentricQuery>& queries, const BarycentricBounds& bounds,
-                      Verdict (*judge)(const std::vector<BarycentricAnswer>&)) {
+Checks AskBarycentrics(const std::vector<BarycentricQuery>& queries,
+                       const BarycentricBounds& bounds,
+                       Verdict (*judge)(const std::vector<BarycentricAnswer>&)) {
   std::vector<BarycentricAnswer> unanswered;
   Questions questions;
   for (const BarycentricQuery& q : queries) {

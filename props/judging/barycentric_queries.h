@@ -55,8 +55,9 @@ struct BarycentricAnswer {
 };
 
 /// Asks for the barycentrics at the queries and judges them all at once.
-Asked AskBarycentrics(const std::vector<BarycentricQuery>& queries, const BarycentricBounds& bounds,
-                      Verdict (*judge)(const std::vector<BarycentricAnswer>&));
+Checks AskBarycentrics(const std::vector<BarycentricQuery>& queries,
+                       const BarycentricBounds& bounds,
+                       Verdict (*judge)(const std::vector<BarycentricAnswer>&));
 
 /// The three barycentrics, for a witness.
 std::string BarycentricsText(const std::array<double, 3>& barycentrics);

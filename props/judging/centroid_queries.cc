@@ -216,10 +216,10 @@ bool HasAPoint(const CentroidRegion& region) {
   return region.at || exact::RectangleMeets(region.low, region.high, *region.primitive);
 }
 
-Asked AskCentroids(const PlacedCase& c, const Description& subject,
-                   Verdict (*judge)(const std::vector<CentroidFragment>&)) {
+Checks AskCentroids(const PlacedCase& c, const Description& subject,
+                    Verdict (*judge)(const std::vector<CentroidFragment>&)) {
   std::vector<CentroidTriangle> triangles = TrianglesToJudge(c, subject);
-  if (triangles.empty()) return NothingAsked("no triangle has an area, or all may be clipped");
+  if (triangles.empty()) return NotExercised("no triangle has an area, or all may be clipped");
   Questions questions;
   const DrawQuestion whole = WholeCallOf(c.scene, c.profile, c.options);
   for (const CentroidTriangle& triangle : triangles) {

@@ -60,8 +60,8 @@ bool HasAPoint(const CentroidRegion& region);
 
 /// Asks for the centroids of a few triangles, each drawn alone so that what it covers is seen, and
 /// judges some of their fragments, those that are covered in part first.
-Asked AskCentroids(const PlacedCase& c, const Description& subject,
-                   Verdict (*judge)(const std::vector<CentroidFragment>&));
+Checks AskCentroids(const PlacedCase& c, const Description& subject,
+                    Verdict (*judge)(const std::vector<CentroidFragment>&));
 
 }  // namespace rasterproof::props
 

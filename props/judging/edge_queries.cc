@@ -125,8 +125,8 @@ std::string ExactEdgeText(Point2 a, Point2 b, Point2 p) {
   return "E = " + exact::EdgeValue(a, b, p).ToString();
 }
 
-Asked EdgeValuesFollow(const PlacedCase& c, const Description& subject,
-                       std::span<const EdgeMap> maps, std::string_view wrong) {
+Checks EdgeValuesFollow(const PlacedCase& c, const Description& subject,
+                        std::span<const EdgeMap> maps, std::string_view wrong) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
   std::vector<ImageValue> images = ImagesOf(c, subject, edges, maps);
   Questions questions = ValuesAt(edges);

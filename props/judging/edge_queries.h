@@ -67,8 +67,8 @@ struct EdgeMap {
 /// on the subpixel grid and within the limit. A violation says `wrong`.
 ///
 /// Domain:     factor a power of two of either sign; a subject that shows edge values.
-Asked EdgeValuesFollow(const PlacedCase& c, const Description& subject,
-                       std::span<const EdgeMap> maps, std::string_view wrong);
+Checks EdgeValuesFollow(const PlacedCase& c, const Description& subject,
+                        std::span<const EdgeMap> maps, std::string_view wrong);
 
 }  // namespace rasterproof::props
 

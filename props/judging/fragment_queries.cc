@@ -406,8 +406,8 @@ std::array<double, 3> BarycentricTolerancesInPixel(const SubjectInfo& info, cons
   return TolerancesOf(*errors, info.input);
 }
 
-Asked AskFragments(const PlacedCase& c, const Description& subject, const Outputs& alone,
-                   FragmentJudge judge) {
+Checks AskFragments(const PlacedCase& c, const Description& subject, const Outputs& alone,
+                    FragmentJudge judge) {
   Scene scene = c.scene;
   const Depths depths(scene);
   for (std::size_t k = 0; k < scene.vertices.size(); ++k) scene.vertices[k].z = depths.Of(k);

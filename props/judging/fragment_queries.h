@@ -50,8 +50,8 @@ inline constexpr Outputs kDepthsAlone{.primitive_ids = true, .barycentrics = fal
 ///
 /// Of a subject that does not say whose barycentrics it shows a fragment holds if it does by the
 /// vertices as given or by those on the grid.
-Asked AskFragments(const PlacedCase& c, const Description& subject, const Outputs& alone,
-                   FragmentJudge judge);
+Checks AskFragments(const PlacedCase& c, const Description& subject, const Outputs& alone,
+                    FragmentJudge judge);
 
 /// How far the barycentrics of p may be off: the stated error for each. If none is stated, the most
 /// that the usual forms give in the subject's format: five-operation edge functions over the area,

@@ -82,7 +82,7 @@ Wanted WantedBy(Shows shows) {
   return {[](const D&) { return true; }, "", ""};
 }
 
-Verdict NotExercised(std::string_view why) {
+Verdict NotExercisedVerdict(std::string_view why) {
   return {Outcome::kNotExercised, 0, 0, std::string(why), std::nullopt};
 }
 
@@ -188,36 +188,36 @@ bool DependsOnPlaces(const Gate& gate) {
 
 std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, const PlacedCase& c) {
   if (gate.space == Space::kWindow && c.scene.clip_space) {
-    return NotExercised("the case is in clip space");
+    return NotExercisedVerdict("the case is in clip space");
   }
   if (gate.space == Space::kClip && !c.scene.clip_space) {
-    return NotExercised("the case is in window space");
+    return NotExercisedVerdict("the case is in window space");
   }
   if ((c.options.cull != Cull::kNone && !info.takes_culling) ||
       (c.options.scissor && !info.takes_scissor)) {
-    return NotExercised("the case is culled or cut, and the subject does neither");
+    return NotExercisedVerdict("the case is culled or cut, and the subject does neither");
   }
   if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || StatesGuardBand(c.profile))) {
-    return NotExercised("the case is in clip space, the profile speaks of window space");
+    return NotExercisedVerdict("the case is in clip space, the profile speaks of window space");
   }
   if (!Takes(info, c.scene)) {
     return Verdict::NotApplicable("the subject does not take scenes of this kind or precision");
   }
   if (c.scene.clip_space && !c.profile.freedom.transform_error && DependsOnPlaces(gate)) {
-    return NotExercised("the profile states no error of the transform from clip space");
+    return NotExercisedVerdict("the profile states no error of the transform from clip space");
   }
   if (c.scene.clip_space && !c.profile.snap.IsNone() && !IsInFrontOfTheEye(c.scene)) {
-    return NotExercised("snapped clip space: a vertex is not in front of the eye");
+    return NotExercisedVerdict("snapped clip space: a vertex is not in front of the eye");
   }
   return std::nullopt;
 }
 
 std::optional<Verdict> OutsideLimits(const PlacedCase& c) {
   if (!WithinLimits(c.scene, c.profile)) {
-    return NotExercised("a coordinate is not finite or beyond the profile's limit");
+    return NotExercisedVerdict("a coordinate is not finite or beyond the profile's limit");
   }
   if (c.scene.clip_space && !c.profile.snap.IsNone() && !ProjectsWithinLimits(c.scene, c.profile)) {
-    return NotExercised("snapped clip space: a vertex projects beyond the profile's limit");
+    return NotExercisedVerdict("snapped clip space: a vertex projects beyond the profile's limit");
   }
   return std::nullopt;
 }
@@ -273,15 +273,15 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   }
   if (std::optional<Verdict> refusal = CannotDraw(gate, subject.info, c)) return refusal;
   if (gate.unwrapped && !IsUnwrapped(c.scene, c.profile)) {
-    return NotExercised("a coordinate wraps");
+    return NotExercisedVerdict("a coordinate wraps");
   }
   if (gate.needs_facings && IsJudgedAsShown(subject.info, c.scene)) {
-    return NotExercised(kJudgedAsShown);
+    return NotExercisedVerdict(kJudgedAsShown);
   }
   if (!gate.beyond_limits) {
     if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
     if (!MayBeClipped(gate) && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
-      return NotExercised("a triangle leaves the profile's guard-band rectangle");
+      return NotExercisedVerdict("a triangle leaves the profile's guard-band rectangle");
     }
   }
   if (!gate.asks_oracle) return std::nullopt;

@@ -54,10 +54,10 @@ std::optional<exact::Rational> ExactInterpolation(InterpolationForm form,
                                        q.attribute, q.at.place.at);
 }
 
-Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
-                        const std::vector<InterpolationForm>& forms,
-                        const BarycentricBounds& bounds,
-                        Verdict (*judge)(const std::vector<InterpolationAnswer>&)) {
+Checks AskInterpolations(const std::vector<InterpolationQuery>& queries,
+                         const std::vector<InterpolationForm>& forms,
+                         const BarycentricBounds& bounds,
+                         Verdict (*judge)(const std::vector<InterpolationAnswer>&)) {
   std::vector<InterpolationAnswer> unanswered;
   Questions questions;
   for (const InterpolationQuery& q : queries) {

@@ -43,10 +43,10 @@ struct InterpolationAnswer {
 
 /// Asks for the values at the queries, in those of the forms where the subject's bound promises
 /// anything, and judges them all at once.
-Asked AskInterpolations(const std::vector<InterpolationQuery>& queries,
-                        const std::vector<InterpolationForm>& forms,
-                        const BarycentricBounds& bounds,
-                        Verdict (*judge)(const std::vector<InterpolationAnswer>&));
+Checks AskInterpolations(const std::vector<InterpolationQuery>& queries,
+                         const std::vector<InterpolationForm>& forms,
+                         const BarycentricBounds& bounds,
+                         Verdict (*judge)(const std::vector<InterpolationAnswer>&));
 
 /// Holds if every value is within its bound of the exact one.
 Verdict InterpolationsStayWithinTheirBound(const std::vector<InterpolationAnswer>& answers);

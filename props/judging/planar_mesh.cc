@@ -81,13 +81,13 @@ class MeshJudge {
 
 }  // namespace
 
-Asked CompareWithItsWinding(const PlacedCase& c, const Description& subject) {
+Checks CompareWithItsWinding(const PlacedCase& c, const Description& subject) {
   OpenParts open(c, /*spares_outline=*/false);
-  if (open.IsFolded()) return NothingAsked("the snapped mesh is folded");
-  if (open.IsFlat()) return NothingAsked("the mesh has triangles in a plane with the eye");
+  if (open.IsFolded()) return NotExercised("the snapped mesh is folded");
+  if (open.IsFlat()) return NotExercised("the mesh has triangles in a plane with the eye");
   std::vector<std::int64_t> winding = WindingOf(c);
   if (std::ranges::any_of(winding, [](std::int64_t w) { return std::abs(w) > 1; })) {
-    return NothingAsked("the mesh overlaps itself");
+    return NotExercised("the mesh overlaps itself");
   }
   SharedTies ties(c);
   const bool as_shown = IsJudgedAsShown(subject.info, c.scene);

@@ -31,7 +31,7 @@ namespace rasterproof::props {
 ///
 /// A mesh that is judged as it is shown (judging/as_shown.h) can fail, by a gap or by what is
 /// covered outside, but never holds: how often a sample is covered does not show.
-Asked CompareWithItsWinding(const PlacedCase& c, const Description& subject);
+Checks CompareWithItsWinding(const PlacedCase& c, const Description& subject);
 
 /// What the profile must say of meshes that cover each sample inside.
 inline constexpr std::array kPlanarMeshRules{kClosesEdges};

@@ -71,11 +71,11 @@ Check CheckAgainstBase(
   return check;
 }
 
-Asked CompareOption(const PlacedCase& c, int DrawOptions::* option, int base,
-                    std::initializer_list<int> others, std::string (*whose)(int value)) {
+Checks CompareOption(const PlacedCase& c, int DrawOptions::* option, int base,
+                     std::initializer_list<int> others, std::string (*whose)(int value)) {
   DrawOptions options = WholeTarget(c);
   options.*option = base;
-  Asked asked;
+  Checks asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   for (const int value : others) {
     options.*option = value;
@@ -88,9 +88,9 @@ Asked CompareOption(const PlacedCase& c, int DrawOptions::* option, int base,
   return asked;
 }
 
-Asked CompareVariations(const PlacedCase& c, const std::vector<Variation>& variations,
-                        const OpenByCall& open) {
-  Asked asked;
+Checks CompareVariations(const PlacedCase& c, const std::vector<Variation>& variations,
+                         const OpenByCall& open) {
+  Checks asked;
   for (const Variation& variation : variations) {
     Check check;
     // The case itself is drawn once, with the first of them.
@@ -198,7 +198,7 @@ void AcceptSharedEdgeSamples(const PlacedCase& c, bool as_shown, const CoverageC
 
 }  // namespace
 
-Asked CompareWithTheModel(const PlacedCase& c, const Description& subject) {
+Checks CompareWithTheModel(const PlacedCase& c, const Description& subject) {
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
   const bool as_shown = IsJudgedAsShown(subject.info, c.scene);

@@ -40,8 +40,8 @@ Check CheckAgainstBase(
 /// others, and holds if the option leaves no trace. `whose` completes "coverage differs from ...".
 ///
 /// Domain:     a case that outlives what is returned.
-Asked CompareOption(const PlacedCase& c, int DrawOptions::* option, int base,
-                    std::initializer_list<int> others, std::string (*whose)(int value));
+Checks CompareOption(const PlacedCase& c, int DrawOptions::* option, int base,
+                     std::initializer_list<int> others, std::string (*whose)(int value));
 
 /// Another scene that should cover what the case covers.
 struct Variation {
@@ -53,8 +53,8 @@ struct Variation {
 /// what they show is the same but where calls may differ.
 ///
 /// Domain:     a case that outlives what is returned.
-Asked CompareVariations(const PlacedCase& c, const std::vector<Variation>& variations,
-                        const OpenByCall& open = {});
+Checks CompareVariations(const PlacedCase& c, const std::vector<Variation>& variations,
+                         const OpenByCall& open = {});
 
 /// Whether a target of this size is one that subjects are asked for, and the profile places
 /// vertices on it as on the case's own: a profile can state another model for other sizes.
@@ -85,7 +85,7 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
 /// as it is shown, if what is covered is what the model covers.
 ///
 /// Domain:     a case and a description that outlive what is returned.
-Asked CompareWithTheModel(const PlacedCase& c, const Description& subject);
+Checks CompareWithTheModel(const PlacedCase& c, const Description& subject);
 
 }  // namespace rasterproof::props
 

@@ -43,8 +43,8 @@ Verdict SignedCoverageIs(const PlacedCase& c, const CoverageCounts& counts,
 
 }  // namespace
 
-Asked CompareSignedCoverage(const PlacedCase& c, std::vector<std::int64_t> expected,
-                            std::string what, Spared spared) {
+Checks CompareSignedCoverage(const PlacedCase& c, std::vector<std::int64_t> expected,
+                             std::string what, Spared spared) {
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
   return OneCheck(std::move(questions), [&c, expected = std::move(expected), what = std::move(what),

@@ -32,8 +32,8 @@ struct Spared {
 ///
 /// Domain:     a case that outlives what is returned.
 /// Shape:      expected: as CoverageCounts.
-Asked CompareSignedCoverage(const PlacedCase& c, std::vector<std::int64_t> expected,
-                            std::string what, Spared spared = {});
+Checks CompareSignedCoverage(const PlacedCase& c, std::vector<std::int64_t> expected,
+                             std::string what, Spared spared = {});
 
 }  // namespace rasterproof::props
 

@@ -55,11 +55,11 @@ Verdict ComparedTo(const CoverageCounts& observed, const CoverageCounts& expecte
   return Verdict::Held(exercised);
 }
 
-Asked CompareEachAndAll(const PlacedCase& c, const Description& subject, MayBe allowed,
-                        std::string_view message,
-                        CoverageCounts (*expected)(const PlacedCase& of,
-                                                   const DrawOptions& options)) {
-  Asked asked;
+Checks CompareEachAndAll(const PlacedCase& c, const Description& subject, MayBe allowed,
+                         std::string_view message,
+                         CoverageCounts (*expected)(const PlacedCase& of,
+                                                    const DrawOptions& options)) {
+  Checks asked;
   const auto scene = std::make_shared<const Scene>(c.scene);
   for (std::size_t t = 0; t < std::min(kMostSingles, c.scene.triangles.size()); ++t) {
     Check check;

@@ -70,10 +70,10 @@ Verdict ComparedTo(const CoverageCounts& observed, const CoverageCounts& expecte
 /// excess must not make up for another's lack. `expected` tells what a case counts.
 ///
 /// Domain:     a case and a description that outlive what is returned.
-Asked CompareEachAndAll(const PlacedCase& c, const Description& subject, MayBe allowed,
-                        std::string_view message,
-                        CoverageCounts (*expected)(const PlacedCase& of,
-                                                   const DrawOptions& options));
+Checks CompareEachAndAll(const PlacedCase& c, const Description& subject, MayBe allowed,
+                         std::string_view message,
+                         CoverageCounts (*expected)(const PlacedCase& of,
+                                                    const DrawOptions& options));
 
 /// What point samples at the centres of the pixels count, of the vertices as given and under
 /// top-left, as often as the profile has samples.

@@ -139,9 +139,9 @@ std::optional<Verdict> WrongLength(const SteppingQuery& stepping, std::size_t va
                        std::to_string(wanted) + " of each");
 }
 
-Asked StepsStayWithinTheirBound(std::span<const SteppingQuery> steppings,
-                                const EdgeBounds& bounds) {
-  Asked asked;
+Checks StepsStayWithinTheirBound(std::span<const SteppingQuery> steppings,
+                                 const EdgeBounds& bounds) {
+  Checks asked;
   for (const SteppingQuery& stepping : steppings) {
     Check check;
     check.questions.steps.push_back(StepsOf(stepping));

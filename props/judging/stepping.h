@@ -46,7 +46,8 @@ StepsQuestion StepsOf(const SteppingQuery& stepping);
 std::vector<double> BoundsOf(const SteppingQuery& stepping, const EdgeBounds& bounds);
 
 /// Whether each value met is within the bound stated for it: a check for each stepping.
-Asked StepsStayWithinTheirBound(std::span<const SteppingQuery> steppings, const EdgeBounds& bounds);
+Checks StepsStayWithinTheirBound(std::span<const SteppingQuery> steppings,
+                                 const EdgeBounds& bounds);
 
 /// A violation if a run of steps has not steps + 1 values and as many bounds.
 std::optional<Verdict> WrongLength(const SteppingQuery& stepping, std::size_t values,

@@ -86,8 +86,8 @@ double RoundedRoot(const Rational& square) {
   return in_range ? std::sqrt(rounded) : exact::NearestSquareRoot(square);
 }
 
-Asked AskDistances(const PlacedCase& c, const Description& subject, WireframeForm form,
-                   WireframeMeaning meaning, std::string property) {
+Checks AskDistances(const PlacedCase& c, const Description& subject, WireframeForm form,
+                    WireframeMeaning meaning, std::string property) {
   std::vector<ExpectedDistance> expected;
   Questions questions;
   for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {

@@ -28,8 +28,8 @@ using WireframeMeaning = std::optional<WireframeScale> (*)(const BarycentricQuer
 /// Asks for the distances in the closed triangle. Holds if they mean what `meaning` says, up to
 /// (2 bound_i + kWireframeErrorMultiplier u |lambda_i|) scale + the least subnormal, where bound_i
 /// is the bound stated for barycentric i over the vertex area.
-Asked AskDistances(const PlacedCase& c, const Description& subject, WireframeForm form,
-                   WireframeMeaning meaning, std::string property);
+Checks AskDistances(const PlacedCase& c, const Description& subject, WireframeForm form,
+                    WireframeMeaning meaning, std::string property);
 
 }  // namespace rasterproof::props
 

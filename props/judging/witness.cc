@@ -150,12 +150,12 @@ Verdict BlameOne(const PlacedCase& c, std::size_t t, const DrawOptions& options,
 
 }  // namespace
 
-Asked BlameTriangles(const PlacedCase& c, const Verdict& verdict, const DrawOptions& options) {
+Checks BlameTriangles(const PlacedCase& c, const Verdict& verdict, const DrawOptions& options) {
   const Witness& witness = *verdict.witness;
   if (LegalReach(c) != 0) {
     return OneCheck({}, [&c, witness](const Answers&) { return BlameNearest(c, witness); });
   }
-  Asked asked;
+  Checks asked;
   const auto scene = std::make_shared<const Scene>(c.scene);
   for (std::size_t t = 0; t < TrianglesToBlame(c); ++t) {
     Check check;

@@ -38,7 +38,7 @@ Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& ex
 ///
 /// Domain:     a verdict with a witness of one of the case's samples; a case that outlives what is
 ///             returned.
-Asked BlameTriangles(const PlacedCase& c, const Verdict& verdict, const DrawOptions& options);
+Checks BlameTriangles(const PlacedCase& c, const Verdict& verdict, const DrawOptions& options);
 
 }  // namespace rasterproof::props
 

@@ -4,7 +4,7 @@
 
 #include "core/drawing.h"
 #include "core/subject_info.h"
-#include "props/run/parts.h"
+#include "props/run/facing_draws.h"
 
 namespace rasterproof::props {
 
@@ -14,9 +14,9 @@ void DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& optio
   if (info.coverage == CoverageKind::kFacingCounts) {
     return DrawOnto(subject, scene, options, counts);
   }
-  const std::vector<Part> parts =
-      FacingParts({scene, options, counts.samples}, info.coverage, info.profile);
-  const CallEnd end = DrawParts(subject, parts, counts);
+  const std::vector<FacingDraw> parts =
+      FacingDraws({scene, options, counts.samples}, info.coverage, info.profile);
+  const CallEnd end = DrawFacings(subject, parts, counts);
   if (end.stop != Stop::kNone) throw SubjectStop(end);
 }
 

@@ -11,7 +11,7 @@ namespace rasterproof::props {
 
 /// Adds the coverage of every triangle of the scene to `counts`, by facing: what a subject of
 /// CoverageKind::kFacingCounts draws itself, and of any other the sum of the draws of the parts
-/// (FacingParts) that the profile makes of the scene by which the subject is judged.
+/// (FacingDraws) that the profile makes of the scene by which the subject is judged.
 ///
 /// Error:      SubjectStop if there is no drawing.
 void DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& options,

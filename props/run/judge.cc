@@ -43,8 +43,8 @@ CaseJudge::CaseJudge(const Property& property, const Case& c, const Description&
     if (auto refusal = Refusal(property.gate, subject_, placed_)) {
       return Conclude({*std::move(refusal)});
     }
-    asked_ = property.ask(placed_, subject_);
-    if (asked_.checks.empty()) Conclude({asked_.otherwise});
+    checks_ = property.ask(placed_, subject_);
+    if (checks_.checks.empty()) Conclude({checks_.otherwise});
   });
 }
 
@@ -53,7 +53,7 @@ void CaseJudge::Conclude(Trial trial) {
   trial_ = std::move(trial);
 }
 
-Request CaseJudge::Next() const { return {&placed_, &asked_.checks[next_], &drawn_}; }
+Request CaseJudge::Next() const { return {&placed_, &checks_.checks[next_], &drawn_}; }
 
 // What draw k of the check's own drew, as the subject was given it; nothing if that is the case.
 std::shared_ptr<const DrawnScene> CaseJudge::DrawnBy(const Check& check, std::size_t k) const {
@@ -83,7 +83,7 @@ void CaseJudge::StopBy(const Answers& answers) {
       Trial trial{Verdict::Violated(1, "the subject failed: " + answers.end.why, Witness{}),
                   answers.end.stop};
       if (answers.stopped_at) {
-        trial.verdict.drawn = DrawnBy(asked_.checks[next_], *answers.stopped_at);
+        trial.verdict.drawn = DrawnBy(checks_.checks[next_], *answers.stopped_at);
       }
       trial_ = std::move(trial);
       return;
@@ -97,7 +97,7 @@ void CaseJudge::StopBy(const Answers& answers) {
 
 void CaseJudge::Take(Answers answers) {
   if (answers.end.stop != Stop::kNone) return StopBy(answers);
-  const Check& check = asked_.checks[next_++];
+  const Check& check = checks_.checks[next_++];
   drawn_.insert(drawn_.end(),
                 answers.draws.begin() + static_cast<std::ptrdiff_t>(check.bases.size()),
                 answers.draws.end());
@@ -117,7 +117,7 @@ void CaseJudge::Take(Answers answers) {
     violation_ = verdict;
     return Conclude({std::move(verdict)});
   }
-  if (next_ < asked_.checks.size()) return;
+  if (next_ < checks_.checks.size()) return;
   if (sum_.exercised != 0) {
     sum_.outcome = Outcome::kHolds;
     sum_.message.clear();
@@ -130,7 +130,7 @@ void CaseJudge::Blame(Subject& subject) {
   if (is_said || property_.blame == nullptr || !violation_.witness) return;
   // If the oracle cannot decide the case, no triangle is blamed.
   if (exact::WhyNotDecided(placed_)) return;
-  const Asked round =
+  const Checks round =
       WorkedOut(place_, [&] { return property_.blame(placed_, violation_, subject_); });
   for (const Check& check : round.checks) {
     const Request request{&placed_, &check, &drawn_};

@@ -76,7 +76,7 @@ class CaseJudge {
   void Blame(Subject& subject);
 
   /// Every check, in order: what is asked if none is violated.
-  const std::vector<Check>& Checks() const { return asked_.checks; }
+  const std::vector<Check>& AllChecks() const { return checks_.checks; }
   const PlacedCase& Placed() const { return placed_; }
 
  private:
@@ -88,7 +88,7 @@ class CaseJudge {
   std::string place_;  ///< of a fault of ours
   Description subject_;
   PlacedCase placed_;
-  Asked asked_;
+  Checks checks_;
   std::size_t next_ = 0;
   std::vector<std::shared_ptr<const Drawing>> drawn_;
   Verdict sum_ = Verdict::Held(0);

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/target_size.h"
 #include "props/placed_case.h"
-#include "props/run/parts.h"
+#include "props/run/facing_draws.h"
 
 namespace rasterproof::props {
 namespace {
@@ -48,7 +48,7 @@ struct Share {
   std::size_t request = 0;
   std::size_t draw = 0;      ///< among the drawings
   std::size_t question = 0;  ///< among the request's own
-  Part part;
+  FacingDraw part;
   bool is_whole = false;  ///< all that is shown is taken over; else the counts are added
 };
 
@@ -84,11 +84,12 @@ class Submission {
   }
 
   // Facings are those of the question's scene; what is drawn is the scene as it is given.
-  std::vector<Part> PartsOf(std::size_t r, const DrawQuestion& question, const DrawJob& job) const {
+  std::vector<FacingDraw> PartsOf(std::size_t r, const DrawQuestion& question,
+                                  const DrawJob& job) const {
     if (question.parts == Parts::kWhole) return {{job, false}};
-    std::vector<Part> parts =
-        FacingParts(question.job, info_.coverage, requests_[r].placed->stated);
-    for (Part& part : parts) part.job.scene = job.scene;
+    std::vector<FacingDraw> parts =
+        FacingDraws(question.job, info_.coverage, requests_[r].placed->stated);
+    for (FacingDraw& part : parts) part.job.scene = job.scene;
     return parts;
   }
 
@@ -130,7 +131,7 @@ class Submission {
     if (info_.coverage != CoverageKind::kFacingCounts &&
         (has_target || question.parts == Parts::kFacings)) {
       drawing.counts = std::move(target);
-      return DrawParts(subject, PartsOf(r, question, job), drawing.counts);
+      return DrawFacings(subject, PartsOf(r, question, job), drawing.counts);
     }
     DrawJob onto = job;
     if (has_target) onto.onto = std::make_shared<const CoverageCounts>(std::move(target));
@@ -147,7 +148,7 @@ class Submission {
       drawings_.push_back(std::make_shared<Drawing>());
       const bool is_added = draws[d].parts == Parts::kFacings || draws[d].fill != 0;
       if (is_added) drawings_.back()->counts = Filled(draws[d].fill, *job);
-      for (Part& part : PartsOf(r, draws[d], *job)) {
+      for (FacingDraw& part : PartsOf(r, draws[d], *job)) {
         shares_.push_back({r, drawings_.size() - 1, d, std::move(part), !is_added});
       }
       owners_.push_back(r);
@@ -208,7 +209,7 @@ class Submission {
     if (share.is_whole) {
       drawing = std::move(outcome.drawing);
     } else {
-      AddPart(share.part, info_.coverage, outcome.drawing.counts, drawing.counts);
+      AddFacingDraw(share.part, info_.coverage, outcome.drawing.counts, drawing.counts);
     }
   }
 

@@ -24,7 +24,7 @@ struct Request {
 
 /// Puts the questions of some checks to the subject: their draws in as few calls as 2^20 samples
 /// and vertices allow (those of kInOrderAlone each in its own), then the others. A draw of kFacings
-/// is made of parts where the subject tells no facings (run/parts.h).
+/// is made of parts where the subject tells no facings (run/facing_draws.h).
 ///
 /// Domain:     checks whose draws may share a call: more than one only if the company of each is
 ///             kAny and none draws onto the last target. Draws by_twin of a subject that has one,

@@ -40,7 +40,7 @@ TEST(Asking, ForNewCoverageNeedsAMoveThatChangesIt) {
   EXPECT_EQ(property.ask(PlacedCase(c), description).checks.size(), 1U)
       << "a vertex lies on a sample";
   for (Vertex& v : c.scene.vertices) v.x -= 100;
-  const Asked asked = property.ask(PlacedCase(c), description);
+  const Checks asked = property.ask(PlacedCase(c), description);
   EXPECT_TRUE(asked.checks.empty()) << "no move brings it into the target";
   EXPECT_EQ(asked.otherwise.outcome, Outcome::kNotExercised);
 }
@@ -58,7 +58,7 @@ Judged SignsOf(const std::string& method) {
   const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(method);
   const Description description{subject->Info(), subject->Edges(), nullptr};
   const PlacedCase c(OneTriangle());
-  const Asked asked = FindProperty("EdgeSignIsRightOutsideItsBand")->ask(c, description);
+  const Checks asked = FindProperty("EdgeSignIsRightOutsideItsBand")->ask(c, description);
   const Check& check = asked.checks.front();
   Answers answers;
   for (const EdgeQuestion& q : check.questions.edges) {
@@ -135,7 +135,7 @@ TEST(TheGate, IsToldInWords) {
 
 // ---- the runner ---------------------------------------------------------------------------------
 
-Property WithChecks(Asked (*ask)(const PlacedCase&, const Description&)) {
+Property WithChecks(Checks (*ask)(const PlacedCase&, const Description&)) {
   Property property = testing::ModelProperty({});
   property.ask = ask;
   return property;
@@ -153,7 +153,7 @@ TEST(Checks, AreJudgedInOrderUpToTheFirstViolatedOne) {
   testing::PlantedSubject subject(
       testing::RealInfo(), [&](const Scene&, const DrawOptions&, CoverageCounts&) { ++draws; });
   const Property property = WithChecks([](const PlacedCase& c, const Description&) {
-    Asked asked;
+    Checks asked;
     asked.checks = {OneDraw(c, Verdict::Held(3)), OneDraw(c, Verdict::Violated(2, "wrong", {})),
                     OneDraw(c, Verdict::Held(100))};
     return asked;
@@ -168,7 +168,7 @@ TEST(Checks, AreJudgedInOrderUpToTheFirstViolatedOne) {
 TEST(Checks, ReadTheDrawsThatTheyNameAsBases) {
   testing::PlantedSubject subject = testing::Sound(testing::RealInfo());
   const Property property = WithChecks([](const PlacedCase& c, const Description&) {
-    Asked asked;
+    Checks asked;
     asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, c.options)));
     Check second = OneDraw(c, {});
     second.bases = {0};

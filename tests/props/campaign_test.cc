@@ -154,7 +154,7 @@ TEST(Campaign, ContainsASubjectThatThrows) {
 TEST(Campaign, ThatExercisesNothingIsNoPass) {
   auto subject = testing::Sound(RealInfo());
   Property property = ModelProperty(kCampaignDomains);
-  property.ask = [](const PlacedCase&, const Description&) { return Asked{}; };
+  property.ask = [](const PlacedCase&, const Description&) { return Checks{}; };
   const PropertyResult idle = RunCampaign(subject, property, {.cases = 20});
   EXPECT_EQ(idle.outcome, Outcome::kNotExercised);
   EXPECT_EQ(idle.cases, 20U);
@@ -176,7 +176,7 @@ TEST(Campaign, BlamesOnceOnTheSmallestCase) {
   Property property = ModelProperty(kCampaignDomains);
   property.blame = [](const PlacedCase&, const Verdict&, const Description&) {
     ++blamings;
-    return Asked{};
+    return Checks{};
   };
   blamings = 0;
   const PropertyResult result = RunCampaign(subject, property, {.cases = 30});

@@ -13,7 +13,7 @@
 #include "exact/coverage.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
-#include "props/run/parts.h"
+#include "props/run/facing_draws.h"
 #include "tests/props/planted_subjects.h"
 
 namespace rasterproof::props {

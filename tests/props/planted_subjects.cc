@@ -130,7 +130,7 @@ PlantedSubject Throwing(const SubjectInfo& info) {
 
 namespace {
 
-Asked AskForTheModel(const PlacedCase& c, const Description& /*subject*/) {
+Checks AskForTheModel(const PlacedCase& c, const Description& /*subject*/) {
   if (!WithinLimits(c.scene, c.profile)) return {};
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));

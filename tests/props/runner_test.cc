@@ -49,13 +49,13 @@ bool Says(const std::string& text, std::string_view words) {
 
 // ---- faults of ours -----------------------------------------------------------------------------
 
-Property Throwing(Asked (*ask)(const PlacedCase&, const Description&)) {
+Property Throwing(Checks (*ask)(const PlacedCase&, const Description&)) {
   Property property = ModelProperty(kDomains);
   property.ask = ask;
   return property;
 }
 
-Asked OracleFails(const PlacedCase& c, const Description& /*subject*/) {
+Checks OracleFails(const PlacedCase& c, const Description& /*subject*/) {
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
   return OneCheck(std::move(questions), [](const Answers&) -> Verdict {
@@ -64,11 +64,11 @@ Asked OracleFails(const PlacedCase& c, const Description& /*subject*/) {
 }
 
 // What the oracle does not decide the gate says before it is asked.
-Asked OracleDecidesNothing(const PlacedCase& /*c*/, const Description& /*subject*/) {
+Checks OracleDecidesNothing(const PlacedCase& /*c*/, const Description& /*subject*/) {
   throw InputError("scene", "the oracle decides no such thing", "give another");
 }
 
-Asked MemoryRunsOut(const PlacedCase&, const Description&) { throw std::bad_alloc(); }
+Checks MemoryRunsOut(const PlacedCase&, const Description&) { throw std::bad_alloc(); }
 
 std::string FaultOf(Subject& subject, const Property& property) {
   try {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "pugixml.hpp"
-#include "report/drawing.h"
+#include "report/figure.h"
 #include "report/palette.h"
 #include "report/picture.h"
 

@@ -18,7 +18,7 @@
 #include "props/run/campaign.h"
 #include "tests/share.h"
 #include "tests/subjects/conformance_baseline.h"
-#include "tool/asked.h"
+#include "tool/resolve.h"
 #include "tool/selftest.h"
 
 namespace rasterproof {

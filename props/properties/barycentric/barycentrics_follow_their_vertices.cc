@@ -56,7 +56,7 @@ Verdict Judge(const std::vector<InEveryOrder>& queries, const Answers& answers) 
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<InEveryOrder> queries;
   Questions questions;
   for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {

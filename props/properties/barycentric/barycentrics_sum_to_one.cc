@@ -48,7 +48,7 @@ Verdict Judge(const std::vector<BoundedSum>& sums, const Answers& answers) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedSum> sums;
   Questions questions;
   for (const BarycentricQuery& q : SomeBarycentricQueries(c)) {

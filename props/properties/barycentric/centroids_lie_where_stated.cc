@@ -36,7 +36,7 @@ Verdict Judge(const std::vector<CentroidFragment>& fragments) {
   return Verdict::Held(exercised, worst);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return AskCentroids(c, subject, Judge);
 }
 

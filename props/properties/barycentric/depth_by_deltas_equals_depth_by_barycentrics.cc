@@ -39,7 +39,7 @@ Verdict Judge(const std::vector<BoundedPair>& pairs, const Answers& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedPair> pairs;
   Questions questions;
   for (const InterpolationQuery& q : SomeInterpolations(c)) {

@@ -33,7 +33,7 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return AskFragments(c, subject, kDepthsAlone, Judge);
 }
 

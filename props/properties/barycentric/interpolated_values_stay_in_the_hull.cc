@@ -33,7 +33,7 @@ Verdict Judge(const std::vector<InterpolationAnswer>& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<InterpolationQuery> inside = SomeInterpolations(c);
   std::erase_if(inside, [](const InterpolationQuery& q) { return !q.at.inside; });
   return AskInterpolations(inside,

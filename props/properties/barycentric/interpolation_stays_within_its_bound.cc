@@ -10,7 +10,7 @@
 namespace rasterproof::props {
 namespace interpolation_stays_within_its_bound {
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<InterpolationQuery> affine = SomeInterpolations(c);
   // w plays no part in the affine forms: the queries that differ in it alone are left out.
   std::erase_if(affine, [](const InterpolationQuery& q) {

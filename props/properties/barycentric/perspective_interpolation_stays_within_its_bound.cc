@@ -8,7 +8,7 @@
 namespace rasterproof::props {
 namespace perspective_interpolation_stays_within_its_bound {
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return AskInterpolations(SomeInterpolations(c), {InterpolationForm::kPerspective},
                            *subject.barycentrics, InterpolationsStayWithinTheirBound);
 }

@@ -32,15 +32,15 @@ bool IsClosedInEveryModel(const PlacedCase& c) {
   return exact::ShapeOf({UnsnappedScene(c), as_it_is}).closed;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   if (std::ranges::any_of(c.scene.vertices, [](const Vertex& v) { return !(v.w > 0); })) {
-    return NothingAsked("the surface may wind around the eye");
+    return NotExercised("the surface may wind around the eye");
   }
   if (!c.scene.clip_space) {  // elsewhere the scene tells, whatever it becomes on a grid
     if (const auto why = exact::WhyNotDecided(c)) return NotDecided(why->what());
   }
   const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
-  if (!IsClosedInEveryModel(c)) return NothingAsked("the mesh has a boundary");
+  if (!IsClosedInEveryModel(c)) return NotExercised("the mesh has a boundary");
   Spared spared;
   if (!one_model) {
     spared.open = OpenTriangles(c);

@@ -36,12 +36,12 @@ bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
   return !in_front && !behind && exact::DeterminantSign(v) == 0;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   if (c.scene.triangles.empty() || !IsClosed(c.scene)) {
-    return NothingAsked("the surface is not closed");
+    return NotExercised("the surface is not closed");
   }
   for (const Triangle& t : c.scene.triangles) {
-    if (MayHoldTheEye(Corners(c.scene, t))) return NothingAsked("the eye may lie on the surface");
+    if (MayHoldTheEye(Corners(c.scene, t))) return NotExercised("the eye may lie on the surface");
   }
   // The surface winds equally often around the eye in every direction: one ray tells it for all.
   const CoverageCounts one = exact::Coverage(c, {.scissor = PixelRect{0, 0, 1, 1}});

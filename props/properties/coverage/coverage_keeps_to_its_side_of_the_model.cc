@@ -73,8 +73,8 @@ Check OfTheMesh(const PlacedCase& c, const Description& subject) {
   return check;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
-  Asked asked;
+Checks Ask(const PlacedCase& c, const Description& subject) {
+  Checks asked;
   const auto scene = std::make_shared<const Scene>(c.scene);
   // One triangle's excess must not make up for another's lack.
   for (std::size_t t = 0; t < std::min(kMostSingles, c.scene.triangles.size()); ++t) {

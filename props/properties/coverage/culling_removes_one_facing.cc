@@ -30,9 +30,9 @@ const char* WhatIsLeft(Cull cull) {
 }
 
 // Of a subject that tells facings: what is left of its own counts.
-Asked AgainstItsFacings(const PlacedCase& c) {
+Checks AgainstItsFacings(const PlacedCase& c) {
   DrawOptions options = WholeTarget(c);
-  Asked asked;
+  Checks asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   for (const Cull cull : {Cull::kFront, Cull::kBack}) {
     options.cull = cull;
@@ -49,8 +49,8 @@ Asked AgainstItsFacings(const PlacedCase& c) {
 
 // Of one that tells none: what it shows of the triangles that face the other way alone, by the one
 // model that is legal.
-Asked AgainstTheOtherSide(const PlacedCase& c) {
-  Asked asked;
+Checks AgainstTheOtherSide(const PlacedCase& c) {
+  Checks asked;
   Sides sides(c);
   for (const Cull cull : {Cull::kFront, Cull::kBack}) {
     DrawOptions options = WholeTarget(c);
@@ -199,12 +199,12 @@ Check AsItsReference(const PlacedCase& drawn, const Reference& reference) {
 
 // Where models leave other places legal: of triangles that none of them turns, by a triangle that
 // none turns either.
-Asked AgainstTheReference(const PlacedCase& c, bool tells) {
-  if (c.scene.clip_space) return NothingAsked("the profile leaves open where clip space lies");
+Checks AgainstTheReference(const PlacedCase& c, bool tells) {
+  if (c.scene.clip_space) return NotExercised("the profile leaves open where clip space lies");
   const std::vector<Reference> references = ReferencesOf(c);
-  if (references.empty()) return NothingAsked("the profile's limit leaves no reference triangle");
+  if (references.empty()) return NotExercised("the profile's limit leaves no reference triangle");
   const Reference& reference = references.front();
-  Asked asked;
+  Checks asked;
   Check& base = asked.checks.emplace_back();
   base.questions = BothWays(reference.value.scene, c);
   base.judge = [stated = c.profile.front_face, facing = reference.facing,
@@ -220,7 +220,7 @@ Asked AgainstTheReference(const PlacedCase& c, bool tells) {
   return asked;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   if (!HasOneModel(c.profile)) return AgainstTheReference(c, TellsFacings(subject));
   return TellsFacings(subject) ? AgainstItsFacings(c) : AgainstTheOtherSide(c);
 }

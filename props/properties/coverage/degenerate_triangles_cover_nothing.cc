@@ -22,12 +22,12 @@ constexpr std::array kRules{ProfileRule{
     "triangles of zero area cover nothing",
     "the profile leaves triangles of zero area unspecified"}};
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   if (c.scene.clip_space && !c.profile.snap.IsNone()) {
-    return NothingAsked("the area after the division and snapping is not decided");
+    return NotExercised("the area after the division and snapping is not decided");
   }
   const std::vector<std::size_t>& flat = c.flat;
-  if (flat.empty()) return NothingAsked("every triangle has area");
+  if (flat.empty()) return NotExercised("every triangle has area");
   Questions questions;
   questions.draws.push_back(CountsOf(c.Only(flat).scene, c.profile, WholeTarget(c)));
   return OneCheck(std::move(questions), [exercised = flat.size()](const Answers& answers) {

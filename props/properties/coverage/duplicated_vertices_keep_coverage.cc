@@ -12,7 +12,7 @@
 namespace rasterproof::props {
 namespace duplicated_vertices_keep_coverage {
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   Scene unindexed = c.scene;
   unindexed.vertices.clear();
   for (Triangle& t : unindexed.triangles) {

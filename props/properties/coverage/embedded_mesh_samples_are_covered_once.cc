@@ -12,7 +12,7 @@
 namespace rasterproof::props {
 namespace embedded_mesh_samples_are_covered_once {
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return CompareWithItsWinding(c, subject);
 }
 

@@ -146,12 +146,12 @@ Check InOneCall(const PlacedCase& c, const std::vector<Reference>& references,
   return check;
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
-  if (c.scene.triangles.empty()) return NothingAsked("the scene has no triangles");
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
+  if (c.scene.triangles.empty()) return NotExercised("the scene has no triangles");
   const auto scene = std::make_shared<const Scene>(c.scene);
   const std::vector<Reference> references = ReferencesOf(c);
   std::vector<std::size_t> bases;
-  Asked asked;
+  Checks asked;
   if (!references.empty()) {
     Check& check = asked.checks.emplace_back();
     for (const Reference& reference : references) {

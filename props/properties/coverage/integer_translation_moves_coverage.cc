@@ -62,8 +62,8 @@ CoverageCounts MovedCounts(const CoverageCounts& counts, int dx, int dy) {
   return moved;
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
-  Asked asked;
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
+  Checks asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const auto& [dx, dy] : kShifts) {
     const std::optional<Scene> moved = Moved(c, dx, dy);

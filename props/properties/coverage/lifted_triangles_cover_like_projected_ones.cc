@@ -54,11 +54,11 @@ std::optional<Scene> Lifted(const Scene& window) {
   return clip;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   PlacedCase projected = c.With(ProjectedScene(c.scene));
   const std::optional<Scene> lifted = Lifted(projected.scene);
   if (!WithinLimits(projected.scene, c.profile) || !lifted || !WithinLimits(*lifted, c.profile)) {
-    return NothingAsked("the projected scene is beyond the limits");
+    return NotExercised("the projected scene is beyond the limits");
   }
   if (const auto why = exact::WhyNotDecided(projected)) {
     return NotDecided(why->what());

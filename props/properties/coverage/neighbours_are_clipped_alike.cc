@@ -27,7 +27,7 @@ bool LeavesTarget(const Scene& scene, std::size_t triangle) {
                              [&](const Vertex& v) { return IsSeenOutside(v, scene); });
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return CoverSharedEdgesOnce(c, subject, Clipped::kAlike, [&](const Neighbours& pair) {
     return LeavesTarget(c.scene, pair.first) || LeavesTarget(c.scene, pair.second);
   });

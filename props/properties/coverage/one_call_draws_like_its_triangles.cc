@@ -87,10 +87,10 @@ Verdict LikeItsTriangles(const SubjectInfo& info, const Drawing& mesh, const Cal
                     "that of its triangles drawn alone");
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
-  if (c.scene.triangles.size() < 2) return NothingAsked("a mesh of one triangle");
+Checks Ask(const PlacedCase& c, const Description& subject) {
+  if (c.scene.triangles.size() < 2) return NotExercised("a mesh of one triangle");
   const auto open = WhereCallsMayDiffer(c, c.profile.freedom.ties == TieOwnership::kOpen);
-  if (!open) return NothingAsked(kPlacesNotKnown);
+  if (!open) return NotExercised(kPlacesNotKnown);
   // PrimitiveIds: twice, so that something always lies on top.
   const std::size_t times = ShowsPrimitiveIds(subject.info) ? 2 : 1;
   const auto count = std::min(c.scene.triangles.size(), kMostTriangles);

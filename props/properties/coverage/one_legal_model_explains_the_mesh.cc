@@ -199,14 +199,14 @@ Check OfOneCall(const PlacedCase& c, const Description& subject) {
   return check;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   if (const std::optional<std::string> why = legal::WhyNotJoint(c.scene, c.profile)) {
-    Asked asked = NothingAsked(*why);
+    Checks asked = NotExercised(*why);
     asked.otherwise.not_judged = DecisionsOf(c);
     return asked;
   }
-  Asked asked;
-  if (c.scene.triangles.empty()) return NothingAsked("the scene has no triangles");
+  Checks asked;
+  if (c.scene.triangles.empty()) return NotExercised("the scene has no triangles");
   if (c.scene.triangles.size() <= kMostDrawnAlone) asked.checks.push_back(OfEachAlone(c));
   asked.checks.push_back(OfOneCall(c, subject));
   return asked;

@@ -16,11 +16,11 @@ namespace rasterproof::props {
 namespace open_ties_are_covered_once {
 
 // The mesh, judged as under a profile that is the case's but for its owners.
-Asked AskForOnce(const PlacedCase& c, const Description& subject) {
+Checks AskForOnce(const PlacedCase& c, const Description& subject) {
   Freedom freedom = c.profile.freedom;
   freedom.ties = TieOwnership::kStated;
   const auto owned = std::make_shared<PlacedCase>(c.Under(freedom));
-  Asked asked = CompareWithItsWinding(*owned, subject);
+  Checks asked = CompareWithItsWinding(*owned, subject);
   for (Check& check : asked.checks) {
     check.judge = [owned, judge = std::move(check.judge)](const Answers& answers) {
       return judge(answers);

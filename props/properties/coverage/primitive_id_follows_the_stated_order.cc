@@ -21,8 +21,8 @@ namespace primitive_id_follows_the_stated_order {
 // The mesh is drawn over itself until so many triangles are: more than a byte can number.
 constexpr std::size_t kFewestDrawn = 300;
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
-  if (c.scene.triangles.empty()) return NothingAsked("the scene has no triangles");
+Checks Ask(const PlacedCase& c, const Description& subject) {
+  if (c.scene.triangles.empty()) return NotExercised("the scene has no triangles");
   DrawQuestion question = WholeCallOf(c.scene, c.profile, c.options);
   std::vector<Triangle>& repeated = question.job.triangles.emplace(c.scene.triangles);
   while (repeated.size() < kFewestDrawn) {

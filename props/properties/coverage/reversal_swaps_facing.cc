@@ -12,7 +12,7 @@
 namespace rasterproof::props {
 namespace reversal_swaps_facing {
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   Scene reversed = c.scene;
   for (Triangle& t : reversed.triangles) t = {t[0], t[2], t[1]};
   Questions questions;

@@ -42,10 +42,10 @@ std::optional<Scene> Scaled(const Scene& scene) {
   return scaled;
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   const std::optional<Scene> scaled = Scaled(c.scene);
   if (!scaled || !WithinLimits(*scaled, c.profile)) {
-    return NothingAsked("a scaled vertex is not exact or beyond the limit");
+    return NotExercised("a scaled vertex is not exact or beyond the limit");
   }
   return CompareVariations(c, {{*scaled, "that of the unscaled vertices"}});
 }

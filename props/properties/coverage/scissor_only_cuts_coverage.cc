@@ -22,11 +22,11 @@ std::array<PixelRect, 3> Scissors(const Scene& scene) {
           PixelRect{0, h - 1, w, h}};
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   const auto open = WhereCallsMayDiffer(c, MayChooseByCall(c.profile));
-  if (!open) return NothingAsked(kPlacesNotKnown);
+  if (!open) return NotExercised(kPlacesNotKnown);
   DrawOptions options = WholeTarget(c);
-  Asked asked;
+  Checks asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   for (const PixelRect& rect : Scissors(c.scene)) {
     options.scissor = rect;

@@ -39,16 +39,16 @@ Verdict CoveredOnce(const NeighbourPair& pair, const CoverageCounts& counts, Cli
   return verdict;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return CoverSharedEdgesOnce(c, subject, Clipped::kMayDiffer,
                               [](const Neighbours&) { return true; });
 }
 
 }  // namespace shared_edge_samples_are_covered_once
 
-Asked CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clipped clipped,
-                           const std::function<bool(const Neighbours&)>& takes) {
-  Asked asked;
+Checks CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clipped clipped,
+                            const std::function<bool(const Neighbours&)>& takes) {
+  Checks asked;
   for (const Neighbours& neighbours : NeighbourPair::Some(c)) {
     if (!takes(neighbours)) continue;
     const auto pair = std::make_shared<const NeighbourPair>(c, neighbours);

@@ -20,8 +20,8 @@ enum class Clipped : std::uint8_t {
 /// Asks for a few pairs of the case's neighbours, those that `takes` chooses, each pair drawn
 /// alone. Holds if every sample beside their common edge, and away from their outline, is covered
 /// once.
-Asked CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clipped clipped,
-                           const std::function<bool(const Neighbours&)>& takes);
+Checks CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Clipped clipped,
+                            const std::function<bool(const Neighbours&)>& takes);
 
 }  // namespace rasterproof::props
 

@@ -16,7 +16,7 @@
 namespace rasterproof::props {
 namespace signed_coverage_equals_the_winding_number {
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   Spared spared;
   if (!IsUnclipped(c.scene, c.profile)) {
     spared.open = OpenTriangles(c);

@@ -25,8 +25,8 @@ CoverageCounts RowsFromZero(const CoverageCounts& high, int height, YAxis y_axis
   return part;
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
-  Asked asked;
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
+  Checks asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const int height : {c.scene.height + 1, 2 * c.scene.height + 7}) {
     if (!HasTheModelOf(c, c.scene.width, height)) continue;

@@ -25,8 +25,8 @@ CoverageCounts LeftPart(const CoverageCounts& wide, int width) {
   return part;
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
-  Asked asked;
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
+  Checks asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, WholeTarget(c))));
   for (const int width : {c.scene.width + 1, 2 * c.scene.width + 7}) {
     if (!HasTheModelOf(c, width, c.scene.height)) continue;

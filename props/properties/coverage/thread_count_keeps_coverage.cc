@@ -11,7 +11,7 @@
 namespace rasterproof::props {
 namespace thread_count_keeps_coverage {
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   return CompareOption(c, &DrawOptions::threads, 1, {2, 3, 8}, [](int threads) {
     return "one thread's with " + std::to_string(threads) + " threads";
   });

@@ -12,7 +12,7 @@ namespace rasterproof::props {
 namespace tile_size_keeps_coverage {
 
 // One pixel, an odd size that fits no target, usual ones, and one larger than most targets.
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   return CompareOption(c, &DrawOptions::tile, 0, {1, 5, 8, 64}, [](int tile) {
     return "the subject's own with tiles of " + std::to_string(tile) + " pixels";
   });

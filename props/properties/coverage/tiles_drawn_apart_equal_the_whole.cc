@@ -22,11 +22,11 @@ constexpr auto kMapDomains =
     Both(kCoverageAnySpace, std::to_array<std::string_view>({"deciding-snap-ties"}));
 
 // Three tiles along the longer side: origins that are no powers of two from the target's.
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   const auto open = WhereCallsMayDiffer(c, MayChooseByCall(c.profile));
-  if (!open) return NothingAsked(kPlacesNotKnown);
+  if (!open) return NotExercised(kPlacesNotKnown);
   DrawOptions options = WholeTarget(c);
-  Asked asked;
+  Checks asked;
   asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
   const int side = (std::max(c.scene.width, c.scene.height) + 2) / 3;
   for (int y0 = 0; y0 < c.scene.height; y0 += side) {

@@ -18,10 +18,10 @@
 namespace rasterproof::props {
 namespace triangle_order_keeps_coverage {
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
-  if (c.scene.triangles.size() < 2) return NothingAsked("one triangle has one order");
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
+  if (c.scene.triangles.size() < 2) return NotExercised("one triangle has one order");
   const auto open = WhereCallsMayDiffer(c, c.profile.freedom.ties == TieOwnership::kOpen);
-  if (!open) return NothingAsked(kPlacesNotKnown);
+  if (!open) return NotExercised(kPlacesNotKnown);
   constexpr const char* kInTheOrderGiven = "that in the order given";
   Scene reversed = c.scene;
   std::ranges::reverse(reversed.triangles);

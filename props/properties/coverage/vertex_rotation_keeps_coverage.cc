@@ -12,7 +12,7 @@
 namespace rasterproof::props {
 namespace vertex_rotation_keeps_coverage {
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   std::vector<Variation> rotations;
   Scene rotated = c.scene;
   for (int turn = 1; turn < 3; ++turn) {

@@ -62,7 +62,7 @@ Verdict Judge(const std::vector<Rotation>& rotations, const Answers& answers) {
   return Verdict::Held(exercised);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<Rotation> rotations;
   Questions questions;
   for (const CornersPlace& corners : SomeTriangles(c, kTriangles)) {

@@ -15,7 +15,7 @@
 namespace rasterproof::props {
 namespace edge_error_stays_within_its_bound {
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
   Questions questions = ValuesAt(edges);
   return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {

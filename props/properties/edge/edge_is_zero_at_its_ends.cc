@@ -32,7 +32,7 @@ std::vector<BoundedEdge> EndsOfEdges(const PlacedCase& c, const EdgeBounds& boun
   return ends;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> ends = EndsOfEdges(c, *subject.edges);
   Questions questions = ValuesAt(ends);
   return OneCheck(std::move(questions), [ends = std::move(ends)](const Answers& answers) {

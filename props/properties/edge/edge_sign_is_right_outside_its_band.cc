@@ -19,7 +19,7 @@
 namespace rasterproof::props {
 namespace edge_sign_is_right_outside_its_band {
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<BoundedEdge> edges = SomeBoundedEdges(c, *subject.edges);
   Questions questions = ValuesAt(edges);
   return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {

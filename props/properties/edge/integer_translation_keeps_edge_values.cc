@@ -18,7 +18,7 @@ constexpr std::array<EdgeMap, 4> kTranslations{{
     {.tx = -4096, .ty = -4096},
 }};
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kTranslations, "edge value changes under translation");
 }
 

@@ -16,7 +16,7 @@ constexpr std::array<EdgeMap, 3> kMirrors{{
     {.transpose = true, .factor = -1},
 }};
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kMirrors, "edge value is not negated by a mirror");
 }
 

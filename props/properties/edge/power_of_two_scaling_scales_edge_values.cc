@@ -17,7 +17,7 @@ constexpr std::array<EdgeMap, 3> kScalings{{
     {.sx = 0x1p20, .sy = 0x1p20, .factor = 0x1p40},
 }};
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return EdgeValuesFollow(c, subject, kScalings, "edge value does not scale by 4^k");
 }
 

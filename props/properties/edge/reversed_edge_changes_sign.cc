@@ -55,7 +55,7 @@ Verdict Judge(const std::vector<EdgeBothWays>& edges, const Answers& answers) {
   return Verdict::Held(edges.size());
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   std::vector<EdgeBothWays> edges = SomeEdgesBothWays(c, *subject.edges);
   Questions questions = ValuesOf(edges);
   return OneCheck(std::move(questions), [edges = std::move(edges)](const Answers& answers) {

@@ -87,12 +87,12 @@ constexpr std::array kRules{
     ProfileRule{[](const Profile& p) { return !p.fixed; }, "no fixed-point input",
                 "the subject's integers hold nothing that is not finite"}};
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   Scene good = c.scene;
   std::erase_if(good.triangles, [&](const Triangle& t) { return !IsGood(c, t); });
   const bool they_may = c.profile.freedom.ties == TieOwnership::kOpen || MayChooseByCall(c.profile);
   const auto open = WhereCallsMayDiffer(c.With(WithoutUnused(good)), they_may);
-  if (!open) return NothingAsked(kPlacesNotKnown);
+  if (!open) return NotExercised(kPlacesNotKnown);
   Questions questions;
   for (const Scene& scene : {good, Poisoned(good, c.profile)}) {
     questions.draws.push_back(WholeCallOf(scene, c.profile, WholeTarget(c)));

@@ -102,9 +102,9 @@ Check InItsOwnCall(const PlacedCase& c, DrawQuestion draw, std::size_t k, std::s
   return check;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   const std::vector<DrawQuestion> draws = DrawsOf(c, subject.info);
-  Asked asked;
+  Checks asked;
   asked.checks.push_back(InOneCall(c, draws));
   for (std::size_t k = 0; k < draws.size(); ++k) {
     asked.checks.push_back(InItsOwnCall(c, draws[k], k, draws.size()));

@@ -80,10 +80,10 @@ Check GuardedDraw(const PlacedCase& c, const Scene& scene, const PixelRect& rect
   return check;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   const int w = c.scene.width;
   const int h = c.scene.height;
-  Asked asked;
+  Checks asked;
   asked.checks.push_back(GuardedDraw(c, c.scene, {0, 0, w, h}));
   if (!subject.info.takes_scissor) return asked;
   // The case's own target as part of a larger one: what runs over its right end or wraps to the

@@ -40,11 +40,11 @@ Verdict AreAlike(const Answers& answers, const std::vector<std::string>& changes
   return Verdict::Held(changes.size());
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   const PlacedCase canonical = c.Under(Freedom{});
-  if (auto why = WhyNotMoved(canonical)) return NothingAsked(*why);
+  if (auto why = WhyNotMoved(canonical)) return NotExercised(*why);
   const std::vector<MovedScene> moved = MovedScenes(canonical).ByOneVertex();
-  if (moved.empty()) return NothingAsked("no vertex that moves changes what is covered");
+  if (moved.empty()) return NotExercised("no vertex that moves changes what is covered");
   Questions questions;
   questions.company = Company::kInOrderAlone;
   questions.draws.push_back(WholeCallOf(c.scene, c.profile, c.options));

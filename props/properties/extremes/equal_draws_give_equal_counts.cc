@@ -13,7 +13,7 @@
 namespace rasterproof::props {
 namespace equal_draws_give_equal_counts {
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   Questions questions;
   questions.company = Company::kInOrderAlone;
   const DrawQuestion once = WholeCallOf(c.scene, c.profile, c.options);

@@ -50,11 +50,11 @@ Verdict Judged(const Answers& answers, bool counts, const LegalCounts& first,
   return Verdict::Held(changed);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
-  if (auto why = WhyNotMoved(c)) return NothingAsked(*why);
+Checks Ask(const PlacedCase& c, const Description& subject) {
+  if (auto why = WhyNotMoved(c)) return NotExercised(*why);
   const MovedScenes of(c);
   std::vector<MovedScene> successors = of.ByOneVertex();
-  if (successors.empty()) return NothingAsked("no vertex that moves changes what is covered");
+  if (successors.empty()) return NotExercised("no vertex that moves changes what is covered");
   if (auto other = of.OtherContent()) successors.push_back(*std::move(other));
   Questions questions;
   questions.company = Company::kInOrderAlone;

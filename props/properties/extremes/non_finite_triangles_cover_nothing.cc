@@ -47,10 +47,10 @@ std::vector<std::size_t> NonFiniteTriangles(const PlacedCase& c) {
   return triangles;
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   const std::vector<std::size_t> bad = NonFiniteTriangles(c);
   if (bad.empty()) {
-    return NothingAsked("every triangle is finite, or the profile leaves its infinite vertex open");
+    return NotExercised("every triangle is finite, or the profile leaves its infinite vertex open");
   }
   Questions questions;
   questions.draws.push_back(CountsOf(c.Only(bad).scene, c.profile, WholeTarget(c)));
@@ -62,8 +62,8 @@ Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
 }
 
 // The one that covers the witness's sample by itself, or none: then it is their company.
-Asked Blame(const PlacedCase& c, const Verdict& verdict, const Description& /*subject*/) {
-  Asked asked;
+Checks Blame(const PlacedCase& c, const Verdict& verdict, const Description& /*subject*/) {
+  Checks asked;
   const auto scene = std::make_shared<const Scene>(c.scene);
   for (const std::size_t t : NonFiniteTriangles(c)) {
     Check check;

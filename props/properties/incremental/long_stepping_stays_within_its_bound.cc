@@ -10,7 +10,7 @@ namespace long_stepping_stays_within_its_bound {
 
 constexpr int kSteps = 16384;  // the side of the largest target of the APIs in use
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return StepsStayWithinTheirBound(LongRows(c, kSteps), *subject.edges);
 }
 

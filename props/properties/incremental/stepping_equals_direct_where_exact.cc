@@ -50,8 +50,8 @@ Check CheckOf(const SteppingQuery& stepping, const EdgeBounds& stated) {
   return check;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
-  Asked asked;
+Checks Ask(const PlacedCase& c, const Description& subject) {
+  Checks asked;
   for (const SteppingQuery& stepping : SomeSteppingQueries(c))
     asked.checks.push_back(CheckOf(stepping, *subject.edges));
   return asked;

@@ -10,7 +10,7 @@
 namespace rasterproof::props {
 namespace stepping_stays_within_its_bound {
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return StepsStayWithinTheirBound(SomeSteppingQueries(c), *subject.edges);
 }
 

@@ -21,7 +21,7 @@ constexpr std::array kRules{
                 "the profile lets squares be covered that do not lie within a triangle", true},
     kDrawsLargeTriangles};
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kLess,
                            "squares: a pixel is covered whose centre is not", CentresOf);
 }

@@ -32,7 +32,7 @@ CoverageCounts CentresOfSolid(const PlacedCase& c, const DrawOptions& options) {
   return CentresOf(c.Only(solid), options);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kMore,
                            "squares: a pixel whose centre is covered is left out", CentresOfSolid);
 }

@@ -17,7 +17,7 @@ CoverageCounts MostOf(const PlacedCase& c, const DrawOptions& options) {
   return exact::MayCover(c, options);
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kLess,
                            "squares: one that may not be covered is covered", MostOf);
 }

@@ -61,9 +61,9 @@ Check ShowsSomewhere(const PlacedCase& c, std::size_t t) {
   return check;
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
-  Asked asked = CompareEachAndAll(c, subject, MayBe::kMore,
-                                  "squares: one that must be covered is left out", LeastOf);
+Checks Ask(const PlacedCase& c, const Description& subject) {
+  Checks asked = CompareEachAndAll(c, subject, MayBe::kMore,
+                                   "squares: one that must be covered is left out", LeastOf);
   constexpr std::size_t kMostFlat = 16;
   for (std::size_t t = 0; t < std::min(kMostFlat, c.scene.triangles.size()); ++t) {
     if (MustShowSomewhere(c, t)) asked.checks.push_back(ShowsSomewhere(c, t));

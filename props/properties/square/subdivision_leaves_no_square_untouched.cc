@@ -81,14 +81,14 @@ Check DrawsTheParts(Cut cut, std::size_t t) {
   return check;
 }
 
-Asked Ask(const PlacedCase& c, const Description& /*subject*/) {
+Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   constexpr std::size_t kMostCut = 4;
-  Asked asked;
+  Checks asked;
   for (std::size_t t = 0; t < c.scene.triangles.size() && asked.checks.size() < kMostCut; ++t) {
     if (auto cut = CutOne(c, t)) asked.checks.push_back(DrawsTheParts(std::move(*cut), t));
   }
   if (!asked.checks.empty()) return asked;
-  return NothingAsked("no triangle can be cut exactly into four that are surely not flat");
+  return NotExercised("no triangle can be cut exactly into four that are surely not flat");
 }
 
 }  // namespace subdivision_leaves_no_square_untouched

@@ -18,7 +18,7 @@ std::optional<WireframeScale> InBarycentricSpace(const BarycentricQuery& q, int 
   return WireframeScale{lambda * lambda, 1};
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kBarycentric, InBarycentricSpace,
                       "barycentric-space distance is not the barycentric");
 }

@@ -28,7 +28,7 @@ std::optional<WireframeScale> InTheL1Norm(const BarycentricQuery& q, int edge) {
   return WireframeScale{distance * distance, (area / reach).ToDouble()};
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kDerivative, InTheL1Norm,
                       "derivative-weighted distance is not that of the L1 norm");
 }

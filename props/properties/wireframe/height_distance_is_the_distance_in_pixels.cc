@@ -21,7 +21,7 @@ std::optional<WireframeScale> InPixels(const BarycentricQuery& q, int edge) {
   return WireframeScale{*distance, RoundedRoot(*height)};
 }
 
-Asked Ask(const PlacedCase& c, const Description& subject) {
+Checks Ask(const PlacedCase& c, const Description& subject) {
   return AskDistances(c, subject, WireframeForm::kHeight, InPixels,
                       "height-compensated distance is not the distance in pixels");
 }

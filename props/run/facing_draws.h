@@ -1,6 +1,6 @@
 // The calls that tell the facings of a subject that does not tell them itself.
-#ifndef RASTERPROOF_PROPS_RUN_PARTS_H_
-#define RASTERPROOF_PROPS_RUN_PARTS_H_
+#ifndef RASTERPROOF_PROPS_RUN_FACING_DRAWS_H_
+#define RASTERPROOF_PROPS_RUN_FACING_DRAWS_H_
 
 #include <cstddef>
 #include <span>
@@ -15,7 +15,7 @@
 namespace rasterproof::props {
 
 /// One call's share of a draw.
-struct Part {
+struct FacingDraw {
   DrawJob job;
   bool is_back = false;  ///< what it covers counts as back; as it is told if the subject tells
 };
@@ -28,7 +28,8 @@ struct Part {
 /// so that overlaps show; of a mesh too large for that the draw itself, as it is shown
 /// (IsJudgedAsShown). A triangle of no area counts as front: it should cover nothing. Where the
 /// profile leaves other models legal the facing is a guess (OpenTriangles).
-std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const Profile& profile);
+std::vector<FacingDraw> FacingDraws(const DrawJob& job, CoverageKind coverage,
+                                    const Profile& profile);
 
 /// A call of a subject is kept to so many samples and vertices: what is at hand of it takes memory
 /// on either side.
@@ -39,14 +40,14 @@ std::size_t SizeInACall(const DrawJob& job);
 /// Draws the parts in their order, in calls of kMostInACall, and adds what they drew.
 ///
 /// Returns:    how it ended; if early, counts are of the parts before.
-CallEnd DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& counts);
+CallEnd DrawFacings(Subject& subject, std::span<const FacingDraw> parts, CoverageCounts& counts);
 
 /// Adds what a part drew to the counts of its draw.
 ///
 /// Shape:      both of one shape.
-void AddPart(const Part& part, CoverageKind coverage, const CoverageCounts& drawn,
-             CoverageCounts& counts);
+void AddFacingDraw(const FacingDraw& part, CoverageKind coverage, const CoverageCounts& drawn,
+                   CoverageCounts& counts);
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_RUN_PARTS_H_
+#endif  // RASTERPROOF_PROPS_RUN_FACING_DRAWS_H_

@@ -1,4 +1,4 @@
-#include "props/domains/sketch.h"
+#include "props/domains/case_builder.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,8 @@ Precision DrawPrecision(BitSource& bits, const SubjectInfo& info) {
 
 }  // namespace
 
-Sketch::Sketch(BitSource& source, const SubjectInfo& info) : Sketch(source, info, 1, 1) {
+CaseBuilder::CaseBuilder(BitSource& source, const SubjectInfo& info)
+    : CaseBuilder(source, info, 1, 1) {
   case_.scene.width = DrawSide(source);
   case_.scene.height = DrawSide(source);
   if (info.profile.by_target_size.empty()) return;
@@ -38,7 +39,7 @@ Sketch::Sketch(BitSource& source, const SubjectInfo& info) : Sketch(source, info
   lattice_ = InputLattice(profile_, lattice_.precision());
 }
 
-Sketch::Sketch(BitSource& source, const SubjectInfo& info, int width, int height)
+CaseBuilder::CaseBuilder(BitSource& source, const SubjectInfo& info, int width, int height)
     : bits_(&source),
       info_(&info),
       profile_(info.profile, width, height),
@@ -49,14 +50,14 @@ Sketch::Sketch(BitSource& source, const SubjectInfo& info, int width, int height
   case_.profile = info.profile;
 }
 
-Point2 Sketch::Sample() {
+Point2 CaseBuilder::Sample() {
   const int i = static_cast<int>(bits_->Int(0, width() - 1));
   const int j = static_cast<int>(bits_->Int(0, height() - 1));
   const int s = static_cast<int>(bits_->Int(0, profile().pattern.samples() - 1));
   return profile().pattern.At(i, j, s);
 }
 
-double Sketch::Coordinate(int extent, bool along_y) {
+double CaseBuilder::Coordinate(int extent, bool along_y) {
   const int margin = extent / 4 + 2;
   const std::int64_t kind = bits_->Int(0, 7);
   const auto pixel = static_cast<double>(bits_->Int(-margin, extent + margin));
@@ -73,38 +74,38 @@ double Sketch::Coordinate(int extent, bool along_y) {
   return bits_->Chance(32) ? lattice_.Move(x, bits_->Int(-2, 2)) : x;
 }
 
-double Sketch::Uniform(double low, double high) {
+double CaseBuilder::Uniform(double low, double high) {
   return low + (high - low) * std::ldexp(static_cast<double>(bits_->Bits(53)), -53);
 }
 
-double Sketch::LogUniform(int low, int high) {
+double CaseBuilder::LogUniform(int low, int high) {
   const double mantissa = 1.0 + std::ldexp(static_cast<double>(bits_->Bits(52)), -52);
   const auto exponent = static_cast<int>(bits_->Int(low, high));
   return Sign() * std::ldexp(mantissa, exponent);
 }
 
-std::int32_t Sketch::Add(Point2 p) {
+std::int32_t CaseBuilder::Add(Point2 p) {
   if (!within_limit_) return AddRaw({lattice_.Round(p.x), lattice_.Round(p.y)});
   return AddRaw({lattice_.RoundWithinLimit(p.x), lattice_.RoundWithinLimit(p.y)});
 }
 
-std::int32_t Sketch::AddRaw(const Vertex& v) {
+std::int32_t CaseBuilder::AddRaw(const Vertex& v) {
   case_.scene.vertices.push_back({lattice_.RoundToPrecision(v.x), lattice_.RoundToPrecision(v.y),
                                   lattice_.RoundToFloat(v.z), lattice_.RoundToFloat(v.w)});
   return static_cast<std::int32_t>(case_.scene.vertices.size() - 1);
 }
 
-void Sketch::AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c) {
+void CaseBuilder::AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c) {
   case_.scene.triangles.push_back({a, b, c});
 }
 
-void Sketch::AddTriangle(const std::array<Point2, 3>& v) {
+void CaseBuilder::AddTriangle(const std::array<Point2, 3>& v) {
   const std::int32_t a = Add(v[0]);
   const std::int32_t b = Add(v[1]);
   AddTriangle(a, b, Add(v[2]));
 }
 
-void Sketch::OrderTriangles(Finish finish) {
+void CaseBuilder::OrderTriangles(Finish finish) {
   if (finish == Finish::kAsIs) return;
   const bool reverse_all = bits_->Chance(128);
   std::vector<Triangle>& triangles = case_.scene.triangles;
@@ -119,7 +120,7 @@ void Sketch::OrderTriangles(Finish finish) {
   }
 }
 
-void Sketch::RepeatSharedVertices() {
+void CaseBuilder::RepeatSharedVertices() {
   std::vector<Vertex> repeated;
   for (Triangle& t : case_.scene.triangles) {
     for (std::int32_t& index : t) {
@@ -130,7 +131,7 @@ void Sketch::RepeatSharedVertices() {
   case_.scene.vertices = std::move(repeated);
 }
 
-void Sketch::DrawOptionsFor(Finish finish) {
+void CaseBuilder::DrawOptionsFor(Finish finish) {
   DrawOptions& options = case_.options;
   if (bits_->Chance(64)) options.tile = bits_->OneOf(std::span<const int>(kTiles));
   if (bits_->Chance(32)) options.threads = static_cast<int>(bits_->Int(1, 4));
@@ -144,7 +145,7 @@ void Sketch::DrawOptionsFor(Finish finish) {
   if (bits_->Chance(24)) options.cull = bits_->Chance(128) ? Cull::kFront : Cull::kBack;
 }
 
-void Sketch::PutIntoClipSpace() {
+void CaseBuilder::PutIntoClipSpace() {
   Scene& scene = case_.scene;
   if (info_->takes_window || scene.clip_space) return;
   scene.clip_space = true;
@@ -157,14 +158,14 @@ void Sketch::PutIntoClipSpace() {
   }
 }
 
-void Sketch::LeaveOutWhatIsNotTaken() {
+void CaseBuilder::LeaveOutWhatIsNotTaken() {
   DrawOptions& options = case_.options;
   if (!info_->takes_tiles) options.tile = 0;
   if (!info_->takes_scissor) options.scissor.reset();
   if (!info_->takes_culling) options.cull = Cull::kNone;
 }
 
-Case Sketch::Done(Finish finish) {
+Case CaseBuilder::Done(Finish finish) {
   OrderTriangles(finish);
   if (bits_->Chance(32)) RepeatSharedVertices();
   DrawOptionsFor(finish);

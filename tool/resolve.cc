@@ -1,4 +1,4 @@
-#include "tool/asked.h"
+#include "tool/resolve.h"
 
 #include <algorithm>
 #include <array>
@@ -175,7 +175,7 @@ std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profil
   return nullptr;
 }
 
-AskedSubject ResolveSubject(const std::string& name, const std::string& profile, bool device) {
+SubjectFactory ResolveSubject(const std::string& name, const std::string& profile, bool device) {
   const std::optional<Profile> by =
       profile.empty() ? std::nullopt : std::optional(io::ReadProfile(profile));
   if (device) RequireLegalSet(by);
@@ -254,8 +254,8 @@ std::multimap<std::string, GivenCase> SavedIn(const std::string& folder) {
 
 }  // namespace
 
-CheckAsked ResolveCheck(const CheckOptions& options) {
-  CheckAsked asked;
+ResolvedCheck ResolveCheck(const CheckOptions& options) {
+  ResolvedCheck asked;
   asked.is_whole_catalogue = options.properties.empty();
   for (const std::string& name : options.properties) {
     asked.properties.push_back(&RequireProperty(name));

@@ -1,6 +1,6 @@
 // A case in the making: what every recipe draws, adds to and finishes.
-#ifndef RASTERPROOF_PROPS_DOMAINS_SKETCH_H_
-#define RASTERPROOF_PROPS_DOMAINS_SKETCH_H_
+#ifndef RASTERPROOF_PROPS_DOMAINS_CASE_BUILDER_H_
+#define RASTERPROOF_PROPS_DOMAINS_CASE_BUILDER_H_
 
 #include <algorithm>
 #include <array>
@@ -23,11 +23,11 @@ enum class Finish : std::uint8_t {
 };
 
 /// Draws the parts of a case from a bit source, on the input lattice of a subject.
-class Sketch {
+class CaseBuilder {
  public:
   /// A target of 1 to 48 pixels a side, mostly 8 to 24.
-  Sketch(BitSource& source, const SubjectInfo& info);
-  Sketch(BitSource& source, const SubjectInfo& info, int width, int height);
+  CaseBuilder(BitSource& source, const SubjectInfo& info);
+  CaseBuilder(BitSource& source, const SubjectInfo& info, int width, int height);
 
   BitSource& bits() { return *bits_; }
   const InputLattice& lattice() const { return lattice_; }
@@ -86,4 +86,4 @@ class Sketch {
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_DOMAINS_SKETCH_H_
+#endif  // RASTERPROOF_PROPS_DOMAINS_CASE_BUILDER_H_

@@ -1,4 +1,4 @@
-#include "report/drawing.h"
+#include "report/figure.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -68,16 +68,16 @@ Colour Mix(Colour a, Colour b, double t) {
   return mixed;
 }
 
-void Drawing::Polygon(std::vector<Point2> outline, Colour colour, double opacity) {
+void Figure::Polygon(std::vector<Point2> outline, Colour colour, double opacity) {
   if (outline.size() < 3) return;
   shapes.push_back({ShapeKind::kPolygon, std::move(outline), colour, opacity, 1, {}});
 }
 
-void Drawing::Rectangle(double x0, double y0, double x1, double y1, Colour colour) {
+void Figure::Rectangle(double x0, double y0, double x1, double y1, Colour colour) {
   Polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, colour);
 }
 
-void Drawing::Frame(double x0, double y0, double x1, double y1, Colour colour, double line_width) {
+void Figure::Frame(double x0, double y0, double x1, double y1, Colour colour, double line_width) {
   const double out = line_width / 2;
   Line({x0 - out, y0}, {x1 + out, y0}, colour, line_width);
   Line({x0 - out, y1}, {x1 + out, y1}, colour, line_width);
@@ -85,30 +85,30 @@ void Drawing::Frame(double x0, double y0, double x1, double y1, Colour colour, d
   Line({x1, y0}, {x1, y1}, colour, line_width);
 }
 
-void Drawing::Line(Point2 a, Point2 b, Colour colour, double line_width, double opacity) {
+void Figure::Line(Point2 a, Point2 b, Colour colour, double line_width, double opacity) {
   shapes.push_back({ShapeKind::kLine, {a, b}, colour, opacity, line_width, {}});
 }
 
-void Drawing::Dot(Point2 centre, double radius, Colour colour) {
+void Figure::Dot(Point2 centre, double radius, Colour colour) {
   shapes.push_back({ShapeKind::kDot, {centre}, colour, 1, radius, {}});
 }
 
-void Drawing::Text(Point2 baseline, std::string_view text, Colour colour, double size) {
+void Figure::Text(Point2 baseline, std::string_view text, Colour colour, double size) {
   shapes.push_back({ShapeKind::kText, {baseline}, colour, 1, size, std::string(text)});
 }
 
-void Drawing::CentredText(Point2 centre, std::string_view text, Colour colour, double size) {
+void Figure::CentredText(Point2 centre, std::string_view text, Colour colour, double size) {
   const double half = kAdvance * size * static_cast<double>(text.size()) / 2;
   Text({centre.x - half, centre.y + 0.35 * size}, text, colour, size);
 }
 
-std::string DrawingToSvg(const Drawing& drawing) {
+std::string FigureToSvg(const Figure& figure) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
       "{1}\" font-family=\"DejaVu Sans Mono, Menlo, Consolas, monospace\">\n",
-      Number(drawing.width), Number(drawing.height));
+      Number(figure.width), Number(figure.height));
   svg += fmt::format("<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n", Hex(kPaper));
-  for (const Shape& shape : drawing.shapes) svg += Element(shape) + '\n';
+  for (const Shape& shape : figure.shapes) svg += Element(shape) + '\n';
   return svg + "</svg>\n";
 }
 

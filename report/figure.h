@@ -1,6 +1,6 @@
-// A drawing as a list of shapes, and the two ways to show it.
-#ifndef RASTERPROOF_REPORT_DRAWING_H_
-#define RASTERPROOF_REPORT_DRAWING_H_
+// A figure as a list of shapes, and the two ways to show it.
+#ifndef RASTERPROOF_REPORT_FIGURE_H_
+#define RASTERPROOF_REPORT_FIGURE_H_
 
 #include <cstdint>
 #include <string>
@@ -17,7 +17,7 @@ enum class ShapeKind : std::uint8_t { kPolygon, kLine, kDot, kText };
 
 /// One shape. Later shapes lie over earlier ones.
 ///
-/// Units:      the drawing's, x right, y down.
+/// Units:      the figure's, x right, y down.
 struct Shape {
   ShapeKind kind = ShapeKind::kPolygon;
   std::vector<Point2> points;  ///< a convex outline; two ends; a centre; where the baseline begins
@@ -28,7 +28,7 @@ struct Shape {
 };
 
 /// What a picture is made of.
-struct Drawing {
+struct Figure {
   double width = 0;
   double height = 0;
   std::vector<Shape> shapes;
@@ -45,12 +45,12 @@ struct Drawing {
 /// A character's advance in a text of size 1: every text is monospaced.
 inline constexpr double kAdvance = 0.6;
 
-std::string DrawingToSvg(const Drawing& drawing);
+std::string FigureToSvg(const Figure& figure);
 
-/// The drawing with `scale` pixels to its unit, edges smoothed. Characters outside ASCII show as
+/// The figure with `scale` pixels to its unit, edges smoothed. Characters outside ASCII show as
 /// "?".
-io::Image DrawingToImage(const Drawing& drawing, double scale);
+io::Image FigureToImage(const Figure& figure, double scale);
 
 }  // namespace rasterproof::report
 
-#endif  // RASTERPROOF_REPORT_DRAWING_H_
+#endif  // RASTERPROOF_REPORT_FIGURE_H_

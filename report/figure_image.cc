@@ -1,4 +1,4 @@
-// Drawings as pixels: each shape's share of a pixel is the distance of its border from the centre.
+// Figures as pixels: each shape's share of a pixel is the distance of its border from the centre.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/drawing.h"
+#include "report/figure.h"
 #include "report/letters.h"
 
 namespace rasterproof::report {
@@ -14,10 +14,10 @@ namespace {
 
 class Canvas {
  public:
-  Canvas(const Drawing& drawing, double scale)
+  Canvas(const Figure& figure, double scale)
       : scale_(scale),
-        image_(static_cast<int>(std::ceil(drawing.width * scale)),
-               static_cast<int>(std::ceil(drawing.height * scale)), kPaper) {}
+        image_(static_cast<int>(std::ceil(figure.width * scale)),
+               static_cast<int>(std::ceil(figure.height * scale)), kPaper) {}
 
   void Draw(const Shape& shape) {
     switch (shape.kind) {
@@ -143,9 +143,9 @@ class Canvas {
 
 }  // namespace
 
-io::Image DrawingToImage(const Drawing& drawing, double scale) {
-  Canvas canvas(drawing, scale);
-  for (const Shape& shape : drawing.shapes) canvas.Draw(shape);
+io::Image FigureToImage(const Figure& figure, double scale) {
+  Canvas canvas(figure, scale);
+  for (const Shape& shape : figure.shapes) canvas.Draw(shape);
   return canvas.Take();
 }
 

@@ -1,4 +1,4 @@
-#include "report/drawing.h"
+#include "report/figure.h"
 
 #include <gtest/gtest.h>
 
@@ -12,20 +12,20 @@
 namespace rasterproof::report {
 namespace {
 
-Drawing Blank() {
-  Drawing drawing;
-  drawing.width = 10;
-  drawing.height = 10;
-  return drawing;
+Figure Blank() {
+  Figure figure;
+  figure.width = 10;
+  figure.height = 10;
+  return figure;
 }
 
 TEST(SvgTest, IsWellFormedAndNeedsNothingFromOutside) {
-  Drawing drawing = Blank();
-  drawing.Rectangle(1, 1, 4, 4, kBlue);
-  drawing.Line({0, 0}, {9, 9}, kInk, 1.5);
-  drawing.Dot({5, 5}, 2, kVermilion);
-  drawing.Text({0, 9}, "a <b> & \"c\"", kInk, 10);
-  const std::string svg = DrawingToSvg(drawing);
+  Figure figure = Blank();
+  figure.Rectangle(1, 1, 4, 4, kBlue);
+  figure.Line({0, 0}, {9, 9}, kInk, 1.5);
+  figure.Dot({5, 5}, 2, kVermilion);
+  figure.Text({0, 9}, "a <b> & \"c\"", kInk, 10);
+  const std::string svg = FigureToSvg(figure);
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(svg.c_str())) << svg;
   const pugi::xml_node root = document.child("svg");
@@ -36,11 +36,11 @@ TEST(SvgTest, IsWellFormedAndNeedsNothingFromOutside) {
 
 TEST(ImageTest, FillsAPolygonOfEitherOrientationAndNothingElse) {
   for (const bool reversed : {false, true}) {
-    Drawing drawing = Blank();
+    Figure figure = Blank();
     std::vector<Point2> outline{{2, 2}, {8, 2}, {8, 8}, {2, 8}};
     if (reversed) outline = {outline.rbegin(), outline.rend()};
-    drawing.Polygon(outline, kBlue);
-    io::Image image = DrawingToImage(drawing, 1);
+    figure.Polygon(outline, kBlue);
+    io::Image image = FigureToImage(figure, 1);
     EXPECT_EQ(image.At(2, 2), kBlue);
     EXPECT_EQ(image.At(7, 7), kBlue);
     EXPECT_EQ(image.At(1, 5), kPaper);
@@ -49,17 +49,17 @@ TEST(ImageTest, FillsAPolygonOfEitherOrientationAndNothingElse) {
 }
 
 TEST(ImageTest, SmoothsAnEdgeThatCrossesAPixel) {
-  Drawing drawing = Blank();
-  drawing.Rectangle(2, 2, 5.5, 8, {0, 0, 0});
-  const int grey = DrawingToImage(drawing, 1).At(5, 5)[0];
+  Figure figure = Blank();
+  figure.Rectangle(2, 2, 5.5, 8, {0, 0, 0});
+  const int grey = FigureToImage(figure, 1).At(5, 5)[0];
   EXPECT_GT(grey, 100);
   EXPECT_LT(grey, 155);
 }
 
 TEST(ImageTest, ALineEndsWhereItEnds) {
-  Drawing drawing = Blank();
-  drawing.Line({2, 5}, {8, 5}, kInk, 2);
-  io::Image image = DrawingToImage(drawing, 1);
+  Figure figure = Blank();
+  figure.Line({2, 5}, {8, 5}, kInk, 2);
+  io::Image image = FigureToImage(figure, 1);
   EXPECT_EQ(image.At(2, 4), kInk);
   EXPECT_EQ(image.At(7, 5), kInk);
   EXPECT_EQ(image.At(1, 4), kPaper);
@@ -68,27 +68,27 @@ TEST(ImageTest, ALineEndsWhereItEnds) {
 }
 
 TEST(ImageTest, ALineOfNoLengthDrawsNothing) {
-  Drawing drawing = Blank();
-  drawing.Line({5, 5}, {5, 5}, kInk, 2);
-  io::Image image = DrawingToImage(drawing, 1);
+  Figure figure = Blank();
+  figure.Line({5, 5}, {5, 5}, kInk, 2);
+  io::Image image = FigureToImage(figure, 1);
   EXPECT_EQ(image.At(5, 5), kPaper);
 }
 
-TEST(ImageTest, ScalesWithTheDrawing) {
-  Drawing drawing = Blank();
-  drawing.Dot({5, 5}, 2, kGreen);
-  io::Image image = DrawingToImage(drawing, 3);
+TEST(ImageTest, ScalesWithTheFigure) {
+  Figure figure = Blank();
+  figure.Dot({5, 5}, 2, kGreen);
+  io::Image image = FigureToImage(figure, 3);
   EXPECT_EQ(image.width, 30);
   EXPECT_EQ(image.At(15, 15), kGreen);
   EXPECT_EQ(image.At(15, 22), kPaper);
 }
 
 TEST(ImageTest, ShapesBeyondTheBorderAreCut) {
-  Drawing drawing = Blank();
-  drawing.Rectangle(-50, -50, 50, 50, kBlue);
-  drawing.Dot({-3, 5}, 5, kInk);
-  drawing.Text({8, 20}, "beyond", kInk, 10);
-  io::Image image = DrawingToImage(drawing, 1);
+  Figure figure = Blank();
+  figure.Rectangle(-50, -50, 50, 50, kBlue);
+  figure.Dot({-3, 5}, 5, kInk);
+  figure.Text({8, 20}, "beyond", kInk, 10);
+  io::Image image = FigureToImage(figure, 1);
   EXPECT_EQ(image.At(9, 0), kBlue);
   EXPECT_EQ(image.At(0, 5), kInk);
 }

@@ -1,7 +1,7 @@
 // Resolves what a command line asks for, once: names to subjects, profiles, properties and cases. A
 // wrong name is an error before anything runs.
-#ifndef RASTERPROOF_TOOL_ASKED_H_
-#define RASTERPROOF_TOOL_ASKED_H_
+#ifndef RASTERPROOF_TOOL_RESOLVE_H_
+#define RASTERPROOF_TOOL_RESOLVE_H_
 
 #include <map>
 #include <memory>
@@ -27,9 +27,9 @@ namespace rasterproof::tool {
 std::vector<std::string> SubjectNames();
 
 /// A subject that was asked for by name: its profile is read and what it is is looked up, once.
-class AskedSubject {
+class SubjectFactory {
  public:
-  AskedSubject(std::string name, SubjectMaker make)
+  SubjectFactory(std::string name, SubjectMaker make)
       : name_(std::move(name)), make_(std::move(make)) {}
   const std::string& name() const { return name_; }
   /// One more of it, judged by the profile that was asked for. Several threads may call it.
@@ -44,8 +44,8 @@ class AskedSubject {
 /// that legal set with the numbers that the subject states (FilledIn).
 ///
 /// Error:      InputError naming the subjects there are, or what is wrong with the profile.
-AskedSubject ResolveSubject(const std::string& name, const std::string& profile = "",
-                            bool device = false);
+SubjectFactory ResolveSubject(const std::string& name, const std::string& profile = "",
+                              bool device = false);
 
 /// The same, made at once: for a verb that needs one.
 std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile = "");
@@ -84,8 +84,8 @@ struct GivenCase {
 };
 
 /// What `check` was asked.
-struct CheckAsked {
-  std::vector<AskedSubject> subjects;
+struct ResolvedCheck {
+  std::vector<SubjectFactory> subjects;
   std::vector<const props::Property*> properties;
   bool is_whole_catalogue = false;
   std::vector<GivenCase> cases;  ///< none: generated ones
@@ -94,7 +94,7 @@ struct CheckAsked {
 };
 
 /// Error:      InputError with the place and the remedy, for the first thing that is not there.
-CheckAsked ResolveCheck(const CheckOptions& options);
+ResolvedCheck ResolveCheck(const CheckOptions& options);
 
 /// The given case as it is put to the subject: judged by the subject's profile.
 ///
@@ -103,4 +103,4 @@ Case CaseFor(const Subject& subject, const GivenCase& given);
 
 }  // namespace rasterproof::tool
 
-#endif  // RASTERPROOF_TOOL_ASKED_H_
+#endif  // RASTERPROOF_TOOL_RESOLVE_H_

@@ -1,4 +1,4 @@
-#include "props/run/parts.h"
+#include "props/run/facing_draws.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,8 @@ DrawJob Only(const DrawJob& job, std::optional<std::vector<Triangle>> triangles)
 
 }  // namespace
 
-std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const Profile& profile) {
+std::vector<FacingDraw> FacingDraws(const DrawJob& job, CoverageKind coverage,
+                                    const Profile& profile) {
   if (coverage == CoverageKind::kFacingCounts) return {{job, false}};
   const Scene& scene = *job.scene;
   const std::span<const Triangle> triangles = job.Triangles();
@@ -35,7 +36,7 @@ std::vector<Part> FacingParts(const DrawJob& job, CoverageKind coverage, const P
   Scene drawn = scene;
   drawn.triangles.assign(triangles.begin(), triangles.end());
   Sides sides(exact::PlacedScene(std::move(drawn), profile));
-  std::vector<Part> parts;
+  std::vector<FacingDraw> parts;
   for (const bool is_back : {false, true}) {
     std::vector<Triangle>& side = is_back ? sides.back : sides.front;
     if (coverage == CoverageKind::kCounts) {
@@ -52,12 +53,12 @@ std::size_t SizeInACall(const DrawJob& job) {
   return CoverageCounts::Size(scene.width, scene.height, job.samples) + scene.vertices.size();
 }
 
-CallEnd DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts& counts) {
+CallEnd DrawFacings(Subject& subject, std::span<const FacingDraw> parts, CoverageCounts& counts) {
   const CoverageKind coverage = subject.Info().coverage;
   while (!parts.empty()) {
     std::vector<DrawJob> jobs;
     std::size_t size = 0;
-    for (const Part& part : parts) {
+    for (const FacingDraw& part : parts) {
       size += SizeInACall(part.job);
       if (!jobs.empty() && size > kMostInACall) break;
       jobs.push_back(part.job);
@@ -65,15 +66,15 @@ CallEnd DrawParts(Subject& subject, std::span<const Part> parts, CoverageCounts&
     const std::vector<DrawOutcome> drawn = subject.DrawMany(jobs);
     for (std::size_t k = 0; k < drawn.size(); ++k) {
       if (drawn[k].end.stop != Stop::kNone) return drawn[k].end;
-      AddPart(parts[k], coverage, drawn[k].drawing.counts, counts);
+      AddFacingDraw(parts[k], coverage, drawn[k].drawing.counts, counts);
     }
     parts = parts.subspan(jobs.size());
   }
   return {};
 }
 
-void AddPart(const Part& part, CoverageKind coverage, const CoverageCounts& drawn,
-             CoverageCounts& counts) {
+void AddFacingDraw(const FacingDraw& part, CoverageKind coverage, const CoverageCounts& drawn,
+                   CoverageCounts& counts) {
   if (coverage == CoverageKind::kFacingCounts) {
     counts += drawn;
     return;

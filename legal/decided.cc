@@ -11,6 +11,7 @@
 #include "legal/family_samples.h"
 #include "legal/model_clauses.h"
 #include "legal/triangle_samples.h"
+#include "model/segment_distance.h"
 #include "model/snap.h"
 #include "model/target_profile.h"
 

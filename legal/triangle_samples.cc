@@ -259,14 +259,6 @@ ClippedTriangle ClippedTo(const std::optional<WindowBox>& window_box, YAxis y_ax
 
 }  // namespace
 
-double SegmentDistance(Point2 a, Point2 b, Point2 p) {
-  const Point2 d{b.x - a.x, b.y - a.y};
-  const double length = d.x * d.x + d.y * d.y;
-  const double along = length > 0 ? ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / length : 0;
-  const double part = std::clamp(along, 0.0, 1.0);
-  return std::hypot(p.x - (a.x + part * d.x), p.y - (a.y + part * d.y));
-}
-
 FamilyView::FamilyView(const Scene& scene, const TargetProfile& profile, const Family& family)
     : scene_(scene),
       profile_(profile),

@@ -90,9 +90,6 @@ class FamilyView {
   bool has_rule_;
 };
 
-/// The distance of p from the segment, rounded.
-double SegmentDistance(Point2 a, Point2 b, Point2 p);
-
 }  // namespace rasterproof::legal
 
 #endif  // RASTERPROOF_LEGAL_TRIANGLE_SAMPLES_H_

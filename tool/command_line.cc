@@ -143,7 +143,14 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
   verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
   AddSubjects(verb, options.subjects, own);
-  verb->add_option("--property", options.properties, "Properties (default: all)");
+  CLI::Option* const properties =
+      verb->add_option("--property", options.properties, "Properties (default: all)");
+  verb->add_flag("--catalogue", options.catalogue,
+                 "Families of stiff and extreme cases, each compared with the subject's own model "
+                 "and with real geometry, in place of properties")
+      ->excludes(properties)
+      ->excludes(verb->get_option("scenes"))
+      ->excludes(verb->get_option("--case"));
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_flag("--device", options.device,
                  "Put the subject's numbers into the legal set that --profile names: its subpixel "

@@ -79,6 +79,7 @@ struct CheckOptions {
   std::string save;  ///< folder for counterexamples; those there are asked first
   int jobs = 1;      ///< properties at once
   FailOn fail_on = FailOn::kStated;
+  bool catalogue = false;  ///< families of stiff cases, not properties
 };
 int RunCheck(const CheckOptions& options);
 

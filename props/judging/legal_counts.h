@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_
 #define RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,6 +34,9 @@ class LegalCounts {
 
   /// Asks for the scene: by facing where one model is legal, else for what one call shows.
   static DrawQuestion QuestionOf(const Scene& scene, const PlacedCase& c);
+  /// The samples that no legal model covers as they were drawn, in their order. By facing where one
+  /// model is legal.
+  std::vector<std::size_t> Wrong(const CoverageCounts& drawn, bool counts) const;
   /// Violated if no legal model covers some sample as it was drawn. `counts`: whether the subject
   /// counts; else 1 stands for any number but 0.
   Verdict VerdictOn(const CoverageCounts& drawn, bool counts, std::uint64_t exercised,

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/suggestion.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
@@ -102,6 +103,24 @@ void SaveWorst(const std::string& folder, const std::string& subject,
   }
 }
 
+std::vector<props::Family> FamiliesNamed(const std::vector<std::string>& names) {
+  std::vector<props::Family> all = props::Catalogue();
+  if (names.empty()) return all;
+  std::vector<props::Family> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(all, name, &props::Family::name);
+    if (found == all.end()) {
+      std::vector<std::string_view> known;
+      for (const props::Family& family : all) known.push_back(family.name);
+      throw InputError(
+          fmt::format("family '{}'", name), "the catalogue has no such family",
+          Suggestion(name, known) + "'rasterproof list domains' and 'list worlds' name all");
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 std::vector<FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
@@ -125,7 +144,7 @@ std::vector<FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
 int CheckCatalogue(const CheckOptions& options) {
   const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
-  const std::vector<props::Family> families = props::Catalogue();
+  const std::vector<props::Family> families = FamiliesNamed(options.families);
   props::CataloguePlan plan;
   plan.seed = options.campaign.seed;
   plan.cases = options.campaign.cases;

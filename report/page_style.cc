@@ -78,6 +78,7 @@ thead button:hover { color: var(--link); }
 [aria-sort] button { color: var(--ink); }
 [aria-sort="ascending"] button::before { content: "▲ "; font-size: 0.65rem; }
 [aria-sort="descending"] button::before { content: "▼ "; font-size: 0.65rem; }
+.right { color: var(--good); }
 .zero, .none { color: var(--soft); }
 .wrong, .missing { color: var(--bad); font-weight: 600; }
 .unexpected { color: var(--over); font-weight: 600; }

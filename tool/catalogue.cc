@@ -1,7 +1,6 @@
 #include "tool/catalogue.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -10,11 +9,12 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "report/proportion.h"
+#include "report/catalogue.h"
 #include "report/text.h"
 #include "tool/exit_status.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
+#include "tool/progress.h"
 #include "tool/session.h"
 #include "tool/workers.h"
 
@@ -27,25 +27,8 @@ using props::Yardstick;
 
 constexpr std::array kYardsticks{Yardstick::kOwnModel, Yardstick::kRealGeometry};
 
-std::string Displacement(double pixels) {
-  return std::isfinite(pixels) ? fmt::format("{:.2g} px", pixels) : "ended";
-}
-
-// "fails 3 of 100, 1.0 to 8.5 %, 0.0017 px", "100 tested", "exhausted, 117649".
-std::string CellText(const FamilyCell& cell) {
-  if (cell.cases == 0) return cell.excused == 0 ? "not run" : "excused";
-  if (cell.Fails()) {
-    const report::Interval rate = report::ProportionInterval(cell.wrong, cell.cases);
-    return fmt::format("fails {} of {}, {:.2g} to {:.2g} %, {}", cell.wrong, cell.cases,
-                       100 * rate.low, 100 * rate.high, Displacement(cell.worst_pixels));
-  }
-  if (cell.is_exhausted) return fmt::format("exhausted, {}", cell.cases);
-  return cell.excused == 0 ? fmt::format("{} tested", cell.cases)
-                           : fmt::format("{} tested, {} excused", cell.cases, cell.excused);
-}
-
 std::string Table(const std::vector<props::Family>& families,
-                  const std::vector<FamilyResult>& results) {
+                  const report::CatalogueColumn& column) {
   std::string text;
   const props::Theme* theme = nullptr;
   for (std::size_t k = 0; k < families.size(); ++k) {
@@ -53,9 +36,9 @@ std::string Table(const std::vector<props::Family>& families,
       theme = families[k].theme;
       text += fmt::format("\n{}: {}\n", theme->name, theme->right);
     }
-    text += fmt::format("  {:<22} {:<44} {}\n", families[k].name,
-                        CellText(results[k].By(Yardstick::kOwnModel)),
-                        CellText(results[k].By(Yardstick::kRealGeometry)));
+    text +=
+        fmt::format("  {:<22} {:<44} {}\n", families[k].name,
+                    report::FamilyText(column.cells[k][0]), report::FamilyText(column.cells[k][1]));
   }
   return text;
 }
@@ -121,12 +104,50 @@ std::vector<props::Family> FamiliesNamed(const std::vector<std::string>& names) 
   return chosen;
 }
 
+report::CatalogueCell AsReported(const FamilyCell& cell, bool states_exact) {
+  return {.cases = cell.cases,
+          .wrong = cell.wrong,
+          .samples = cell.samples,
+          .wrong_samples = cell.wrong_samples,
+          .worst_pixels = cell.worst_pixels,
+          .worst_case = cell.worst ? cell.worst->origin : "",
+          .excused = cell.excused,
+          .why = cell.why,
+          .is_exhausted = cell.is_exhausted,
+          .is_proved = states_exact && cell.wrong == 0};
+}
+
 }  // namespace
+
+report::Catalogue CatalogueOf(const std::vector<props::Family>& families,
+                              const props::CataloguePlan& plan) {
+  report::Catalogue catalogue{
+      .seed = plan.seed, .cases = plan.cases, .families = {}, .columns = {}};
+  for (const props::Family& family : families) {
+    catalogue.families.push_back({std::string(family.name), std::string(family.summary),
+                                  std::string(family.theme->name),
+                                  std::string(family.theme->right)});
+  }
+  return catalogue;
+}
+
+report::CatalogueColumn ColumnOf(const SubjectInfo& info,
+                                 const std::vector<FamilyResult>& results) {
+  report::CatalogueColumn column{.subject = info.name, .folder = {}, .cells = {}};
+  for (const FamilyResult& result : results) {
+    column.cells.push_back(
+        {AsReported(result.cells[0], info.states_exact),
+         AsReported(
+             result.cells[1],
+             info.states_exact && SameModel(info.profile, props::RealProfileOf(info.profile)))});
+  }
+  return column;
+}
 
 std::vector<FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
                                            const std::vector<props::Family>& families,
-                                           const props::CataloguePlan& plan, int jobs,
-                                           Progress& progress) {
+                                           const props::CataloguePlan& plan, int jobs) {
+  Progress progress(static_cast<std::size_t>(jobs));
   Crew crew(jobs, [&](std::size_t) { return subject.Make(); });
   std::vector<FamilyResult> results(families.size());
   for (std::size_t k = 0; k < families.size(); ++k) results[k].family = families[k].name;
@@ -150,17 +171,18 @@ int CheckCatalogue(const CheckOptions& options) {
   plan.cases = options.campaign.cases;
   plan.seconds = options.campaign.seconds;
   plan.stop = Interrupted;
+  report::Catalogue catalogue = CatalogueOf(families, plan);
   int status = kExitHolds;
   for (const SubjectFactory& subject : asked.subjects) {
     RequireSamples(subject.Make()->Info());
-    Progress progress(static_cast<std::size_t>(options.jobs));
     const std::vector<FamilyResult> results =
-        MeasureCatalogue(subject, families, plan, options.jobs, progress);
+        MeasureCatalogue(subject, families, plan, options.jobs);
+    catalogue.columns.push_back(ColumnOf(subject.Make()->Info(), results));
     const Summary sum = SummaryOf(results);
     io::WriteStandardOutput(report::CleanText(
         fmt::format("{}, seed {}, {} cases a family\n{:<25}{:<45}{}\n", subject.name(), plan.seed,
                     plan.cases, "", props::kYardstickNames[0], props::kYardstickNames[1]) +
-        Table(families, results) + "\n" + SummaryLine(subject.name(), sum)));
+        Table(families, catalogue.columns.back()) + "\n" + SummaryLine(subject.name(), sum)));
     if (!options.save.empty()) SaveWorst(options.save, subject.name(), results);
     if (sum.fails[0] != 0) status = WorseStatus(status, kExitViolated);
     if (sum.stands[0] + sum.fails[0] == 0) status = WorseStatus(status, kExitInconclusive);

@@ -4,9 +4,10 @@
 
 #include <vector>
 
+#include "core/subject_info.h"
 #include "props/catalogue/catalogue.h"
+#include "report/catalogue.h"
 #include "tool/commands.h"
-#include "tool/progress.h"
 #include "tool/resolve.h"
 
 namespace rasterproof::tool {
@@ -16,8 +17,13 @@ namespace rasterproof::tool {
 /// Returns:    by Catalogue()'s order; after an interrupt some results have no cases.
 std::vector<props::FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
                                                   const std::vector<props::Family>& families,
-                                                  const props::CataloguePlan& plan, int jobs,
-                                                  Progress& progress);
+                                                  const props::CataloguePlan& plan, int jobs);
+
+/// The catalogue without columns, and the column of a subject's results.
+report::Catalogue CatalogueOf(const std::vector<props::Family>& families,
+                              const props::CataloguePlan& plan);
+report::CatalogueColumn ColumnOf(const SubjectInfo& info,
+                                 const std::vector<props::FamilyResult>& results);
 
 /// Prints each subject's table, and saves the worst case of each cell that fails.
 ///

@@ -28,8 +28,8 @@ CoverageCounts MustCover(const PlacedScene& scene, const DrawOptions& options = 
 CoverageCounts MayCover(const PlacedScene& scene, const DrawOptions& options = {});
 
 /// How far, in pixels on each axis, a legal place of a vertex may be from the given one, rounded up
-/// to a multiple of kSquareStep; 0 if the profile names one place. Where the rounding or the grid is
-/// not stated, a vertex moves by at most a step of the coarsest legal grid.
+/// to a multiple of kSquareStep; 0 if the profile names one place. If the rounding or the grid is
+/// not stated, it is at most a step of the coarsest legal grid.
 double PlacingReach(const Snap& snap, const Freedom& freedom);
 
 /// Returns whether triangle t has no area where the profile places it, or may have none.

@@ -39,8 +39,7 @@ struct Decided {
   /// Shape:      as CoverageCounts.
   std::vector<std::uint64_t> counts;
   std::vector<TriangleDecided> triangles;
-  std::vector<OpenDecision>
-      open;  ///< the reason for each sample in `may`, by triangle and sample
+  std::vector<OpenDecision> open;  ///< the reason for each sample in `may`, by triangle and sample
   /// Samples with known bounds only: too many decisions are open there to search.
   std::uint64_t bounded = 0;
   /// A step of the coarsest legal grid, in pixels: the unit of the freedom. 0: vertices stay.

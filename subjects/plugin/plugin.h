@@ -16,7 +16,8 @@ struct LoadedPlugin {
 };
 
 /// Loads a library into this process, which its faults can bring down. To isolate it, run it in the
-/// process `pipe answer` (tool/outside.h). Its floating-point environment is separate (environment.h).
+/// process `pipe answer` (tool/outside.h). Its floating-point environment is kept apart
+/// (environment.h).
 ///
 /// The subject draws into guarded memory: a write outside the target, or between its rows, is a
 /// breakdown that says where, or a crash where it goes farther than a page.

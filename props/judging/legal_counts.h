@@ -19,8 +19,8 @@ namespace rasterproof::props {
 /// Returns why the counts of legal models are not known, or nothing if they are.
 std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const TargetProfile& profile);
 
-/// The coverage by facing if the profile has one model. Otherwise every sample's counts that some
-/// legal model has; facings are ignored.
+/// The coverage by facing if the profile has one model. Otherwise the counts that some legal model
+/// has at each sample; facings are ignored.
 class LegalCounts {
  public:
   /// Makes the counts of another scene on the case's target and profile, culling and scissor off.

@@ -16,8 +16,8 @@ namespace rasterproof::props {
 /// Returns the model with the fewest wrong samples over the experiments; among equals a model of
 /// the stated snap, then the simplest.
 ///
-/// It compares models that round coordinates, and models of the stated snap. The race halves: the
-/// worse half of the models sees only a part of the experiments.
+/// It compares models whose snap rounds coordinates, not differences, and models of the stated
+/// snap. The race halves: the worse half of the models sees only a part of the experiments.
 ///
 /// Domain:     experiments that aim at no pair of models; at least one, and at least one model.
 NearestModel Nearest(const Observer& observer, const ModelSpace& space,

@@ -19,8 +19,8 @@ void AppendSceneJson(const Scene& scene, std::string_view indent, std::string& j
 /// A coordinate: a JSON number, rounded once, or a string that is exact.
 double CoordinateFromJson(const JsonValue& value, Precision precision);
 
-/// The text as a JSON string, quotes included. Bytes that are not UTF-8 are replaced, and control
-/// characters are escaped or replaced.
+/// The text as a JSON string, quotes included. Bytes that are not UTF-8 are replaced, and no
+/// control character remains.
 std::string JsonString(std::string_view text);
 
 }  // namespace rasterproof::io

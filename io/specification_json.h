@@ -8,7 +8,9 @@
 namespace rasterproof::io {
 
 /// Returns the base that a profile's keys override: the legal set that "specification" names, or
-/// Profile{}. Error: InputError if it names none.
+/// Profile{}.
+///
+/// Error:      InputError if it names none.
 Profile BeginningOf(const JsonValue& value);
 
 /// Error:      InputError if a key changes a value that the specification does not leave open.

@@ -86,9 +86,8 @@ struct CataloguePlan {
 /// where that is one-sided.
 Profile RealProfileOf(const Profile& own);
 
-/// Draws the first cases of the family, as FAMILY:INDEX@SEED names them for this subject, without
-/// culling or scissor, and compares each with both yardsticks. A family is given up after four cases
-/// that end the subject.
+/// Draws the first cases of the family, named FAMILY:INDEX@SEED, without culling or scissor, and
+/// compares each with both yardsticks. Gives up after four cases that end the subject.
 ///
 /// Domain:     a subject whose profile is about samples, not squares.
 FamilyResult MeasureFamily(Subject& subject, const Family& family, const CataloguePlan& plan);

@@ -20,11 +20,11 @@ namespace rasterproof::props {
 /// Returns why the counts of legal models are not known, or nothing if they are.
 std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const TargetProfile& profile);
 
-/// Where the profile leaves one model, its coverage by facing. Else for every sample the numbers of
-/// times that some legal model covers it; facings are not looked at.
+/// The coverage by facing if the profile has one model. Otherwise the counts that some legal model
+/// has at each sample; facings are ignored.
 class LegalCounts {
  public:
-  /// Of another scene on the case's target, under its profile, culling and scissor off.
+  /// Makes the counts of another scene on the case's target and profile, culling and scissor off.
   ///
   /// Domain:     window space; no WhyNoLegalCounts.
   LegalCounts(const Scene& scene, const PlacedCase& c);

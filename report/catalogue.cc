@@ -14,8 +14,6 @@
 namespace rasterproof::report {
 namespace {
 
-constexpr std::array<std::string_view, 2> kYardsticks{"own model", "real geometry"};
-
 std::string Displacement(double pixels) {
   return std::isfinite(pixels) ? fmt::format("{:.2g} px", pixels) : "broke down";
 }
@@ -54,6 +52,13 @@ void AddCell(JsonWriter& json, const CatalogueCell& cell) {
   json.Key("excused").Integer(cell.excused).Key("why").Text(cell.why).EndObject();
 }
 
+std::string SaveCommand(const Catalogue& catalogue, const CatalogueFamily& family,
+                        std::string_view subject) {
+  return fmt::format(
+      "rasterproof check --catalogue --family {} --subject {} --seed {} --cases {} --save worst",
+      family.name, subject, catalogue.seed, catalogue.cases);
+}
+
 std::string MatrixHead(const Catalogue& catalogue) {
   std::string html = "<thead><tr><th>family</th>";
   for (const CatalogueColumn& column : catalogue.columns) {
@@ -77,9 +82,9 @@ std::string Matrix(const Catalogue& catalogue) {
       html += fmt::format("<tbody><tr><th colspan=\"{}\"><b>{}</b>: {}</th></tr>\n",
                           catalogue.columns.size() + 1, Escaped(theme), Escaped(family.right));
     }
-    html +=
-        fmt::format("<tr><th class=\"name\"><a href=\"{}\" title=\"{}\">{}</a></th>",
-                    Escaped(FamilyPagePath(family)), Escaped(family.summary), Escaped(family.name));
+    html += fmt::format("<tr><th class=\"name\"><a href=\"{}\" title=\"{}\">{}</a></th>",
+                        Escaped(FamilyPagePath(family) + ".html"), Escaped(family.summary),
+                        Escaped(family.name));
     for (const CatalogueColumn& column : catalogue.columns) {
       html += "<td class=\"number\">" + MatrixCell(column.cells[k][0]) + "<br>" +
               MatrixCell(column.cells[k][1]) + "</td>";
@@ -138,17 +143,18 @@ std::string CatalogueSection(const Catalogue& catalogue) {
   return Section(
       "catalogue", "Stiff and extreme cases",
       fmt::format(
-          "Above: by the subject's own model; below: by real geometry. P: proved, E: "
-          "exhausted, T: {} cases tested (seed {}), none wrong; a share: cases with a wrong "
-          "sample; –: excused, for the profile or the subject says nothing of the family. "
-          "A family leads to its page, with rates, displacements and commands.",
+          "Above: by the subject's own model; below: by real geometry. T: {} cases tested "
+          "(seed {}), none wrong; E: every case of a small world tested, none wrong; P: tested, "
+          "and "
+          "the subject's decisions are proved (the proofs stand on its page); a share: cases with "
+          "a "
+          "wrong sample; –: excused, for the profile or the subject says nothing of the family. "
+          "Each family has a page with rates, displacements, commands and a picture.",
           catalogue.cases, catalogue.seed),
       Matrix(catalogue));
 }
 
-std::string FamilyPagePath(const CatalogueFamily& family) {
-  return "families/" + family.name + ".html";
-}
+std::string FamilyPagePath(const CatalogueFamily& family) { return "families/" + family.name; }
 
 std::string FamilyPageToHtml(const Catalogue& catalogue, std::size_t k) {
   const CatalogueFamily& family = catalogue.families[k];
@@ -158,25 +164,33 @@ std::string FamilyPageToHtml(const Catalogue& catalogue, std::size_t k) {
       Escaped(family.name), Escaped(family.summary), Escaped(family.right));
   std::string rows =
       "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>subject</th><th>own model</th>"
-      "<th>real geometry</th><th>worst case by real geometry, else by its own model</th></tr>"
+      "<th>real geometry</th><th>saves its worst cases</th></tr>"
       "</thead><tbody>\n";
   for (const CatalogueColumn& column : catalogue.columns) {
     const auto& [own, real] = column.cells[k];
-    const CatalogueCell& worst = real.worst_case.empty() ? own : real;
-    const std::string command =
-        worst.worst_case.empty()
-            ? Escaped(own.cases == 0 ? own.why : "")
-            : fmt::format("<code>rasterproof explain --case {} --subject {}{}</code>",
-                          Escaped(worst.worst_case), Escaped(column.subject),
-                          &worst == &real ? " --profile real" : "");
+    const std::string last = own.wrong + real.wrong != 0
+                                 ? Command(SaveCommand(catalogue, family, column.subject))
+                                 : Escaped(own.cases == 0 ? own.why : "");
     rows += fmt::format("<tr><th class=\"name\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         Escaped(column.subject), Escaped(FamilyText(own)),
-                        Escaped(FamilyText(real)), command);
+                        Escaped(FamilyText(real)), last);
   }
   html += Section("subjects", "Subjects",
                   "Cases with a wrong sample, the 95 % interval of their share, and how far the "
                   "furthest wrong sample lies from the nearest edge.",
                   rows + "</tbody></table></div>\n");
+  if (family.picture) {
+    html +=
+        Section("picture", "The worst case",
+                "Of all subjects' cases, by displacement: the grid with the exact triangles, the "
+                "samples that the yardstick covers, those that were drawn, and the difference.",
+                FigureHtml({.caption = family.picture->caption,
+                            .command = SaveCommand(catalogue, family, family.picture->subject),
+                            .subject = {},
+                            .file = FamilyPagePath(family) + ".svg",
+                            .content = {}},
+                           "../"));
+  }
   return Document(family.name, html);
 }
 

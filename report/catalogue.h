@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct CatalogueCell {
   std::uint64_t excused = 0;
   std::string why;  ///< of the first excused case, or how the subject broke down
   bool is_exhausted = false;
-  bool is_proved = false;  ///< the subject's method states 0 wrong samples, and none was excused
+  /// The subject states 0 wrong samples by this yardstick and has proofs of its decisions.
+  bool is_proved = false;
 };
 
 struct CatalogueColumn {
@@ -29,11 +31,19 @@ struct CatalogueColumn {
   std::vector<std::array<CatalogueCell, 2>> cells;  ///< by family; own model, real geometry
 };
 
+/// What the worst case of a family looks like.
+struct FamilyPicture {
+  std::string caption;
+  std::string subject;
+  std::string svg;
+};
+
 struct CatalogueFamily {
   std::string name;
   std::string summary;
   std::string theme;
   std::string right;  ///< what a right rasterizer does
+  std::optional<FamilyPicture> picture = std::nullopt;
 };
 
 struct Catalogue {
@@ -52,9 +62,9 @@ std::string CatalogueToJson(const Catalogue& catalogue);
 /// The matrix: a row a family, a column a subject and, above the slash, its own model.
 std::string CatalogueSection(const Catalogue& catalogue);
 
-/// The page of family k: each subject's cells, with the command that draws its worst case again.
+/// The page of family k: each subject's cells, with the command that saves its worst cases.
 std::string FamilyPageToHtml(const Catalogue& catalogue, std::size_t k);
-/// Where it lies, as a path from the report page.
+/// Where it lies, as a path from the report page, without its ending, which its picture shares.
 std::string FamilyPagePath(const CatalogueFamily& family);
 
 }  // namespace rasterproof::report

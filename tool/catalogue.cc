@@ -1,6 +1,10 @@
 #include "tool/catalogue.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,8 +14,10 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "report/catalogue.h"
+#include "report/picture.h"
 #include "report/text.h"
 #include "tool/exit_status.h"
+#include "tool/failure.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
@@ -69,6 +75,12 @@ std::string SummaryLine(const std::string& subject, const Summary& sum) {
   return line + "\n";
 }
 
+// The case as the yardstick judges it.
+Case JudgedBy(Yardstick yardstick, Case c) {
+  if (yardstick == Yardstick::kRealGeometry) c.profile = props::RealProfileOf(c.profile);
+  return c;
+}
+
 void SaveWorst(const std::string& folder, const std::string& subject,
                const std::vector<FamilyResult>& results) {
   io::MakeFolder(folder);
@@ -76,12 +88,10 @@ void SaveWorst(const std::string& folder, const std::string& subject,
     for (const Yardstick yardstick : kYardsticks) {
       const FamilyCell& cell = result.By(yardstick);
       if (!cell.worst) continue;
-      Case worst = *cell.worst;
-      const bool is_own = yardstick == Yardstick::kOwnModel;
-      if (!is_own) worst.profile = props::RealProfileOf(worst.profile);
-      io::WriteFile(fmt::format("{}/{}-{}-{}.json", folder, FileNameOf(subject), result.family,
-                                is_own ? "own" : "real"),
-                    io::CaseToJson({worst, subject, "CoverageEqualsTheModel"}));
+      io::WriteFile(
+          fmt::format("{}/{}-{}-{}.json", folder, FileNameOf(subject), result.family,
+                      yardstick == Yardstick::kOwnModel ? "own" : "real"),
+          io::CaseToJson({JudgedBy(yardstick, *cell.worst), subject, "CoverageEqualsTheModel"}));
     }
   }
 }
@@ -104,7 +114,7 @@ std::vector<props::Family> FamiliesNamed(const std::vector<std::string>& names) 
   return chosen;
 }
 
-report::CatalogueCell AsReported(const FamilyCell& cell, bool states_exact) {
+report::CatalogueCell AsReported(const FamilyCell& cell, bool is_proved) {
   return {.cases = cell.cases,
           .wrong = cell.wrong,
           .samples = cell.samples,
@@ -114,10 +124,20 @@ report::CatalogueCell AsReported(const FamilyCell& cell, bool states_exact) {
           .excused = cell.excused,
           .why = cell.why,
           .is_exhausted = cell.is_exhausted,
-          .is_proved = states_exact && cell.wrong == 0};
+          .is_proved = is_proved && cell.wrong == 0};
 }
 
-}  // namespace
+report::CatalogueColumn ColumnOf(const SubjectInfo& info,
+                                 const std::vector<FamilyResult>& results) {
+  report::CatalogueColumn column{.subject = info.name, .folder = {}, .cells = {}};
+  const bool is_proved = info.states_exact && !info.proofs.empty();
+  const bool is_real = SameModel(info.profile, props::RealProfileOf(info.profile));
+  for (const FamilyResult& result : results) {
+    column.cells.push_back({AsReported(result.By(Yardstick::kOwnModel), is_proved),
+                            AsReported(result.By(Yardstick::kRealGeometry), is_proved && is_real)});
+  }
+  return column;
+}
 
 report::Catalogue CatalogueOf(const std::vector<props::Family>& families,
                               const props::CataloguePlan& plan) {
@@ -131,19 +151,7 @@ report::Catalogue CatalogueOf(const std::vector<props::Family>& families,
   return catalogue;
 }
 
-report::CatalogueColumn ColumnOf(const SubjectInfo& info,
-                                 const std::vector<FamilyResult>& results) {
-  report::CatalogueColumn column{.subject = info.name, .folder = {}, .cells = {}};
-  for (const FamilyResult& result : results) {
-    column.cells.push_back(
-        {AsReported(result.cells[0], info.states_exact),
-         AsReported(
-             result.cells[1],
-             info.states_exact && SameModel(info.profile, props::RealProfileOf(info.profile)))});
-  }
-  return column;
-}
-
+// By the order of the families; after an interrupt some results have no cases.
 std::vector<FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
                                            const std::vector<props::Family>& families,
                                            const props::CataloguePlan& plan, int jobs) {
@@ -160,6 +168,62 @@ std::vector<FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
     progress.Stage("", 0, worker);
   });
   return results;
+}
+
+// A failing case of a family, and whose it is.
+struct Worst {
+  double pixels = -1;
+  Case value;
+  const SubjectFactory* subject = nullptr;
+};
+
+void KeepWorst(const SubjectFactory& subject, const FamilyResult& result, Worst& worst) {
+  for (const Yardstick yardstick : kYardsticks) {
+    const FamilyCell& cell = result.By(yardstick);
+    if (!cell.worst || !std::isfinite(cell.worst_pixels) || cell.worst_pixels <= worst.pixels) {
+      continue;
+    }
+    worst = {cell.worst_pixels, JudgedBy(yardstick, *cell.worst), &subject};
+  }
+}
+
+std::optional<report::FamilyPicture> PictureOf(const Worst& worst) {
+  if (worst.subject == nullptr) return std::nullopt;
+  const std::unique_ptr<Subject> subject = worst.subject->Make();
+  try {
+    report::Explanation explanation = Explain(*subject, worst.value, {}, "");
+    explanation.edge_values.clear();
+    const bool is_real = !SameModel(worst.value.profile, subject->Info().profile);
+    return report::FamilyPicture{
+        fmt::format("{} by {}: {:.2g} pixels", worst.subject->name(),
+                    is_real ? "real geometry" : "its own model", worst.pixels),
+        worst.subject->name(), report::ExplanationToSvg(explanation)};
+  } catch (const InputError&) {
+    return std::nullopt;  // a case that it drew before and refuses now
+  } catch (const SubjectStop&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+report::Catalogue MeasureCatalogues(const std::vector<SubjectFactory>& subjects,
+                                    const props::CataloguePlan& plan, int jobs) {
+  const std::vector<props::Family> families = props::Catalogue();
+  report::Catalogue catalogue = CatalogueOf(families, plan);
+  std::vector<Worst> worst(families.size());
+  for (const SubjectFactory& subject : subjects) {
+    const SubjectInfo info = subject.Make()->Info();
+    if (info.profile.squares || Interrupted()) continue;
+    const std::vector<FamilyResult> results = MeasureCatalogue(subject, families, plan, jobs);
+    for (std::size_t k = 0; k < families.size(); ++k) KeepWorst(subject, results[k], worst[k]);
+    report::CatalogueColumn& column = catalogue.columns.emplace_back(ColumnOf(info, results));
+    column.folder = FileNameOf(info.name);
+  }
+  for (std::size_t k = 0; k < families.size(); ++k) {
+    catalogue.families[k].picture = PictureOf(worst[k]);
+  }
+  return catalogue;
 }
 
 int CheckCatalogue(const CheckOptions& options) {

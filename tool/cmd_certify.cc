@@ -139,30 +139,16 @@ void WriteBenchCases(const std::string& output, const BenchResult& bench) {
   }
 }
 
-// Subjects whose profile is about squares have no column.
-report::Catalogue MeasureAll(const std::vector<SubjectFactory>& subjects,
-                             const CertifyOptions& options) {
-  const std::vector<props::Family> families = props::Catalogue();
-  const props::CataloguePlan plan{.seed = options.campaign.seed,
-                                  .cases = options.campaign.cases,
-                                  .seconds = options.campaign.seconds,
-                                  .stop = Interrupted};
-  report::Catalogue catalogue = CatalogueOf(families, plan);
-  for (const SubjectFactory& subject : subjects) {
-    const SubjectInfo info = subject.Make()->Info();
-    if (info.profile.squares || Interrupted()) continue;
-    report::CatalogueColumn& column = catalogue.columns.emplace_back(
-        ColumnOf(info, MeasureCatalogue(subject, families, plan, options.jobs)));
-    column.folder = FileNameOf(info.name);
-  }
-  return catalogue;
-}
+// Larger targets cost each subject seconds and 2 GiB.
+constexpr std::int64_t kMostPixelsOfReport = std::int64_t{1} << 26;
 
 void WriteCatalogue(const std::string& output, const report::Catalogue& catalogue) {
   io::MakeFolder(output + "/families");
   for (std::size_t k = 0; k < catalogue.families.size(); ++k) {
-    io::WriteFile(output + "/" + report::FamilyPagePath(catalogue.families[k]),
-                  report::FamilyPageToHtml(catalogue, k));
+    const report::CatalogueFamily& family = catalogue.families[k];
+    const std::string path = output + "/" + report::FamilyPagePath(family);
+    io::WriteFile(path + ".html", report::FamilyPageToHtml(catalogue, k));
+    if (family.picture) io::WriteFile(path + ".svg", family.picture->svg);
   }
   io::WriteFile(output + "/catalogue.json", report::CatalogueToJson(catalogue));
 }
@@ -403,7 +389,15 @@ int Certify(const CertifyOptions& options, const Source& source) {
     if (failure) std::rethrow_exception(failure);
     if (!Interrupted()) page.pictures = TakePictures(scenes, page.certificates, progress);
   }
-  if (options.catalogue) page.catalogue = MeasureAll(subjects, options);
+  if (options.catalogue) {
+    page.catalogue = MeasureCatalogues(subjects,
+                                       {.seed = options.campaign.seed,
+                                        .cases = options.campaign.cases,
+                                        .seconds = options.campaign.seconds,
+                                        .most_pixels = kMostPixelsOfReport,
+                                        .stop = Interrupted},
+                                       options.jobs);
+  }
   const std::string path = WritePages(options.output, page);
   io::WriteStandardOutput(Summary(page.certificates, subjects.size(), options.all) +
                           "report: " + path + "\n");

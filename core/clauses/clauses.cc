@@ -4,49 +4,99 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
 #include "core/profile.h"
 
 namespace rasterproof {
+
+// All files of core/clauses/, one after the other; core/CMakeLists.txt embeds them.
+extern const char* const kClauseFiles;
+
 namespace {
 
 constexpr std::string_view kCanonical = "-canonical";
 
+// "required" is the default and so is not written in the files.
+constexpr std::array<std::string_view, 3> kForces{"required", "allowed", "silent"};
+
+template <typename Row>
+struct Field {
+  std::string_view name;
+  std::string_view Row::* text;
+};
+
+constexpr std::array<Field<Specification>, 4> kSpecificationFields{{
+    {"api", &Specification::api},
+    {"title", &Specification::title},
+    {"edition", &Specification::edition},
+    {"base", &Specification::base},
+}};
+
+constexpr std::array<Field<Clause>, 6> kClauseFields{{
+    {"id", &Clause::id},
+    {"place", &Clause::place},
+    {"sentence", &Clause::sentence},
+    {"reading", &Clause::reading},
+    {"keys", &Clause::keys},
+    {"shown_by", &Clause::shown_by},
+}};
+
+// Returns whether the row has a field of this name, which is then set.
+template <typename Row>
+bool Set(Row& row, std::span<const Field<Row>> fields, std::string_view name,
+         std::string_view text) {
+  const auto field = std::ranges::find(fields, name, &Field<Row>::name);
+  if (field == fields.end()) return false;
+  row.*(field->text) = text;
+  return true;
+}
+
+bool SetChoice(Clause& clause, std::string_view name, std::string_view text) {
+  if (name == "assumed") {
+    clause.is_assumed = text == "yes";
+    return clause.is_assumed;
+  }
+  const auto force = std::ranges::find(kForces, text);
+  if (name != "force" || force == kForces.end()) return false;
+  clause.force = static_cast<Force>(force - kForces.begin());
+  return true;
+}
+
+// A line "api: ..." begins a specification, "id: ..." a clause of it.
+bool ReadLine(std::string_view line, std::vector<Specification>& all) {
+  const std::size_t colon = std::min(line.find(": "), line.size());
+  const std::string_view name = line.substr(0, colon);
+  const std::string_view text = line.substr(std::min(colon + 2, line.size()));
+  if (name == "api") all.emplace_back();
+  if (text.empty() || all.empty()) return false;
+  std::vector<Clause>& clauses = all.back().clauses;
+  if (name == "id") clauses.emplace_back();
+  if (clauses.empty()) return Set<Specification>(all.back(), kSpecificationFields, name, text);
+  return Set<Clause>(clauses.back(), kClauseFields, name, text) ||
+         SetChoice(clauses.back(), name, text);
+}
+
 }  // namespace
 
+std::vector<Specification> ReadSpecifications(std::string_view text) {
+  std::vector<Specification> all;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.empty() || line.starts_with('#') || ReadLine(line, all)) continue;
+    throw InputError("core/clauses/: \"" + std::string(line) + "\"", "not a field of a clause",
+                     "write one of those in core/clauses/clauses.cc, then \": \" and its text");
+  }
+  return all;
+}
+
 std::span<const Specification> Specifications() {
-  static const std::array<Specification, 9> kAll{{
-      {"gl", "OpenGL", "OpenGL 4.6 core profile of 5 May 2022, and GL_NV_conservative_raster",
-       OpenGlClauses()},
-      {"vulkan", "Vulkan",
-       "Vulkan 1.4.360 of 14 August 2026 with all extensions; sections by their titles",
-       VulkanClauses()},
-      {"d3d11", "Direct3D 11", "Direct3D 11.3 functional specification, text and figures",
-       Direct3D11Clauses()},
-      {"d3d12", "Direct3D 12",
-       "DirectX specifications: Conservative Rasterization, version 3.2 of 30 June 2015, and "
-       "Programmable Sample Positions. What they do not change is that of Direct3D 11.3",
-       Direct3D12Clauses(), "d3d11"},
-      {"webgpu", "WebGPU", "WebGPU, editor's draft of 19 August 2026", WebGpuClauses()},
-      {"pdf", "PDF and PostScript",
-       "PDF Reference, 6.5.3, as read in a hosted copy. The PostScript Language Reference, 7.5, "
-       "which says the same by all accounts, was not read",
-       PdfClauses()},
-      {"gdal", "GDAL",
-       "gdal_rasterize's manual, and the issues and pull requests of the project, as stored in "
-       "2026",
-       GdalClauses()},
-      {"x11", "X11",
-       "X Window System Protocol, version 11: CreateGC, as read in two copies that agree",
-       X11Clauses()},
-      {"java-awt", "java.awt",
-       "Java SE: java.awt.Shape, java.awt.Graphics2D and java.awt.RenderingHints, the API's "
-       "documentation",
-       JavaClauses()},
-  }};
-  return kAll;
+  static const std::vector<Specification> all = ReadSpecifications(kClauseFiles);
+  return all;
 }
 
 const Specification* FindSpecification(std::string_view api) {
@@ -82,10 +132,7 @@ const Clause* FindClause(std::string_view id) {
   return found != specification->clauses.end() ? &*found : nullptr;
 }
 
-std::string_view ForceName(Force force) {
-  if (force == Force::kRequired) return "required";
-  return force == Force::kAllowed ? "allowed" : "silent";
-}
+std::string_view ForceName(Force force) { return kForces[static_cast<std::size_t>(force)]; }
 
 std::vector<ClauseKey> KeysOf(const Clause& clause) {
   constexpr std::string_view kBetween = "; ";

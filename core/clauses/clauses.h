@@ -36,10 +36,10 @@ struct Clause {
 
 /// A specification that has clauses in the table.
 struct Specification {
-  std::string_view api;  ///< as ids and presets begin: "vulkan"
-  std::string_view title;
-  std::string_view edition;  ///< which text was read, and where it was not the publisher's own
-  std::span<const Clause> clauses;
+  std::string_view api = {};  ///< as ids and presets begin: "vulkan"
+  std::string_view title = {};
+  std::string_view edition = {};  ///< which text was read, and where it was not the publisher's own
+  std::vector<Clause> clauses = {};
   /// The one that it builds on, whose clauses hold for it as well: "d3d11" of "d3d12". Or empty.
   std::string_view base = {};
 };
@@ -73,16 +73,10 @@ std::vector<ClauseKey> KeysOf(const Clause& clause);
 /// its base first. Empty if there is no such specification.
 std::vector<const Clause*> AssumptionsOf(std::string_view api);
 
-// One file each.
-std::span<const Clause> OpenGlClauses();
-std::span<const Clause> VulkanClauses();
-std::span<const Clause> Direct3D11Clauses();
-std::span<const Clause> Direct3D12Clauses();
-std::span<const Clause> WebGpuClauses();
-std::span<const Clause> PdfClauses();
-std::span<const Clause> GdalClauses();
-std::span<const Clause> X11Clauses();
-std::span<const Clause> JavaClauses();
+/// Reads the text of files of core/clauses/, into which the result points: lines "field: text", a
+/// specification's before those of its clauses. Lines that begin with '#' are comments. Throws
+/// InputError that names a line which is neither.
+std::vector<Specification> ReadSpecifications(std::string_view text);
 
 }  // namespace rasterproof
 

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
+
 namespace rasterproof {
 namespace {
 
@@ -99,6 +101,28 @@ TEST(Clauses, ARowMayStandForSeveralKeys) {
   EXPECT_EQ(keys[1].value, "");
   EXPECT_EQ(keys[2].value, "0.6");
   EXPECT_TRUE(KeysOf({.id = "x.y"}).empty());
+}
+
+TEST(Clauses, AreReadFromLinesOfFields) {
+  const auto all = ReadSpecifications(
+      "# Of two.\napi: x\nbase: y\n\nid: x.a\nforce: silent\n"
+      "sentence: \"a: b\"\nassumed: yes\napi: y\n");
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].base, "y");
+  ASSERT_EQ(all[0].clauses.size(), 1U);
+  EXPECT_EQ(all[0].clauses[0].id, "x.a");
+  EXPECT_EQ(all[0].clauses[0].force, Force::kSilent);
+  EXPECT_EQ(all[0].clauses[0].sentence, "\"a: b\"");
+  EXPECT_TRUE(all[0].clauses[0].is_assumed);
+  EXPECT_TRUE(all[1].clauses.empty());
+}
+
+TEST(Clauses, ALineThatIsNoFieldIsAnError) {
+  for (const std::string line : {"sentense: A.", "force: perhaps", "assumed: no", "place:", "place",
+                                 "title: A specification's field in a clause"}) {
+    EXPECT_THROW(ReadSpecifications("api: x\nid: x.a\n" + line + "\n"), InputError) << line;
+  }
+  EXPECT_THROW(ReadSpecifications("id: x.a\n"), InputError) << "a clause of no specification";
 }
 
 TEST(Clauses, TheTestThatShowsAFigureIsThere) {

@@ -12,19 +12,9 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "model/segment_distance.h"
 
 namespace rasterproof::bench {
-
-/// Returns the distance of p from the closed segment from a to b.
-///
-/// Domain:     finite; magnitudes from 2^-500 to 2^500.
-/// Units:      pixels.
-/// Error:      a few ulps of the double result where the coordinates' differences are exact; 0
-///             where p lies on the segment.
-double SegmentDistance(Point2 a, Point2 b, Point2 p);
-
-/// Returns the distance of p from the boundary of the triangle.
-double BoundaryDistance(const std::array<Point2, 3>& v, Point2 p);
 
 /// The pixels whose decisions are looked at: those of the triangle's box, and two more all round,
 /// within the target. Corners of clip space are divided by their w.

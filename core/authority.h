@@ -1,4 +1,4 @@
-// Who says that what a property states must hold of a subject.
+// Who requires a property of a subject: a specification, the subject itself, or its users.
 #ifndef RASTERPROOF_CORE_AUTHORITY_H_
 #define RASTERPROOF_CORE_AUTHORITY_H_
 
@@ -10,7 +10,7 @@ namespace rasterproof {
 enum class Authority : std::uint8_t {
   kClause,       ///< a sentence of the specification that the profile is named after
   kStatedModel,  ///< the profile's own words, or the bounds that the subject states
-  kQuality       ///< required by nobody. Violations are reported; by default they fail no run
+  kQuality       ///< not required. Violations are reported; by default they do not fail a run
 };
 
 /// "clause", "stated model", "quality".
@@ -21,8 +21,8 @@ constexpr std::string_view AuthorityName(Authority authority) {
 
 /// Which violations fail a run.
 enum class FailOn : std::uint8_t {
-  kStated,  ///< of a clause or of the stated model
-  kQuality  ///< those, and of quality
+  kStated,  ///< violations of a clause or of the stated model
+  kQuality  ///< all violations
 };
 
 constexpr bool Fails(Authority authority, FailOn fail_on) {

@@ -13,13 +13,13 @@ namespace rasterproof {
 
 /// Why a call gave no answer.
 enum class Stop : std::uint8_t {
-  kNone,         ///< it gave one
+  kNone,         ///< it gave an answer
   kRefused,      ///< the subject does not draw this scene
-  kNotDrawable,  ///< it can't be given to it: its own transform takes no vertex there; too large
-  kBrokeDown,    ///< it crashed, threw or answered what is no answer: a finding
-  kHung,         ///< it broke down by giving no answer at all
-  kTooSlow,      ///< it took longer than it may: neither a finding nor a pass
-  kDeadline      ///< the moment that SetDeadline named came first, which says nothing about it
+  kNotDrawable,  ///< the scene can't be given to it: too large, or not reached by its transform
+  kBrokeDown,    ///< it crashed, threw or gave a malformed answer: a finding
+  kHung,         ///< it broke down by giving no answer at all: a finding too
+  kTooSlow,      ///< it exceeded its time limit: neither a finding nor a pass
+  kDeadline      ///< the deadline of SetDeadline came first, which says nothing about the subject
 };
 
 /// Whether the subject broke down: a finding.
@@ -34,7 +34,7 @@ struct CallEnd {
   std::string why;  ///< in words, if there was a stop
 };
 
-/// A call's end as an exception: inside of a subject, and of what returns an answer or nothing.
+/// A call's end as an exception, for code in a subject and for functions that return an answer.
 class SubjectStop : public std::runtime_error {
  public:
   SubjectStop(Stop stop, const std::string& why) : std::runtime_error(why), stop_(stop) {}
@@ -50,17 +50,17 @@ class SubjectStop : public std::runtime_error {
   throw SubjectStop(Stop::kBrokeDown, how);
 }
 
-/// A program that ends by itself over whatever it is asked, before any answer: it does not run, and
-/// nothing is found out about it. No case is judged by that: it ends the command.
+/// A program exits before its first answer, whatever the request: it does not run here, so there is
+/// nothing to judge. The error ends the command; a breakdown in one case is a SubjectStop.
 class SubjectDoesNotRun : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Makes a subject's own call. Whatever it throws is how it ended: a SubjectStop says so itself, an
-/// InputError is kNotDrawable, and all else is the subject's fault.
+/// Makes a subject's own call and returns how it ended: a SubjectStop names its stop, an InputError
+/// is kNotDrawable, and every other exception is the subject's fault.
 ///
-/// Error:      std::bad_alloc: memory that ran out is nobody's finding. SubjectDoesNotRun.
+/// Error:      std::bad_alloc, because running out of memory is not a finding. SubjectDoesNotRun.
 CallEnd EndOf(const std::function<void()>& call);
 
 }  // namespace rasterproof

@@ -1,4 +1,4 @@
-// What a property is asked about: a value that can be saved, replayed and shrunk.
+// The input of a property: a value that can be saved, replayed and shrunk.
 #ifndef RASTERPROOF_CORE_CASE_H_
 #define RASTERPROOF_CORE_CASE_H_
 
@@ -10,7 +10,7 @@
 
 namespace rasterproof {
 
-/// A scene (which holds its target's size), the profile it is judged by, and how it is to be drawn.
+/// A scene with its target's size, the profile it is judged by, and the options it is drawn with.
 struct Case {
   Scene scene;
   Profile profile;
@@ -21,7 +21,7 @@ struct Case {
   friend bool operator==(const Case&, const Case&) = default;
 };
 
-/// What was drawn of a case by a property that changes its scene.
+/// The draw of a property that changes its case's scene.
 struct DrawnScene {
   Scene scene;
   DrawOptions options;

@@ -8,7 +8,7 @@ namespace rasterproof {
 
 /// How long something took.
 struct DrawTime {
-  double seconds = 0;       ///< of processors: of all threads
+  double seconds = 0;       ///< of processor time, all threads
   double wall_seconds = 0;  ///< elapsed
 };
 

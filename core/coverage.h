@@ -8,8 +8,8 @@
 
 namespace rasterproof {
 
-/// Counts per sample, front and back facing apart. Front is positive area: counter-clockwise on
-/// screen.
+/// Counts per sample, separately for front and back facing. Front is positive area:
+/// counter-clockwise on screen.
 ///
 /// Shape:      row-major [height][width][sample], top row first.
 struct CoverageCounts {
@@ -47,8 +47,8 @@ struct CoverageCounts {
   friend bool operator==(const CoverageCounts&, const CoverageCounts&) = default;
 };
 
-/// What differs between a subject's counts and the expected ones, missing and unexpected samples
-/// apart.
+/// The differences between a subject's counts and the expected ones. Missing and unexpected samples
+/// are counted separately.
 struct CoverageDifference {
   std::uint64_t samples = 0;     ///< samples compared
   std::uint64_t covered = 0;     ///< samples that the expected counts cover at least once

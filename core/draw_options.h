@@ -1,4 +1,4 @@
-// How a subject is asked to draw. None of it but culling and the scissor may change a result.
+// How a subject is asked to draw. Only culling and the scissor may change a result.
 #ifndef RASTERPROOF_CORE_DRAW_OPTIONS_H_
 #define RASTERPROOF_CORE_DRAW_OPTIONS_H_
 

@@ -1,4 +1,4 @@
-// One call to a subject, as a value: what it is asked, and all that comes back.
+// One call to a subject, as values: the job and its outcome.
 #ifndef RASTERPROOF_CORE_DRAWING_H_
 #define RASTERPROOF_CORE_DRAWING_H_
 
@@ -17,26 +17,26 @@
 
 namespace rasterproof {
 
-/// What a call is to give back beside its coverage, which always comes. A subject gives what it
-/// shows of it, and may give more.
+/// The outputs that a call should return in addition to its coverage, which it always returns. A
+/// subject returns those that it can show, and may return more.
 struct Outputs {
   bool primitive_ids = true;  ///< Drawing::primitive_ids
   bool barycentrics = true;
   bool depths = true;
-  /// Drawing::centroids, which subjects work out only where they are asked for.
+  /// Drawing::centroids, which subjects compute only on request.
   bool centroids = false;
 
   friend bool operator==(const Outputs&, const Outputs&) = default;
 };
-/// All that a call shows of its samples.
+/// All outputs but the centroids.
 inline constexpr Outputs kEverything{};
 inline constexpr Outputs kCoverageAndPrimitiveIds{
     .primitive_ids = true, .barycentrics = false, .depths = false};
 inline constexpr Outputs kCoverageAlone{
     .primitive_ids = false, .barycentrics = false, .depths = false};
 
-/// Triangles of a scene to draw onto a target of their own. Jobs that draw parts or orders of one
-/// scene share it.
+/// Triangles of a scene to draw onto their own target. Jobs that draw parts or orders of one scene
+/// share it.
 struct DrawJob {
   DrawJob() = default;
   DrawJob(std::shared_ptr<const Scene> shared, const DrawOptions& how, int samples_per_pixel)
@@ -46,28 +46,28 @@ struct DrawJob {
 
   /// The target and the vertices. Never null.
   std::shared_ptr<const Scene> scene = std::make_shared<const Scene>();
-  /// Those to draw, in this order, any of them more than once; nothing: the scene's own.
+  /// The triangles to draw, in this order, with repetitions if need be; nothing: the scene's own.
   std::optional<std::vector<Triangle>> triangles;
   DrawOptions options;
   int samples = 1;  ///< per pixel
   Outputs wants;
-  /// What the target holds before the draw, which adds to it: of a job alone in its call. Null:
-  /// zeros.
+  /// The target's counts before the draw, which adds to them. Only for a job that is alone in its
+  /// call. Null: zeros.
   std::shared_ptr<const CoverageCounts> onto;
-  /// It is drawn so many times, and what comes back is of once: for clocks alone.
+  /// The number of times it is drawn, to be timed; the drawing that comes back is that of one draw.
   int repeats = 1;
 
-  /// Those that are drawn.
+  /// The triangles that are drawn.
   std::span<const Triangle> Triangles() const { return triangles ? *triangles : scene->triangles; }
 };
 
-/// What a job draws, as a scene of its own.
+/// Returns the scene that holds exactly the triangles that the job draws.
 Scene SceneOf(const DrawJob& job);
 
-/// No triangle won the sample.
+/// The primitive id of a sample that no triangle won.
 inline constexpr std::int32_t kNoPrimitive = -1;
 
-/// What one call gives back, for every kind of coverage. Vectors that the kind lacks are empty.
+/// The answer of one call, for every kind of coverage. Vectors that the kind lacks are empty.
 ///
 /// Shape:      as the counts: row-major [height][width][sample], top row first.
 struct Drawing {
@@ -85,7 +85,7 @@ struct Drawing {
   std::vector<std::array<double, 3>> centroids;
 };
 
-/// What came of one job.
+/// The drawing of one job, or the reason that there is none.
 struct DrawOutcome {
   Drawing drawing;
   CallEnd end;

@@ -7,7 +7,7 @@
 
 namespace rasterproof {
 
-/// Input that the caller can mend: a file, an option, a full disk. The command exits with status 2.
+/// An error that the caller can mend: a file, an option, a full disk. The command exits with 2.
 /// The message names the place ("scene.json: vertices[3][0]"), the reason and the remedy.
 class InputError : public std::runtime_error {
  public:

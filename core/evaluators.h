@@ -19,14 +19,14 @@ struct Step {
   int length = 1;
 };
 
-/// Asks for E(a, b; p), evaluated afresh at p.
+/// Asks for E(a, b; p), evaluated at p without stepping.
 struct EdgeQuestion {
   Point2 a;
   Point2 b;
   Point2 p;
 };
 
-/// Asks for the values of E(a, b; .) that are met from p on, `steps` steps.
+/// Asks for the values of E(a, b; .) at p and after each of `steps` steps from there.
 struct StepsQuestion {
   Point2 a;
   Point2 b;
@@ -35,7 +35,7 @@ struct StepsQuestion {
   int steps = 0;
 };
 
-/// What a subject states of its edge values, before any is asked for.
+/// The error bounds that a subject states for its edge values.
 class EdgeBounds {
  public:
   virtual ~EdgeBounds() = default;
@@ -52,13 +52,13 @@ class EdgeBounds {
 /// Edge values, for subjects that show them.
 class EdgeEvaluator : public EdgeBounds {
  public:
-  /// The subject's value of E(a, b; p), evaluated afresh at p.
+  /// The subject's value of E(a, b; p), evaluated at p without stepping.
   ///
   /// Units:      pixels squared.
   virtual double Value(Point2 a, Point2 b, Point2 p) const = 0;
   /// The values met when the subject takes `steps` steps from p: steps + 1 entries, the first at p.
   virtual std::vector<double> Steps(Point2 a, Point2 b, Point2 p, Step step, int steps) const = 0;
-  /// The same of many questions, in their order: together where the subject is asked over a pipe.
+  /// The answers to many questions, in their order. A subject on a pipe is asked them together.
   virtual std::vector<double> Values(std::span<const EdgeQuestion> questions) const;
   virtual std::vector<std::vector<double>> Steps(std::span<const StepsQuestion> questions) const;
 };
@@ -89,7 +89,7 @@ struct Corner {
   double w = 1;
 };
 
-/// What a subject states of its barycentrics and of what it interpolates, before any is asked for.
+/// The error bounds that a subject states for its barycentrics and interpolated values.
 class BarycentricBounds {
  public:
   virtual ~BarycentricBounds() = default;

@@ -15,7 +15,7 @@ struct FixedInput {
   int integer_bits = 12;
   int fraction_bits = 4;
   bool is_signed = true;
-  /// What lies beyond the range is given too and taken modulo 2^n. Otherwise it is never given.
+  /// Coordinates beyond the range are given too and taken modulo 2^n. Otherwise none is given.
   bool wraps = false;
 
   /// The number of pixels in the range, 2^n.

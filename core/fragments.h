@@ -1,4 +1,4 @@
-// What is known of the nearest triangle at each pixel, for pictures.
+// The nearest triangle at each pixel, with its barycentrics and depth, for pictures.
 #ifndef RASTERPROOF_CORE_FRAGMENTS_H_
 #define RASTERPROOF_CORE_FRAGMENTS_H_
 

@@ -41,11 +41,10 @@ Profile Direct3D11() {
   return profile;
 }
 
-// No rounding is named, nor who of two neighbours owns a sample of their common edge; four subpixel
-// bits are the fewest. What is not finite or has no area is not spoken of. Divide and viewport are
-// formulas without an error, here and in the others, and which side is the front is state of the
-// pipeline. Centroid is in pixel and primitive, in all
-// three.
+// Vulkan's text names neither a rounding nor the owner of a sample on a common edge; four subpixel
+// bits are the fewest. It does not mention triangles that are not finite or have no area. Here and
+// in the other two, divide and viewport are formulas without an error, the front side is pipeline
+// state, and the centroid lies in the pixel and in the primitive.
 Profile Vulkan() {
   Profile profile = CanonicalModel();
   profile.freedom = {.any_rounding = true,

@@ -1,4 +1,4 @@
-// What a rasterizer states, as data.
+// The statements of a rasterizer about itself, as data.
 #ifndef RASTERPROOF_CORE_PROFILE_H_
 #define RASTERPROOF_CORE_PROFILE_H_
 
@@ -27,47 +27,47 @@ enum class YAxis : std::uint8_t { kDown, kUp };
 
 /// Which side of a triangle is its front.
 enum class FrontFace : std::uint8_t {
-  kPositiveArea,  ///< the one of positive area, as CoverageCounts has it
-  kUnstated       ///< either, one for all triangles of all calls: it is state of the pipeline
+  kPositiveArea,  ///< the side of positive area, as in CoverageCounts
+  kUnstated       ///< either side, the same for all triangles of all calls: pipeline state
 };
 
-/// What a subject's coverage can be held to.
+/// The requirement on a subject's coverage.
 enum class Contract : std::uint8_t {
   kSampleExact,   ///< equal to the model's at every sample
   kWatertight,    ///< every sample of an embedded mesh covered exactly once
   kClosed,        ///< front minus back is zero wherever a closed surface is drawn
   kAtLeastModel,  ///< each triangle covers at least the samples that the model covers
   kAtMostModel,   ///< each triangle covers at most the samples that the model covers
-  kSquares,       ///< what `squares` states of whole pixels
-  kNone           ///< observed, never judged
+  kSquares,       ///< whole pixels, as `squares` states
+  kNone           ///< coverage is observed, never judged
 };
 
-/// What is stated of a triangle that has no area after snapping.
+/// The statement about a triangle that has no area after snapping.
 enum class DegenerateTriangles : std::uint8_t {
   kNothing,     ///< it covers nothing
-  kUnspecified  ///< it may cover something: it is left out of what is judged
+  kUnspecified  ///< it may cover something, and is not judged
 };
 
-/// What is stated of a triangle with an infinite x, y or w.
+/// The statement about a triangle with an infinite x, y or w.
 enum class InfiniteVertex : std::uint8_t {
   kNothing,     ///< it covers nothing
   kUnspecified  ///< it may cover anything: what it covers is not judged
 };
 
-/// What is stated of a triangle with a NaN in x, y or w.
+/// The statement about a triangle with a NaN in x, y or w.
 enum class NanVertex : std::uint8_t {
   kNothing,     ///< it covers nothing
   kUnspecified  ///< it may cover anything: what it covers is not judged
 };
 
-/// What is stated of a triangle with a NaN in z alone.
+/// The statement about a triangle with a NaN in z alone.
 enum class NanZ : std::uint8_t {
   kIgnored,     ///< it covers what it would with any other z
   kNothing,     ///< it covers nothing
   kUnspecified  ///< it may cover anything: what it covers is not judged
 };
 
-/// The largest triangle that is drawn, in pixels: one that is wider or higher covers nothing.
+/// The largest triangle that is drawn, in pixels: a wider or higher one covers nothing.
 struct MaxPrimitiveExtent {
   double width = 0;
   double height = 0;
@@ -86,14 +86,14 @@ struct WindowBox {
   friend bool operator==(const WindowBox&, const WindowBox&) = default;
 };
 
-/// The target, and so many pixels around it.
+/// The target and a margin around it.
 struct AroundTarget {
-  double pixels = 0;  ///< whole
+  double pixels = 0;  ///< width of the margin, an integer
 
   friend bool operator==(const AroundTarget&, const AroundTarget&) = default;
 };
 
-/// A rectangle that is not stated, but that it holds the target.
+/// An unknown rectangle that holds the target.
 struct SomewhereAroundTarget {
   friend bool operator==(const SomewhereAroundTarget&, const SomewhereAroundTarget&) = default;
 };
@@ -101,7 +101,7 @@ struct SomewhereAroundTarget {
 /// Where triangles are clipped.
 using GuardBand = std::variant<WindowBox, AroundTarget, SomewhereAroundTarget>;
 
-/// What differs on targets of up to so many pixels a side.
+/// The keys that differ on targets of at most the given size.
 struct TargetModel {
   int max_width = kMaxTargetSide;
   int max_height = kMaxTargetSide;
@@ -115,9 +115,9 @@ struct TargetModel {
 
 /// The contracts of a rasterizer.
 ///
-/// A profile denotes a set of models: the canonical one that its members state, and with freedom
-/// every choice of a grid, of grid points (one for every vertex) and of owners of samples on edges
-/// that the freedom allows. A result is legal if one of them explains all of it.
+/// A profile denotes a set of models: the canonical one that its members state and, with freedom,
+/// one for every choice that the freedom allows of a grid, of a grid point for every vertex and of
+/// owners of samples on edges. A result is legal if a single model explains all of it.
 ///
 /// Not finite: a triangle with a NaN or infinite x, y or w covers nothing, unless `nan_vertex` or
 ///             `infinite_vertex` says otherwise; z is free, unless `nan_z` says otherwise.
@@ -125,23 +125,23 @@ struct TargetModel {
 ///             `degenerate_triangles` says otherwise.
 /// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
 ///             `max_primitive_extent` are dropped.
-/// Window space alone: what `fixed`, `scanline_rounding`, `max_primitive_extent`, `guard_band` and
-///             `squares` say.
+/// Window space alone: `fixed`, `scanline_rounding`, `max_primitive_extent`, `guard_band` and
+///             `squares` say nothing about clip space.
 struct Profile {
   std::string name = "real";
-  /// The legal set that this is, with numbers of one device, as the preset is named: "vulkan". See
+  /// The preset, "vulkan", if the profile is its legal set with the numbers of one device. See
   /// FilledIn. Empty: `name` says which preset this is, if any.
   std::string specification;
   Snap snap;
   /// Where an edge crosses a row of samples, x is rounded to this grid before samples are compared
-  /// with it, as scanline rasterizers do. None: the crossing is the real one. A sample at a rounded
-  /// crossing is owned as one on a vertical edge.
+  /// with it, as scanline rasterizers do. None: the crossing is not rounded. A sample at a rounded
+  /// crossing is owned like a sample on a vertical edge.
   Snap scanline_rounding;
   SamplePattern pattern;
   /// Whether samples lie where `pattern` says. Where they need not, singles are not judged, while
   /// meshes are: whatever a sample's place, a shared edge gives it to one side.
   SamplePositions sample_positions = SamplePositions::kStated;
-  /// Where attributes are evaluated that are asked for at a fragment's centroid.
+  /// The place where attributes requested at a fragment's centroid are evaluated.
   Centroid centroid = Centroid::kUnstated;
   YAxis y_axis = YAxis::kDown;
   TieRule tie_rule;
@@ -149,10 +149,10 @@ struct Profile {
   FrontFace front_face = FrontFace::kPositiveArea;
   Contract contract = Contract::kSampleExact;
   Freedom freedom;
-  /// The way from clip space, or from a map, to window space that the rasterizer computes itself.
-  /// None: clip space is held to its exact quotients.
+  /// The transform from clip space, or from a map, to window space that the rasterizer computes
+  /// itself. None: clip space is held to its exact quotients.
   std::optional<Transform> transform;
-  /// Coordinates beyond +-limit are outside what is stated. Binds verdicts, never the oracle.
+  /// Nothing is stated of coordinates beyond +-limit. Binds verdicts, never the oracle.
   double coordinate_limit = 0x1p127;
   DegenerateTriangles degenerate_triangles = DegenerateTriangles::kNothing;
   InfiniteVertex infinite_vertex = InfiniteVertex::kNothing;
@@ -161,21 +161,21 @@ struct Profile {
   /// Whether it is stated that a scene moved by whole pixels covers the moved samples, whatever the
   /// freedom. (One model on a grid always does so.)
   bool translation_invariant = false;
-  /// A sample on an edge belongs to the triangle that the tie rule names, and may belong to every
-  /// other one that has the edge. Meshes are then covered at least once.
+  /// A sample on an edge belongs to the triangle that the tie rule names, and may also belong to
+  /// the other triangles with that edge. Meshes are then covered at least once.
   bool shares_edge_samples = false;
   /// Models of smaller targets. The first entry that fits a target holds there, else what the
   /// profile itself says. See TargetProfile.
   std::vector<TargetModel> by_target_size;
-  /// The integers that coordinates come as, for a subject that takes no floats.
+  /// The integer format of coordinates, for a subject that takes no floats.
   std::optional<FixedInput> fixed;
   std::optional<MaxPrimitiveExtent> max_primitive_extent;
-  /// A triangle with a vertex outside may be clipped by the subject, and edges that leave may move:
-  /// what single samples do is then not stated, what meshes do is. None: nothing is clipped. Where
-  /// grid points are left free, the vertices that clipping makes are too: see MovesClippedEdges.
+  /// The subject may clip a triangle with a vertex outside, and its edges that leave may move: then
+  /// meshes are judged, single samples are not. None: nothing is clipped. Where grid points are
+  /// left free, so are those of vertices that clipping makes: see MovesClippedEdges.
   std::optional<GuardBand> guard_band;
 
-  /// What is stated of pixels as squares, of a contract `squares`. Nothing: samples are points.
+  /// The statement of the contract `squares` about whole pixels. Nothing: samples are points.
   std::optional<SquareRule> squares;
 
   friend bool operator==(const Profile&, const Profile&) = default;
@@ -184,53 +184,53 @@ struct Profile {
 /// Presets.
 ///
 /// "real" (no snap), "d3d11-canonical", "vulkan-canonical" and "gl-canonical" (8 subpixel bits,
-/// nearest-even, top-left) name models. "d3d11", "vulkan", "gl" and "webgpu" name legal sets: what
-/// a sentence of the specification leaves open is left open.
+/// nearest-even, top-left) name models. "d3d11", "vulkan", "gl" and "webgpu" name legal sets, which
+/// leave open what the specification leaves open.
 ///
-/// With 2, 4, 8 or 16 samples a pixel: each name with "-2x", "-4x", "-8x" or "-16x" behind it.
-/// Where the API's own text leaves their positions open ("vulkan" without standardSampleLocations,
+/// Each name can end with "-2x", "-4x", "-8x" or "-16x", the number of samples in a pixel.
+/// Where the API's text leaves their positions open ("vulkan" without standardSampleLocations,
 /// "gl"), so does the set; "vulkan-standard-4x" is Vulkan's where that limit is true.
 std::optional<Profile> PresetProfile(std::string_view name);
 inline constexpr std::array<std::string_view, 8> kPresetProfiles{
     "real", "d3d11-canonical", "vulkan-canonical", "gl-canonical", "d3d11", "vulkan",
     "gl",   "webgpu"};
 
-/// Returns whether the preset is the canonical model of an API that leaves more than it to the
-/// rasterizer: a legal one may then differ from it.
+/// Returns whether the preset is the canonical model of an API that also allows others: a legal
+/// rasterizer may then differ from it.
 bool IsCanonicalPreset(std::string_view name);
 
-/// Returns the legal set with what is said of one device: sample locations, coordinate limit, guard
-/// band, the front face, and where the set leaves the subpixel bits to the device, those.
+/// Returns the legal set with the device's sample locations, coordinate limit, guard band and front
+/// face, and with its subpixel bits where the set leaves those to the device.
 Profile FilledIn(const Profile& set, const Profile& device);
 
 /// Returns whether the profile is its specification's legal set with the numbers of a device that
-/// the set allows: its grid has no fewer bits than the least. False where it names none.
+/// the set allows: its grid has no fewer bits than the least. False if it names no specification.
 bool IsFilledIn(const Profile& profile);
 
 /// Returns whether the profile's transform takes the scene to the window: a transform of clip space
-/// takes clip space, that of a map all else.
+/// takes scenes in clip space, a transform of a map takes all others.
 inline bool TakesToWindow(const Profile& profile, const Scene& scene) {
   return profile.transform && scene.clip_space != profile.transform->map.has_value();
 }
 
-/// Returns whether the profile's model of the scene is that of homogeneous coordinates: clip space
-/// that no transform of the rasterizer's own takes to the window.
+/// Returns whether the profile's model of the scene works in homogeneous coordinates: clip space
+/// that the rasterizer does not itself take to the window.
 inline bool IsHomogeneous(const Scene& scene, const Profile& profile) {
   return scene.clip_space && !TakesToWindow(profile, scene);
 }
 
 /// Returns the largest rectangle of window coordinates, on a target of that size, within which the
-/// profile states that nothing is clipped. Nothing: no triangle is, wherever it lies.
+/// profile states that nothing is clipped. Nothing: no triangle is clipped, wherever it lies.
 std::optional<WindowBox> UnclippedBox(const Profile& profile, int width, int height);
 
-/// Returns whether the profile says which rectangle clipping is to.
+/// Returns whether the profile says to which rectangle triangles are clipped.
 inline bool StatesGuardBand(const Profile& profile) {
   return profile.guard_band && !std::holds_alternative<SomewhereAroundTarget>(*profile.guard_band);
 }
 
-/// Returns whether a legal result may have the samples next to an edge that leaves the guard band
-/// either way, for each of the edge's triangles: clipping makes a vertex there, which goes to a
-/// grid point that the profile leaves free, and which neighbours need not have in common.
+/// Returns whether the samples next to an edge that leaves the guard band are open, separately for
+/// each of the edge's triangles: clipping makes a vertex there, the profile leaves its grid point
+/// free, and neighbours need not choose the same one.
 inline bool MovesClippedEdges(const Profile& profile) {
   return profile.guard_band && profile.contract == Contract::kSampleExact &&
          profile.freedom.MovesVertices();
@@ -242,19 +242,19 @@ inline bool HasOneModel(const Profile& profile) {
          !profile.shares_edge_samples && profile.sample_positions == SamplePositions::kStated;
 }
 
-/// Returns whether the canonical models of two profiles are one: whether they say the same of every
-/// scene's counts. What else they state, and how they are named, may differ.
+/// Returns whether the canonical models of two profiles are equal: whether they give every scene
+/// the same counts. Names, contracts, freedom and limits may differ.
 bool SameModel(const Profile& a, const Profile& b);
 
-/// Returns whether every coordinate of the scene is finite, within the profile's limit, and one
-/// that its fixed-point input can be given.
+/// Returns whether every coordinate of the scene is finite, within the profile's limit, and
+/// accepted by its fixed-point input.
 bool WithinLimits(const Scene& scene, const Profile& profile);
 
-/// Returns whether a subject of this profile can be given the scene at all: of a fixed-point input,
-/// window space alone, and coordinates that its integers hold.
+/// Returns whether a subject of this profile can be given the scene at all: a fixed-point input
+/// takes only window space, and only coordinates that its integers hold.
 bool CanBeGiven(const Scene& scene, const Profile& profile);
 
-/// Returns whether the profile says where a clip-space scene's vertices lie.
+/// Returns whether the profile's placing of vertices is defined for clip space.
 inline bool PlacesClipSpace(const Profile& profile) {
   return !profile.fixed && !profile.max_primitive_extent && profile.scanline_rounding.IsNone();
 }

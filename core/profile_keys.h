@@ -1,5 +1,5 @@
-// The keys of a profile. Everything that goes over keys goes over this table: io/profile_json.cc
-// adds how each is read and written, and nothing else in the tree lists them.
+// The keys of a profile. This table is the only list of them; io/profile_json.cc adds how each key
+// is read and written.
 #ifndef RASTERPROOF_CORE_PROFILE_KEYS_H_
 #define RASTERPROOF_CORE_PROFILE_KEYS_H_
 
@@ -12,32 +12,32 @@
 
 namespace rasterproof {
 
-/// What a key speaks of.
+/// The subject matter of a key.
 enum class KeyKind : std::uint8_t {
   kName,      ///< what the profile is called
   kModel,     ///< which samples its canonical model covers
-  kContract,  ///< what results are held to
-  kFreedom,   ///< where legal results may differ from the model, or agree all the same
+  kContract,  ///< the requirement on results
+  kFreedom,   ///< where legal results may differ from the model, or must still agree
   kLimit      ///< where nothing is stated
 };
 
 /// Returns "name", "model", "contract", "freedom" or "limit".
 std::string_view KeyKindName(KeyKind kind);
 
-/// What else holds of a key.
+/// Flags of a key.
 enum KeyMarks : std::uint8_t {
   kUnmarked = 0,
   kOfDevice = 1,  ///< a device fills it in where its profile is a specification's legal set
-  kHinders = 2    ///< what it says can keep the contract's properties from being put to the test
+  kHinders = 2    ///< its value can keep the contract's properties from being exercised
 };
 
 struct ProfileKey {
   std::string_view name;  ///< as files spell it
   KeyKind kind;
-  void (*copy)(const Profile& from, Profile& to);  ///< of this key's members alone
+  void (*copy)(const Profile& from, Profile& to);  ///< copies this key's members alone
   // For the reader, in Markdown: cells of the table in docs/subjects.md.
-  std::string_view values;  ///< where they are words alone, in the order of the enumerators
-  std::string_view usual;   ///< the value of a profile that leaves the key out
+  std::string_view values;  ///< the words in the order of the enumerators, if all values are words
+  std::string_view usual;   ///< the default
   std::string_view says;
   int marks = kUnmarked;
 };
@@ -163,7 +163,7 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      "null",
      "with contract `squares`: a triangle covers at least the pixels of `must`, at most those of "
      "`may`; `flat`: what one without area covers. Window space"},
-    // Behind what its entries can leave out.
+    // After the keys that its entries can leave out.
     {"by_target_size", KeyKind::kModel, Copy<&Profile::by_target_size>,
      "list of {`max_width`, `max_height`, and any of `subpixel_bits`, `snap_rule`, `snap_form`, "
      "`snap_origin`, `sample_locations`, `tie_rule`}",

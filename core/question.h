@@ -1,4 +1,4 @@
-// What a subject is asked, and what it answers, as plain values.
+// Questions to a subject and its answers, as plain values.
 #ifndef RASTERPROOF_CORE_QUESTION_H_
 #define RASTERPROOF_CORE_QUESTION_H_
 
@@ -15,20 +15,20 @@
 
 namespace rasterproof {
 
-/// How much of what one call shows is asked for.
+/// Whether an answer may be put together from several calls.
 enum class Parts : std::uint8_t {
-  kFacings,  ///< counts by facing; of a subject that tells none, added up from calls for its parts
-  kWhole     ///< one call, answered as the subject answers it
+  kFacings,  ///< counts by facing, summed over several calls if the subject does not report facings
+  kWhole     ///< one call, with the answer as the subject gives it
 };
 
 struct DrawQuestion {
   DrawJob job;
   Parts parts = Parts::kFacings;
-  /// Every count before the draw. What a subject outside this process draws is added to it.
+  /// The value of every count before the draw. The draw of a subject in another process is added.
   std::uint32_t fill = 0;
-  /// Into the target that the draw before it left.
+  /// True if it draws into the target as the previous draw left it.
   bool onto_the_last = false;
-  /// Drawn by the subject's twin.
+  /// True if the subject's twin draws it.
   bool by_twin = false;
 };
 
@@ -52,14 +52,14 @@ struct DistanceQuestion {
   Point2 p;
 };
 
-/// What may share calls with the draws of a check.
+/// Which calls the draws of a check may share with other draws.
 enum class Company : std::uint8_t {
   kAny,
-  kInOrderAlone,  ///< calls in their order, and no others in between
-  kOneCallAlone   ///< all in one call, and nothing else in it
+  kInOrderAlone,  ///< calls in their order, with no others in between
+  kOneCallAlone   ///< all in one call, with nothing else in it
 };
 
-/// What is asked at once. One list for each kind of question.
+/// The questions of one check, one list for each kind of question.
 struct Questions {
   Company company = Company::kAny;
   std::vector<DrawQuestion> draws;
@@ -70,10 +70,10 @@ struct Questions {
   std::vector<DistanceQuestion> distances;
 };
 
-/// The answers to some questions, each list in the order of asking. Where they end early some lists
-/// are shorter.
+/// The answers to some questions, each list in the order of asking. If the answers end early, some
+/// lists are shorter.
 struct Answers {
-  /// Those of the check's `bases` first, then its own.
+  /// The draws of the check's `bases` first, then its own.
   std::vector<std::shared_ptr<const Drawing>> draws;
   std::vector<double> edges;
   std::vector<std::vector<double>> steps;
@@ -81,7 +81,7 @@ struct Answers {
   std::vector<double> interpolations;
   std::vector<std::array<double, 3>> distances;
   CallEnd end;  ///< why they end early, if they do
-  /// Which draw of the question it was, counted from 0, where that is known.
+  /// Index of the draw that ended them, where that is known.
   std::optional<std::size_t> stopped_at = std::nullopt;
 };
 

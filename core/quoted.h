@@ -8,12 +8,12 @@
 
 namespace rasterproof {
 
-/// The text in printable ASCII, for a message that shows what somebody else wrote: another byte is
-/// written `\xNN`; behind `most` bytes it is cut, and `...` says so.
+/// Returns the text in printable ASCII, for messages that show foreign text: any other byte becomes
+/// `\xNN`; text longer than `most` bytes is cut, and ends with `...`.
 std::string Printable(std::string_view text, std::size_t most = 160);
 
-/// A name that somebody else gave, as it is shown: unchanged, or Printable() if it has control
-/// characters, so that no file speaks to the reader's terminal.
+/// Returns a foreign name as messages show it: unchanged, or Printable() if it has control
+/// characters, so that no file can control the reader's terminal.
 std::string ShownName(std::string_view name);
 
 /// The text of Printable() in quotes.

@@ -29,32 +29,32 @@ concept DrawsScenes =
     std::default_initializable<R> &&
     requires(R r, const Scene& scene, CoverageCounts& counts) { r.Draw(scene, counts); };
 
-/// The same, obeying the options.
+/// Like above, and obeys the options.
 template <class R>
 concept DrawsScenesByOptions = std::default_initializable<R> &&
                                requires(R r, const Scene& scene, const DrawOptions& options,
                                         CoverageCounts& counts) { r.Draw(scene, options, counts); };
 
-/// Gives all that a call shows: counts, primitive ids, barycentrics and depths, as its Info() says.
-/// The job's triangles are its scene's own, and what it does not want may be left out.
+/// Returns the outputs that its Info() states: counts, primitive ids, barycentrics and depths. The
+/// job's triangles are its scene's own, and outputs that the job does not want may be left out.
 template <class R>
 concept ShowsDrawings = std::default_initializable<R> && requires(R r, const DrawJob& job) {
   { r.Show(job) } -> std::same_as<Drawing>;
 };
 
-/// Draws several scenes in one call: as many drawings, in their order.
+/// Draws several scenes in one call and returns one drawing for each, in their order.
 template <class R>
 concept DrawsBatches = ShowsDrawings<R> && requires(R r, std::span<const DrawJob> jobs) {
   { r.ShowMany(jobs) } -> std::same_as<std::vector<Drawing>>;
 };
 
-/// Shows its value of E(a, b; p), evaluated afresh at p.
+/// Returns its value of E(a, b; p), evaluated at p without stepping.
 template <class R>
 concept ShowsEdgeValues = requires(R r, Point2 at) {
   { r.EdgeValue(at, at, at) } -> std::same_as<double>;
 };
 
-/// Shows the values that it meets stepping from p: steps + 1 of them.
+/// Returns its steps + 1 values on the way from p, the first at p.
 template <class R>
 concept ShowsEdgeSteps = ShowsEdgeValues<R> && requires(R r, Point2 at, Step step) {
   { r.EdgeSteps(at, at, at, step, 1) } -> std::same_as<std::vector<double>>;
@@ -63,7 +63,7 @@ concept ShowsEdgeSteps = ShowsEdgeValues<R> && requires(R r, Point2 at, Step ste
 template <class R>
 concept Rasterizer = DrawsScenes<R> || DrawsScenesByOptions<R> || ShowsDrawings<R>;
 
-/// A rasterizer may say what it states: `static SubjectInfo Info()`.
+/// A rasterizer may describe itself: `static SubjectInfo Info()`.
 template <class R>
 concept DescribesItself = requires {
   { R::Info() } -> std::same_as<SubjectInfo>;
@@ -146,7 +146,7 @@ class RasterizerSubject final : public Subject {
     return outcomes;
   }
 
-  // The job with its triangles in its scene, where a type of somebody else's looks for them.
+  // The job with its triangles in its scene, where the user's type looks for them.
   static DrawJob Resolved(const DrawJob& job) {
     if (!job.triangles) return job;
     DrawJob resolved(SceneOf(job), job.options, job.samples);

@@ -1,4 +1,4 @@
-// What a run found: measured by props and tool, rendered by report.
+// The results of a run: measured by props and tool, rendered by report.
 #ifndef RASTERPROOF_CORE_RESULT_H_
 #define RASTERPROOF_CORE_RESULT_H_
 
@@ -24,11 +24,11 @@ struct NearEdgeCounts {
   std::uint64_t within_256 = 0;
 };
 
-/// What cases of one property add up to.
+/// Sums over the cases of one property.
 struct Counts {
   std::uint64_t cases = 0;            ///< cases run
-  std::uint64_t cases_exercised = 0;  ///< cases in which the property was put to the test
-  std::uint64_t exercised = 0;        ///< times the property was put to the test
+  std::uint64_t cases_exercised = 0;  ///< cases that exercised the property
+  std::uint64_t exercised = 0;        ///< times the property was exercised
   std::uint64_t cases_refused = 0;    ///< cases that the subject refused
   std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
   double worst_ratio = 0;             ///< largest error / bound
@@ -39,46 +39,46 @@ struct Counts {
   void Add(const Counts& more);
 };
 
-/// One property on one subject over a campaign. "tested" is the word for it: k cases of a seed.
+/// One property on one subject over a campaign of k cases of a seed, which reports call "tested".
 struct PropertyResult : Counts {
   std::string property;
   std::string subject;
-  std::string clause;                             ///< what it enforces, with its source
-  Authority authority = Authority::kStatedModel;  ///< who asks for it, by the subject's profile
-  std::vector<std::string> required_by;           ///< ids of clauses, where it is a clause
+  std::string clause;                             ///< the sentence it enforces, with its source
+  Authority authority = Authority::kStatedModel;  ///< who requires it, by the subject's profile
+  std::vector<std::string> required_by;           ///< ids of clauses, if clauses require it
   std::string tolerance;                          ///< the named bound, or "none: exact"
   Outcome outcome = Outcome::kNotExercised;
-  std::string world;              ///< the small world that it ran over; empty: drawn cases
+  std::string world;              ///< the small world that it ran over; empty: random cases
   std::uint64_t world_cases = 0;  ///< cases of the world
   NearEdgeCounts near_edge;
   std::uint64_t seed = 0;
   double seconds = 0;
   std::string message;
-  /// The first counterexample, shrunken, with what was said of it.
+  /// The first counterexample, shrunk, with its verdict.
   std::optional<Case> counterexample;
   std::optional<Verdict> verdict;
-  /// What was drawn of it, if that is another scene.
+  /// The scene that was drawn for it, if the property changed the case's scene.
   std::shared_ptr<const DrawnScene> Drawn() const { return verdict ? verdict->drawn : nullptr; }
   /// Name of the case that failed first, before it was shrunk, "near-edge:17@1"; "" if it has none.
   std::string failing_case;
 };
 
-/// The property, and the world that it ran over: "CoverageEqualsTheModel on triangles-7x7".
+/// Returns the property and its world, if any: "CoverageEqualsTheModel on triangles-7x7".
 inline std::string NameOf(const PropertyResult& result) {
   return result.world.empty() ? result.property : result.property + " on " + result.world;
 }
-/// Whether it holds in every case of a world: "exhausted" is the word for it. Nothing was refused,
-/// and no sample left open.
+/// Returns whether it holds in every case of a world, which reports call "exhausted": no case was
+/// refused, and no sample was left open.
 inline bool IsExhausted(const PropertyResult& result) {
   return result.outcome == Outcome::kHolds && !result.world.empty() &&
          result.cases == result.world_cases && result.cases_refused == 0 && result.not_judged == 0;
 }
 
-/// A violation that fails a run.
+/// Returns whether it is a violation that fails the run.
 inline bool IsFailure(const PropertyResult& result, FailOn fail_on) {
   return result.outcome == Outcome::kViolated && Fails(result.authority, fail_on);
 }
-/// A violation that fails none: nobody but users asks for the property.
+/// Returns whether it is a violation that does not fail the run: no specification requires it.
 inline bool IsLackOfQuality(const PropertyResult& result, FailOn fail_on) {
   return result.outcome == Outcome::kViolated && !Fails(result.authority, fail_on);
 }
@@ -90,8 +90,8 @@ struct SceneResult {
   std::string profile;
   std::uint64_t triangles = 0;
   CoverageDifference difference;
-  /// True if whether a sample is covered was compared, not how often: the subject shows no counts,
-  /// and the scene is too large to be drawn triangle by triangle.
+  /// True if the comparison was of masks, not of counts: the subject shows no counts, and the scene
+  /// is too large to be drawn triangle by triangle.
   bool as_shown = false;
   bool applicable = true;
   std::string message;

@@ -32,18 +32,18 @@ struct SamplePattern {
 inline constexpr int kMaxSamplesPerPixel = 64;
 
 /// The standard pattern of 1, 2, 4, 8 or 16 samples: Direct3D 11.3 section 19.2.4, and Vulkan's
-/// Standard Sample Locations, which are the same. Of other numbers there is none.
+/// Standard Sample Locations, which are the same. Nothing for other numbers.
 std::optional<SamplePattern> StandardPattern(int samples);
 
-/// What is stated of where samples lie.
+/// The statement about where samples lie.
 enum class SamplePositions : std::uint8_t {
   kStated,  ///< where the pattern says, in every pixel
   kFixed,   ///< anywhere in the pixel, in every pixel alike; the pattern says how many there are
-  kVary     ///< anywhere in the pixel, in another pixel elsewhere
+  kVary     ///< anywhere in the pixel, and not alike in every pixel
 };
 
-/// What is stated of the point at which attributes of a fragment are evaluated that are asked for
-/// at its centroid. With one sample a pixel it is the pixel's centre, by either rule.
+/// The statement about the point where a fragment's attributes are evaluated if requested at its
+/// centroid. With one sample in a pixel it is the pixel's centre, by either rule.
 enum class Centroid : std::uint8_t {
   kUnstated,
   kDirect3D,  ///< the centre if every sample is covered, else the covered sample of least index

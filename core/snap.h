@@ -9,8 +9,8 @@ namespace rasterproof {
 /// How a coordinate between two grid points is rounded.
 enum class SnapRule : std::uint8_t { kNearestEven, kNearestAway, kHalfUp, kFloor, kTruncate };
 
-/// What is rounded to the grid. The three differ only where x is rounded on its way, or where the
-/// rule looks at the sign or the parity of what it rounds.
+/// The number that is rounded to the grid. The three differ only where x - c is itself rounded, or
+/// where the rule depends on the sign or the parity of the number.
 enum class SnapForm : std::uint8_t {
   kCoordinate,         ///< snap(x)
   kFloat32Difference,  ///< c + snap(fl32(x - c)): x - c is rounded to float32 first

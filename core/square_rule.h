@@ -1,4 +1,4 @@
-// Square coverage: what a pixel's square has to do with a triangle, as data.
+// Square coverage: which relation between a pixel's square and a triangle counts, as data.
 #ifndef RASTERPROOF_CORE_SQUARE_RULE_H_
 #define RASTERPROOF_CORE_SQUARE_RULE_H_
 
@@ -14,15 +14,15 @@ enum class SquareRelation : std::uint8_t {
   kContains     ///< the square lies in the triangle
 };
 
-/// Which boundary points belong to a set. A half-open set has those of its floor sides, towards
-/// smaller coordinates of the profile's window space, and not those of its ceiling sides:
+/// Which boundary points belong to a set. A half-open set includes its floor sides, towards smaller
+/// coordinates of the profile's window space, and excludes its ceiling sides:
 /// p belongs to it iff p + (e, e^2), e -> 0+, lies inside.
 enum class Closure : std::uint8_t { kClosed, kOpen, kHalfOpen };
 
 /// Where the triangle's vertices are taken.
 enum class SquareGeometry : std::uint8_t {
-  kGiven,  ///< as the subject was given them
-  kPlaced  ///< where the profile's snap rule puts them; with a snap tolerance, wherever it may
+  kGiven,  ///< at the given coordinates
+  kPlaced  ///< where the profile's snap rule puts them; with a snap tolerance, anywhere within it
 };
 
 /// How the triangle is grown.
@@ -31,7 +31,7 @@ enum class SquareGrowth : std::uint8_t {
   kEdges   ///< each edge moved outward as far as that sum moves it, corners left sharp
 };
 
-/// The squares that stand in one relation to a triangle.
+/// The squares that have one relation to a triangle.
 struct SquareRegion {
   SquareRelation relation = SquareRelation::kIntersects;
   Closure square = Closure::kClosed;
@@ -46,20 +46,20 @@ struct SquareRegion {
   friend bool operator==(const SquareRegion&, const SquareRegion&) = default;
 };
 
-/// A half width is a multiple of it, so that the corners of a grown square are exact doubles.
+/// Half widths are multiples of this, so that the corners of a grown square are exact doubles.
 inline constexpr double kSquareStep = 0x1p-20;
 inline constexpr double kLeastHalfWidth = -0.4375;
 inline constexpr double kLargestHalfWidth = 1;
 
-/// What is stated of a triangle without area, which is a segment or a point.
+/// The statement about a triangle without area, which is a segment or a point.
 enum class FlatSquares : std::uint8_t {
   kNothing,  ///< it covers nothing
-  kFree,     ///< it may cover what the may region of its closed segment has, and need not
+  kFree,     ///< it may cover any squares of the may region of its closed segment
   kDrawn     ///< it covers the must region of its closed segment, and at least one square
 };
 
-/// What a profile states of pixels as squares. A triangle covers at least the squares of `must`, if
-/// it is stated, and at most those of `may`, if that is.
+/// A profile's statement about pixels as squares. A triangle covers at least the squares of `must`
+/// and at most the squares of `may`, where these are stated.
 struct SquareRule {
   std::optional<SquareRegion> must;
   std::optional<SquareRegion> may;
@@ -68,8 +68,8 @@ struct SquareRule {
   friend bool operator==(const SquareRule&, const SquareRule&) = default;
 };
 
-/// Returns whether the region can be decided: a closed square with a half-open shape is stated
-/// nowhere, and is not.
+/// Returns whether the region can be decided. A closed square that intersects a half-open shape
+/// can't be, and no specification states it.
 inline bool IsDecidable(const SquareRegion& region) {
   const double steps = region.half_width / kSquareStep;
   return !(region.relation == SquareRelation::kIntersects && region.square == Closure::kClosed &&

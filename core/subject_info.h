@@ -1,4 +1,4 @@
-// What a subject says of itself.
+// The description of a subject.
 #ifndef RASTERPROOF_CORE_SUBJECT_INFO_H_
 #define RASTERPROOF_CORE_SUBJECT_INFO_H_
 
@@ -12,7 +12,7 @@
 
 namespace rasterproof {
 
-/// What a subject's coverage comes back as.
+/// The form in which a subject returns its coverage.
 enum class CoverageKind : std::uint8_t {
   kFacingCounts,  ///< how many triangles of each facing cover the sample
   kCounts,        ///< how many triangles cover the sample, all of them in `front`
@@ -25,37 +25,36 @@ enum class CoverageKind : std::uint8_t {
 enum class Visible : std::uint8_t { kLastDrawn, kFirstDrawn };
 
 /// The vertices that a subject's barycentrics belong to: as given, or on the profile's subpixel
-/// grid. kEither: it does not say, and may take the ones for one triangle and the others for the
-/// next.
+/// grid. kEither: it does not say, and may choose differently for each triangle.
 enum class BarycentricsOf : std::uint8_t { kEither, kSnapped, kGiven };
 
-/// What a subject says of the fragments that it shows.
+/// A subject's statements about the fragments that it shows.
 struct FragmentInfo {
   Visible visible = Visible::kLastDrawn;
   BarycentricsOf barycentrics_of = BarycentricsOf::kEither;
-  /// Most that a barycentric is off, absolute. 0: it says nothing.
+  /// Largest absolute error of a barycentric. 0: none is stated.
   double barycentric_error = 0;
-  /// Most that a depth is off, absolute, in the unit of z. 0: it says nothing.
+  /// Largest absolute error of a depth, in the unit of z. 0: none is stated.
   double depth_error = 0;
-  /// Whether it shows barycentrics at centroids too, off by as much as the others.
+  /// Whether it shows barycentrics at centroids too, with the same largest error.
   bool shows_centroids = false;
 };
 
-/// What a subject says of the edge values that it shows, in one number each.
+/// A subject's statements about the edge values that it shows.
 struct EdgeInfo {
   bool shows_values = false;
   bool shows_steps = false;
-  /// A value of E(a, b; p) is off by at most so many u of the size of its two products,
-  /// |(p.x - a.x)(b.y - a.y)| + |(p.y - a.y)(b.x - a.x)|. 0: exact. Nothing: nothing is said.
+  /// Largest error of a value of E(a, b; p), in units of u times the size of its two products,
+  /// |(p.x - a.x)(b.y - a.y)| + |(p.y - a.y)(b.x - a.x)|. 0: exact. Nothing: none is stated.
   std::optional<double> value_error;
-  /// After n steps a value is off by at most (n + 1) times so many u of the larger size at its two
-  /// ends.
+  /// Largest error of a value after n steps, in units of (n + 1) u times the larger of these sizes
+  /// at the two ends.
   std::optional<double> stepping_error;
 
   friend bool operator==(const EdgeInfo&, const EdgeInfo&) = default;
 };
 
-/// A statement about a method's arithmetic that a script proves.
+/// A statement about a method's arithmetic, with the script that proves it.
 struct Proof {
   std::string statement;
   std::string script;  ///< in reference/proofs/, run by the tests
@@ -63,18 +62,17 @@ struct Proof {
   friend bool operator==(const Proof&, const Proof&) = default;
 };
 
-/// What a subject says of itself.
+/// The description of a subject: its profile, the scenes it takes and the outputs it shows.
 struct SubjectInfo {
   std::string name;
   std::string summary;
-  /// What its coverage is held to.
+  /// The profile that its coverage is judged by.
   Profile profile;
-  /// The number format it computes its input in: a float64 scene is no input for a float32 subject.
+  /// The number format of its input: a float32 subject does not take a float64 scene.
   Precision input = Precision::kFloat32;
   bool takes_window = true;
   bool takes_clip = false;
-  /// True if DrawOptions::threads is more than a wish: then equal coverage from any number is a
-  /// property.
+  /// True if DrawOptions::threads is obeyed: then equal coverage from any number is a property.
   bool takes_threads = false;
   /// Whether the other members of DrawOptions are obeyed.
   bool takes_tiles = true;
@@ -85,7 +83,7 @@ struct SubjectInfo {
   bool takes_batches = false;
   /// True if DrawJob::repeats is obeyed.
   bool takes_repeats = false;
-  /// True if another processor draws, which this machine's processor time says nothing of.
+  /// True if another processor draws: this machine's processor time then does not include it.
   bool draws_elsewhere = false;
   /// The version of the protocol that it speaks, on a pipe (subjects/process/protocol.h).
   int protocol = 1;
@@ -93,20 +91,20 @@ struct SubjectInfo {
   FragmentInfo fragments;
   /// For subjects that show edge values and state their bounds as numbers.
   EdgeInfo edges;
-  /// True if its method states 0 wrong samples against its own profile. Methods of reference/ and
-  /// deciders of exact/ alone; nothing that comes from outside sets it.
+  /// True if its method states 0 wrong samples against its own profile. Only methods of reference/
+  /// and deciders of exact/ set it, never a subject from outside.
   bool states_exact = false;
-  /// What is proved of its arithmetic. Methods of reference/ alone.
+  /// The proofs about its arithmetic. Only methods of reference/ have any.
   std::vector<Proof> proofs;
 };
 
-/// Returns whether a call tells which triangle won each sample.
+/// Returns whether a call reports which triangle won each sample.
 inline bool ShowsPrimitiveIds(const SubjectInfo& info) {
   return info.coverage == CoverageKind::kPrimitiveIds || info.coverage == CoverageKind::kFragments;
 }
 
-/// Returns whether the subject takes scenes of this kind and precision, and coordinates that its
-/// fixed-point input can be given.
+/// Returns whether the subject takes scenes of this kind and precision and, if its input is
+/// fixed-point, this scene's coordinates.
 inline bool Takes(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space ? !info.takes_clip : !info.takes_window) return false;
   if (info.profile.fixed) return CanBeGiven(scene, info.profile);  // as integers

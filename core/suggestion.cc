@@ -8,11 +8,11 @@
 namespace rasterproof {
 namespace {
 
-constexpr std::size_t kLongestName = 80;  // no name that there is comes near
+constexpr std::size_t kLongestName = 80;  // far more than any name has
 constexpr std::size_t kColumns = 80;
-constexpr std::size_t kShort = 48;  // stands behind words on their line
+constexpr std::size_t kShort = 48;  // fits on the line of the introducing words
 
-// How many letters must be put in, taken out or exchanged (Levenshtein), capitals or not.
+// The number of letters to insert, delete or exchange (Levenshtein), ignoring case.
 std::size_t Distance(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
   std::vector<std::size_t> row(b.size() + 1);
@@ -40,7 +40,7 @@ std::string Suggestion(std::string_view wrong, const std::vector<std::string_vie
   const auto nearest = std::ranges::min_element(names, {}, distance);
   if (nearest == names.end()) return "";
   const std::size_t off = distance(*nearest);
-  // A name of which nothing is left is no misspelling of it.
+  // If every letter must be exchanged, it is not a misspelling.
   if (off > std::max<std::size_t>(wrong.size() / 3, 2) || off >= wrong.size()) return "";
   return "did you mean " + std::string(*nearest) + "? ";
 }

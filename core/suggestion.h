@@ -1,4 +1,4 @@
-// What a message says of a name that nobody knows: the one that may be meant, and those there are.
+// Text for messages about an unknown name: the name that may be meant, and the list of all names.
 #ifndef RASTERPROOF_CORE_SUGGESTION_H_
 #define RASTERPROOF_CORE_SUGGESTION_H_
 
@@ -8,13 +8,13 @@
 
 namespace rasterproof {
 
-/// "did you mean NAME? " with the nearest of the names, where few letters must be put in, taken out
-/// or exchanged to make it of `wrong`, capitals or not; else nothing.
+/// Returns "did you mean NAME? " with the name nearest to `wrong`, if inserting, deleting or
+/// exchanging few letters makes them equal, ignoring case; else "".
 std::string Suggestion(std::string_view wrong, const std::vector<std::string_view>& names);
 std::string Suggestion(std::string_view wrong, const std::vector<std::string>& names);
 
-/// The names behind words that introduce them: " a, b, c", or on lines of their own of at most 80
-/// columns, each begun by a new line and two blanks, where one line would not hold them.
+/// Returns the names as they follow introducing words: " a, b, c", or, if that is too long, on
+/// separate lines of at most 80 columns, each after a newline and two blanks.
 std::string ListedNames(const std::vector<std::string_view>& names);
 std::string ListedNames(const std::vector<std::string>& names);
 

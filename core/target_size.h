@@ -1,4 +1,4 @@
-// How large a target may be: one limit for the oracle, for subjects and for what is said to them.
+// How large a target may be: one limit for the oracle, for subjects and for their protocols.
 #ifndef RASTERPROOF_CORE_TARGET_SIZE_H_
 #define RASTERPROOF_CORE_TARGET_SIZE_H_
 
@@ -13,7 +13,7 @@ namespace rasterproof {
 /// and kMaxTargetSamples at most in all.
 bool IsTargetSize(int width, int height, int samples);
 
-/// Nothing if IsTargetSize(), else the error that names `place`.
+/// Returns nothing if IsTargetSize(), else the error that names `place`.
 std::optional<InputError> TargetSizeError(const std::string& place, int width, int height,
                                           int samples);
 

@@ -22,7 +22,7 @@ struct TieRule {
   /// True for "a sample on any edge is inside" (`>=` on all edges). It is not a consistent rule:
   /// shared edges are covered twice. Only the profile of a subject that does this uses it.
   bool inclusive = false;
-  /// True for "a sample on any edge is outside" (`>` on all edges): shared edges are covered never.
+  /// True for "a sample on any edge is outside" (`>` on all edges): shared edges are never covered.
   bool exclusive = false;
 
   /// Whether a planar subdivision owns every sample once.
@@ -44,8 +44,7 @@ inline constexpr std::array<TieRule, 8> kConsistentRules{{{+1, +1, false, false,
                                                           {-1, -1, true, false, false}}};
 
 /// Returns the rule's name: "top-left", "top-right", "bottom-left", "bottom-right", the same four
-/// with
-/// "-y" appended when y moves first ("top-left-y"), "inclusive" or "exclusive".
+/// with "-y" appended when y moves first ("top-left-y"), "inclusive" or "exclusive".
 std::string TieRuleName(const TieRule& rule);
 
 /// Returns the rule of a name that TieRuleName gives, or nothing.

@@ -23,8 +23,8 @@ enum class ViewportForm : std::uint8_t {
   kAddMultiply   ///< (q + 1) * h
 };
 
-/// A map's coordinates on a target: where the corner of its first pixel lies, and what a step to
-/// the next column and to the next row is. On maps with y up, dy is negative.
+/// A map's coordinates on a target: the corner of its first pixel, and the steps to the next column
+/// and to the next row. On maps with y up, dy is negative.
 struct MapGrid {
   double x0 = 0;
   double y0 = 0;
@@ -36,9 +36,9 @@ struct MapGrid {
 
 /// The transform that a rasterizer owns: every operation rounds to nearest in `precision`.
 ///
-/// With a map the coordinates that are given are the map's, and no clip space is: x becomes
-/// (x - x0) / dx, or (x - x0) * (1 / dx), as `division` says; viewport and flip are of clip space.
-/// A rasterizer that owns none takes window space, or is held to the exact quotients.
+/// With a map the given coordinates are the map's, never clip space: x becomes (x - x0) / dx, or
+/// (x - x0) * (1 / dx), as `division` says; viewport and flip apply to clip space only.
+/// A rasterizer without a transform takes window space, or is held to the exact quotients.
 struct Transform {
   Precision precision = Precision::kFloat32;
   Division division = Division::kQuotient;

@@ -17,9 +17,9 @@ namespace rasterproof {
 enum class Outcome : std::uint8_t {
   kHolds,
   kViolated,
-  kNotExercised,   ///< the case met the precondition nowhere: neither good nor bad
+  kNotExercised,   ///< the case meets the precondition nowhere: neither good nor bad
   kNotApplicable,  ///< the subject or the profile does not state this at all
-  kRefused,        ///< of one case, never of a run: the subject refused the scene
+  kRefused,        ///< the subject refused the scene: the outcome of a case, never of a run
   kInconclusive    ///< it could not be judged: too slow, not deterministic, too much refused
 };
 
@@ -42,25 +42,25 @@ struct ComparedCounts {
 
 struct Verdict {
   Outcome outcome = Outcome::kNotExercised;
-  /// How many times the property was really put to the test (samples, edges, steps).
+  /// How many times the property was exercised (samples, edges, steps).
   std::uint64_t exercised = 0;
   /// Largest observed error / bound, for properties with a bound; 0 otherwise.
   double worst_ratio = 0;
   /// Why it does not apply, or what failed, in one line.
   std::string message;
   std::optional<Witness> witness;
-  /// What differs, where the property is about whole drawings; they need not be those of the case.
+  /// The two drawings, if the property compares whole drawings. The case's own need not be one.
   std::shared_ptr<const ComparedCounts> compared = nullptr;
-  /// Which of its check's draws failed, those of its `bases` first; nothing: the case's own.
+  /// Index of the check's draw that failed, counting its `bases` first; nothing: the case's own.
   std::optional<std::size_t> failed_draw = std::nullopt;
-  /// The scene that failed as it was drawn, where the property had changed the case's: the witness
-  /// is then of this scene.
+  /// The failing scene as it was drawn, if the property changed the case's scene: the witness then
+  /// refers to this scene.
   std::shared_ptr<const DrawnScene> drawn = nullptr;
-  /// Samples that the property is about and that it does not judge, because a legal choice of the
-  /// subject's could turn, flatten or fold a triangle there.
+  /// Samples that the property covers but does not judge, because the subject could legally choose
+  /// to turn, flatten or fold a triangle there.
   std::uint64_t not_judged = 0;
-  /// The sign of the area of the side that the subject shows as the front, where the profile leaves
-  /// that open and the property sees it.
+  /// The sign of the area of the side that the subject shows as its front, if the profile leaves
+  /// that open and the property observes it.
   std::optional<int> front_sign = std::nullopt;
 
   static Verdict NotApplicable(std::string why) {

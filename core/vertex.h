@@ -1,4 +1,4 @@
-// The smallest words of the vocabulary: points, vertices and triangles.
+// Points, vertices and triangles.
 #ifndef RASTERPROOF_CORE_VERTEX_H_
 #define RASTERPROOF_CORE_VERTEX_H_
 

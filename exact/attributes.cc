@@ -14,8 +14,8 @@
 namespace rasterproof::exact {
 namespace {
 
-// The value of a bit pattern, the one after the largest being 2^1024: rounding to nearest treats
-// infinity as if it stood there.
+// The value of a bit pattern. The pattern after the largest value counts as 2^1024: rounding to
+// nearest treats infinity as if it were that number.
 Rational Place(std::uint64_t bits) {
   const auto value = std::bit_cast<double>(bits);
   return std::isinf(value) ? Place(bits - 1) + 0x1p971 : Rational(value);

@@ -1,5 +1,5 @@
-// The third party's decider: CGAL's filtered kernel (interval arithmetic, then its own exact
-// numbers). Only LGPL parts: Kernel_23, Filtered_kernel, Number_types.
+// The decider by CGAL's filtered kernel: interval arithmetic, then exact numbers. Only LGPL parts:
+// Kernel_23, Filtered_kernel, Number_types.
 //
 // CGAL checks with assertions that the processor obeys the rounding mode it needs; without them it
 // answers wrongly where the processor does not.
@@ -28,7 +28,7 @@ int CgalEdgeSign(Point2 a, Point2 b, Point2 p) {
   return -static_cast<int>(CGAL::orientation(ToKernel(a), ToKernel(b), ToKernel(p)));
 }
 
-// Seen from the origin the orientation of three points is the sign of the determinant they form.
+// Seen from the origin, the orientation of three points is the sign of their determinant.
 int CgalDeterminantSign(const Rows3& rows) {
   return static_cast<int>(CGAL::orientation(Kernel::Point_3(0, 0, 0), ToKernel(rows[0]),
                                             ToKernel(rows[1]), ToKernel(rows[2])));

@@ -33,7 +33,7 @@ BoostRational FromDouble(double x) {
 enum class Rounding : std::uint8_t { kNearestEven, kDown, kUp };
 
 // n / d > 0 rounded to T. The quotient is cut at the place of T's last bit, so that subnormals are
-// rounded once; the remainder says what was cut.
+// rounded once; the remainder says which way to round.
 template <class T>
 T RoundMagnitude(Integer n, Integer d, Rounding rounding) {
   using Limits = std::numeric_limits<T>;

@@ -33,8 +33,8 @@ bool IsCulled(int facing, Cull cull) {
   return facing == 0 || (facing > 0 && cull == Cull::kFront) || (facing < 0 && cull == Cull::kBack);
 }
 
-// Where an edge crosses a row is worked out by the fast path alone, and so are squares: a second
-// opinion that is the first one's would be none.
+// Only the fast path computes where an edge crosses a row, and squares: calling it from the other
+// deciders would be no second opinion.
 void RequireSecondOpinion(const Profile& profile, Decider decider) {
   const bool squares = profile.squares.has_value();
   if (decider == Decider::kFast || (profile.scanline_rounding.IsNone() && !squares)) return;

@@ -1,4 +1,4 @@
-// Exact coverage: what every sample of a scene must count.
+// Exact coverage: the count of every sample of a scene.
 #ifndef RASTERPROOF_EXACT_COVERAGE_H_
 #define RASTERPROOF_EXACT_COVERAGE_H_
 
@@ -19,16 +19,17 @@ namespace rasterproof::exact {
 /// Returns the counts of the profile's canonical model for the scene, under the options' culling
 /// and scissor.
 ///
-/// The model is the one that the profile has on targets of the scene's size: coordinates wrap into
-/// its fixed-point range, snap, and triangles beyond its largest extent are dropped.
+/// The model is the profile's for targets of the scene's size: coordinates wrap into its
+/// fixed-point range and snap, and triangles beyond its largest extent are dropped. PrimitiveIds()
+/// says which triangle stays on a sample that several cover.
 /// Domain:     any scene; window space if the profile has fixed-point input or a largest extent.
 ///             Triangles with a non-finite x, y or w, or with zero area after snapping,
 ///             cover nothing. Clip space with a snapped profile: every w of a triangle must be
-///             positive (snapping follows the division, and what clipping does is not the
-///             profile's to say), and |x / w| and |y / w| below 2^(50 - bits). A profile with
-///             rounded crossings or of squares: window space, and kFast, which alone decides them.
-/// Squares:    what at least is covered: SquareCoverage().
-/// Error:      none; throws WhyNotDecided() where the domain is left.
+///             positive (snapping follows the division, and the profile does not define clipping),
+///             and |x / w| and |y / w| below 2^(50 - bits). Rounded crossings and squares: window
+///             space, and kFast, which alone decides them.
+/// Squares:    the least coverage, as by SquareCoverage().
+/// Error:      none; throws WhyNotDecided() outside the domain.
 /// Cost:       kFast: spans, a guess in double per edge and row of samples, and exact signs by
 ///             bisection where the guess cannot tell. The other deciders: one sign per edge and
 ///             sample of the triangle's box, for cross-checking.
@@ -39,9 +40,9 @@ inline CoverageCounts Coverage(const Scene& scene, const Profile& profile,
   return Coverage(PlacedScene(scene, profile), options, decider);
 }
 
-/// Why the oracle does not decide what the scene counts under the profile: the scene is none of
-/// Coverage()'s domain, or a sample location no fraction that it takes. Nothing if it does, and
-/// then neither Coverage() by kFast throws, nor ShapeOf().
+/// Returns why the oracle can't decide the scene's counts under the profile: the scene is outside
+/// Coverage()'s domain, or a sample location has too many fractional bits. Nothing if it can: then
+/// neither Coverage() by kFast nor ShapeOf() throws.
 std::optional<InputError> WhyNotDecided(const PlacedScene& scene);
 
 /// Returns whether the triangle (window space, already snapped, finite) covers the point p under

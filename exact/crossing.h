@@ -7,8 +7,8 @@
 
 namespace rasterproof::exact {
 
-/// A place on a row, in columns, known up to an error: the truth lies strictly between
-/// at - error and at + error. error may be infinite: nothing is known; then `at` is finite.
+/// A place on a row, in columns, known up to an error: it lies strictly between at - error and
+/// at + error. If nothing is known, the error is infinite and `at` is finite.
 struct Guess {
   double at = 0;
   double error = 0;
@@ -24,10 +24,9 @@ inline int ClampedCeiling(double v, int begin, int end) {
 
 /// The first column in [begin, end) that `beyond` holds for, or `end`.
 ///
-/// Domain:     beyond is monotone (false, then true) and turns true at the first column that is at
-/// or
-///             right of the crossing, or at the next one if the crossing is a column's own place.
-/// Properties: asks `beyond` only for columns that the guess cannot tell: none, usually.
+/// Domain:     beyond is monotone (false, then true) and turns true at the first column at or right
+///             of the crossing, or at the next column if the crossing is exactly at a column.
+/// Properties: asks `beyond` only for columns that the guess can't decide: none, usually.
 template <class Beyond>
 int FirstColumn(Guess guess, int begin, int end, std::uint64_t& certain, Beyond&& beyond) {
   // If both ends round up to the same column then no column's place lies in between, ties included.

@@ -1,4 +1,4 @@
-// What each backend decides. The two share nothing with each other nor with the fast path.
+// The signs that each backend decides. The two share no code with each other or with the fast path.
 #ifndef RASTERPROOF_EXACT_DECIDERS_H_
 #define RASTERPROOF_EXACT_DECIDERS_H_
 

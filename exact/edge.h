@@ -31,8 +31,8 @@ struct TierCounts {
   friend bool operator==(const TierCounts&, const TierCounts&) = default;
 };
 
-/// Counts what the fast path decides in this thread while the scope lives. Scopes may nest: each
-/// sees what the ones inside it see.
+/// Counts the decisions of the fast path in this thread while the scope lives. Scopes may nest: an
+/// outer scope counts the decisions in its inner scopes too.
 class TierScope {
  public:
   TierScope();
@@ -45,8 +45,8 @@ class TierScope {
   TierCounts start_;
 };
 
-/// Adds decisions to every scope that lives in this thread: those behind a result that was kept
-/// from an earlier call, so that whoever uses it counts what it took.
+/// Adds decisions to every scope that lives in this thread. A caller that reuses a result of an
+/// earlier call adds the decisions that the result took.
 void CreditTiers(const TierCounts& kept);
 
 /// Returns the sign of E(a, b; p) = (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x).
@@ -67,8 +67,8 @@ int ShiftedEdgeSign(Point2 a, Point2 b, Point2 p, const TieRule& rule,
 Rational EdgeValue(Point2 a, Point2 b, Point2 p);
 
 /// Throws std::logic_error naming the reason if rounding mode, FTZ/DAZ, contraction or valgrind
-/// would make the oracle lie. Nothing here calls it: it is for programs that use the oracle without
-/// the command, before their first verdict. Cheap.
+/// would make the oracle wrong. The library does not call it: programs that use the oracle without
+/// the command should, before their first verdict. Cheap.
 void RequireHonestEnvironment();
 
 }  // namespace rasterproof::exact

@@ -15,8 +15,8 @@ double Opaque(double x) {
 }
 
 bool RoundsToNearest() {
-  // 1 + 2^-54 and -1 - 2^-54 stay put only under rounding to nearest: up and towards zero move one
-  // of them or fegetround tells.
+  // 1 + 2^-54 and -1 - 2^-54 round to 1 and -1 under rounding to nearest. Other modes change one of
+  // them, or fegetround reports the mode.
   return std::fegetround() == FE_TONEAREST && Opaque(1) + Opaque(0x1p-54) == Opaque(1) &&
          Opaque(-1) - Opaque(0x1p-54) == Opaque(-1) && Opaque(1) - Opaque(0x1p-55) == Opaque(1);
 }

@@ -1,4 +1,4 @@
-// The floating-point environment that the oracle needs, and what was found.
+// The floating-point environment that the oracle needs, and a test for it.
 #ifndef RASTERPROOF_EXACT_ENVIRONMENT_H_
 #define RASTERPROOF_EXACT_ENVIRONMENT_H_
 
@@ -19,11 +19,11 @@ struct Environment {
     return round_to_nearest && subnormals_kept && contraction_off && float_rounding_kept &&
            !under_valgrind;
   }
-  /// What is wrong and how to mend it; empty if Honest().
+  /// The fault and its remedy; empty if Honest().
   std::string Complaint() const;
 };
 
-/// Looks at the environment of the calling thread.
+/// Tests the environment of the calling thread.
 Environment InspectEnvironment();
 
 }  // namespace rasterproof::exact

@@ -1,4 +1,4 @@
-// The filter tier: values in double, and the size from which on their signs are certain.
+// The filter tier: values in double, and the magnitude beyond which their signs are certain.
 #ifndef RASTERPROOF_EXACT_FILTERS_H_
 #define RASTERPROOF_EXACT_FILTERS_H_
 
@@ -10,7 +10,7 @@
 
 namespace rasterproof::exact {
 
-/// A value in double, and its error: beyond it the value has the exact value's sign.
+/// A value in double and its error. If |value| exceeds the error, its sign is the exact one's.
 struct FilteredValue {
   double value = 0;
   double error = 0;

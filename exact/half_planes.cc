@@ -37,15 +37,15 @@ bool IsAnEdgeOfTheHull(Point2 a, Point2 b, const std::vector<Point2>& points) {
   return !(a == b) && std::ranges::all_of(points, [&](Point2 p) { return EdgeSign(a, b, p) >= 0; });
 }
 
-// Where the segment crosses the line, its ends having values of either sign.
+// Where the segment crosses the line. Its ends have values of opposite signs.
 RationalPoint Crossing(const RationalPoint& from, const Rational& at_from, const RationalPoint& to,
                        const Rational& at_to) {
   const Rational part = at_from / (at_from - at_to);
   return {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)};
 }
 
-// The convex polygon's part in the half plane: Sutherland and Hodgman. A segment and a point are
-// polygons of two and of one corner.
+// The convex polygon's part in the half plane: Sutherland and Hodgman. A segment and a point count
+// as polygons of two corners and of one.
 std::vector<RationalPoint> Clipped(const std::vector<RationalPoint>& polygon,
                                    const HalfPlane& plane) {
   std::vector<Rational> values;

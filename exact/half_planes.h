@@ -22,7 +22,7 @@ struct HalfPlane {
 /// Domain:     finite points, not all of them on one line.
 std::vector<HalfPlane> HullOf(const std::vector<Point2>& points);
 
-/// Where lambda_i of the triangle is at least low[i] and at most high[i], for each i.
+/// The half planes of the points where low[i] <= lambda_i <= high[i] of the triangle, for each i.
 ///
 /// Domain:     finite; an area that is not zero.
 std::vector<HalfPlane> WhereBarycentricsAre(const std::array<Point2, 3>& v,

@@ -40,8 +40,8 @@ int HomogeneousEdgeSign(const Vertex& vi, const Vertex& vj, Point2 p, Decider de
 
 int ShiftedHomogeneousEdgeSign(const Vertex& vi, const Vertex& vj, Point2 p, const TieRule& rule,
                                Decider decider) {
-  // N_x = y_j w_i - w_j y_i and N_y = w_j x_i - x_j w_i. A backend asks itself for their signs: the
-  // planar edge value from the origin is the same 2x2 determinant.
+  // N_x = y_j w_i - w_j y_i and N_y = w_j x_i - x_j w_i. Each backend gets their signs from its own
+  // planar edge function: seen from the origin that is the same 2x2 determinant.
   const auto cross_sign = [&](double a, double b, double c, double d) {
     if (decider == Decider::kFast) return ProductDifferenceSign(a, b, c, d);
     return EdgeSign({0, 0}, {c, b}, {a, d}, decider);
@@ -76,8 +76,8 @@ int HomogeneousFacing(const std::array<Vertex, 3>& v, Decider decider) {
 
 bool HomogeneousCovers(const std::array<Vertex, 3>& v, Point2 p, const TieRule& rule,
                        Decider decider) {
-  // p = sum c_k V_k with c_k >= 0 is what it means that the ray through p meets the triangle at t >
-  // 0. By Cramer N_ij . p = -c_k det: against the sign of the facing, not of w.
+  // The ray through p meets the triangle at t > 0 iff p = sum c_k V_k with all c_k >= 0. By Cramer
+  // N_ij . p = -c_k det: compared with the sign of the facing, not of w.
   const int facing = HomogeneousFacing(v, decider);
   if (facing == 0) return false;
   for (unsigned k = 0; k < 3; ++k) {

@@ -57,7 +57,7 @@ struct RowRange {
 };
 
 // Rows that can hold a sample. With every w > 0 the triangle lies between the least and the largest
-// y / w, known to half an ulp: far less than the row added on either side. Otherwise: all.
+// y / w, known to half an ulp: far less than the row added on either side. Otherwise all rows.
 RowRange RowsOf(const std::array<Vertex, 3>& v, const PixelRect& clip, double offset) {
   RowRange rows{clip.y0, clip.y1};
   if (std::ranges::any_of(v, [](const Vertex& c) { return c.w <= 0; })) return rows;

@@ -13,7 +13,7 @@
 namespace rasterproof::exact {
 namespace {
 
-// Clip space: of the quotients on the grid, or of the vertices as given where they have none.
+// Clip space: the area of the quotients on the grid, or of the given vertices if they have none.
 int ClipFacing(const std::array<Vertex, 3>& v, const Snap& snap) {
   const std::optional<int> on_grid = SnappedClipFacing(v, snap);
   return on_grid ? *on_grid : HomogeneousFacing(v);

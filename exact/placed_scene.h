@@ -1,4 +1,4 @@
-// A scene where a profile's model puts it: worked out once, read by every decider.
+// A scene with its vertices where a profile's model places them: computed once for every decider.
 #ifndef RASTERPROOF_EXACT_PLACED_SCENE_H_
 #define RASTERPROOF_EXACT_PLACED_SCENE_H_
 
@@ -14,22 +14,23 @@
 
 namespace rasterproof::exact {
 
-/// A scene, the profile on its target, and where that puts the scene's triangles.
+/// A scene, its profile for its target, and the places of its triangles under that profile.
 struct PlacedScene {
   PlacedScene(Scene given, const Profile& stated);
 
   Scene scene;  ///< as given
   TargetProfile profile;
-  /// Why the vertices have no places: a clip-space scene under a profile that speaks of window
-  /// space alone, or SnapClipError(). `placed` is then the scene as given.
+  /// Why the vertices have no places: the profile is about window space alone and the scene is in
+  /// clip space, or SnapClipError(). `placed` is then the given scene.
   std::optional<InputError> why_not_placed;
-  /// In window space; where clip space does not snap, the scene as given. Vertices and triangles
-  /// keep their numbers; a triangle that is dropped for its extent has its corners in one place.
+  /// The scene in window space, or the given scene if its clip space is not snapped. Vertices and
+  /// triangles keep their numbers; a triangle dropped for its extent is collapsed to one place.
   Scene placed;
-  /// Of each triangle, on screen: +1 front (counter-clockwise), -1 back, 0 where it has no area, is
-  /// dropped or is not finite. Without a place in clip space: by its homogeneous area.
+  /// Each triangle's facing on screen: +1 front (counter-clockwise), -1 back, 0 if it has no area,
+  /// is dropped or is not finite. A triangle of clip space without a place has the sign of its
+  /// homogeneous area.
   std::vector<std::int8_t> facings;
-  /// The finite triangles without area. One that is dropped for its extent has one all the same.
+  /// The finite triangles without area. Those dropped for their extent alone are not among them.
   std::vector<std::size_t> flat;
 
  private:

@@ -15,9 +15,9 @@ namespace rasterproof::exact {
 /// Returns for every sample the last or the first triangle of the scene's list that covers it by
 /// the profile's canonical model, or kNoPrimitive.
 ///
-/// Domain:     as Coverage, but of no profile of squares.
+/// Domain:     as Coverage, but not a profile of squares.
 /// Shape:      as CoverageCounts.
-/// Error:      none; throws WhyNotDecided() where Coverage's domain is left.
+/// Error:      none; throws WhyNotDecided() outside Coverage's domain.
 /// Cost:       as Coverage, and the target's width for each row that a triangle meets.
 std::vector<std::int32_t> PrimitiveIds(const PlacedScene& scene, const DrawOptions& options,
                                        Visible order);

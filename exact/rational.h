@@ -1,4 +1,4 @@
-// An exact rational number. The arithmetic lives behind the backend: no Boost header is seen here.
+// An exact rational number. Only its backend includes a Boost header.
 #ifndef RASTERPROOF_EXACT_RATIONAL_H_
 #define RASTERPROOF_EXACT_RATIONAL_H_
 

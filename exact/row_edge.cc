@@ -11,7 +11,7 @@
 namespace rasterproof::exact {
 namespace {
 
-// x rounded to odd: the double itself, or of the two around it the one whose last bit is one. No
+// x rounded to odd: x if it is a double, else the neighbouring double whose last bit is one. No
 // place at which a snap changes lies between it and x (Boldo and Melquiond, IEEE TC 2008).
 double ToOdd(const Rational& x) {
   const double nearest = x.ToDouble();

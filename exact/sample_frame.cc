@@ -57,8 +57,8 @@ std::optional<std::array<Vertex, 3>> ScreenTriangle(const Scene& scene, const Tr
 }
 
 int FirstRowAtOrBelow(double y, bool strict, double offset, int begin, int end) {
-  // The difference is rounded: by less than one row where it is near the target, and a huge y stays
-  // huge. So the guess is at most one row late, and none is missed by starting two rows early.
+  // The difference is rounded, by less than one row near the target, and a huge y stays huge. The
+  // guess is thus at most one row late, and starting two rows early misses none.
   const double guess = std::floor(y - offset) - 2;
   if (guess >= end) return end;
   int row = guess <= begin ? begin : static_cast<int>(guess);

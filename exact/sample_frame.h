@@ -1,5 +1,5 @@
-// Where the samples of a target lie, in screen axes: x right, y down, whatever the profile's y
-// axis.
+// Where the samples of a target lie, in screen axes (x right, y down) for either y axis of the
+// profile.
 #ifndef RASTERPROOF_EXACT_SAMPLE_FRAME_H_
 #define RASTERPROOF_EXACT_SAMPLE_FRAME_H_
 
@@ -20,7 +20,7 @@ namespace rasterproof::exact {
 /// Sample s of column i and row r (from the top) lies at (i + offsets[s].x, r + offsets[s].y).
 ///
 /// With y up, row r holds the pixels j = H - 1 - r and their samples lie at y = j + l.y. Turning
-/// the axis over (y -> -y, the only change ever made to a vertex) puts them at r - (H - 1) - l.y.
+/// the axis over (y -> -y, the only change made to a vertex) puts them at r - (H - 1) - l.y.
 struct SampleFrame {
   std::vector<Point2> offsets;
   PixelRect clip;  ///< target and scissor
@@ -28,7 +28,7 @@ struct SampleFrame {
   Snap scanline_rounding;  ///< of the profile
   bool y_up = false;
 
-  /// Of the scene's target.
+  /// Makes the frame of the scene's target.
   /// Error: LocationError().
   SampleFrame(const Scene& scene, const TargetProfile& profile, const DrawOptions& options);
 
@@ -38,8 +38,8 @@ struct SampleFrame {
   Vertex ToScreen(const Vertex& v) const { return y_up ? Vertex{v.x, -v.y, v.z, v.w} : v; }
 };
 
-/// The error that a location of the profile is no multiple of 2^-20 in [0, 1), as then pixel +
-/// location could round. Nothing if all are.
+/// Returns the error that a location of the profile is not a multiple of 2^-20 in [0, 1), so that
+/// pixel + location could round. Nothing if all are.
 std::optional<InputError> LocationError(const Profile& profile);
 
 /// The scene's triangle in screen axes, or nothing if an x, y or w is not finite.

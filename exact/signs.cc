@@ -13,7 +13,7 @@
 namespace rasterproof::exact {
 namespace {
 
-// The sign of a - b if both products are exact enough to tell: rounding is monotone, so different
+// The sign of a - b if both products are exact enough to decide: rounding is monotone, so different
 // roundings decide; equal ones leave the comparison to the residuals a b - fl(a b), which are
 // doubles unless they underflow. A residual is a multiple of 2^(e - 105) with 2^e <= |fl(a b)|, so
 // a product of at least 2^-969 has one.
@@ -46,7 +46,7 @@ bool IsExactDifference(double a, double b, double difference) {
 }
 
 int ExactEdgeSign(Point2 a, Point2 b, Point2 p) {
-  // Each product takes one factor from x and one from y, so the axes may have units of their own.
+  // Each product takes one factor from x and one from y, so each axis may have its own unit.
   const int ux = CommonUnit({a.x, b.x, p.x});
   const int uy = CommonUnit({a.y, b.y, p.y});
   const WideInteger ax(a.x, ux);
@@ -57,7 +57,7 @@ int ExactEdgeSign(Point2 a, Point2 b, Point2 p) {
 }
 
 int ExactDeterminantSign(const Rows3& m) {
-  // Scaling a column scales the determinant: each column has a unit of its own.
+  // Scaling a column scales the determinant, so each column may have its own unit.
   std::array<int, 3> unit{};
   for (unsigned k = 0; k < 3; ++k) unit[k] = CommonUnit({m[0][k], m[1][k], m[2][k]});
   const auto at = [&](unsigned i, unsigned k) { return WideInteger(m[i][k], unit[k]); };

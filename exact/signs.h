@@ -16,7 +16,7 @@ struct TieredSign {
   std::uint64_t TierCounts::* tier = &TierCounts::filter;
 };
 
-/// What this thread has decided since it began; TierScope reads differences of it.
+/// The decisions of this thread since it began; TierScope reads differences of it.
 TierCounts& ThreadTiers();
 
 /// Sign of E(a, b; p).

@@ -44,7 +44,7 @@ double SnapQuotient(double x, double w, const Snap& snap) {
   double representative = steps;
   if (std::fabs(steps - boundary) <= 0x1p-52 * std::fabs(steps)) {
     // x / w against boundary / 2^bits, w > 0: x 2^bits against boundary w. A quarter of a step
-    // stands for "between this multiple and the next".
+    // represents "between this multiple and the next".
     const int side = ProductDifferenceSign(x, std::ldexp(1.0, snap.bits), boundary, w);
     representative = boundary + 0.25 * side;
   }
@@ -104,7 +104,7 @@ Scene SnapClipScene(const Scene& scene, const TargetProfile& profile) {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < scene.vertices.size(); ++k) {
     const Vertex& v = scene.vertices[k];
-    // A vertex that only non-finite triangles use keeps them from covering anything.
+    // A vertex that only non-finite triangles use becomes NaN, so that they cover nothing.
     snapped.vertices[k] = used[k] ? Vertex{SnapQuotient(v.x, v.w, profile.snap),
                                            SnapQuotient(v.y, v.w, profile.snap), v.z, 1}
                                   : Vertex{kNowhere, kNowhere, v.z, 1};

@@ -19,18 +19,18 @@ namespace rasterproof::exact {
 /// Error:      none: the quotient is never rounded on its way to the grid. InputError outside.
 double SnapQuotient(double x, double w, const Snap& snap);
 
-/// SnapQuotient where its domain is kept, else nothing.
+/// Returns SnapQuotient() within its domain, else nothing.
 std::optional<double> TrySnapQuotient(double x, double w, const Snap& snap);
 
-/// +1 front, -1 back, 0 no area: of the triangle that the snapped vertices make. Nothing if one of
-/// them has no place on the grid.
+/// Returns the facing of the triangle of snapped vertices: +1 front, -1 back, 0 no area. Nothing if
+/// one of them has no place on the grid.
 ///
 /// Domain:     clip space.
 std::optional<int> SnappedClipFacing(const std::array<Vertex, 3>& v, const Snap& snap);
 
-/// Why the vertices of a clip-space scene have no places on the profile's grid: a finite triangle
-/// has a w <= 0 or a quotient beyond SnapQuotient's domain, or the profile snaps differences, which
-/// are of window coordinates. Nothing if they have.
+/// Returns why the vertices of a clip-space scene have no places on the profile's grid: a finite
+/// triangle has a w <= 0 or a quotient beyond SnapQuotient's domain, or the profile snaps
+/// differences of window coordinates. Nothing if they have places.
 ///
 /// Domain:     clip space, a profile that snaps.
 std::optional<InputError> SnapClipError(const Scene& scene, const TargetProfile& profile);

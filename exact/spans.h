@@ -16,8 +16,8 @@
 
 namespace rasterproof::exact {
 
-/// Counts being written as differences along each row: a span costs two additions, whatever its
-/// length. Sum() turns them into counts.
+/// Counts, kept as differences along each row while they are written: a span of any length costs
+/// two additions. Sum() turns them into counts.
 class SpanTarget {
  public:
   explicit SpanTarget(CoverageCounts& counts) : counts_(&counts), begin_(counts.height) {}
@@ -29,8 +29,8 @@ class SpanTarget {
     return {plane.data() + counts_->Index(0, row, s), counts_->samples, counts_->width};
   }
   void Sum();
-  /// Calls `covered` with the index of every sample that is covered, and leaves counts of zero. In
-  /// place of Sum().
+  /// Calls `covered` with the index of every covered sample and resets the counts to zero. Use
+  /// either this or Sum().
   ///
   /// Cost:       the rows that hold spans.
   template <class Covered>

@@ -34,10 +34,10 @@ struct Sides {
 // it: as met under kIntersects, as held under kContains.
 //
 // The line bounds the triangle, or its box; along (gx, gy), signs in screen axes, one goes into it.
-// A half-open square has its floor corner, and by it the sides beside it: it meets a closed set
-// that touches it there and only there. It misses the line of an open set that holds its inside
-// unless that line passes its floor corner. A closed square with a zero on the line of a half-open
-// set lies in it where the shift (e, e^2) leads inside.
+// A half-open square includes its floor corner and the sides next to it: it meets a closed set that
+// touches it there, and only there. It misses the line of an open set that holds its inside unless
+// that line passes its floor corner. A closed square with a corner on the line of a half-open set
+// lies in the set if the shift (e, e^2) leads inside.
 class Touch {
  public:
   Touch(const SquareRegion& region, bool flat, bool y_up)
@@ -81,8 +81,8 @@ class SideEdge {
     everywhere_ = farthest && region.growth == SquareGrowth::kEdges;
   }
 
-  // Takes from the columns those that the edge leaves out. Where the deciding corner's row passes
-  // above or below the edge, another edge or the box says more.
+  // Removes the columns that the edge excludes. If the deciding corner's row passes above or below
+  // the edge, another edge or the box excludes more.
   void Cut(int row, std::uint64_t& certain, Columns& columns) const {
     if (columns.first >= columns.last) return;
     const double y = row + y_;
@@ -103,10 +103,10 @@ class SideEdge {
   bool everywhere_ = false;
   double x_ = 0;
   double y_ = 0;
-  int least_sign_ = 0;  // of the edge's sign: the first column at it starts or ends the span
+  int least_sign_ = 0;  // the first column with at least this sign starts or ends the span
 };
 
-// A triangle's edges that are not horizontal: at most three; of a segment, one from either side.
+// A triangle's edges that are not horizontal, at most three; a segment counts once from each side.
 class SideEdges {
  public:
   SideEdges(const std::array<Point2, 3>& v, int facing, const Sides& sides,
@@ -146,8 +146,8 @@ struct Box {
         most{std::max({v[0].x, v[1].x, v[2].x}), std::max({v[0].y, v[1].y, v[2].y})} {}
 };
 
-// The rows that the box leaves: those that it meets, or that lie within it. Triangles that reach
-// above or below a row in a corner hold no square of it, and their edges say so.
+// The rows that the box meets, or that lie within it. A triangle that reaches above or below a row
+// only in a corner holds no square of the row, which its edges decide.
 PixelRect WithinBox(const Box& box, const SquareRegion& region, const SquareFrame& frame,
                     const Sides& sides, const Touch& touch) {
   PixelRect rect = frame.clip;
@@ -164,7 +164,7 @@ PixelRect WithinBox(const Box& box, const SquareRegion& region, const SquareFram
   return rect;
 }
 
-// Growth by edges knows no box, but horizontal edges still bound the rows.
+// Growth by edges has no box, but horizontal edges still bound the rows.
 PixelRect WithinFlatEdges(const std::array<Point2, 3>& v, const SquareFrame& frame,
                           const Sides& sides, const Touch& touch) {
   PixelRect rect = frame.clip;
@@ -226,7 +226,7 @@ bool MeetsAlong(double a, double b, double floor, double ceiling, const SquareRe
   return (b > floor || (b == floor && floor_in)) && (a < ceiling || (a == ceiling && ceiling_in));
 }
 
-// The largest or least of the signs at the corners, and what a zero among them means.
+// The largest or least of the signs at the corners, and the meaning of a zero among them.
 bool PassesEdge(const std::array<int, 4>& signs, const SquareRegion& region, Closure shape) {
   const auto [least, largest] = std::ranges::minmax(signs);
   const bool on_floor_corner = signs[0] == 0;

@@ -30,13 +30,13 @@ struct Columns {
   int last = 0;
 };
 
-/// Takes the columns of one row.
+/// Receives the columns of one row.
 using SquareRow = std::function<void(int row, Columns columns)>;
 
 /// Calls `row` for every row of the clip that has squares of the region, from the top.
 ///
-/// A flat triangle is its closed segment or point, whatever the region says of the shape's closure;
-/// it is grown by sweeping.
+/// A flat triangle counts as its closed segment or point, whichever closure the region states for
+/// the shape, and is grown by sweeping.
 /// Domain:     v finite, in screen axes; IsDecidable(region).
 /// Error:      none.
 /// Cost:       per row one guessed crossing for each edge that passes it, two as a rule, and exact
@@ -46,8 +46,8 @@ using SquareRow = std::function<void(int row, Columns columns)>;
 void ForEachSquareSpan(const std::array<Point2, 3>& v, const SquareRegion& region,
                        const SquareFrame& frame, const SquareRow& row);
 
-/// Whether the square of column i and row r is of the region, asked of that square alone: by the
-/// signs of each edge at all four corners. For cross-checking.
+/// Returns whether the square of column i and row r is in the region, by the signs of each edge at
+/// its four corners. Slow, for cross-checking: see ForEachSquareSpan.
 ///
 /// Domain:     as ForEachSquareSpan.
 bool IsSquareCovered(const std::array<Point2, 3>& v, const SquareRegion& region,

@@ -18,7 +18,7 @@ namespace {
 
 enum class Bound : std::uint8_t { kMust, kMay };
 
-// The region that every choice of places keeps (kMust), or that has what any choice gives (kMay).
+// A region within the one of every choice of places (kMust), or that contains all of them (kMay).
 //
 // A placed triangle T' lies in T + [-t, t]^2 and T in T' + [-t, t]^2, as their corners do. So T
 // meets a square shrunk by t only if T' meets the square, and T' meets it only if T meets the one
@@ -43,7 +43,7 @@ bool IsFiniteTriangle(const Scene& scene, const Triangle& t) {
 }
 
 // Moved by up to t on each axis, corners change twice the area by at most t times the sum of all
-// |dx| + |dy|, and 6 t^2. Rounding is left a margin.
+// |dx| + |dy|, and 6 t^2. The test leaves a margin for rounding.
 bool MoveCanFlatten(const std::array<Point2, 3>& v, double t) {
   double sides = 0;
   double products = 0;
@@ -83,7 +83,7 @@ class Painter {
     const auto& stated = bound == Bound::kMust ? rule_.must : rule_.may;
     if (!stated || frame_.clip.x0 >= frame_.clip.x1) return;
     const SquareRegion region = WhateverIsChosen(*stated, reach_, bound);
-    if (region.half_width < kLeastHalfWidth) return;  // of no pixel
+    if (region.half_width < kLeastHalfWidth) return;  // no pixel
     SpanTarget target(counts);
     for (std::size_t k = 0; k < given_.triangles.size(); ++k) {
       const Triangle& t = given_.triangles[k];

@@ -61,8 +61,8 @@ Mesh MeshOf(const PlacedScene& scene, const SampleFrame& frame) {
   return mesh;
 }
 
-// An edge of the boundary, named from its lesser to its greater end, and how many times it is left
-// in that direction (negative: in the other).
+// An edge of the boundary, from its lesser to its greater end, and how often it remains in that
+// direction (negative: in the other).
 struct BoundaryEdge {
   DirectedEdge edge;
   std::int64_t multiplicity = 0;
@@ -86,9 +86,8 @@ std::vector<BoundaryEdge> BoundaryOf(const Mesh& mesh) {
 }
 
 // Adds the edge's part in the winding number, as differences along the rows it crosses: the ray
-// from a sample to the right meets the edge iff the sample lies left of it. What turns
-// counter-clockwise on screen goes up on its right side: a crossing counts +1 upwards, -1
-// downwards.
+// from a sample to the right meets the edge iff the sample lies left of it. A counter-clockwise
+// curve goes up on screen on its right side: a crossing counts +1 upwards, -1 downwards.
 void AddCrossings(const BoundaryEdge& b, const SampleFrame& frame, const CoverageCounts& shape,
                   std::vector<std::int64_t>& winding) {
   const Point2 from{b.edge.from.x, b.edge.from.y};

@@ -9,19 +9,19 @@
 
 namespace rasterproof::exact {
 
-/// The winding number of the mesh's boundary around each (shifted) sample, counter-clockwise on
-/// screen positive.
+/// Returns the winding number of the mesh's boundary around each (shifted) sample, positive if
+/// counter-clockwise on screen.
 ///
-/// The boundary is what is left of the directed edges (keyed by position bits, not by index) after
-/// opposite pairs cancel, of the placed scene; triangles with a non-finite vertex are left out, and
-/// so are those that the profile drops for their extent. The inclusive and the exclusive rule,
-/// which no sample's shift expresses, count as top-left.
+/// The boundary consists of the placed scene's directed edges (keyed by position bits, not by
+/// index) that remain after opposite pairs cancel. Triangles with a non-finite vertex or dropped
+/// for their extent are left out. The inclusive and the exclusive rule, which no shift of a sample
+/// expresses, count as top-left.
 /// Shape:      as CoverageCounts.
 /// Error:      none; throws InputError for a scene that is placed in clip space.
 /// Properties: equals the signed coverage, docs/mathematics.md.
 std::vector<std::int64_t> BoundaryWinding(const PlacedScene& scene);
 
-/// What is known of a snapped mesh as a subdivision of the plane.
+/// Facts about a snapped mesh as a subdivision of the plane.
 struct MeshShape {
   bool closed = false;           ///< no boundary edge is left
   bool folded = false;           ///< triangles of both facings

@@ -1,8 +1,8 @@
-// What the fuzz targets share: bytes to a case, the case to properties, a failed property to a
-// report and a trap.
+// Shared code of the fuzz targets: it decodes bytes to a case, checks properties on it, and reports
+// and aborts on a violation.
 //
-// A target binds its subjects and properties by name once, at its first input; from there on
-// nothing is looked up, and subjects whose bytes mean the same case share the decoding.
+// A target binds its subjects and properties by name once, at its first input. Subjects whose bytes
+// mean the same case share the decoding.
 #ifndef RASTERPROOF_FUZZ_FUZZ_TARGET_H_
 #define RASTERPROOF_FUZZ_FUZZ_TARGET_H_
 
@@ -37,11 +37,11 @@ struct Limits {
   bool Admit(const Case& c) const;
 };
 
-/// What LLVMFuzzerTestOneInput returns.
+/// The result of LLVMFuzzerTestOneInput.
 inline constexpr int kLookedAt = 0;
 inline constexpr int kPassedOver = -1;
 
-/// A subject and what is put to it.
+/// A subject and the properties that are checked on it.
 struct BoundSubject {
   Subject* subject = nullptr;
   std::vector<const props::Property*> properties;
@@ -50,27 +50,27 @@ struct BoundSubject {
 
 /// Subjects to which the same bytes mean the same case.
 struct Group {
-  SubjectInfo info;  ///< the first one's: what decodes
+  SubjectInfo info;  ///< the first subject's, used to decode
   std::vector<BoundSubject> subjects;
 };
 
 /// Subjects and properties, bound.
 class Bound {
  public:
-  /// Error:      aborts if there is none of a name.
+  /// Error:      aborts if a name is unknown.
   explicit Bound(std::span<const Checked> all, Limits limits = {});
-  /// A subject that is not of this program, under the named properties.
+  /// Binds a subject from outside this program and the named properties.
   Bound(std::unique_ptr<Subject> subject, std::span<const std::string_view> properties,
         Limits limits = {});
 
-  /// Calls `look` with each group and the case that the bytes mean to it. The case is the one that
-  /// a report shows if `look` fails.
+  /// Calls `look` with each group and the case that the bytes mean to it. A report shows this case
+  /// if `look` fails.
   ///
   /// Domain:     any bytes; the decoder is total.
   /// Returns:    kPassedOver if every case is larger than the limits.
   int ForEachCase(std::span<const std::uint8_t> bytes,
                   const std::function<void(const Group&, const Case&)>& look) const;
-  /// Puts every property to the test.
+  /// Checks every property.
   ///
   /// Error:      a violated property prints the case, its vertices in hex and the command that
   ///             shows it, and aborts.

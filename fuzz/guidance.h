@@ -1,5 +1,5 @@
-// How wrong an input is and how near an edge value is to zero, told to libFuzzer as if they were
-// branches taken: an input that is more wrong than all before is kept, and changed further.
+// Reports to libFuzzer how wrong an input is and how near an edge value is to zero, as if they were
+// branches taken: an input with a larger error than all before is kept and mutated further.
 #ifndef RASTERPROOF_FUZZ_GUIDANCE_H_
 #define RASTERPROOF_FUZZ_GUIDANCE_H_
 
@@ -7,17 +7,18 @@
 
 namespace rasterproof::fuzz {
 
-/// Subjects under a property, or subjects, that are told apart. What is beyond shares the last.
+/// The number of slots, one for a subject under a property, or for a subject. Further ones share
+/// the last.
 inline constexpr std::size_t kGuidedSlots = 8;
 
-/// An error over its bound, in finer steps the nearer it comes to 1. Larger ones are violations,
+/// Notes an error over its bound, in finer steps the nearer it is to 1. Larger ones are violations,
 /// and reported.
 ///
 /// Domain:     any; nothing is noted of 0 or NaN.
 void NoteErrorOverBound(std::size_t slot, double ratio);
 
-/// An edge value that is not zero beside the sum of its products' magnitudes: noted by the binary
-/// orders of magnitude that it lost.
+/// Notes how small a nonzero edge value is against the sum of its products' magnitudes, in binary
+/// orders of magnitude.
 ///
 /// Domain:     any; nothing is noted of a value of 0, or of values that are not finite.
 void NoteNearZero(std::size_t slot, double value, double sum_of_products);

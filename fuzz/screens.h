@@ -1,5 +1,5 @@
-// Checks that look at many samples of a case at the price of one property: a subject is asked once,
-// and only what differs is judged by the properties that the target binds.
+// Checks of many samples of a case at the price of one property: a subject is asked once, and the
+// target's bound properties judge only the differences.
 #ifndef RASTERPROOF_FUZZ_SCREENS_H_
 #define RASTERPROOF_FUZZ_SCREENS_H_
 
@@ -17,8 +17,8 @@ namespace rasterproof::fuzz {
 /// Domain:     subjects that show edge values.
 int ScreenEdgeSigns(const Bound& bound, std::span<const std::uint8_t> bytes);
 
-/// Each subject's counts are those of its profile's model, which is worked out once a group. Where
-/// they are not, the bound properties judge.
+/// Each subject's counts equal its profile's model, which is computed once a group. Where they
+/// don't, the bound properties judge.
 int ScreenCoverage(const Bound& bound, std::span<const std::uint8_t> bytes);
 
 /// Front minus back is the winding number of the mesh's boundary. Where it is not, the bound

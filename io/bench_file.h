@@ -1,4 +1,4 @@
-// Bench files: what `rasterproof bench --json` wrote, read back. report::BenchToJson writes them.
+// Reads bench files, the output of `rasterproof bench --json`. report::BenchToJson writes them.
 #ifndef RASTERPROOF_IO_BENCH_FILE_H_
 #define RASTERPROOF_IO_BENCH_FILE_H_
 
@@ -11,7 +11,7 @@ namespace rasterproof::io {
 
 /// The record of a bench file's text. `place` begins the place of every error.
 ///
-/// Error:      InputError for what is no bench file of version 3, for values out of their range,
+/// Error:      InputError if it is not a bench file of version 3, for values out of their range,
 ///             and for rows that name a family, method or parameter that the file does not list.
 BenchResult ParseBench(std::string_view text, const std::string& place);
 

@@ -1,4 +1,4 @@
-// Case files: a scene, the profile it is judged by, how it is drawn, and what was said of it.
+// Case files: a scene, the profile it is judged by, its options, and the property that failed.
 #ifndef RASTERPROOF_IO_CASE_FILE_H_
 #define RASTERPROOF_IO_CASE_FILE_H_
 
@@ -10,12 +10,12 @@
 
 namespace rasterproof::io {
 
-/// A case and what it is a counterexample to; `subject` and `property` may be empty.
+/// A case and the property it is a counterexample to; `subject` and `property` may be empty.
 struct CaseFile {
   Case value;
   std::string subject;
   std::string property;
-  /// What the property drew of it, for the reader: the property makes it again of the case.
+  /// The scene that the property drew, for the reader: the property derives it from the case again.
   std::shared_ptr<const DrawnScene> drawn = nullptr;
   bool states_profile = false;  ///< else value.profile is "real"
 };
@@ -27,15 +27,15 @@ CaseFile ReadCase(const std::string& path);
 CaseFile ParseCase(std::string_view text, const std::string& place);
 std::string CaseToJson(const CaseFile& file);
 
-/// The profile's name, or one of its own ("gl, changed") where it has a preset's name and another
-/// content.
+/// The profile's name, or another one ("gl, changed") if it has a preset's name but differs from
+/// the preset.
 std::string ProfileName(const Profile& profile);
 
 /// The profile as CaseToJson writes it: the name of a preset, or an object with ProfileName.
 std::string ProfileToJson(const Profile& profile);
 
-/// The profile that a preset's name or the text of a profile file stands for; `place` names the
-/// text in errors.
+/// The profile of a preset's name or of the text of a profile file; `place` names the text in
+/// errors.
 Profile ParseProfile(const std::string& text_or_preset, const std::string& place);
 
 /// A profile file: a preset's name, or an object whose keys are those that CaseToJson writes under

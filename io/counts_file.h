@@ -8,18 +8,18 @@
 
 namespace rasterproof::io {
 
-/// What a file says of a target's coverage.
+/// A target's coverage, as read from a file.
 struct CountsFile {
   CoverageCounts counts;  ///< in `front`
   bool is_mask = false;   ///< 1 where a picture differs from its background: not how often
 };
 
-/// Reads what `rasterproof coverage` writes: the count of every sample, row by row from the top,
-/// the samples of a pixel side by side. Or a PNG picture of one sample a pixel: what is not of the
-/// background's colour is covered.
+/// Reads the output of `rasterproof coverage`: the count of every sample, row by row from the top,
+/// the samples of a pixel side by side. Or reads a PNG picture with one sample in a pixel: pixels
+/// that do not have the background's colour are covered.
 ///
-/// Domain:     the file has the shape that is asked for; `background` is RRGGBB in hexadecimal.
-/// Error:      InputError with the line and what is wrong there.
+/// Domain:     the file has the requested shape; `background` is RRGGBB in hexadecimal.
+/// Error:      InputError with the line and its fault.
 CountsFile ReadCounts(const std::string& path, int width, int height, int samples,
                       const std::string& background);
 

@@ -17,11 +17,11 @@ enum class JsonKind : std::uint8_t { kObject, kArray, kKey, kString, kNumber, kB
 
 class JsonValue;
 
-/// A parsed text. A library's tree would hold numbers as doubles; this one keeps what was written.
+/// A parsed text. A library's tree would hold numbers as doubles; this one keeps their text.
 ///
 /// Error:      the constructor throws InputError for anything that is not one JSON value in UTF-8,
 ///             for an object that says a key twice, and for nesting deeper than kMaxDepth.
-/// Cost:       16 bytes a value beside its text.
+/// Cost:       16 bytes a value in addition to its text.
 class JsonDocument {
  public:
   static constexpr std::size_t kMaxDepth = 16;
@@ -39,12 +39,12 @@ class JsonDocument {
   friend class JsonBuilder;
   friend class JsonValue;
 
-  // Nodes lie in the order of the text: a container, then all that is in it. An object's members
+  // Nodes lie in the order of the text: a container, then its contents. An object's members
   // are a key node and a value each.
   struct Node {
     std::uint32_t text_begin = 0;
     std::uint32_t text_size = 0;
-    std::uint32_t next = 0;  // first node behind this value and all in it; 0 while it is open
+    std::uint32_t next = 0;  // first node after this value and its contents; 0 while it is open
     JsonKind kind = JsonKind::kNull;
   };
 
@@ -66,7 +66,7 @@ class JsonValue {
   JsonKind kind() const { return document_->nodes_[node_].kind; }
   /// A string's content or a number's text.
   std::string_view text() const { return document_->Text(node_); }
-  /// Where it stands: "scene.json: vertices[3][1]".
+  /// Its place: "scene.json: vertices[3][1]".
   std::string Place() const { return document_->Place(node_); }
   InputError Error(const std::string& reason, const std::string& remedy) const {
     return InputError(Place(), reason, remedy);
@@ -100,10 +100,10 @@ class JsonValue {
     Iterator end() const { return last; }
     std::size_t size() const;
   };
-  /// The items of an array; InputError if it is none.
+  /// The items of an array; InputError if it is not an array.
   Items RequireArray() const;
 
-  /// The content of a string; InputError if it is none.
+  /// The content of a string; InputError if it is not a string.
   std::string_view RequireString() const;
   /// The same of a text that is shown: its ShownName().
   std::string RequireName() const;

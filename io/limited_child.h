@@ -1,4 +1,4 @@
-// Work on input that may be built to crash or to take the machine, in a process of its own.
+// Work in a separate process on input that may be built to crash it or to exhaust the machine.
 #ifndef RASTERPROOF_IO_LIMITED_CHILD_H_
 #define RASTERPROOF_IO_LIMITED_CHILD_H_
 
@@ -13,8 +13,8 @@ struct ChildLimits {
   std::uint64_t seconds = 0;  ///< of processor time
 };
 
-/// What `make` returns, called in a fork of this process; it ends with this one at the latest, and
-/// says nothing on standard error.
+/// Returns the result of `make`, called in a fork of this process. The fork ends with this process
+/// at the latest, and writes nothing to standard error.
 ///
 /// Error:      InputError that `make` threw; InputError that names `place` if it threw anything
 ///             else, crashed or passed a limit.

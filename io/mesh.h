@@ -47,7 +47,7 @@ enum class ProjectTo : std::uint8_t {
 };
 
 /// Returns the mesh as the camera sees it in a target of the given size (y down). The rounded
-/// vertices are the scene's exact ones: what the transform lost is outside the subject.
+/// vertices are the scene's exact ones: rounding in this transform is not the subject's.
 Scene ProjectMesh(const Mesh& mesh, const Camera& camera, int width, int height, ProjectTo to);
 
 }  // namespace rasterproof::io

@@ -1,4 +1,4 @@
-// Parsing mesh files: what is done in a process of its own.
+// Parses mesh files; runs in the child process.
 #ifndef RASTERPROOF_IO_MESH_IMPORT_H_
 #define RASTERPROOF_IO_MESH_IMPORT_H_
 

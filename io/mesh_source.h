@@ -8,14 +8,14 @@
 
 namespace rasterproof::io {
 
-/// Opens regular files alone: a mesh may name others, as a glTF its buffers, and a pipe among them
-/// would be waited for without end. Of an OBJ it shows what has a place: its groups, objects and
-/// materials give no triangle, and the importer (assimp 5.2.5) looks through all of them for each.
+/// Opens regular files alone: a mesh may name other files, as a glTF names its buffers, and reading
+/// a pipe would never end. It hides the groups, objects and materials of an OBJ: they give no
+/// triangle, and for each of them the importer (assimp 5.2.5) looks through all of them.
 class MeshSource final : public Assimp::DefaultIOSystem {
  public:
   /// Whether there is a regular file.
   bool Exists(const char* path) const override;
-  /// nullptr for a file that is not there, or not regular.
+  /// nullptr if the file does not exist or is not regular.
   Assimp::IOStream* Open(const char* path, const char* mode) override;
 };
 

@@ -1,4 +1,4 @@
-// Numbers as text: one conversion each way, none of it twice.
+// Conversions between numbers and text, one in each direction.
 #ifndef RASTERPROOF_IO_NUMBER_TEXT_H_
 #define RASTERPROOF_IO_NUMBER_TEXT_H_
 
@@ -13,7 +13,7 @@ namespace rasterproof::io {
 struct NumberFromText {
   double value = 0;
   std::string_view fault;   ///< empty: the value is good
-  std::string_view remedy;  ///< what to write instead
+  std::string_view remedy;  ///< the text to write instead
 };
 
 /// Converts the text of a JSON number to the nearest value of the precision, ties to even.

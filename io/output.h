@@ -7,13 +7,13 @@
 
 namespace rasterproof::io {
 
-/// Reads a whole file ("-": standard input) or pipe. InputError names the file and the reason: it
-/// is a device, say, or a pipe that nobody opened for writing within 2 s.
+/// Reads a whole file ("-": standard input) or pipe. InputError names the file and the reason, for
+/// example a device, or a pipe without a writer within 2 s.
 std::string ReadFile(const std::string& path);
 
-/// Writes a file so that it is either complete or as it was: temporary beside it, fsync, rename. A
-/// path that exists and is no regular file (/dev/full, a pipe) is written directly. InputError
-/// names file and reason; no rest is left behind.
+/// Writes a file so that it is either complete or unchanged: temporary file next to it, fsync,
+/// rename. A path that exists and is not a regular file (/dev/full, a pipe) is written directly.
+/// InputError names file and reason; no temporary file remains.
 void WriteFile(const std::string& path, std::string_view content);
 
 /// Writes to standard output and flushes; InputError if that fails (a full device, a closed pipe).
@@ -22,8 +22,8 @@ void WriteStandardOutput(std::string_view content);
 /// Creates the folder and its parents; InputError if that fails.
 void MakeFolder(const std::string& path);
 
-/// Finds out, and leaves nothing behind, whether MakeFolder can make the folder and files can be
-/// made in it: for what writes there after long work.
+/// Tests, without leaving a trace, whether MakeFolder can make the folder and files can be made in
+/// it: for callers that write there only after long work.
 ///
 /// Error:      InputError as MakeFolder, or that nothing may be written there.
 void RequireFolderCanBe(const std::string& path);

@@ -11,8 +11,8 @@
 
 namespace rasterproof::io {
 
-/// The profile that a preset's name or an object stands for. An object may have a preset's name
-/// only if it says what the preset says: nothing that compares names is then deceived.
+/// Returns the profile of a preset's name or of an object. An object may have a preset's name only
+/// if it equals the preset, so that comparing names is safe.
 ///
 /// Error:      InputError with place, reason and remedy.
 Profile ProfileFromJson(const JsonValue& value);

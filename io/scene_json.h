@@ -1,4 +1,4 @@
-// A scene as a part of a JSON document: what scene files and case files share.
+// A scene as a part of a JSON document, shared by scene files and case files.
 #ifndef RASTERPROOF_IO_SCENE_JSON_H_
 #define RASTERPROOF_IO_SCENE_JSON_H_
 
@@ -19,8 +19,8 @@ void AppendSceneJson(const Scene& scene, std::string_view indent, std::string& j
 /// A coordinate: a JSON number, rounded once, or a string that is exact.
 double CoordinateFromJson(const JsonValue& value, Precision precision);
 
-/// The text as a JSON string, quotes included; what is not UTF-8 in it is replaced, and no
-/// control character is left in it.
+/// The text as a JSON string, quotes included. Bytes that are not UTF-8 are replaced, and no
+/// control character remains.
 std::string JsonString(std::string_view text);
 
 }  // namespace rasterproof::io

@@ -10,7 +10,7 @@ namespace rasterproof::io {
 /// One entry: a scene file, or a mesh and how it is seen.
 struct SceneEntry {
   std::string name;
-  std::string summary;  ///< a sentence: what it shows; may be empty
+  std::string summary;  ///< a sentence that describes it; may be empty
   bool real = false;    ///< from the world, not made to be hard
   std::string path;     ///< scene file or mesh, as it can be opened from the working folder
   std::string camera;   ///< meshes only

@@ -7,12 +7,13 @@
 
 namespace rasterproof::io {
 
-/// What the keys of a profile are put over: the legal set that "specification" names, or Profile{}.
+/// Returns the base that a profile's keys override: the legal set that "specification" names, or
+/// Profile{}.
 ///
 /// Error:      InputError if it names none.
 Profile BeginningOf(const JsonValue& value);
 
-/// Error:      InputError if a key says what the specification does not leave to a device.
+/// Error:      InputError if a key changes a value that the specification does not leave open.
 void RequireWithinItsSpecification(const JsonValue& value, const Profile& profile);
 
 }  // namespace rasterproof::io

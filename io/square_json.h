@@ -1,4 +1,4 @@
-// A profile's `coverage`: what it states of pixels as squares.
+// A profile's `coverage`: its statement about pixels as squares.
 #ifndef RASTERPROOF_IO_SQUARE_JSON_H_
 #define RASTERPROOF_IO_SQUARE_JSON_H_
 

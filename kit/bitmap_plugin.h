@@ -1,4 +1,4 @@
-// A plugin from a class that fills one triangle at a time into a bitmap of its own.
+// A plugin from a class that fills one triangle at a time into its own bitmap.
 #ifndef RASTERPROOF_KIT_BITMAP_PLUGIN_H_
 #define RASTERPROOF_KIT_BITMAP_PLUGIN_H_
 
@@ -20,7 +20,7 @@ struct Corner {
 };
 using Corners = std::array<Corner, 3>;
 
-/// What a rasterizer has to offer.
+/// The operations that a rasterizer must have.
 ///
 /// Resize:     makes the bitmap that size; false: too large, the scene is refused.
 /// Clear:      nothing is covered any more.
@@ -52,7 +52,7 @@ inline Corners CornersOf(const rasterproof_scene& scene, std::size_t triangle) {
   return corners;
 }
 
-/// Draws every triangle of the scene into a clear bitmap and counts what it covers.
+/// Draws every triangle of the scene into a clear bitmap and counts the pixels it covers.
 ///
 /// Returns:    0, or 1 if the bitmap refused the scene.
 template <TriangleBitmap Bitmap>

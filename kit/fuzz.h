@@ -1,4 +1,4 @@
-// A fuzz target of a rasterizer of one's own, in one statement:
+// A fuzz target of your own rasterizer, in one statement:
 //
 //     #include "kit/fuzz.h"
 //     struct Mine {
@@ -6,7 +6,7 @@
 //     };
 //     RASTERPROOF_FUZZ_TARGET(Mine, "SharedEdgeSamplesAreCoveredOnce")
 //
-// What Mine may have beside Draw is said in kit/main.h. Link rasterproof::fuzz_target; with clang
+// kit/main.h lists what else Mine may have. Link rasterproof::fuzz_target; with clang
 // and -fsanitize=fuzzer libFuzzer drives it, else a driver that replays files and tries random
 // bytes. It runs in this process: a crash ends it, and the input is saved.
 #ifndef RASTERPROOF_KIT_FUZZ_H_
@@ -25,20 +25,20 @@
 
 namespace rasterproof::kit {
 
-/// A subject and the properties that every input puts to it, bound at the first one.
+/// A subject and the properties that every input checks on it, bound at the first input.
 class FuzzTarget {
  public:
-  /// Domain:     names of properties, as `rasterproof list properties` has them; none: those of the
-  ///             contract that the subject states.
+  /// Domain:     names of properties, as `rasterproof list properties` prints them; none: the
+  ///             properties of the contract that the subject states.
   /// Error:      aborts if there is no property of a name, or one does not apply to the subject.
   FuzzTarget(std::unique_ptr<Subject> subject, std::initializer_list<std::string_view> properties);
   FuzzTarget(const FuzzTarget&) = delete;
   FuzzTarget& operator=(const FuzzTarget&) = delete;
   ~FuzzTarget();
 
-  /// Decodes a case and puts the properties to the test; a violation is printed, and aborts.
+  /// Decodes a case and checks the properties; a violation is printed, and aborts.
   ///
-  /// Returns:    what LLVMFuzzerTestOneInput does.
+  /// Returns:    the value for LLVMFuzzerTestOneInput.
   int Run(std::span<const std::uint8_t> bytes) const;
 
  private:
@@ -48,8 +48,8 @@ class FuzzTarget {
 
 }  // namespace rasterproof::kit
 
-/// Defines LLVMFuzzerTestOneInput. `Type` models rasterproof::Rasterizer; behind it the names of
-/// the properties, none or several.
+/// Defines LLVMFuzzerTestOneInput. `Type` models rasterproof::Rasterizer; the names of the
+/// properties follow it, none or several.
 #define RASTERPROOF_FUZZ_TARGET(Type, ...)                                             \
   extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  \
     static const rasterproof::kit::FuzzTarget target(                                  \

@@ -1,4 +1,4 @@
-// The whole command with a rasterizer of one's own as its subject.
+// The whole command with your own rasterizer as its subject.
 //
 //     #include "kit/main.h"
 //     struct Mine {
@@ -11,8 +11,8 @@
 // `std::vector<Drawing> ShowMany(std::span<const DrawJob> jobs)` if it draws several scenes in one
 // call. A `static SubjectInfo Info()` says which.
 //
-// The program that comes of it takes the verbs of rasterproof; Mine is the subject where none is
-// named. It runs in a process of its own: a crash or a hang is a finding.
+// The program takes the verbs of rasterproof; Mine is the subject if none is named. It runs in its
+// own process: a crash or a hang is a finding.
 #ifndef RASTERPROOF_KIT_MAIN_H_
 #define RASTERPROOF_KIT_MAIN_H_
 

@@ -5,15 +5,15 @@
 //                            {.output = rasterproof::RasterOutput::kMask, .width = 1920,
 //                             .height = 1080, .pitch = 240, .memory = mask});
 //
-// A pixel is covered where its centre lies inside the triangle of the float32 vertices as they are
-// given: any finite values, nothing snapped or clipped, no sample decided by a rounded number. Ties
-// follow the top-left rule, so triangles that share an edge leave no gap beside it and overlap
-// nowhere. Both windings are drawn; a triangle with a NaN or an infinity covers nothing. Every
+// A pixel is covered if its centre lies inside the triangle of the given float32 vertices: any
+// finite values, nothing snapped or clipped, no sample decided by a rounded number. Ties follow the
+// top-left rule, so triangles that share an edge leave no gap along it and overlap nowhere. Both
+// windings are drawn; a triangle with a NaN or an infinity covers nothing. Every
 // instruction set gives the same bits.
 //
-// So it is whatever the thread's floating-point environment: while a call draws, the thread rounds
-// to nearest, keeps subnormal numbers (no FTZ, no DAZ) and traps nothing, a callback too; then the
-// environment is again what it was, flags included.
+// This holds in any floating-point environment: while a call draws, callbacks included, the thread
+// rounds to nearest, keeps subnormal numbers (no FTZ, no DAZ) and traps nothing; afterwards the
+// environment is restored, flags included.
 //
 // Link rasterproof::rasterize; docs/library.md has the rest. The same in C:
 // kit/rasterproof_rasterize.h.
@@ -38,7 +38,7 @@ struct RasterMesh {
   std::span<const std::uint32_t> indices = {};  ///< three of each triangle
 };
 
-/// What is kept of the covered pixels. Little-endian; pixels of 4 bytes are aligned.
+/// The data kept of covered pixels. Little-endian; pixels of 4 bytes are aligned.
 ///
 /// The z of a triangle at a pixel is that of the plane through its vertices at the pixel's centre,
 /// in float32, never less than their least z nor more than their greatest; their least throughout
@@ -75,19 +75,18 @@ struct RasterSpan {
   int x1 = 0;
 };
 
-/// Instruction sets. kBest: the last of those that this machine runs.
+/// Instruction sets. kBest: the last one in the list that this machine runs.
 enum class InstructionSet : std::uint8_t { kBest, kScalar, kSse4, kAvx2, kAvx512, kNeon };
 
 /// Whether this machine, and this build of the library, runs it.
 bool IsSupported(InstructionSet set);
 
-/// Draws the triangles in order onto what memory holds: counts go on counting, depths go on being
-/// tested.
+/// Draws the triangles in order onto the contents of memory: counts are added to, depths are tested
+/// against those there. To empty the pixels first, call Clear.
 ///
-/// Vectors read and rewrite what lies between rows and behind them, within memory and unchanged: no
-/// other thread may write there meanwhile. Allocates nothing where memory has RoomFor(target)
-/// bytes; without room the last rows are drawn beside it and copied, and the mesh is gone through
-/// twice.
+/// Vectors read and rewrite, unchanged, the bytes of memory between and after rows: no other thread
+/// may write there meanwhile. Allocates nothing if memory has RoomFor(target) bytes; otherwise the
+/// last rows are drawn elsewhere and copied, and the mesh is traversed twice.
 ///
 /// Error:      InputError, which names the argument and the remedy; nothing is drawn then.
 void Rasterize(const RasterMesh& mesh, const RasterTarget& target,
@@ -106,7 +105,7 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
 /// Domain:     a target whose width, height and pitch are in their domain; memory is not looked at.
 std::size_t RoomFor(const RasterTarget& target);
 
-/// Empties every pixel: no count, no bit, kNoTriangle, a depth of infinity. Bits behind the last
+/// Empties every pixel: no count, no bit, kNoTriangle, a depth of infinity. Bits after the last
 /// pixel of a mask's row are emptied too.
 ///
 /// Error:      as Rasterize.

@@ -1,12 +1,12 @@
-/* A rasterizer as a shared library: what it exports and what it is given.
+/* A rasterizer as a shared library: the function that it exports and the data that it receives.
  *
  * A library exports one function, rasterproof_plugin_describe(), which returns a description of
  * itself with pointers to its calls. Only `draw` is required. `rasterproof check --plugin
- * ./libmine.so` loads it in a process of its own: a crash, a hang or a write outside the target is
+ * ./libmine.so` loads it in a separate process: a crash, a hang or a write outside the target is
  * a finding with its case, not the end of the run.
  *
- * C11 and C++. Version 2. Structures grow at their end only; `size` tells how much of one is there,
- * so a library that was built against an older header goes on working.
+ * C11 and C++. Version 2. Structures grow at their end only, and `size` states their length, so a
+ * library that was built against an older header goes on working.
  */
 #ifndef RASTERPROOF_KIT_RASTERPROOF_PLUGIN_H_
 #define RASTERPROOF_KIT_RASTERPROOF_PLUGIN_H_
@@ -20,7 +20,7 @@ extern "C" {
 
 #define RASTERPROOF_PLUGIN_VERSION 2u
 
-/* What coverage comes back as. */
+/* The form in which the library returns coverage. */
 enum rasterproof_coverage {
   /* front and back: how many triangles of each facing cover the sample. Front is counter-clockwise
    * as seen on the screen. */
@@ -41,7 +41,7 @@ enum rasterproof_coverage {
 enum rasterproof_visible { RASTERPROOF_LAST_DRAWN = 0, RASTERPROOF_FIRST_DRAWN = 1 };
 
 /* The vertices that barycentrics belong to: as given, or on the profile's subpixel grid. EITHER:
- * nothing is said, and each triangle is judged by those that its barycentrics fit. */
+ * nothing is stated, and each triangle is judged by the vertices that its barycentrics fit. */
 enum rasterproof_barycentrics_of {
   RASTERPROOF_OF_EITHER = 0,
   RASTERPROOF_OF_SNAPPED = 1,
@@ -55,8 +55,8 @@ enum rasterproof_input {
   RASTERPROOF_FIXED = 2 /* every x and y is a multiple of 2^-fixed_fraction_bits; window space */
 };
 
-/* What the library takes and shows, as bits of rasterproof_plugin.takes. None of them: window-space
- * scenes, drawn whole. */
+/* Options that the library takes and outputs that it shows, as bits of rasterproof_plugin.takes.
+ * None of them: window-space scenes, drawn whole. */
 #define RASTERPROOF_TAKES_CLIP_SPACE 1u      /* scenes with w; without this bit w is 1 */
 #define RASTERPROOF_TAKES_NO_WINDOW_SPACE 2u /* nothing but scenes with w */
 #define RASTERPROOF_TAKES_CULLING 4u
@@ -65,12 +65,12 @@ enum rasterproof_input {
 #define RASTERPROOF_TAKES_THREADS 32u
 /* rasterproof_target.wants is read: barycentrics and depths that it does not name are NULL. */
 #define RASTERPROOF_TAKES_WANTS 64u
-/* rasterproof_target.centroids is read, and written where it is not NULL. Of FRAGMENTS. */
+/* rasterproof_target.centroids is read, and written if it is not NULL. For FRAGMENTS. */
 #define RASTERPROOF_SHOWS_CENTROIDS 128u
-/* Another processor draws: elapsed time alone tells how long. */
+/* Another processor draws: only elapsed time measures it. */
 #define RASTERPROOF_DRAWS_ELSEWHERE 256u
 
-/* What is looked at of a draw beside its primitive ids, as bits of rasterproof_target.wants. */
+/* Requested outputs in addition to primitive ids, as bits of rasterproof_target.wants. */
 #define RASTERPROOF_WANTS_BARYCENTRICS 1u
 #define RASTERPROOF_WANTS_DEPTHS 2u
 
@@ -101,8 +101,8 @@ typedef struct rasterproof_scene {
   const int64_t* fixed;
 } rasterproof_scene;
 
-/* Where the answer goes: row-major, top row first, `samples` entries a pixel. Add counts to what is
- * there. The samples of a row end before `stride`: what lies between, before and behind is guarded.
+/* Where the answer goes: row-major, top row first, `samples` entries a pixel. Add to the counts
+ * there. A row's samples end before `stride`: memory between, before and after rows is guarded.
  * Rows of barycentrics are 3 * stride apart. */
 typedef struct rasterproof_target {
   uint32_t size; /* sizeof(rasterproof_target) of the caller */
@@ -152,30 +152,30 @@ typedef struct rasterproof_plugin {
   int32_t (*draw)(void* state, const rasterproof_scene* scene, const rasterproof_target* target);
   /* All optional. The state is what open returned, or NULL. */
   void* (*open)(void);
-  void (*reset)(void* state); /* to what open left behind: earlier calls must not matter any more */
+  void (*reset)(void* state); /* restores the state of open: earlier calls must not matter */
   void (*close)(void* state);
   /* Where the input is FIXED: its bits before the point (1 to 31, the sign is one of them) and
-   * after it (0 to 16), whether it is signed, and whether what is beyond its range is given too and
-   * taken modulo 2^fixed_integer_bits. Descriptions that end before these fields are of other
-   * input. */
+   * after it (0 to 16), whether it is signed, and whether coordinates beyond its range are given
+   * too and taken modulo 2^fixed_integer_bits. Descriptions that end before these fields can't have
+   * FIXED input. */
   uint32_t fixed_integer_bits;
   uint32_t fixed_fraction_bits;
   uint32_t fixed_is_signed;
   uint32_t fixed_wraps;
-  /* Optional. Draws n scenes that have nothing to do with each other, each onto its own target:
-   * what draw would give for each. 0: done; anything else: the batch is refused, and its scenes
-   * then come one by one. Pointers to structures, so that their sizes may grow. */
+  /* Optional. Draws n independent scenes, each onto its own target, with the same results as draw.
+   * 0: done; anything else: the batch is refused, and its scenes then come one by one. Pointers to
+   * structures, so that their sizes may grow. */
   int32_t (*draw_many)(void* state, const rasterproof_scene* const* scenes,
                        const rasterproof_target* const* targets, size_t n);
   /* For the coverages PRIMITIVE_IDS and FRAGMENTS. */
   uint32_t visible;         /* enum rasterproof_visible */
   uint32_t barycentrics_of; /* enum rasterproof_barycentrics_of */
-  double barycentric_error; /* most that a barycentric is off, absolute; 0: nothing is said */
-  double depth_error;       /* most that a depth is off, in the unit of z; 0: nothing is said */
+  double barycentric_error; /* largest absolute error of a barycentric; 0: none is stated */
+  double depth_error;       /* largest error of a depth, in the unit of z; 0: none is stated */
   /* Optional. Its value of the edge function of a -> b at p,
    *     E = (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x),
-   * evaluated afresh; and the values that it meets stepping from p: steps + 1 of them, the first
-   * at p. Each point is x, y. 0: done; anything else: refused. */
+   * evaluated at p; and its steps + 1 values on the way from p, the first at p. Each point is x, y.
+   * 0: done; anything else: refused. */
   int32_t (*edge_value)(void* state, const double* a, const double* b, const double* p,
                         double* value);
   int32_t (*edge_steps)(void* state, const double* a, const double* b, const double* p,

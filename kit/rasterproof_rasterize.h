@@ -28,7 +28,7 @@ typedef enum rasterproof_raster_status {
   RASTERPROOF_RASTER_FAULT = 4 /* an exception of a callback in C++, or a fault of the library */
 } rasterproof_raster_status;
 
-/* What is kept of the covered pixels: see RasterOutput. */
+/* The data kept of covered pixels: see RasterOutput. */
 enum rasterproof_raster_output {
   RASTERPROOF_RASTER_COUNTS = 0,        /* uint8_t, 255 at most */
   RASTERPROOF_RASTER_FACING_COUNTS = 1, /* uint32_t: front in `memory`, others in `back` */
@@ -84,7 +84,7 @@ typedef int32_t (*rasterproof_raster_on_span)(void* state, const rasterproof_ras
 /* Empties every pixel. */
 rasterproof_raster_status rasterproof_raster_clear(const rasterproof_raster_target* target);
 
-/* Draws the triangles in order onto what memory holds. */
+/* Draws the triangles in order onto the contents of memory. */
 rasterproof_raster_status rasterproof_rasterize(const rasterproof_raster_mesh* mesh,
                                                 const rasterproof_raster_target* target,
                                                 uint32_t set);

@@ -29,8 +29,7 @@ std::vector<double> WindowPlaces(double x, const Profile& profile, const Snap& g
                         SnapCoordinate(wrapped, grid));
 }
 
-// Whether the grid point is as near as the freedom asks to some place that the transform may give
-// x / w.
+// Whether the freedom allows the grid point for some place that the transform may give x / w.
 bool IsWithin(double point, double x, double w, double step, const Freedom& freedom) {
   const exact::Rational off = (exact::Rational(point) * w - x).Abs() -
                               exact::Rational(freedom.transform_error.value_or(0)) *
@@ -79,7 +78,7 @@ std::vector<Point2> PlacesOf(const Vertex& v, bool clip_space, const Profile& pr
                profile.y_axis);
 }
 
-// Beyond this many bits grids are not told from none.
+// Grids of more bits than this count as no grid.
 constexpr int kFinestGrid = 40;
 
 // The least number of bits at which the coordinate is a grid point.
@@ -91,7 +90,7 @@ int BitsOf(double x) {
   return bits;
 }
 
-// At so many bits every coordinate lies on the grid: finer ones are as none.
+// With this many bits every coordinate lies on the grid: finer grids are equal to no grid.
 int FinestGridOf(const Scene& scene) {
   int bits = 0;
   for (const Vertex& v : scene.vertices) bits = std::max({bits, BitsOf(v.x), BitsOf(v.y)});

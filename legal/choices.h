@@ -1,4 +1,4 @@
-// What a profile leaves to choose: grids and tie rules, and on one grid the points of each vertex.
+// The choices of a profile: grids and tie rules, and on one grid the points of each vertex.
 #ifndef RASTERPROOF_LEGAL_CHOICES_H_
 #define RASTERPROOF_LEGAL_CHOICES_H_
 
@@ -14,7 +14,7 @@
 
 namespace rasterproof::legal {
 
-/// What is chosen once for everything.
+/// The choices that are made once for a whole scene.
 struct Family {
   Snap grid;
   TieRule rule;
@@ -22,7 +22,7 @@ struct Family {
 
 /// Returns every family that the profile allows for the scene, the canonical one first.
 ///
-/// Clip space is not judged without a grid: of such a family it has no places.
+/// Clip space is not judged without a grid: it has no places in such a family.
 std::vector<Family> FamiliesOf(const TargetProfile& profile, const Scene& scene);
 
 /// Where the legal models of one family put the vertices of a scene.

@@ -63,7 +63,7 @@ bool ClippedTriangle::Keeps(std::size_t e, Point2 p) const {
   if (IsBeside(e, p)) return false;
   const std::size_t next = (e + 1) % 3;
   if (is_outside_[e] == is_outside_[next]) return true;
-  // Behind the end that is inside, the line of a short new edge can go anywhere.
+  // Beyond the end that is inside, the line of a short new edge can go anywhere.
   const Point2 inside = corners_[is_outside_[e] ? next : e];
   const Point2 outside = corners_[is_outside_[e] ? e : next];
   return (p.x - inside.x) * (outside.x - inside.x) + (p.y - inside.y) * (outside.y - inside.y) > 0;
@@ -85,8 +85,8 @@ std::optional<std::size_t> ClippedTriangle::OnlyMovedEdge(Point2 p) const {
   return first < at && at < last ? only : std::nullopt;
 }
 
-// With t along the longer axis and u across: u(t) is the edge. The ends of what is left of it lie
-// within the reach of the given ones, or of where it crosses the box or lies beyond.
+// With t along the longer axis and u across: u(t) is the edge. The ends of its remaining part lie
+// within the reach of the given ends, or of where it crosses the box or lies beyond.
 std::optional<StraightStretch> ClippedTriangle::StraightStretchOf(std::size_t e) const {
   Point2 a = corners_[e];
   Point2 b = corners_[(e + 1) % 3];
@@ -112,7 +112,7 @@ std::optional<StraightStretch> ClippedTriangle::StraightStretchOf(std::size_t e)
   }
   const double largest =
       std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y), 1.0});
-  constexpr double kRounding = 0x1p-40;  // of what is worked out here, and much more
+  constexpr double kRounding = 0x1p-40;  // far more than the roundings of this function
   first += 2 * reach_ + kRounding * largest;
   last -= 2 * reach_ + kRounding * largest;
   if (!(first < last)) return std::nullopt;

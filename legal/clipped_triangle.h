@@ -1,4 +1,4 @@
-// Which samples of a triangle clipping can decide otherwise.
+// The samples of a triangle whose coverage clipping can change.
 #ifndef RASTERPROOF_LEGAL_CLIPPED_TRIANGLE_H_
 #define RASTERPROOF_LEGAL_CLIPPED_TRIANGLE_H_
 
@@ -12,7 +12,7 @@
 
 namespace rasterproof::legal {
 
-/// Where clipping leaves of an edge, whatever it does, one straight line.
+/// A stretch of an edge in which every legal clipping leaves one straight line.
 struct StraightStretch {
   bool along_y = false;  ///< the axis on which the edge is longer
   bool rises = false;    ///< the edge goes up that axis
@@ -23,33 +23,33 @@ struct StraightStretch {
 
 /// A triangle that may be clipped to a rectangle, or to a wider one.
 ///
-/// Where an edge leaves the rectangle, clipping makes a vertex. It lies exactly on the edge as
-/// given, which no sentence says, and then goes to a grid point less than a step away on each axis;
-/// so does the end inside. The edge thus moves by less than a step on each axis, and stays
-/// straight. Neighbours need not take the same point. Edges with both ends inside stay.
+/// Where an edge leaves the rectangle, clipping makes a vertex. We take it to lie exactly on the
+/// given edge, though no specification says so, and then to go to a grid point less than a step
+/// away on each axis, as does the end inside. The edge thus moves by less than a step on each axis
+/// and stays straight. Neighbours may choose different points. Edges with both ends inside stay.
 class ClippedTriangle {
  public:
-  /// `corners`: as given. `is_outside`: whether clipping may look at that one as outside.
+  /// `corners`: as given. `is_outside`: whether clipping may treat the corner as outside.
   ///
-  /// Domain:     finite; the corners and the box in the same axes. Without a grid no sentence says
-  ///             how far new vertices may lie from the edge: a pixel, a reading.
+  /// Domain:     finite; the corners and the box in the same axes. Without a grid no specification
+  ///             says how far new vertices may lie from the edge: we take one pixel.
   ClippedTriangle(const std::array<Point2, 3>& corners, const std::array<bool, 3>& is_outside,
                   const WindowBox& box, const Snap& grid);
 
   bool IsClipped() const { return leaves_[0] || leaves_[1] || leaves_[2]; }
   /// How far edges may move, in pixels, on each axis.
   double reach() const { return reach_; }
-  /// Whether clipping may decide the sample: it is beside an edge that leaves, or it lies where the
-  /// triangle is cut, or beyond.
+  /// Whether clipping may decide the sample: it is next to an edge that leaves, or it lies at or
+  /// beyond a cut through the triangle.
   bool MayDecide(Point2 p) const;
   /// Whether clipping leaves the sample on its side of edge `e`, from corner e to the next.
   bool Keeps(std::size_t e, Point2 p) const;
-  /// The edge that the sample is beside, if it is one edge that leaves, and the line that clipping
-  /// puts in its place passes the sample: on which side, the other edges aside, decides it.
+  /// The edge next to the sample, if exactly one edge that leaves is, and its moved line passes the
+  /// sample: the line's side of it, apart from the other edges, then decides.
   std::optional<std::size_t> OnlyMovedEdge(Point2 p) const;
-  /// Of an edge that leaves and has a sample as OnlyMovedEdge says.
+  /// Domain:     an edge that OnlyMovedEdge() returned for some sample.
   std::optional<StraightStretch> StraightStretchOf(std::size_t e) const;
-  /// Whether edge `e` has an end that clipping may look at as outside.
+  /// Whether edge `e` has an end that clipping may treat as outside.
   bool Leaves(std::size_t e) const { return leaves_[e]; }
 
  private:

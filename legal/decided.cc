@@ -11,13 +11,14 @@
 #include "legal/family_samples.h"
 #include "legal/model_clauses.h"
 #include "legal/triangle_samples.h"
+#include "model/segment_distance.h"
 #include "model/snap.h"
 #include "model/target_profile.h"
 
 namespace rasterproof::legal {
 namespace {
 
-// More decisions at one sample are only bounded.
+// With more decisions at one sample than this, only bounds are computed.
 constexpr std::size_t kMostSearched = 16;
 
 std::uint64_t BitOf(int count) { return std::uint64_t{1} << std::clamp(count, 0, kMostCounted); }
@@ -29,8 +30,7 @@ std::uint64_t BitsBetween(int least, int most) {
   return bits | BitOf(most);
 }
 
-// How many of the decisions at one sample legal models of the family take together: a bit for each
-// number.
+// The numbers of covering triangles at one sample in legal models of the family: a bit for each.
 std::uint64_t NumbersOf(const FamilyView& view, const FamilySamples& all,
                         const std::vector<std::size_t>& open,
                         const std::vector<const CommonEdgeSample*>& edges) {
@@ -74,7 +74,7 @@ OpenDecision WhyOpen(const FamilyView& view, int width, std::size_t triangle, st
   return why;
 }
 
-// Every model of the profile is one of a family: what must be covered must be in each of them.
+// Every model of the profile belongs to a family: a sample must be covered iff all families say so.
 void AddTriangles(const FamilySamples& all, bool is_first,
                   std::vector<TriangleDecided>& triangles) {
   triangles.resize(all.covered.size());

@@ -1,4 +1,4 @@
-// What all legal models of a scene agree on, sample by sample.
+// The samples of a scene on which all legal models agree.
 #ifndef RASTERPROOF_LEGAL_DECIDED_H_
 #define RASTERPROOF_LEGAL_DECIDED_H_
 
@@ -20,13 +20,13 @@ struct OpenDecision {
   std::size_t triangle = 0;
   std::size_t sample = 0;  ///< index in counts of the target
   int edge = -1;           ///< the nearest one, opposite vertex `edge`
-  double distance = 0;     ///< of the sample from it, in pixels, where the canonical model puts it
+  double distance = 0;     ///< from the sample to it in the canonical model, in pixels
 };
 
-/// What legal models say of one triangle alone.
+/// The coverage of one triangle alone in legal models.
 struct TriangleDecided {
   std::vector<std::size_t> must;  ///< samples that every legal model covers, in rising order
-  std::vector<std::size_t> may;   ///< those that some cover and others do not, in rising order
+  std::vector<std::size_t> may;   ///< samples that some cover and others do not, in rising order
   bool is_anything = false;       ///< some legal model may cover any samples: `may` is not listed
 };
 
@@ -39,9 +39,8 @@ struct Decided {
   /// Shape:      as CoverageCounts.
   std::vector<std::uint64_t> counts;
   std::vector<TriangleDecided> triangles;
-  std::vector<OpenDecision>
-      open;  ///< why each of a triangle's `may` is one, by triangle and sample
-  /// Samples of which only bounds are known: more than was searched is open there.
+  std::vector<OpenDecision> open;  ///< the reason for each sample in `may`, by triangle and sample
+  /// Samples with known bounds only: too many decisions are open there to search.
   std::uint64_t bounded = 0;
   /// A step of the coarsest legal grid, in pixels: the unit of the freedom. 0: vertices stay.
   double step = 0;
@@ -50,23 +49,22 @@ struct Decided {
   bool IsDecided(std::size_t sample) const { return (counts[sample] & (counts[sample] - 1)) == 0; }
   int Least(std::size_t sample) const;
   int Most(std::size_t sample) const;
-  /// How many samples are open: two legal models of the whole scene cover them differently often.
+  /// How many samples are open: two legal models of the whole scene count them differently.
   std::uint64_t NumberOpen() const;
 };
 
 /// Returns how often legal models of the profile cover each sample of the scene.
 ///
 /// Domain:     as JudgeJointly.
-/// Returns:    exactly the counts that some legal model has, where `bounded` does not count the
-///             sample; there, all between the least and the most. Where `only` says which samples
-///             (shape as counts), nothing of the others.
+/// Returns:    exactly the counts of legal models; for samples counted in `bounded`, all counts
+///             between the least and the most. With `only` (shape as counts), just those samples.
 /// Cost:       a scan of each triangle's box for every family, and the solver for each sample that
 ///             two open triangles share: many times what JudgeJointly takes for a legal drawing.
 Decided DecidedSamples(const Scene& scene, const TargetProfile& profile,
                        const std::vector<bool>* only = nullptr);
 
-/// Returns at which samples legal models decide some triangle of the scene differently; everywhere
-/// if nothing is stated of one.
+/// Returns the samples at which legal models decide some triangle of the scene differently: all
+/// samples if nothing is stated of a triangle.
 ///
 /// Domain:     as JudgeJointly.
 /// Shape:      as counts of the target.

@@ -11,7 +11,7 @@ namespace {
 struct Side {
   std::size_t triangle = 0;
   std::size_t corner = 0;  ///< where the edge begins
-  int side = 0;            ///< +1 or -1: on which side of it the triangle lies; 0: not always one
+  int side = 0;            ///< +1 or -1: on which side of it the triangle lies; 0: it varies
 };
 
 bool CanLieOnEdge(const FamilyView& view, const Side& side, Point2 p) {

@@ -1,4 +1,4 @@
-// Samples on edges that two triangles have in common, on either side of it.
+// Samples on common edges with one triangle on each side.
 #ifndef RASTERPROOF_LEGAL_EDGE_OWNERS_H_
 #define RASTERPROOF_LEGAL_EDGE_OWNERS_H_
 
@@ -11,10 +11,10 @@
 namespace rasterproof::legal {
 
 /// Returns every sample that some choice of places puts on an edge between exactly two triangles,
-/// which lie on either side of it in every legal model. Where more share an edge, or a legal model
-/// turns one of them, no sentence is read to speak of it.
+/// one on each side of it in every legal model. If more triangles share an edge, or a legal model
+/// turns one of them, no specification states an owner.
 ///
-/// Domain:     `open` by triangle: those of triangle t are [first_open[t], first_open[t + 1]), in
+/// Domain:     `open` by triangle: [first_open[t], first_open[t + 1]) are triangle t's, in
 ///             ascending order of their samples.
 std::vector<CommonEdgeSample> CommonEdgeSamplesOf(const FamilyView& view,
                                                   const std::vector<OpenSample>& open,

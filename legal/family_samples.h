@@ -1,4 +1,4 @@
-// All samples of all triangles of a scene, as the legal models of one family leave them.
+// The samples of all triangles of a scene: open or decided by the legal models of one family.
 #ifndef RASTERPROOF_LEGAL_FAMILY_SAMPLES_H_
 #define RASTERPROOF_LEGAL_FAMILY_SAMPLES_H_
 
@@ -10,8 +10,8 @@
 
 namespace rasterproof::legal {
 
-/// Domain:     neither copied nor moved once made: `common_edges` points into `open`. With `only`
-///             no more than those samples.
+/// Domain:     must not be copied or moved, because `common_edges` points into `open`. With `only`
+///             it holds just those samples.
 struct FamilySamples {
   explicit FamilySamples(const FamilyView& view, const std::vector<bool>* only = nullptr);
   FamilySamples(const FamilySamples&) = delete;
@@ -23,14 +23,14 @@ struct FamilySamples {
   std::vector<int> facing;                        ///< by triangle, as TriangleSamples::facing
   std::vector<bool> covers_anything;              ///< by triangle
   std::vector<Exclusion> exclusions;              ///< by indices in `open`
-  /// Where the profile states owners by edge.
+  /// Filled if the profile states owners by edge.
   std::vector<CommonEdgeSample> common_edges;
 
   /// Indices in `open`, by sample of the target.
   std::vector<std::vector<std::size_t>> OpenBySample(std::size_t samples) const;
   /// How many triangles cover each sample in every legal model.
   std::vector<int> CoveredTimes(std::size_t samples) const;
-  /// How many triangles nothing is stated of.
+  /// The number of triangles that may cover anything.
   int Anything() const;
 };
 

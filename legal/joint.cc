@@ -18,7 +18,7 @@
 namespace rasterproof::legal {
 namespace {
 
-// Which node hangs together with which.
+// A union-find structure over nodes.
 class Parts {
  public:
   explicit Parts(std::size_t nodes) : parent_(nodes) {
@@ -34,7 +34,7 @@ class Parts {
   std::vector<std::size_t> parent_;
 };
 
-// The needs of one component, the owners of samples on its common edges, and what excludes what.
+// The needs, the owners of samples on common edges and the exclusions of one component.
 struct Component {
   std::vector<const Need*> needs;
   std::vector<const CommonEdgeSample*> edges;
@@ -95,7 +95,7 @@ std::vector<Component> ComponentsOf(const FamilyView& view, const FamilySamples&
 
 struct Explained {
   Answer answer = Answer::kSatisfiable;
-  std::vector<Seen> rests_on;  ///< kUnsatisfiable: what the component's models do not explain
+  std::vector<Seen> rests_on;  ///< kUnsatisfiable: observations that its models do not explain
 };
 
 Explained Explain(const FamilyView& view, const FamilySamples& all, const Component& component,
@@ -130,7 +130,7 @@ std::uint64_t OpenSamplesOf(const Component& component) {
       std::distance(samples.begin(), std::ranges::unique(samples).begin()));
 }
 
-// Of a family that is not legal, `refutation` is what its models do not explain.
+// If the family is not legal, `refutation` holds observations that its models do not explain.
 JointVerdict JudgeByFamily(const Scene& scene, const TargetProfile& profile,
                            const Observed& observed, const Family& family, const Effort& effort,
                            std::vector<Seen>& refutation) {

@@ -1,4 +1,4 @@
-// Does one legal model explain all that was drawn?
+// Decides whether one legal model explains all of a drawing.
 #ifndef RASTERPROOF_LEGAL_JOINT_H_
 #define RASTERPROOF_LEGAL_JOINT_H_
 
@@ -16,7 +16,7 @@
 
 namespace rasterproof::legal {
 
-/// What was drawn, of whichever kind is known. Facings are not looked at.
+/// The observed drawing, in the forms that are known. Facings are ignored.
 struct Observed {
   /// Each triangle drawn alone, in the scene's order; empty if not known.
   std::vector<const CoverageCounts*> alone;
@@ -26,7 +26,7 @@ struct Observed {
   bool is_mask = false;
   /// The triangle that is visible at each sample, or kNoPrimitive; nullptr if not known.
   const std::vector<std::int32_t>* primitive_ids = nullptr;
-  /// Of the triangles that cover a sample the last one is visible, else the first.
+  /// True if the last triangle that covers a sample is visible; false if the first is.
   bool last_is_visible = true;
 };
 
@@ -36,36 +36,36 @@ enum class Legality : std::uint8_t {
   kNotJudged  ///< none was found, and some component was given up
 };
 
-/// One thing that was seen, and that a legal model has to explain.
+/// One observation that a legal model has to explain.
 struct Requirement {
   std::size_t sample = 0;  ///< index in counts of the target
   Point2 at;               ///< in screen axes
-  /// Those that some legal model lets cover it: all of them together were seen to, so often.
+  /// The triangles that cover it in some legal model; the observed count is that of all together.
   std::vector<std::size_t> triangles;
   int least = 0;
-  int most = 0;  ///< more than `least` of a picture, which does not say how often
-  /// The triangle that was seen there instead of a number; kNoPrimitive: none of them.
+  int most = 0;  ///< larger than `least` for a mask, which does not show how often
+  /// The triangle that was seen there, if ids were observed; kNoPrimitive: none of them.
   std::optional<std::int32_t> visible;
   /// How often legal models let them cover it.
   int legal_least = 0;
   int legal_most = 0;
 };
 
-/// Why no legal model explains what was drawn: a sample whose value no model has, or samples that
-/// none explains together.
+/// Why no legal model explains the drawing: a sample whose value no model has, or samples that no
+/// model explains together.
 struct Core {
   std::vector<Requirement> requirements;
-  /// Samples whose value no model has; of these the first is the only requirement.
+  /// Samples whose value no model has. The first of them is then the only requirement.
   std::size_t wrong_by_themselves = 0;
   std::vector<std::size_t> vertices;  ///< of the scene, whose places decide several requirements
-  /// Whether some model explains the others, whichever is left out. False: the search for fewer
-  /// was cut short.
+  /// True if leaving out any requirement makes the rest explicable. False if the search for fewer
+  /// requirements was cut short.
   bool is_minimal = true;
 };
 
 struct JointVerdict {
   Legality legality = Legality::kLegal;
-  /// The family that explains everything; else the first of the profile's.
+  /// The family that explains everything; if none does, the profile's first.
   Family family;
   std::optional<Core> core;  ///< if not legal
 
@@ -89,12 +89,12 @@ std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& 
 
 /// Returns whether one legal model of the profile explains the drawing.
 ///
-/// A model is: a grid and a tie rule for everything, a legal place for each vertex, and owners of
-/// the samples on edges, as the profile's freedom says. Vertices of equal coordinates have one
-/// place. Samples on which all models agree are compared; the rest falls into components, each of
-/// which a SAT solver decides exactly.
+/// A model consists of one grid and one tie rule, a legal place for each vertex, and owners of the
+/// samples on edges, as the profile's freedom says. Vertices of equal coordinates have one place.
+/// Samples on which all models agree are compared; the rest falls into components, each decided
+/// exactly by a SAT solver. For single samples, see legal/decided.h.
 ///
-/// Domain:     WhyNotJoint says nothing. What was drawn has the shape of the target.
+/// Domain:     WhyNotJoint() returns nothing. The drawing has the shape of the target.
 /// Cost:       a scan of each triangle's box for each family, and the solver.
 JointVerdict JudgeJointly(const Scene& scene, const TargetProfile& profile,
                           const Observed& observed, const Effort& effort = {});

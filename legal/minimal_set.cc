@@ -23,7 +23,7 @@ namespace {
 
 using SeenSet = std::set<Seen>;
 
-// The models of one family at some samples, asked again and again which parts they explain.
+// The models of one family at some samples, for repeated questions about which parts they explain.
 class FamilyAtSamples {
  public:
   FamilyAtSamples(const Scene& scene, const TargetProfile& profile, const Family& family,
@@ -46,7 +46,7 @@ class FamilyAtSamples {
     for (const Exclusion& one : all_.exclusions) clauses_.AddExclusion(one, all_.open);
   }
 
-  // Whatever no choice meets or may be missed by one, and so may contradict all.
+  // Every need that some choice may miss, or none can meet, and that so may contradict the rest.
   std::vector<Seen> MayBeWrong() const {
     SeenSet seen = impossible_;
     for (const auto& [one, asked] : asked_) seen.insert(one);
@@ -78,7 +78,7 @@ class FamilyAtSamples {
     return answer;
   }
 
-  // Those of the last set that its answer, kUnsatisfiable, rests on.
+  // The observations of the last set on which its answer, kUnsatisfiable, rests.
   const SeenSet& RestsOn() const { return rests_on_; }
 
   // The vertices whose places decide it.
@@ -107,7 +107,7 @@ std::vector<bool> SamplesOf(const std::ranges::range auto& seen, std::size_t sam
   return only;
 }
 
-// What was seen, and what a search for a smaller part of it may cost.
+// The observations, and the cost allowed for finding a smaller part of them.
 struct Search {
   const Scene& scene;
   const TargetProfile& profile;
@@ -122,8 +122,8 @@ struct Search {
   }
 };
 
-// All that no model of any family explains by itself. The finest grid leaves least open, and comes
-// first: what it explains need not be asked of the others.
+// The observations that no model of any family explains alone. The finest grid leaves least open
+// and comes first: the others are not asked about observations that it explains.
 std::vector<Seen> WrongByThemselves(const Search& search, const std::vector<Family>& families) {
   std::vector<Seen> wrong;
   for (std::size_t f = families.size(); f-- > 0;) {
@@ -141,7 +141,7 @@ std::vector<Seen> WrongByThemselves(const Search& search, const std::vector<Fami
 
 using Families = std::vector<std::unique_ptr<FamilyAtSamples>>;
 
-// What every family's refutation of the set rests on; nothing if one has a model, or gave up.
+// The union of the families' refutations of the set; nothing if a family has a model, or gave up.
 std::optional<SeenSet> Refuted(const Families& families, const SeenSet& set,
                                std::uint64_t most_propagations, bool& gave_up) {
   SeenSet rests_on;
@@ -154,8 +154,8 @@ std::optional<SeenSet> Refuted(const Families& families, const SeenSet& set,
   return rests_on;
 }
 
-// Leaves out one after the other, as long as no family has a model of the others. Returns whether
-// the end is minimal.
+// Leaves out one observation after another as long as no family has a model of the rest. Returns
+// whether the result is minimal.
 bool Minimize(const Families& families, std::uint64_t most_propagations, SeenSet& set) {
   bool gave_up = false;
   if (const auto fewer = Refuted(families, set, most_propagations, gave_up)) set = *fewer;
@@ -171,7 +171,7 @@ bool Minimize(const Families& families, std::uint64_t most_propagations, SeenSet
   return !gave_up;
 }
 
-// The samples with all that may cover them, and how often legal models do.
+// The samples with the triangles that may cover them, and how often legal models let them.
 void AddRequirements(const Search& search, const SeenSet& set, Core& core) {
   const std::vector<bool> only = SamplesOf(set, search.Samples());
   const Decided decided = DecidedSamples(search.scene, search.profile, &only);

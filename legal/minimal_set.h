@@ -1,5 +1,5 @@
-// Why no legal model explains what was seen: one sample that all models contradict, or a smallest
-// set that none explains.
+// Why no legal model explains a drawing: one sample that all models contradict, or a minimal set of
+// samples that none explains.
 #ifndef RASTERPROOF_LEGAL_MINIMAL_SET_H_
 #define RASTERPROOF_LEGAL_MINIMAL_SET_H_
 
@@ -20,7 +20,7 @@ namespace rasterproof::legal {
 /// the other, as long as every family still has no model, ends at a set that is minimal over all of
 /// them, which a union of the families' own minimal sets is not.
 ///
-/// Domain:     `refutations`: for each of FamiliesOf(profile, scene) what it does not explain.
+/// Domain:     `refutations`: by family of FamiliesOf(profile, scene), a set it does not explain.
 Core MinimalSet(const Scene& scene, const TargetProfile& profile, const Observed& observed,
                 std::span<const std::vector<Seen>> refutations, const Effort& effort);
 

@@ -12,29 +12,29 @@
 
 namespace rasterproof::legal {
 
-/// Two triangles on either side of a common edge, and a sample that some choice puts on it.
+/// Two triangles, one on each side of a common edge, and a sample that some choice puts on it.
 struct CommonEdgeSample {
   const OpenSample* first = nullptr;
   const OpenSample* second = nullptr;
   std::size_t corner = 0;  ///< of `first`, where the edge begins
 };
 
-/// Variables for places and for who covers what, with the clauses that tie them together.
+/// Variables for the places of vertices and for coverage, with the clauses that connect them.
 class ModelClauses {
  public:
   explicit ModelClauses(const FamilyView& view) : view_(view) {}
 
-  /// The variable that the triangle covers the sample.
+  /// Returns the variable that states that the triangle covers the sample.
   ///
   /// Domain:     `open` outlives this.
   Literal Covers(const OpenSample& open);
-  /// Exactly one of the two has the sample under every choice that puts it on the edge.
+  /// Adds that exactly one of the two has the sample under every choice that puts it on the edge.
   void AddOwner(const CommonEdgeSample& edge);
-  /// Not all of these decisions are so.
+  /// Adds that not all of these decisions hold together.
   ///
   /// Domain:     indices in `open`, which outlives this.
   void AddExclusion(const Exclusion& exclusion, std::span<const OpenSample> open);
-  /// A variable whose truth makes at least `least` and at most `most` of the literals true.
+  /// Returns a variable that, if true, makes at least `least` and at most `most` of them true.
   Literal Between(std::span<const Literal> literals, int least, int most);
 
   Solver& solver() { return solver_; }

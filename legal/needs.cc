@@ -10,7 +10,7 @@
 namespace rasterproof::legal {
 namespace {
 
-// What the counts of each triangle, drawn alone, ask for.
+// The needs from the counts of each triangle drawn alone.
 void AddNeedsOfAlone(const FamilySamples& all, const Observed& observed, std::vector<Need>& needs) {
   for (std::size_t t = 0; t < observed.alone.size(); ++t) {
     if (all.covers_anything[t]) continue;
@@ -56,7 +56,7 @@ void AddNeedsOfPrimitiveIds(const FamilySamples& all, const Observed& observed,
     const auto n = static_cast<std::int64_t>(t);
     return observed.last_is_visible ? n : static_cast<std::int64_t>(all.covered.size()) - 1 - n;
   };
-  std::vector<std::int64_t> decided(ids.size(), -1);  // the highest rank that covers it for sure
+  std::vector<std::int64_t> decided(ids.size(), -1);  // the highest rank that must cover it
   for (std::size_t t = 0; t < all.covered.size(); ++t) {
     for (const std::size_t s : all.covered[t]) decided[s] = std::max(decided[s], rank(t));
   }

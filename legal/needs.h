@@ -1,4 +1,4 @@
-// What was seen, and what it asks of the legal models of one family.
+// Observations, and their requirements on the legal models of one family.
 #ifndef RASTERPROOF_LEGAL_NEEDS_H_
 #define RASTERPROOF_LEGAL_NEEDS_H_
 
@@ -12,7 +12,7 @@
 
 namespace rasterproof::legal {
 
-/// One thing that was seen: the value of a sample, of a triangle alone or of all in one call.
+/// One observation: the value of a sample in the draw of one triangle, or of all in one call.
 struct Seen {
   static constexpr std::size_t kTogether = SIZE_MAX;
 
@@ -22,8 +22,8 @@ struct Seen {
   friend auto operator<=>(const Seen&, const Seen&) = default;
 };
 
-/// What it asks of one family: so many of these open decisions cover the sample. A primitive id
-/// asks for several things.
+/// The requirement of an observation on one family: how many of these open decisions cover the
+/// sample. A primitive id has several requirements.
 struct Need {
   Seen seen;
   std::vector<std::size_t> open;  ///< indices in FamilySamples::open
@@ -37,10 +37,10 @@ struct Need {
   }
 };
 
-/// Returns what a legal model of the family has to explain: every sample that it leaves open, and
-/// those that it decides otherwise than they were seen.
+/// Returns the needs that a legal model of the family has to meet: one for every sample that it
+/// leaves open, and one for every sample that it decides differently from the observation.
 ///
-/// Domain:     `all` holds every sample; or those alone are looked at that it holds.
+/// Domain:     `all` holds every sample; if not, only the samples it holds are examined.
 std::vector<Need> NeedsOf(const FamilySamples& all, const Observed& observed);
 
 }  // namespace rasterproof::legal

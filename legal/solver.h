@@ -14,7 +14,7 @@ using Literal = int;
 
 enum class Answer : std::uint8_t { kSatisfiable, kUnsatisfiable, kGaveUp };
 
-/// Clauses, and whether some assignment satisfies all of them.
+/// Holds clauses and decides whether some assignment satisfies all of them.
 class Solver {
  public:
   Solver();
@@ -28,9 +28,9 @@ class Solver {
 
   /// Returns whether the clauses and all assumptions can hold together.
   ///
-  /// Returns:    kGaveUp after so many propagations.
+  /// Returns:    kGaveUp once the limit of propagations is reached.
   Answer Solve(std::span<const Literal> assumptions, std::uint64_t most_propagations);
-  /// Whether the assumption is one of those that the last answer, kUnsatisfiable, rests on.
+  /// Returns whether the last answer, kUnsatisfiable, depends on the assumption.
   bool RestsOn(Literal assumption) const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 // C(28, 3) triples of an edge at most, its four bounds at the ends counted.
 constexpr std::size_t kMostBeside = 24;
 
-// A sample beside the edge, or an end of the stretch that the moved edge passes within the reach.
+// A sample next to the edge, or an end of the stretch that the moved edge passes within the reach.
 struct Mark {
   Point2 at;
   std::optional<std::size_t> open;  ///< a sample's
@@ -39,7 +39,7 @@ class Marks {
   }
   void Add(const OpenSample& sample, std::size_t index) { marks_.push_back({sample.at, index}); }
 
-  // Every third between two others, where they can't be on such sides.
+  // Every third sample between two others whose sides no straight line allows.
   void AddExclusionsTo(std::vector<Exclusion>& exclusions) {
     std::ranges::sort(marks_, {}, [&](const Mark& m) {
       return stretch_.along_y ? std::pair(m.at.y, m.at.x) : std::pair(m.at.x, m.at.y);
@@ -57,7 +57,7 @@ class Marks {
     if (!(Along(m[0]->at) < Along(m[1]->at) && Along(m[1]->at) < Along(m[2]->at))) return;
     const int side = exact::EdgeSign(m[0]->at, m[2]->at, m[1]->at);
     if (side == 0) return;
-    // Inside of the line through two that are covered, the middle one is covered; and the reverse.
+    // A middle sample inside the line through two covered ones is covered too; and the reverse.
     const bool covered = side == inside_;
     const auto may_be = [](const Mark& mark, bool in) {
       return in ? mark.may_be_in : mark.may_be_out;

@@ -103,7 +103,7 @@ class TriangleOverPlaces {
                                                   edges_[2].Constant(p)};
     const bool on_left = std::ranges::any_of(signs, [](const auto& s) { return s && *s > 0; });
     const bool on_right = std::ranges::any_of(signs, [](const auto& s) { return s && *s < 0; });
-    // Outside whatever the third edge says, or the facing, unless a flat one may cover anything.
+    // Outside for either side of the third edge and either facing, unless flat triangles are free.
     if (on_left && on_right && (has_one_shape_ || flat_ == Status::kOut)) return Status::kOut;
     if (!has_one_shape_) return std::nullopt;
     if (facing() > 0 ? on_right : on_left) return Status::kOut;
@@ -157,8 +157,8 @@ class TriangleOverPlaces {
     for (std::size_t i = 0; i < places_[0]->size(); ++i) {
       for (std::size_t j = 0; j < places_[1]->size(); ++j) {
         for (std::size_t k = 0; k < places_[2]->size(); ++k) {
-          // Two corners at one position take one place: the other choices are not legal, and say
-          // what the legal one beside them says.
+          // Two corners at one position take one place: the other choices are not legal, and copy
+          // the status of the legal one.
           visit(i, places_[1] == places_[0] ? i : j,
                 places_[2] == places_[0] ? i : (places_[2] == places_[1] ? j : k));
         }
@@ -259,14 +259,6 @@ ClippedTriangle ClippedTo(const std::optional<WindowBox>& window_box, YAxis y_ax
 
 }  // namespace
 
-double SegmentDistance(Point2 a, Point2 b, Point2 p) {
-  const Point2 d{b.x - a.x, b.y - a.y};
-  const double length = d.x * d.x + d.y * d.y;
-  const double along = length > 0 ? ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / length : 0;
-  const double part = std::clamp(along, 0.0, 1.0);
-  return std::hypot(p.x - (a.x + part * d.x), p.y - (a.y + part * d.y));
-}
-
 FamilyView::FamilyView(const Scene& scene, const TargetProfile& profile, const Family& family)
     : scene_(scene),
       profile_(profile),
@@ -277,7 +269,7 @@ FamilyView::FamilyView(const Scene& scene, const TargetProfile& profile, const F
                 (profile_.freedom.ties == TieOwnership::kStated ||
                  profile_.freedom.ties == TieOwnership::kAxisAligned)) {}
 
-// As given, or beside it by the rounding of a quotient.
+// The given vertex, or for clip space its quotient, rounded.
 Point2 FamilyView::OnScreen(const Vertex& v) const {
   const double w = scene_.clip_space ? v.w : 1;
   const auto unwrapped = [&](double x) {
@@ -303,7 +295,7 @@ TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* on
     } else if (!std::ranges::all_of(given, IsFinite)) {
       samples.covers_anything = profile_.infinite_vertex == InfiniteVertex::kUnspecified;
     } else {
-      samples.covers_anything = true;  // a NaN z of which nothing is stated
+      samples.covers_anything = true;  // nothing is stated of its NaN z
     }
     return samples;
   }

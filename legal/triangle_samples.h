@@ -1,5 +1,5 @@
-// What the legal models of one family say of one triangle: which samples it covers, leaves out, or
-// decides by where its vertices lie.
+// One triangle in the legal models of one family: the samples it covers, those it does not cover,
+// and those that depend on the places of its vertices.
 #ifndef RASTERPROOF_LEGAL_TRIANGLE_SAMPLES_H_
 #define RASTERPROOF_LEGAL_TRIANGLE_SAMPLES_H_
 
@@ -18,11 +18,11 @@
 
 namespace rasterproof::legal {
 
-/// What one choice of places says of a sample.
+/// The status of a sample under one choice of places.
 enum class Status : std::uint8_t {
   kOut,
   kIn,
-  kFree  ///< no sentence decides it: the sample lies on an edge or at a vertex, for one
+  kFree  ///< no rule decides it: for example, the sample lies on an edge or at a vertex
 };
 
 /// A sample that legal models decide differently for a triangle.
@@ -30,34 +30,34 @@ struct OpenSample {
   std::size_t triangle = 0;
   std::size_t sample = 0;           ///< index in counts of the target
   Point2 at;                        ///< in screen axes
-  std::vector<std::size_t> corner;  ///< those of the triangle, 0 to 2, whose places decide it
+  std::vector<std::size_t> corner;  ///< the corners, 0 to 2, whose places decide it
   /// For each choice of these corners' places, the last corner's places fastest.
   std::vector<Status> by_choice;
-  bool is_clipped = false;  ///< clipping may have moved the edge beside it
-  /// The edge, from that corner to the next, that alone decides it, wherever clipping moved it.
+  bool is_clipped = false;  ///< clipping may have moved the edge next to it
+  /// The edge, from that corner to the next, that alone decides it after clipping moved the edge.
   std::optional<std::size_t> moved_edge;
 };
 
-/// Open samples of a triangle, by index, and whether each is covered: some of it is not so.
+/// Open samples of a triangle, by index, with a coverage that they can't all have together.
 using Exclusion = std::vector<std::pair<std::size_t, bool>>;
 
 struct TriangleSamples {
   std::vector<std::size_t> covered;  ///< in every legal model
   std::vector<OpenSample> open;
-  std::vector<Exclusion> exclusions;  ///< of samples beside edges that clipping moved
+  std::vector<Exclusion> exclusions;  ///< of samples next to edges that clipping moved
   bool covers_anything = false;       ///< nothing is stated of the triangle, at any sample
   /// +1 or -1: the facing in every legal model; 0: they differ, or it has no area.
   int facing = 0;
 };
 
-/// A scene, its profile and the places of one family, from which triangles are looked at.
+/// Derives each triangle's samples from a scene, its profile and the places of one family.
 class FamilyView {
  public:
   /// Domain:     as ChoicesOf; the scene and the profile outlive the view.
   FamilyView(const Scene& scene, const TargetProfile& profile, const Family& family);
 
-  /// What the family's models say of the triangle at every sample, or, where `only` says which, at
-  /// those alone.
+  /// Returns the triangle's samples in the family's models: all of them, or just those that `only`
+  /// marks.
   ///
   /// Shape:      `only` as counts of the target.
   TriangleSamples Of(std::size_t triangle, const std::vector<bool>* only = nullptr) const;
@@ -89,9 +89,6 @@ class FamilyView {
   Choices choices_;
   bool has_rule_;
 };
-
-/// The distance of p from the segment, rounded.
-double SegmentDistance(Point2 a, Point2 b, Point2 p);
 
 }  // namespace rasterproof::legal
 

@@ -6,8 +6,8 @@
 namespace rasterproof {
 namespace {
 
-// Whether high - low > most, though the difference rounds: rounding keeps the order, and where it
-// ends on `most` itself what was lost (Knuth's TwoSum) has the sign of the rest.
+// Whether high - low > most, though the difference rounds: rounding keeps the order; if the result
+// is `most` itself, the rounding error (Knuth's TwoSum) decides by its sign.
 bool DifferenceExceeds(double high, double low, double most) {
   const double difference = high - low;
   if (difference != most || !std::isfinite(difference)) return difference > most;

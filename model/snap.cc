@@ -41,9 +41,9 @@ double SnapToMultiple(double x, int bits, SnapRule rule) {
   return std::ldexp(RoundByRule(scaled, rule), -bits) + 0.0;
 }
 
-// x - c rounded to odd: if it is no double, the neighbour of it whose last bit is one. Whatever is
-// decided next at a coarser place (which float, which side of a half step) is decided as by x - c
-// itself, because no such place lies between the two (Boldo and Melquiond, IEEE TC 2008).
+// x - c rounded to odd: if it is not a double, its neighbour whose last bit is one. Later decisions
+// at a coarser place (which float, which side of a half step) are then the same as for x - c,
+// because no such place lies between the two (Boldo and Melquiond, IEEE TC 2008).
 double DifferenceToOdd(double x, double c) {
   const double difference = x - c;
   const double from_x = difference + c;
@@ -57,8 +57,8 @@ double RoundToFloat32(double x) {
   return std::fabs(x) >= 0x1p127 ? x : static_cast<double>(static_cast<float>(x));
 }
 
-// Whether |a - b| > most, though the difference rounds: rounding keeps the order, and where it ends
-// on `most` itself what was lost (Knuth's TwoSum, exact without overflow) decides by its sign.
+// Whether |a - b| > most, though the difference rounds: rounding keeps the order, and if it gives
+// `most` itself, the rounding error (Knuth's TwoSum, exact without overflow) decides by its sign.
 bool LieFurtherApart(double a, double b, double most) {
   const double difference = a - b;
   if (std::fabs(difference) != most) return std::fabs(difference) > most;

@@ -17,7 +17,7 @@ namespace rasterproof {
 Scene SnapVertices(const Scene& scene, const TargetProfile& profile) {
   Scene snapped = TakesToWindow(profile, scene) ? ToWindow(scene, *profile.transform) : scene;
   for (Vertex& v : snapped.vertices) {
-    // A vertex without a place: its triangles cover nothing.
+    // The vertex has no place: its triangles cover nothing.
     if (profile.nan_z == NanZ::kNothing && std::isnan(v.z)) v.x = v.z;
     if (profile.fixed) v = {Wrapped(v.x, *profile.fixed), Wrapped(v.y, *profile.fixed), v.z, v.w};
     v.x = SnapCoordinate(v.x, profile.snap);

@@ -1,4 +1,4 @@
-// Where a profile's model puts the vertices of a scene: all stages in their order.
+// The placing of a scene's vertices by a profile's model: all stages in their order.
 #ifndef RASTERPROOF_MODEL_SNAP_SCENE_H_
 #define RASTERPROOF_MODEL_SNAP_SCENE_H_
 
@@ -21,8 +21,8 @@ Scene SnapVertices(const Scene& scene, const TargetProfile& profile);
 /// Returns whether the model drops triangle t of the placed scene for its extent.
 bool IsDropped(const Scene& placed, std::size_t t, const Profile& profile);
 
-/// Returns SnapVertices() with the three corners of each dropped triangle in one place. Indices of
-/// triangles stay what they are.
+/// Returns SnapVertices() with the three corners of each dropped triangle in one place. Triangles
+/// keep their indices.
 Scene SnapScene(const Scene& scene, const TargetProfile& profile);
 
 /// Returns whether the guard-band rectangle, if there is one, holds every vertex that a triangle

@@ -8,10 +8,10 @@
 namespace rasterproof {
 
 /// A profile with the snap, the sample locations and the tie rule that it has on targets of one
-/// size; `by_target_size` is empty. Another size can have other ones: ask the profile as stated.
+/// size; `by_target_size` is empty. For another size, start from the stated profile again.
 struct TargetProfile : Profile {
   TargetProfile(const Profile& stated, int width, int height);
-  /// On the scene's target.
+  /// Makes the profile for the scene's target.
   TargetProfile(const Profile& stated, const Scene& scene);
 };
 

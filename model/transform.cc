@@ -45,7 +45,7 @@ Vertex ToWindowIn(const Vertex& clip, const Transform& transform, int width, int
           Placed(transform.flips_y ? -y : y, height, transform.viewport), clip.z, 1};
 }
 
-// The quotient that the viewport takes to x.
+// The quotient that the viewport maps to x.
 double BeforeViewport(double x, int size, ViewportForm form) {
   return form == ViewportForm::kNone ? x : x / (size / 2.0) - 1;
 }

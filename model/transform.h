@@ -1,5 +1,5 @@
-// The stage from clip space, or from a map, to window space as a rasterizer computes it, operation
-// by operation.
+// The stage from clip space, or from a map, to window space: each operation as a rasterizer
+// computes it.
 #ifndef RASTERPROOF_MODEL_TRANSFORM_H_
 #define RASTERPROOF_MODEL_TRANSFORM_H_
 
@@ -9,24 +9,24 @@
 
 namespace rasterproof {
 
-/// Returns the window-space vertex that the transform makes of a clip-space one, or of a map's.
+/// Returns the window-space vertex of a vertex in clip space or on a map under the transform.
 ///
 /// Domain:     any vertex; the target's size within a scene's limits.
 /// Returns:    x and y bit for bit as the operations give them, infinities and NaN included; NaN if
-///             the vertex is not finite or w is not positive: what clipping makes of it is not the
-///             transform's to say. z is that of the vertex, w is 1. A map has no w: it is not read.
+///             the vertex is not finite or w is not positive, as the transform does not define
+///             clipping. z is unchanged, w is 1. The w of a map's vertex is ignored.
 Vertex ToWindow(const Vertex& clip, const Transform& transform, int width, int height);
 
-/// Returns a clip-space vertex with the given w, or a map's, that the transform takes to (x, y), or
-/// to a place a few roundings beside it.
+/// Returns a vertex in clip space with the given w, or on a map, that the transform takes to (x, y)
+/// or to a place a few roundings away.
 ///
 /// Domain:     w positive and finite.
-/// Returns:    doubles: a taker of float32 is to round them.
+/// Returns:    doubles: callers that need float32 round them.
 Vertex ToClip(const Vertex& window, double w, const Transform& transform, int width, int height);
 
 /// Returns the scene with every vertex taken through the transform; in the transform's precision.
 ///
-/// Domain:     a clip-space scene; behind a map, one of the map's coordinates.
+/// Domain:     a clip-space scene; with a map, a scene in the map's coordinates.
 Scene ToWindow(const Scene& scene, const Transform& transform);
 
 }  // namespace rasterproof

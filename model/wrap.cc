@@ -6,7 +6,7 @@ namespace rasterproof {
 
 double Wrapped(double x, const FixedInput& fixed) {
   if (!fixed.wraps || !std::isfinite(x)) return x;
-  // fmod is exact, and so is one span more or less: both are multiples of 2^-m below 2^n in size.
+  // fmod is exact, and so is adding or subtracting a span: multiples of 2^-m below 2^n in size.
   const double rest = std::fmod(x, fixed.Span());
   if (rest < fixed.Least()) return rest + fixed.Span();
   return rest < fixed.Least() + fixed.Span() ? rest : rest - fixed.Span();

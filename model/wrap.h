@@ -9,8 +9,7 @@ namespace rasterproof {
 /// Returns the coordinate that a rasterizer of this input computes with: x modulo 2^n, in range. x
 /// itself where the format does not wrap. Exact.
 ///
-/// Domain:     what the input can be given (FixedInput::IsGiven); what is not finite comes back
-///             unchanged.
+/// Domain:     FixedInput::IsGiven(x); infinity and NaN come back unchanged.
 double Wrapped(double x, const FixedInput& fixed);
 
 }  // namespace rasterproof

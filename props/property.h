@@ -51,7 +51,7 @@ inline Checks OneCheck(Questions questions, std::function<Verdict(const Answers&
   return asked;
 }
 
-/// A property. One per file of props/properties/.
+/// A property: a row of a file of props/properties/.
 struct Property {
   std::string_view name;    ///< the property: "SharedEdgeSamplesAreCoveredOnce"
   std::string_view group;   ///< "edge", "incremental", "barycentric", "coverage", "square",

@@ -25,41 +25,30 @@
 namespace rasterproof::reference {
 namespace {
 
-/// Every combination of stages of one arithmetic; bit 0 snap, 1 clip, 2 cull, 3 tie rule.
-constexpr std::size_t kStageSets = 16;
-constexpr PlanStages StagesOf(std::size_t set) {
-  return {(set & 1) != 0, (set & 2) != 0, (set & 4) != 0, (set & 8) != 0};
-}
+/// Every combination of stages of one arithmetic; bit 0 snap, 1 clip.
 constexpr std::size_t SetOf(const PlanStages& stages) {
-  return (stages.snap ? 1U : 0U) | (stages.clip ? 2U : 0U) | (stages.cull ? 4U : 0U) |
-         (stages.ties ? 8U : 0U);
+  return (stages.snap ? 1U : 0U) | (stages.clip ? 2U : 0U);
 }
-template <class T, std::size_t... kSets>
-constexpr std::array<PlanDraw, kStageSets> KernelsOf(std::index_sequence<kSets...>) {
-  return {&DrawPlanned<T, StagesOf(kSets)>...};
-}
+using StageKernels = std::array<PlanDraw, 4>;
 template <class T>
-constexpr std::array<PlanDraw, kStageSets> kKernels =
-    KernelsOf<T>(std::make_index_sequence<kStageSets>{});
+constexpr StageKernels kKernels{&DrawPlanned<T, {false, false}>, &DrawPlanned<T, {true, false}>,
+                                &DrawPlanned<T, {false, true}>, &DrawPlanned<T, {true, true}>};
 
 /// One arithmetic and the scenes it is exact for, in units u = 2^-lattice of the scene.
 ///
 /// The samples tested lie in the triangle's closed box, so with sides w and h of the box in units
 /// every difference of coordinates is at most max(w, h), each product of the direct form at most
 /// w h, and so is |E|, twice the area of a triangle in the box. All are integers: what fits the
-/// significand (or the integer type) is exact. Floats also need u^2 to be no less than the smallest
-/// subnormal. Proof: proofs/exactness.g.
+/// integer type is exact. Proof: proofs/exactness.g.
 struct Rung {
   std::string_view name;
-  double limit;  ///< largest integer whose predecessors are all representable
+  double limit;
   std::string_view limit_text;
   int finest_lattice;
-  const std::array<PlanDraw, kStageSets>* kernels;
+  const StageKernels* kernels;
 };
-constexpr std::array<Rung, 4> kRungs{{
-    {"float32 direct", 0x1p24, "2^24", 74, &kKernels<float>},
+constexpr std::array<Rung, 2> kRungs{{
     {"int32 direct", 0x1p31 - 1, "2^31 - 1", 31, &kKernels<std::int32_t>},
-    {"float64 direct", 0x1p53, "2^53", 537, &kKernels<double>},
     // The largest double below 2^63.
     {"int64 direct", 0x1p63 - 0x1p10, "2^63 - 2^10", 62, &kKernels<std::int64_t>},
 }};
@@ -82,11 +71,6 @@ bool IsExactFor(const Rung& rung, const SceneExtent& extent) {
   const InUnits units(extent);
   return extent.lattice <= rung.finest_lattice && units.largest <= rung.limit &&
          units.side <= rung.limit && units.area <= rung.limit;
-}
-
-std::string VectorsText(const Scene& scene) {
-  return "coordinates are float32, and " + std::to_string(scene.triangles.size()) +
-         " triangles are enough for vectors: exact at any extent";
 }
 
 std::string ExtentText(const SceneExtent& extent) {
@@ -134,6 +118,11 @@ void AddOutputReasons(Plan& plan, const Needs& needs) {
   add("wireframe", needs.edge_distance);
 }
 
+PlanReason CullReason(const DrawOptions& options) {
+  if (options.cull == Cull::kNone) return {"cull", "left out", "no culling asked for"};
+  return {"cull", "kept", "asked for"};
+}
+
 Plan PlanClipSpace(const Scene& scene, const Profile& profile, const DrawOptions& options,
                    const Needs& needs) {
   const auto behind =
@@ -158,17 +147,14 @@ Plan PlanClipSpace(const Scene& scene, const Profile& profile, const DrawOptions
          "x / w is put on the 2^-" + std::to_string(profile.snap.bits) + " grid exactly; " + count},
         {"clip", "kept", "boxes are clamped to the draw area"}};
   }
-  plan.reasons.push_back({"cull", options.cull == Cull::kNone ? "left out" : "kept",
-                          options.cull == Cull::kNone ? "no culling asked for" : "asked for"});
-  plan.reasons.push_back(
-      {"tie rule", "kept", "samples may lie on edges: not examined in clip space"});
+  plan.reasons.push_back(CullReason(options));
   AddOutputReasons(plan, needs);
   return plan;
 }
 
 /// What a plan of some rung leaves out, kept one by one.
 void AddStageVariants(Plan& plan, const Profile& profile, const PlanStages& stages,
-                      const std::array<PlanDraw, kStageSets>& kernels) {
+                      const StageKernels& kernels) {
   const auto add = [&](std::string_view stage, bool PlanStages::* member) {
     if (stages.*member) return;
     PlanStages with = stages;
@@ -177,8 +163,6 @@ void AddStageVariants(Plan& plan, const Profile& profile, const PlanStages& stag
   };
   if (!profile.snap.IsNone()) add("snap", &PlanStages::snap);
   add("clip", &PlanStages::clip);
-  add("cull", &PlanStages::cull);
-  add("tie rule", &PlanStages::ties);
 }
 
 PlanReason SnapReason(const Profile& profile, const SceneExtent& extent, bool kept) {
@@ -192,34 +176,25 @@ PlanReason SnapReason(const Profile& profile, const SceneExtent& extent, bool ke
 
 PlanReason ClipReason(bool kept, const SceneExtent& extent, const DrawOptions& options) {
   if (!kept) return {"clip", "left out", "no box holds a sample outside the draw area"};
+  if (!extent.inside_area) return {"clip", "kept", "some box holds samples outside the draw area"};
   return {"clip", "kept",
-          extent.inside_area ? std::to_string(options.threads) + " threads clip to bands of rows"
-                             : "some box holds samples outside the draw area"};
-}
-
-/// The tie rule can go only where number theory says so; see SampleCanLieOnAnEdge.
-bool TiesAreImpossible(const Scene& scene, const Profile& profile, const SceneExtent& extent) {
-  constexpr int kFinest = 40;
-  if (extent.lattice > kFinest || InUnits(extent).largest > std::ldexp(1.0, kFinest)) return false;
-  return !SampleCanLieOnAnEdge(scene, profile, extent.lattice);
+          options.threads == 1
+              ? "the kernel has no other form"
+              : std::to_string(options.threads) + " threads clip to bands of rows"};
 }
 
 Plan PlanWindowSpace(const Scene& scene, const Profile& profile, const DrawOptions& options,
                      const Needs& needs) {
   const SceneExtent extent = MeasureScene(scene, profile, options);
-  const auto rung = std::ranges::find_if(
-      kRungs, [&](const Rung& candidate) { return IsExactFor(candidate, extent); });
+  // Where the spans serve the profile they beat every rung, and are exact whatever the extent.
+  const bool spans = SpansServe(profile);
+  const auto rung = spans ? kRungs.end() : std::ranges::find_if(kRungs, [&](const Rung& one) {
+    return IsExactFor(one, extent);
+  });
+  const bool planned = rung != kRungs.end();
   PlanStages stages;
   stages.snap = !profile.snap.IsNone() && !extent.on_grid;
-  // Vectors beat the rungs where there is enough to draw, and are exact whatever the extent.
-  const bool spans = SpansServe(profile);
-  const bool vectors = spans && KernelsPay(scene) &&
-                       KernelsTake(stages.snap ? SnapScene(scene, {profile, scene}) : scene);
-  const bool planned = !vectors && rung != kRungs.end();
-  // The kernels of the table clip and break ties in every case.
   stages.clip = !planned || options.threads != 1 || !extent.inside_area;
-  stages.cull = options.cull != Cull::kNone;
-  stages.ties = !planned || !TiesAreImpossible(scene, profile, extent);
 
   Plan plan;
   if (planned) {
@@ -233,9 +208,9 @@ Plan PlanWindowSpace(const Scene& scene, const Profile& profile, const DrawOptio
     plan.draw = stages.snap ? (spans ? DrawBySpans<true> : DrawWide<true>)
                             : (spans ? DrawBySpans<false> : DrawWide<false>);
     plan.reasons.push_back({"edge arithmetic", plan.arithmetic,
-                            vectors
-                                ? VectorsText(scene)
-                                : ExtentText(extent) + ": beyond int64 (2^63) and float64 (2^53)"});
+                            spans ? "samples are the pixels' centres under the top-left rule: the "
+                                    "fastest, and exact at any extent"
+                                  : ExtentText(extent) + ": beyond int64 (2^63)"});
     if (!stages.snap && !profile.snap.IsNone()) {
       plan.variants.push_back({"snap", spans ? DrawBySpans<true> : DrawWide<true>});
     }
@@ -243,13 +218,7 @@ Plan PlanWindowSpace(const Scene& scene, const Profile& profile, const DrawOptio
   plan.variants.push_back({"everything", profile.snap.IsNone() ? DrawWide<false> : DrawWide<true>});
   plan.reasons.push_back(SnapReason(profile, extent, stages.snap));
   plan.reasons.push_back(ClipReason(stages.clip, extent, options));
-  plan.reasons.push_back({"cull", stages.cull ? "kept" : "left out",
-                          stages.cull ? "asked for" : "no culling asked for"});
-  plan.reasons.push_back(
-      {"tie rule", stages.ties ? "kept" : "left out",
-       stages.ties ? "a sample of the grid can lie on an edge, or it is not proved that none can"
-                   : "on every edge E = 0 has no solution: 2^" + std::to_string(extent.lattice) +
-                         " gcd(dX, dY) does not divide its constant"});
+  plan.reasons.push_back(CullReason(options));
   plan.reasons.push_back({"perspective", "left out", "window space: every w is 1"});
   AddOutputReasons(plan, needs);
   return plan;
@@ -281,7 +250,6 @@ Plan PlanPlaced(const Scene& scene, const Profile& profile, const Needs& needs) 
                   {"snap", "kept", "coordinates are placed before they are drawn"},
                   {"clip", "kept", "boxes are clamped to the draw area"},
                   {"cull", "kept", "facings are those of the placed triangles"},
-                  {"tie rule", "kept", "samples may lie on edges: not examined"},
                   {"perspective", "left out", "window space: every w is 1"}};
   AddOutputReasons(plan, needs);
   return plan;

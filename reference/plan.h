@@ -16,9 +16,9 @@ namespace rasterproof::reference {
 
 /// One decision of the plan, with the number that it rests on.
 struct PlanReason {
-  /// "edge arithmetic", "snap", "tie rule", "clip", "cull", "barycentrics", "depth", ...
+  /// "edge arithmetic", "snap", "clip", "cull", "barycentrics", "depth", ...
   std::string stage;
-  std::string choice;  ///< "float32 direct", "left out"
+  std::string choice;  ///< "int32 direct", "left out"
   std::string why;     ///< "box side * 2^s = 2048 <= 4096 (docs/mathematics.md, exactness table)"
 };
 

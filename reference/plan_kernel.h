@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 #include "core/coverage.h"
@@ -24,20 +23,13 @@
 
 namespace rasterproof::reference {
 
-/// Coordinates and edge values in T: floats in pixels, integers in units of 2^-lattice.
+/// Coordinates and edge values in T, integers in units of 2^-lattice.
 template <class T>
 struct PlanArithmetic {
-  double units = 1;  ///< T's units in a pixel
-  T smallest_edge;   ///< every E is a multiple of this: one unit of the lattice, squared
+  double units;  ///< in a pixel
 
-  PlanArithmetic(const Scene& scene, const Profile& profile) : smallest_edge(1) {
-    const int lattice = SceneLattice(scene, profile);
-    if constexpr (std::is_integral_v<T>) {
-      units = std::ldexp(1.0, lattice);
-    } else {
-      smallest_edge = std::ldexp(T{1}, -2 * lattice);
-    }
-  }
+  PlanArithmetic(const Scene& scene, const Profile& profile)
+      : units(std::ldexp(1.0, SceneLattice(scene, profile))) {}
   T Convert(double x) const { return static_cast<T>(x * units); }
 };
 
@@ -45,8 +37,6 @@ struct PlanArithmetic {
 struct PlanStages {
   bool snap = true;
   bool clip = true;
-  bool cull = true;
-  bool ties = true;
 };
 
 /// A directed edge whose inside is positive.
@@ -60,7 +50,7 @@ struct PlanEdge {
         y(arithmetic.Convert(a.y)),
         dx(arithmetic.Convert(b.x) - x),
         dy(arithmetic.Convert(b.y) - y),
-        from(owns_ties ? T{0} : arithmetic.smallest_edge) {}
+        from(owns_ties ? 0 : 1) {}
 
   T At(T px, T py) const { return (px - x) * dy - (py - y) * dx; }
 };
@@ -153,7 +143,7 @@ struct PlanTriangle {
   PlanEdge<T> upper;  ///< the other two meet in the middle vertex
   PlanEdge<T> lower;
 };
-template <class T, bool kTies>
+template <class T>
 PlanTriangle<T> OrientEdges(const std::array<Point2, 3>& v, bool front,
                             const PlanArithmetic<T>& arithmetic, const TieRule& rule) {
   const auto edge = [&](std::size_t from, std::size_t to) {
@@ -162,7 +152,7 @@ PlanTriangle<T> OrientEdges(const std::array<Point2, 3>& v, bool front,
     const Point2 a = v[in_order ? from : to];
     const Point2 b = v[in_order ? to : from];
     // E moves by dY when the sample moves right, by -dX when it moves down.
-    return PlanEdge<T>(a, b, arithmetic, kTies && OwnsTies(b.y - a.y, a.x - b.x, rule));
+    return PlanEdge<T>(a, b, arithmetic, OwnsTies(b.y - a.y, a.x - b.x, rule));
   };
   std::array<std::size_t, 3> by_y{0, 1, 2};
   const auto order = [&](std::size_t i, std::size_t j) {
@@ -228,11 +218,8 @@ void DrawPlannedTriangle(const std::array<Point2, 3>& v, const PlanArithmetic<T>
                            .At(arithmetic.Convert(v[2].x), arithmetic.Convert(v[2].y));
   if (twice_area == 0) return;
   const bool front = twice_area > 0;
-  if constexpr (kStages.cull) {
-    if (cull == (front ? Cull::kFront : Cull::kBack)) return;
-  }
-  const PlanTriangle<T> triangle =
-      OrientEdges<T, kStages.ties>(v, front, arithmetic, profile.tie_rule);
+  if (cull == (front ? Cull::kFront : Cull::kBack)) return;
+  const PlanTriangle<T> triangle = OrientEdges<T>(v, front, arithmetic, profile.tie_rule);
   const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
   const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
   const int samples = grid.samples();

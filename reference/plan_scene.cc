@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 
@@ -18,8 +17,6 @@
 
 namespace rasterproof::reference {
 namespace {
-
-__extension__ using Int128 = __int128;
 
 int LatticeOf(Point2 p) { return -std::min(LatticeExponent(p.x), LatticeExponent(p.y)); }
 
@@ -115,32 +112,6 @@ int SceneLattice(const Scene& scene, const Profile& profile) {
     for (const Point2 corner : *v) lattice = std::max(lattice, LatticeOf(corner));
   }
   return lattice;
-}
-
-bool SampleCanLieOnAnEdge(const Scene& scene, const Profile& profile, int lattice) {
-  const SampleGrid grid(profile, scene.height);
-  const auto units = [lattice](double x) {
-    return static_cast<std::int64_t>(std::ldexp(x, lattice));
-  };
-  const auto meets = [&](Point2 a, Point2 b) {
-    const std::int64_t dx = units(b.x) - units(a.x);
-    const std::int64_t dy = units(b.y) - units(a.y);
-    const Int128 period = Int128{std::gcd(dx, dy)} << lattice;
-    return std::ranges::any_of(grid.offsets, [&](Point2 o) {
-      const Int128 first =
-          Int128{units(o.x) - units(a.x)} * dy - Int128{units(o.y) - units(a.y)} * dx;
-      return first % period == 0;
-    });
-  };
-  return std::ranges::any_of(scene.triangles, [&](const Triangle& t) {
-    const auto v = Corners2(scene, t, profile, grid);
-    if (!v) return false;
-    const Int128 area =
-        Int128{units((*v)[2].x) - units((*v)[0].x)} * (units((*v)[1].y) - units((*v)[0].y)) -
-        Int128{units((*v)[2].y) - units((*v)[0].y)} * (units((*v)[1].x) - units((*v)[0].x));
-    return area != 0 &&
-           (meets((*v)[0], (*v)[1]) || meets((*v)[1], (*v)[2]) || meets((*v)[2], (*v)[0]));
-  });
 }
 
 Scene SnapProjected(const Scene& scene, const Profile& profile) {

@@ -47,17 +47,6 @@ SceneExtent MeasureScene(const Scene& scene, const Profile& profile, const DrawO
 /// The scale of kernels in integers: 2^lattice, for scenes whose coordinates fit.
 int SceneLattice(const Scene& scene, const Profile& profile);
 
-/// Returns whether some sample of the unbounded sample grid lies on the line of some edge.
-///
-/// In units of 2^-lattice the samples are x = ox + 2^s k, y = oy + 2^s m, and on an edge from a
-/// E = (ox - a.x) dY - (oy - a.y) dX + 2^s (k dY - m dX). Over the integers k dY - m dX takes just
-/// the multiples of gcd(dX, dY), so E = 0 has a solution iff 2^s gcd(dX, dY) divides the first
-/// part.
-///
-/// Domain:     |coordinate| 2^lattice <= 2^40 and lattice <= 40; triangles of zero area are left
-///             out (they cover nothing).
-bool SampleCanLieOnAnEdge(const Scene& scene, const Profile& profile, int lattice);
-
 /// The scene in window space that a clip-space scene in front of the eye snaps to: x / w goes to
 /// the grid without being rounded on its way.
 ///

@@ -13,14 +13,6 @@
 
 namespace rasterproof::report {
 
-/// The style sheet of these sections; plots have its classes.
-extern const std::string_view kBenchStyle;
-/// Draws the plot of the chosen family and error, fills and filters the table, saves files. The
-/// page says the most important of it without: decision table, small plots, a first table.
-extern const std::string_view kBenchScript;
-/// base64(SHA-256(kBenchScript))
-extern const std::string_view kBenchScriptHash;
-
 /// Pixels of a frame: 1920 x 1080 and 3840 x 2160.
 inline constexpr std::array<std::uint64_t, 2> kFramePixels{std::uint64_t{1920} * 1080,
                                                            std::uint64_t{3840} * 2160};

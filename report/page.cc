@@ -110,7 +110,7 @@ std::string PageToHtml(const Page& page) {
       Section("words", "Words", "What the report says, and means by it.", std::string(kGlossary));
   html += Section("environment", "Environment", "Where this was found, and by which command.",
                   Environments(page.certificates) + Commands(page));
-  return Document(page.title, html, page.bench.has_value());
+  return Document(page.title, html);
 }
 
 }  // namespace rasterproof::report

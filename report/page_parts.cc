@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fmt/format.h"
-#include "report/bench_page_parts.h"
 #include "report/text.h"
 
 namespace rasterproof::report {
@@ -35,21 +34,19 @@ std::string_view LookOf(Outcome outcome) {
 
 }  // namespace
 
-std::string Document(std::string_view title, const std::string& body, bool has_bench) {
+std::string Document(std::string_view title, const std::string& body) {
   // The policy is for the browser to enforce what the page states: pictures that lie beside it or
-  // in it, scripts by their hashes, and nothing else.
+  // in it, one script by its hash, and nothing else.
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-      "style-src 'unsafe-inline'; img-src 'self' data:; script-src 'sha256-{}'{}; "
+      "style-src 'unsafe-inline'; img-src 'self' data:; script-src 'sha256-{}'; "
       "base-uri 'none'; form-action 'none'\">\n"
-      "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n{}</main>\n"
-      "<script>{}</script>\n{}</body>\n</html>\n",
-      kPageScriptHash, has_bench ? fmt::format(" 'sha256-{}'", kBenchScriptHash) : "",
-      Escaped(title), kPageStyle, has_bench ? kBenchStyle : "", body, kPageScript,
-      has_bench ? fmt::format("<script>{}</script>\n", kBenchScript) : "");
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</main>\n"
+      "<script>{}</script>\n</body>\n</html>\n",
+      kPageScriptHash, Escaped(title), kPageStyle, body, kPageScript);
 }
 
 std::string Section(std::string_view anchor, std::string_view title, std::string_view intro,

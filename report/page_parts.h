@@ -14,9 +14,9 @@
 
 namespace rasterproof::report {
 
-/// The style sheet. Light and dark as the reader's system has it; readable without it, too.
+/// page.css, the style sheet of every page.
 extern const std::string_view kPageStyle;
-/// Makes the headings of a `table.sorts` sort it. The page says all that it says without it.
+/// page.js, the script of every page. The page says the most important of it without.
 extern const std::string_view kPageScript;
 /// base64(SHA-256(kPageScript)), by which the page's policy allows this script and no other.
 extern const std::string_view kPageScriptHash;
@@ -27,9 +27,8 @@ inline constexpr std::string_view kRealProfile = "real";
 /// Tables of more rows, and lists of more pictures, are folded at first.
 inline constexpr std::size_t kMostUnfolded = 12;
 
-/// A whole document. `body` goes into its main element; a body with a bench's sections has their
-/// style and script.
-std::string Document(std::string_view title, const std::string& body, bool has_bench = false);
+/// A whole document. `body` goes into its main element.
+std::string Document(std::string_view title, const std::string& body);
 /// Nothing if the body is empty.
 std::string Section(std::string_view anchor, std::string_view title, std::string_view intro,
                     const std::string& body);

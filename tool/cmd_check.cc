@@ -31,6 +31,7 @@
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/text.h"
+#include "tool/catalogue.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -383,6 +384,7 @@ Report Check(const SubjectFactory& subject, const ResolvedCheck& asked,
 
 int RunCheck(const CheckOptions& options) {
   RequireHonestEnvironment();
+  if (options.catalogue) return CheckCatalogue(options);
   const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   int status = kExitHolds;

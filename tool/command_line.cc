@@ -143,7 +143,18 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
   verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
   AddSubjects(verb, options.subjects, own);
-  verb->add_option("--property", options.properties, "Properties (default: all)");
+  CLI::Option* const properties =
+      verb->add_option("--property", options.properties, "Properties (default: all)");
+  CLI::Option* const catalogue = verb->add_flag(
+      "--catalogue", options.catalogue,
+      "Families of stiff and extreme cases, each compared with the subject's own model and with "
+      "real geometry, in place of properties");
+  for (CLI::Option* other : {properties, verb->get_option("scenes"), verb->get_option("--case")})
+    catalogue->excludes(other);
+  verb->add_option("--family", options.families,
+                   "Families of the catalogue, domains and small worlds (default: all)")
+      ->needs(catalogue)
+      ->allow_extra_args(false);
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_flag("--device", options.device,
                  "Put the subject's numbers into the legal set that --profile names: its subpixel "

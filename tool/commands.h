@@ -79,6 +79,8 @@ struct CheckOptions {
   std::string save;  ///< folder for counterexamples; those there are asked first
   int jobs = 1;      ///< properties at once
   FailOn fail_on = FailOn::kStated;
+  bool catalogue = false;             ///< families of stiff cases, not properties
+  std::vector<std::string> families;  ///< these alone; empty: all
 };
 int RunCheck(const CheckOptions& options);
 

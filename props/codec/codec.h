@@ -1,5 +1,5 @@
-// Decodes fuzz bytes: any bytes are a case, and a small change of them is a small change of it. And
-// the way back: bytes for a case.
+// Decodes fuzz bytes and encodes cases. Any bytes are a case, and a small change of the bytes is a
+// small change of the case.
 #ifndef RASTERPROOF_PROPS_CODEC_CODEC_H_
 #define RASTERPROOF_PROPS_CODEC_CODEC_H_
 
@@ -13,23 +13,22 @@
 
 namespace rasterproof::props {
 
-/// Returns the case that the bytes stand for. Every byte string is valid; bytes that run out are
-/// zeros.
+/// Returns the case that the bytes encode. Every byte string is valid; missing bytes are zeros.
 ///
 /// First byte: below 192 the triangles are spelled out, two bytes per coordinate (a place on half
 /// pixels, a subpixel, a step of the lattice: hard places are one byte away from each other), or a
 /// far magnitude. From 192 on the second byte is the number of a domain, whose recipe the other
-/// bytes feed; where no domain has it, or one that the subject does not take, the bytes behind it
-/// spell the triangles out. So a domain that comes or goes changes nothing but its own bytes.
-/// 255 and then 0, which no domain is: the raw code, the bits of every float (raw_code.h).
+/// bytes feed; if no domain has that number, or the subject does not take it, the bytes after it
+/// spell the triangles out. So adding or removing a domain changes only its own bytes. 255 and then
+/// 0, which is no domain's number: the raw code, the bits of every float (raw_code.h).
 /// Properties: the scene is one that Takes(info, scene) accepts.
 Case DecodeCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info);
 
 /// The spelled-out part of the code, from any source of bits.
 Case LatticeCase(BitSource& bits, const SubjectInfo& info);
 
-/// Returns bytes that stand for the case: those of the spelled-out part where it has them and the
-/// case has neither name nor origin, else the raw code.
+/// Returns bytes that encode the case: spelled out if that can express it and the case has neither
+/// name nor origin, else the raw code.
 ///
 /// Domain:     a case whose scene the subject takes, with options that it takes, judged by
 ///             info.profile; no more than 2^18 triangles and as many vertices.

@@ -11,8 +11,8 @@
 //   each triangle  three counts, modulo the number of vertices
 //   [name] [origin]                                      a count and as many characters, each
 //
-// A count is seven bits a byte, the least first, 128 added to all but the last. Bytes that run out
-// are zeros.
+// A count is seven bits a byte, the least first, 128 added to all but the last. Missing bytes are
+// zeros.
 #ifndef RASTERPROOF_PROPS_CODEC_RAW_CODE_H_
 #define RASTERPROOF_PROPS_CODEC_RAW_CODE_H_
 
@@ -28,8 +28,8 @@ namespace rasterproof::props {
 /// Returns whether the bytes begin as the raw code does.
 bool IsRawCode(std::span<const std::uint8_t> bytes);
 
-/// The case that they stand for. What the subject does not take is left out or rounded to what it
-/// takes: a precision, clip space, options, coordinates of fixed point.
+/// Returns the case that they encode. A precision, clip space, options or fixed-point coordinates
+/// that the subject does not take are left out or rounded.
 ///
 /// Domain:     any bytes that IsRawCode.
 Case RawCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info);

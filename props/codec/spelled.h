@@ -1,4 +1,4 @@
-// The spelled-out part of the fuzz code: what its bytes stand for, and the bytes for a case.
+// The spelled-out part of the fuzz code: decoding and encoding.
 #ifndef RASTERPROOF_PROPS_CODEC_SPELLED_H_
 #define RASTERPROOF_PROPS_CODEC_SPELLED_H_
 
@@ -25,7 +25,7 @@ inline constexpr std::uint64_t kHalfPixels = 80;
 inline constexpr double kFirstPixel = -4;
 
 // The second byte of a coordinate: below 128 the half pixel itself, so that a sixteenth of all
-// edges join two of them; then some steps of the lattice beside it; then a subpixel.
+// edges join two of them; then a few steps of the lattice next to it; then a subpixel.
 inline constexpr std::uint64_t kFirstStep = 128;
 inline constexpr std::uint64_t kFirstSubpixel = 192;
 inline constexpr std::array<int, 8> kSpelledSteps{1, -1, 2, -2, 3, -3, 16, -16};
@@ -33,8 +33,8 @@ inline constexpr std::array<int, 8> kSpelledSteps{1, -1, 2, -2, 3, -3, 16, -16};
 /// The coordinate that two bytes stand for.
 double SpelledCoordinate(std::uint64_t anchor, std::uint64_t fine, const InputLattice& lattice);
 
-/// Bytes that LatticeCase, behind a first byte of 0, makes the case of; nothing where a part of it
-/// is none that they can spell. What they make may differ in what no byte says: the caller looks.
+/// Returns bytes that LatticeCase decodes to the case, after a first byte of 0; nothing if they
+/// can't express a part of it. Parts that no byte encodes may still differ: the caller compares.
 std::optional<std::vector<std::uint8_t>> SpellCase(const Case& c, const SubjectInfo& info);
 
 }  // namespace rasterproof::props

@@ -1,4 +1,4 @@
-// Where the choices of a recipe come from: a counter-based generator, fuzz bytes, RapidCheck, an
+// The sources of a recipe's choices: a counter-based generator, fuzz bytes, RapidCheck, an
 // enumeration.
 #ifndef RASTERPROOF_PROPS_DOMAINS_BIT_SOURCE_H_
 #define RASTERPROOF_PROPS_DOMAINS_BIT_SOURCE_H_
@@ -28,8 +28,8 @@ class BitSource {
   }
 };
 
-/// Philox4x64 (Random123): what `index` of `stream` gives under `seed` is the same on every machine
-/// and needs nothing before it. Streams have nothing in common.
+/// Philox4x64 (Random123): the bits of `index` of `stream` under `seed` are the same on every
+/// machine and need no earlier ones. Streams are independent.
 class PhiloxSource final : public BitSource {
  public:
   PhiloxSource(std::uint64_t seed, std::uint64_t index, std::uint64_t stream = 0)

@@ -1,4 +1,4 @@
-// A case in the making: what every recipe draws, adds to and finishes.
+// A case under construction: every recipe draws its parts, adds to it and finishes it.
 #ifndef RASTERPROOF_PROPS_DOMAINS_CASE_BUILDER_H_
 #define RASTERPROOF_PROPS_DOMAINS_CASE_BUILDER_H_
 
@@ -35,7 +35,7 @@ class CaseBuilder {
   const TargetProfile& profile() const { return profile_; }
   int width() const { return case_.scene.width; }
   int height() const { return case_.scene.height; }
-  /// The stated range; for real geometry one whose edge values are still of a readable size.
+  /// The stated range; for real geometry, a range whose edge values are still readable.
   double Range() const { return std::min(lattice_.limit(), 0x1p24); }
   /// Its other end: not the negative of the first for a fixed-point input.
   double LeastOfRange() const { return std::max(lattice_.lowest(), -0x1p24); }
@@ -57,8 +57,8 @@ class CaseBuilder {
   bool WithinLimit() const { return within_limit_; }
   /// Adds the vertex that lies nearest on the lattice, within the profile's limit.
   std::int32_t Add(Point2 p);
-  /// Adds the vertex as it is but for rounding to the precision: off the subpixel grid, beyond the
-  /// limit or not finite, as the recipe wants it.
+  /// Adds the vertex, rounded only to the precision: it may lie off the subpixel grid or beyond the
+  /// limit, or not be finite.
   std::int32_t AddRaw(const Vertex& v);
   void AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c);
   void AddTriangle(const std::array<Point2, 3>& v);

@@ -8,8 +8,8 @@
 
 namespace rasterproof::props {
 
-/// What a case is drawn from, with the input lattice and the profile of the subject that it is
-/// drawn for. Neither the property nor the other domains have a part in it.
+/// The name of a case. It determines the case together with the subject's input lattice and
+/// profile; neither the property nor the other domains matter.
 struct CaseName {
   std::string domain;
   std::uint64_t index = 0;
@@ -21,10 +21,10 @@ struct CaseName {
 /// Returns "DOMAIN:INDEX@SEED".
 std::string ToText(const CaseName& name);
 
-/// Reads what ToText writes, and nothing else: one case has one name. Whether there is such a
-/// domain is not looked at.
+/// Reads the texts of ToText and no others: one case has one name. It does not check that there is
+/// such a domain.
 ///
-/// Error:      InputError that says what is wrong with the name.
+/// Error:      InputError that states the fault in the name.
 CaseName ParseCaseName(std::string_view text);
 
 }  // namespace rasterproof::props

@@ -12,32 +12,32 @@
 
 namespace rasterproof::props {
 
-/// A row of the table. What its cases are depends on nothing but the row's own number and recipe: a
-/// domain that comes or goes changes no other's.
+/// A row of the table. Its cases depend only on its number and recipe: adding or removing a domain
+/// changes no other's cases.
 struct Domain {
-  /// Part of what a case is drawn from, and the byte that names the domain in a fuzz input (from
-  /// 256 on none does). From 1 on, unique, and never given to another recipe, not even when the
-  /// domain is gone. A recipe that draws otherwise than before gets a new number: names of its
-  /// cases then stand for wholly new ones, and an old fuzz input for none of them.
+  /// Part of the seed of a case, and the byte that names the domain in a fuzz input (no byte does
+  /// from 256 on). From 1 on, unique, and never given to another recipe, not even after the domain
+  /// is removed. A recipe that changes its draws gets a new number: names of its cases then mean
+  /// wholly new cases, and an old fuzz input means none of them.
   std::uint16_t number = 0;
   std::string_view name;     ///< "needles", "edges-through-samples"
-  std::string_view summary;  ///< what is hard about it, one line
+  std::string_view summary;  ///< why it is hard, one line
   /// True if cases of this domain always have samples on an edge or within a few lattice steps of
   /// one.
   bool near_edge = false;
-  /// True if its scenes are clip space with w other than 1: nothing for a subject of window space.
+  /// True if its scenes are clip space with w other than 1, which subjects of window space refuse.
   bool clip = false;
   /// True if some of its cases go beyond the profile's coordinate limit, or are not finite.
   bool beyond_limits = false;
   /// True if its scenes are meshes: they are drawn without culling and without a scissor.
   bool mesh = false;
-  /// True if some of its scenes have what no integer holds: NaN and infinities.
+  /// True if some of its scenes have NaN or infinities, which no fixed-point input takes.
   bool non_finite = false;
-  /// How many of its cases a round over a property's domains has.
+  /// The number of its cases in a round over a property's domains.
   std::uint8_t in_a_round = 1;
   /// The same for a subject that owns its transform.
   std::uint8_t in_a_round_behind_transforms = in_a_round;
-  /// The contract that it is about, for a domain that means nothing without it.
+  /// The contract that the domain is for, if it is useless without it.
   bool (*is_stated)(const Profile&) = nullptr;
   /// Draws a case on the input lattice of `info` (its precision, snap, sample pattern, window or
   /// clip space). The case's profile is info.profile. Total: every bit string gives a valid scene.
@@ -50,9 +50,9 @@ const Domain* FindDomain(std::string_view name);
 /// nullptr if there is none of that number.
 const Domain* DomainOfNumber(std::uint16_t number);
 
-/// Returns whether the subject takes scenes of the domain, and states what it is about.
-/// (Window-space domains give clip-space
-/// scenes with a power of two as w to a subject that takes nothing else.)
+/// Returns whether the subject takes scenes of the domain and has its contract, if it names one.
+/// (Window-space domains give clip-space scenes with a power of two as w to a subject that takes
+/// nothing else.)
 bool Suits(const Domain& domain, const SubjectInfo& info);
 
 }  // namespace rasterproof::props

@@ -1,4 +1,4 @@
-// The numbers that a subject's coordinates can be.
+// The values that a subject's coordinates can have.
 #ifndef RASTERPROOF_PROPS_DOMAINS_INPUT_LATTICE_H_
 #define RASTERPROOF_PROPS_DOMAINS_INPUT_LATTICE_H_
 
@@ -19,8 +19,7 @@ namespace rasterproof::props {
 /// larger. Recipes that put a vertex "one step off" an edge mean this step.
 class InputLattice {
  public:
-  /// Domain:     of a fixed-point profile, a precision that holds its
-  ///             coordinates (PrecisionOf).
+  /// Domain:     a precision that holds the coordinates of a fixed-point profile (PrecisionOf).
   InputLattice(const Profile& profile, Precision precision);
 
   Precision precision() const { return precision_; }
@@ -33,15 +32,15 @@ class InputLattice {
 
   /// The lattice place nearest to x.
   ///
-  /// Domain:     any double. NaN and infinities are returned as they are; what would overflow
-  ///             becomes the largest finite place, and what a fixed-point input is never given
-  ///             the nearest end of its range (of several ranges beside it if it wraps).
+  /// Domain:     any double. NaN and infinities are returned unchanged; a value that would overflow
+  ///             becomes the largest finite place, and a value that a fixed-point input does not
+  ///             take the nearest end of its range (of several adjacent ranges if it wraps).
   double Round(double x) const;
   /// Round(x) taken back within [lowest(), limit()].
   double RoundWithinLimit(double x) const;
   /// The nearest value of the input's number format, on or off the subpixel grid.
   double RoundToPrecision(double x) const;
-  /// The nearest value of the scene's precision, whatever coordinates come as: for z and w.
+  /// The nearest value of the scene's precision, for z and w, even if coordinates are integers.
   double RoundToFloat(double x) const;
   /// Distance from the lattice place x to its neighbour away from zero. A power of two.
   double Step(double x) const;

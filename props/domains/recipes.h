@@ -1,6 +1,6 @@
-// The recipes behind the table of domains. Each is total: every bit string gives a valid case, and
-// the same one under every compiler: two draws never stand in one call's arguments or on both sides
-// of an operator, whose order C++ leaves open.
+// The recipes of the table of domains. Each is total: every bit string gives a valid case, the same
+// under every compiler: no two draws occur in the arguments of one call or on both sides of an
+// operator, whose order C++ leaves open.
 #ifndef RASTERPROOF_PROPS_DOMAINS_RECIPES_H_
 #define RASTERPROOF_PROPS_DOMAINS_RECIPES_H_
 
@@ -46,7 +46,7 @@ Case RoundedDifferences(BitSource& bits, const SubjectInfo& info);
 Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info);
 Case DecidingSnapTies(BitSource& bits, const SubjectInfo& info);
 Case FullCoverage(BitSource& bits, const SubjectInfo& info);
-/// Triangles one vertex of which decides a sample by how it is snapped.
+/// Triangles in which the snapping of one vertex decides a sample.
 void AddDecidingTies(CaseBuilder& builder);
 
 // recipes_far_sides.cc

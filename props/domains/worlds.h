@@ -1,5 +1,5 @@
-// Worlds: every triangle, pair and fan on a few points, and what is only reached by size; each case
-// has a number.
+// Worlds: every triangle, pair and fan on a few points, and cases of extreme size. Each case has a
+// number.
 #ifndef RASTERPROOF_PROPS_DOMAINS_WORLDS_H_
 #define RASTERPROOF_PROPS_DOMAINS_WORLDS_H_
 
@@ -13,15 +13,15 @@
 
 namespace rasterproof::props {
 
-/// A numbered set of cases that can be run to the end. Of two kinds:
+/// A numbered set of cases that can be run to the end. There are two kinds:
 ///
-/// All choices of the vertices of a shape among n x n points, half a pixel apart from the corner of
-/// the target on: of every two along a row or a column one is at the centre of a pixel. The
+/// All choices of the vertices of a shape among n x n points, half a pixel apart from the target's
+/// corner on: every second one along a row or a column is at the centre of a pixel. The
 /// vertices of case k are its digits to the base n n, the first vertex the lowest one; a digit is a
 /// row times n plus a column. No symmetry is assumed: a triangle is there from each of its vertices
-/// and in both windings, where it lies and moved by every step that the points leave, flat ones
-/// too. The shapes: `triangles`; `pairs` (a, b, c) and (b, a, d), on either side of a common edge
-/// or on one; `fans` of a hub and a ring of six, embedded, folded or flat.
+/// and in both windings, at every position that the points allow, flat ones included. The shapes:
+/// `triangles`; `pairs` (a, b, c) and (b, a, d), on both sides of a common edge or on one; `fans`
+/// of a hub and a ring of six, embedded, folded or flat.
 ///
 /// Sizes at which a number is cut off: indices of 16 bits, targets past 2^14, 2^31 bytes of counts.
 struct World {
@@ -30,7 +30,7 @@ struct World {
   std::uint64_t cases = 0;
   int reach = 0;            ///< the largest coordinate, in half pixels; the least is 0
   std::int64_t pixels = 0;  ///< of the largest target
-  /// Names of the properties that it puts to the test, where they apply to the subject.
+  /// Names of the properties that it exercises, where they apply to the subject.
   std::span<const std::string_view> properties;
   /// CaseOfWorld calls it.
   Case (*draw)(std::uint64_t index, const SubjectInfo&) = nullptr;

@@ -1,5 +1,5 @@
-// Triangles on which two models draw differently, by construction; and triangles with no two
-// models in mind.
+// Triangles on which two given models draw differently, by construction; and triangles that are
+// not aimed at any two models.
 #ifndef RASTERPROOF_PROPS_INFER_DIRECTED_H_
 #define RASTERPROOF_PROPS_INFER_DIRECTED_H_
 
@@ -10,16 +10,16 @@
 
 namespace rasterproof::props {
 
-/// One triangle near whose first edge the models part, more often than not: its first vertex lies
-/// where their snaps differ (near a tie of one of them), and the edge passes exactly through a
-/// sample once that vertex is snapped as one of them does. Where their snaps are one, the edge
-/// passes through a sample, and their tie rules differ.
+/// Returns a triangle near whose first edge the models usually differ: its first vertex lies where
+/// their snaps differ (near a tie of one of them), and the edge passes exactly through a sample
+/// once that vertex is snapped as one of them does. If their snaps are equal, the edge passes
+/// through a sample, where their tie rules differ.
 ///
 /// Returns:    float32 vertices; a small target.
 Scene SplittingTriangle(BitSource& bits, const ModelSpace& space, const Model& a, const Model& b);
 
-/// One triangle on 16 x 16 pixels and a little beside: corners anywhere; every other one's on
-/// multiples of 1 to 1/16 pixel; every fourth with an edge through a sample, or next to it.
+/// Returns a triangle on or near 16 x 16 pixels: corners anywhere; every other triangle's on
+/// multiples of 1 to 1/16 pixel; every fourth's with an edge through a sample, or next to it.
 ///
 /// Returns:    float32 vertices.
 Scene AimlessTriangle(BitSource& bits);

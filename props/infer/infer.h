@@ -17,7 +17,7 @@ namespace rasterproof::props {
 
 struct InferOptions {
   std::uint64_t seed = 1;
-  /// Cases drawn without a pair of models in mind, after the pairs: where elimination did not look.
+  /// Cases that are not aimed at a pair of models, drawn after the pairs.
   int checks = 400;
   /// The same for the nearest model where none fits: near ones differ in few samples.
   int nearest_checks = 1200;
@@ -32,7 +32,7 @@ struct NearestModel {
   std::uint64_t experiments = 0;
 };
 
-/// What became of one statement.
+/// The result for one statement.
 struct StatementVerdict {
   std::string statement;  ///< "subpixel bits", "tie rule", ...
   std::string stated;
@@ -41,26 +41,26 @@ struct StatementVerdict {
 };
 
 struct Inference {
-  /// Every model that explains all experiments, simplest first. More than one: no experiment that
-  /// was looked for tells them apart.
+  /// Every model that explains all experiments, simplest first. If there are several, the search
+  /// found no experiment that distinguishes them.
   std::vector<Profile> remaining;
   FacingReport facing = FacingReport::kNotTold;
-  std::uint64_t models = 0;       ///< models that were in the race
+  std::uint64_t models = 0;       ///< models at the start of the race
   std::uint64_t experiments = 0;  ///< draws of the subject
-  /// Where one fits: what was left out, if anything. Where none fits: why, in one line, the case
+  /// If a model fits: what was left out, if anything. If none fits: why, in one line, with the case
   /// that the nearest model gets wrong, and that model.
   std::string message;
   std::optional<Case> witness;
   std::optional<NearestModel> nearest;
-  /// Of several samples, and of one where no model fits.
+  /// Filled for several samples, and for one sample if no model fits.
   std::optional<SamplePlaces> sample_places;
-  /// Each statement of the subject's profile against what was found; empty if none fits.
+  /// Each statement of the subject's profile compared with the models found; empty if none fits.
   std::vector<StatementVerdict> statements;
   /// A case in which the stated model itself is wrong.
   std::optional<Case> against_stated;
   double seconds = 0;
 
-  /// True if what is stated left no room for experiments, or the subject was too slow: the
+  /// True if the stated limits left no room for experiments, or the subject was too slow: the
   /// message says which, and why.
   bool is_inconclusive = false;
 
@@ -75,13 +75,13 @@ struct Inference {
 ///
 /// Domain:     a subject that draws float32 scenes and takes coordinates up to 1026; up to 514,
 ///             258, 130 or 66 the samples' locations are looked for on multiples of 2^-7, 2^-6,
-///             2^-5 or 2^-4 (its profile's limit bounds what is drawn beside); a fixed-point input
-///             is given its integers, in range. Nothing that it states is believed but the number
+///             2^-5 or 2^-4 (its profile's limit bounds all other draws); a fixed-point input
+///             is given its integers, in range. Of its statements the search trusts only the number
 ///             of samples, the kind of its counts, its limits (coordinates, largest extent,
-///             guard-band rectangle) and what it leaves open. Of `by_target_size` the model of the
-///             smallest is found.
-/// Error:      none: a subject that throws fits no model, and says why. A scene that it refuses is
-///             no experiment, unless it is one of the first, which show where the samples lie.
+///             guard-band rectangle) and its freedom. With `by_target_size` it finds the model of
+///             the smallest targets.
+/// Error:      none: a subject that throws fits no model, and the message says why. A scene that it
+///             refuses is skipped, unless it is one of the first, which show where samples lie.
 Inference Infer(Subject& subject, const InferOptions& options = {});
 
 }  // namespace rasterproof::props

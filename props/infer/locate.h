@@ -1,5 +1,5 @@
-// Where a subject's samples lie, which way y grows and what its facings are, by large triangles
-// whose vertices lie on every grid that holds the even integers.
+// Finds a subject's sample locations, y axis and facings by large triangles whose vertices lie on
+// every grid that holds the even integers.
 #ifndef RASTERPROOF_PROPS_INFER_LOCATE_H_
 #define RASTERPROOF_PROPS_INFER_LOCATE_H_
 
@@ -23,10 +23,10 @@ struct Location {
   Scene complaint_scene;
 };
 
-/// Why what is stated leaves no room for the experiments that Locate needs; empty if it does.
+/// Returns why the stated limits leave no room for the experiments of Locate; empty if they do.
 std::string TooLittleRoom(const SubjectInfo& info);
 
-/// Draws four scenes and tells the observer what facings mean.
+/// Draws four scenes and sets the meaning of facings in the observer.
 Location Locate(Observer& observer);
 
 }  // namespace rasterproof::props

@@ -1,4 +1,4 @@
-// The models that are in the race, and what each of them draws.
+// The models in the race, and their drawings.
 #ifndef RASTERPROOF_PROPS_INFER_MODEL_SPACE_H_
 #define RASTERPROOF_PROPS_INFER_MODEL_SPACE_H_
 
@@ -29,7 +29,7 @@ inline constexpr std::uint8_t kInclusiveRule = 8;
 inline constexpr std::uint8_t kRuleCount = 10;
 TieRule RuleOf(std::uint8_t rule);
 
-/// Where the samples may lie, given where they seem to lie under a grid that holds the integers.
+/// Candidates for the sample locations, from the apparent ones under a grid with the integers.
 struct PatternCandidate {
   SamplePattern pattern;
   /// True if it explains the same sights only for models whose grid is half a pixel off.
@@ -39,8 +39,8 @@ struct PatternCandidate {
 /// All models of one y axis.
 class ModelSpace {
  public:
-  /// `stated`: what no experiment is for, such as fixed-point input. Snaps that leave every
-  /// coordinate of such an input where it is are one model, that without a snap.
+  /// `stated`: keys that no experiment tests, such as fixed-point input. All snaps that move no
+  /// coordinate of such an input count as one model, the one without a snap.
   ModelSpace(YAxis y_axis, std::vector<PatternCandidate> patterns, const Profile& stated);
 
   const std::vector<Model>& models() const { return models_; }
@@ -49,7 +49,7 @@ class ModelSpace {
   }
   YAxis y_axis() const { return y_axis_; }
   const Profile& stated() const { return stated_; }
-  /// The model as a profile that states it, and all else that is stated, named by what it is.
+  /// Returns a profile that states the model and all other stated keys, named after the model.
   Profile ProfileOf(const Model& model) const;
 
  private:
@@ -62,7 +62,7 @@ class ModelSpace {
 /// Whether a snap moves no coordinate of the profile's fixed-point input.
 bool MovesNothing(const Snap& snap, const Profile& profile);
 
-/// What models draw of one scene. Models that put its vertices on the same places share one draw.
+/// The models' drawings of one scene. Models that put its vertices in the same places share one.
 class Prediction {
  public:
   /// Domain:     window space. `scene` and `space` must outlive the prediction.
@@ -70,8 +70,8 @@ class Prediction {
       : scene_(scene), space_(space), facing_(facing) {}
 
   const CoverageCounts& Of(const Model& model);
-  /// Whether what was seen is legal under the model, given what the stated profile leaves open:
-  /// edge_samples, and triangles of zero area.
+  /// Whether the observed drawing is legal under the model and the stated profile's freedom about
+  /// edge_samples and triangles of zero area.
   bool Explains(const Model& model, const CoverageCounts& seen);
   /// Whether no picture is legal under both.
   bool Parts(const Model& a, const Model& b);

@@ -1,4 +1,4 @@
-// The model that is wrong about the fewest samples, where none is right about all.
+// The model with the fewest wrong samples, if no model explains all.
 #ifndef RASTERPROOF_PROPS_INFER_NEAREST_H_
 #define RASTERPROOF_PROPS_INFER_NEAREST_H_
 
@@ -13,11 +13,11 @@
 
 namespace rasterproof::props {
 
-/// Returns the model of fewest wrong samples over the experiments; of equally wrong ones the stated
-/// snap's, then the simplest.
+/// Returns the model with the fewest wrong samples over the experiments; among equals a model of
+/// the stated snap, then the simplest.
 ///
-/// In the race are models of coordinates alone, and those of the stated snap. It halves: the worse
-/// half of the models sees only a part of the experiments.
+/// It compares models whose snap rounds coordinates, not differences, and models of the stated
+/// snap. The race halves: the worse half of the models sees only a part of the experiments.
 ///
 /// Domain:     experiments that aim at no pair of models; at least one, and at least one model.
 NearestModel Nearest(const Observer& observer, const ModelSpace& space,

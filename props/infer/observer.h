@@ -1,4 +1,4 @@
-// Asks a subject and takes down what it drew, in one form for all kinds of subjects.
+// Asks a subject for draws and records them in one form for all kinds of subjects.
 #ifndef RASTERPROOF_PROPS_INFER_OBSERVER_H_
 #define RASTERPROOF_PROPS_INFER_OBSERVER_H_
 
@@ -19,45 +19,44 @@
 
 namespace rasterproof::props {
 
-/// What a subject's counts say of facings.
+/// The meaning of the facings in a subject's counts.
 enum class FacingReport : std::uint8_t {
   kAsOnScreen,  ///< front is counter-clockwise on screen
   kReversed,    ///< front is clockwise on screen
   kNotTold      ///< all counts are in one place
 };
 
-/// A target of so many pixels a side has the model that all experiments are about.
+/// The side, in pixels, of a target that has the model of all experiments.
 inline constexpr int kSmallTarget = 8;
 
-/// Draws scenes with a subject, until it breaks off: from then on every target stays empty, and
-/// nothing that is made of it counts.
+/// Draws scenes with a subject until it breaks off: from then on every target stays empty, and no
+/// conclusion from it counts.
 class Observer {
  public:
   explicit Observer(Subject& subject);
 
   /// The subject's counts for a window-space scene, as they come.
   CoverageCounts Raw(const Scene& scene);
-  /// The same in the form in which Expected() puts an exact draw: facings as on screen, or all in
-  /// front.
+  /// The same in the form of Expected() for exact draws: facings as on screen, or all in front.
   CoverageCounts Draw(const Scene& scene) { return Normal(Raw(scene)); }
-  /// The counts of several scenes, in as few calls as the subject can do with; of one that it
-  /// refuses, counts of no samples. Fewer if it breaks off.
+  /// The counts of several scenes, in as few calls as the subject allows; for a refused scene,
+  /// counts of no samples. Fewer if it breaks off.
   std::vector<CoverageCounts> Draw(std::span<const Scene> scenes);
   CoverageCounts Expected(CoverageCounts exact) const;
 
   void SetFacing(FacingReport facing) { facing_ = facing; }
   FacingReport facing() const { return facing_; }
-  /// Whether the subject tells facings itself, and none need be worked out.
+  /// Whether the subject itself reports facings, so that none need be computed.
   bool TellsFacings() const { return info().coverage == CoverageKind::kFacingCounts; }
   const SubjectInfo& info() const { return subject_.Info(); }
   /// The stated profile, as it is on the small targets of all experiments.
   const TargetProfile& stated() const { return stated_; }
-  /// The scene with its vertices where the subject can be given them: on the integers of a
-  /// fixed-point input, within the stated limit. Nothing if it still breaks what is stated of
-  /// the scenes that are judged.
+  /// The scene with its vertices moved to places that the subject takes: on the integers of a
+  /// fixed-point input, within the stated limit. Nothing if it still breaks a limit on the scenes
+  /// that are judged.
   std::optional<Scene> Given(const Scene& scene) const;
   std::uint64_t draws() const { return draws_; }
-  /// What the subject was asked last.
+  /// The last question to the subject.
   const Scene& last_scene() const { return last_scene_; }
   bool HasBrokenOff() const { return end_.stop != Stop::kNone; }
   const CallEnd& end() const { return end_; }

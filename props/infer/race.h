@@ -1,4 +1,4 @@
-// Elimination: what was drawn, and which models still explain all of it.
+// Elimination: the drawings so far, and the models that still explain all of them.
 #ifndef RASTERPROOF_PROPS_INFER_RACE_H_
 #define RASTERPROOF_PROPS_INFER_RACE_H_
 
@@ -25,12 +25,12 @@ class Race {
   Race(Observer& observer, const ModelSpace& space, std::uint64_t seed)
       : observer_(observer), space_(space), seed_(seed), left_(space.models()) {}
 
-  /// Draws the scene with the subject and strikes out the models that draw another picture. Returns
+  /// Draws the scene with the subject and removes the models that draw another picture. Returns
   /// whether it was drawn.
   bool Run(const Scene& scene);
   /// Runs triangles on which two remaining models differ until none is found for any pair.
   void Split();
-  /// Runs triangles without a pair in mind.
+  /// Runs triangles that are not aimed at a pair.
   void Check(int count);
 
   const std::vector<Model>& left() const { return left_; }

@@ -1,4 +1,4 @@
-// Where samples lie, pixel by pixel, whatever model there is.
+// The places of samples, pixel by pixel, independent of any model.
 #ifndef RASTERPROOF_PROPS_INFER_SAMPLE_PLACES_H_
 #define RASTERPROOF_PROPS_INFER_SAMPLE_PLACES_H_
 
@@ -12,7 +12,7 @@
 
 namespace rasterproof::props {
 
-/// Edges are moved in steps of so much of a pixel: a place is known to within one.
+/// Edges are moved in steps of this fraction of a pixel: a place is known to within one step.
 inline constexpr int kPlaceSteps = 32;
 
 /// Where a pixel shows one of its samples: from x / 32 to (x + 1) / 32 of it, and so along y.
@@ -24,7 +24,7 @@ struct SeenPlace {
 };
 
 struct SamplePlaces {
-  /// Of each sample, in the first pixel that shows it.
+  /// The place of each sample, in the first pixel that shows it.
   std::vector<SeenPlace> samples;
   /// Two samples that seem to lie in one place.
   std::optional<std::array<int, 2>> sharing;
@@ -36,9 +36,9 @@ struct SamplePlaces {
   std::optional<Moved> varying;
 };
 
-/// Draws half planes, whose edges advance over a small target, and sees where each sample of each
-/// pixel is reached. A grid of the subject's own moves an edge as far in one pixel as in the next,
-/// so that places differ only if samples do; by less than 1/16 of a pixel they may differ unseen.
+/// Draws half planes whose edges advance over a small target, and records where each sample of each
+/// pixel is reached. The subject's grid moves an edge equally far in every pixel, so that places
+/// differ only if samples do; differences of less than 1/16 of a pixel may go unseen.
 ///
 /// Domain:     a subject that takes what TooLittleRoom asks for; `y_axis` as Locate found it.
 /// Returns:    nothing if some sample is never covered, or the subject breaks off.

@@ -1,4 +1,4 @@
-// What a subject states, against the models that explain it.
+// Compares a subject's statements with the models that explain it.
 #ifndef RASTERPROOF_PROPS_INFER_STATED_KEYS_H_
 #define RASTERPROOF_PROPS_INFER_STATED_KEYS_H_
 
@@ -12,8 +12,8 @@ namespace rasterproof::props {
 
 /// Returns a verdict on each member of the stated model.
 ///
-/// Agrees:     some remaining model has the stated value, and so has all the others' stated
-///             values that are still open; or the stated freedom allows what was found; or the
+/// Agrees:     some remaining model has the stated value and the other stated values that are
+///             still open; or the stated freedom allows the value found; or the
 ///             contract states nothing about single samples (then the verdict is an observation).
 std::vector<StatementVerdict> VerifyStatements(const Profile& stated, FacingReport facing,
                                                const std::vector<Profile>& remaining);

@@ -48,7 +48,7 @@ struct FormAnswer {
   std::array<double, 3> bounds{};
 };
 
-/// What the subject says at a query, in every form that suits it.
+/// The subject's answers at a query, in every form that suits it.
 struct BarycentricAnswer {
   BarycentricQuery query;
   std::vector<FormAnswer> forms;

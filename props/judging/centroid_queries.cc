@@ -97,7 +97,7 @@ std::vector<CentroidTriangle> TrianglesToJudge(const PlacedCase& c, const Descri
   return triangles;
 }
 
-// At most so many of them, evenly spread.
+// At most this many of them, evenly spread.
 void Thin(std::vector<CoveredPixel>& pixels, std::size_t most) {
   const std::size_t stride = pixels.size() / most + 1;
   std::vector<CoveredPixel> kept;
@@ -150,7 +150,7 @@ std::array<double, 3> TolerancesAt(const SubjectInfo& info, const CentroidFragme
   return BarycentricTolerances(info, there);
 }
 
-// What the samples of the pixel show, each value once.
+// The values that the samples of the pixel show, each once.
 void AddFragments(const PlacedCase& c, const SubjectInfo& info, const CentroidTriangle& triangle,
                   const Drawing& drawing, const CoveredPixel& pixel,
                   std::vector<CentroidFragment>& fragments) {

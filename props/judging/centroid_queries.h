@@ -21,7 +21,7 @@ namespace rasterproof::props {
 
 /// Where a profile lets a fragment's centroid lie.
 struct CentroidRegion {
-  /// The one point; nothing: any of the rectangle that the primitive has.
+  /// The one point; nothing: any point of the rectangle within the primitive.
   std::optional<Point2> at;
   Point2 low;
   Point2 high;
@@ -30,7 +30,7 @@ struct CentroidRegion {
   std::string words;  ///< "the pixel's centre"
 };
 
-/// What a subject shows at a fragment's centroid.
+/// A subject's output at a fragment's centroid.
 struct CentroidFragment {
   /// The vertices that the barycentrics belong to, and a covered sample that shows them.
   BarycentricQuery query;
@@ -48,18 +48,18 @@ struct CentroidFragment {
 std::optional<Point2> StatedCentroid(const PlacedCase& c, int x, int row,
                                      const std::vector<bool>& covered);
 
-/// Whether some point of the region has barycentrics that are as far from the shown ones as the
-/// tolerances let them be, decided exactly; at a stated point, how far they are of it.
+/// Returns whether some point of the region has the shown barycentrics within the tolerances,
+/// decided exactly; for a stated point, also how far off they are.
 ///
-/// Domain:     tolerances that are stated. Barycentrics that are not finite are nowhere.
+/// Domain:     stated tolerances. Barycentrics that are not finite match no point.
 Distance DistanceFromRegion(const CentroidFragment& fragment);
 
-/// Whether any point is legal: not so of a fragment that the triangle does not reach in any legal
-/// model. That it is covered at all is then for other properties to tell.
+/// Returns whether any point is legal. None is if the triangle reaches the fragment in no legal
+/// model; other properties then report that it is covered at all.
 bool HasAPoint(const CentroidRegion& region);
 
-/// Asks for the centroids of a few triangles, each drawn alone so that what it covers is seen, and
-/// judges some of their fragments, those that are covered in part first.
+/// Asks for the centroids of a few triangles, each drawn alone to show its coverage, and judges
+/// some of their fragments, partly covered ones first.
 Checks AskCentroids(const PlacedCase& c, const Description& subject,
                     Verdict (*judge)(const std::vector<CentroidFragment>&));
 

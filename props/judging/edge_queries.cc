@@ -56,7 +56,7 @@ std::vector<EdgeQuery> SomeEdgeQueries(const PlacedCase& c) {
   return queries;
 }
 
-// A value at an image, and the one that it should follow from.
+// A value at an image, and the value that it should follow from.
 struct ImageValue {
   EdgeQuestion image;
   double image_bound = 0;

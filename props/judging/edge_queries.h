@@ -1,4 +1,4 @@
-// What the edge, incremental and symmetry properties ask an edge evaluator about.
+// The edges and samples that the edge, incremental and symmetry properties ask about.
 #ifndef RASTERPROOF_PROPS_JUDGING_EDGE_QUERIES_H_
 #define RASTERPROOF_PROPS_JUDGING_EDGE_QUERIES_H_
 
@@ -27,7 +27,7 @@ struct EdgeQuery {
   SamplePlace place;
 };
 
-/// What a property about edge values needs.
+/// The gate of a property about edge values.
 inline constexpr Gate kAsksEdgeValues{
     .shows = Shows::kEdgeValues, .contract = ContractNeeded::kNone, .unwrapped = true};
 
@@ -44,7 +44,7 @@ std::vector<BoundedEdge> SomeBoundedEdges(const PlacedCase& c, const EdgeBounds&
 /// Asks for the value at each.
 Questions ValuesAt(std::span<const BoundedEdge> edges);
 
-/// A violation at a query: what the property says, and the values that contradict it.
+/// A violation at a query: the property's claim, and the values that contradict it.
 Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& property,
                       const std::string& observed, const std::string& expected);
 

@@ -16,18 +16,18 @@
 namespace rasterproof::props {
 namespace {
 
-// Of coordinates that are worked out in double.
+// The margin for coordinates that are computed in double.
 constexpr double kRoundingMargin = 0x1p-30;
 
 using Polygon = std::vector<Point2>;
 
-// Of the coarsest legal grid, in pixels; 0: there is none.
+// Returns the step of the coarsest legal grid, in pixels; 0: there is no grid.
 double CoarsestStep(const Profile& profile) {
   if (profile.snap.IsNone()) return 0;
   return std::ldexp(1.0, -profile.freedom.least_bits.value_or(profile.snap.bits));
 }
 
-// What is left where `inside`, affine, is not negative.
+// The part where `inside`, affine, is not negative.
 template <class Inside>
 Polygon Cut(const Polygon& polygon, const Inside& inside) {
   Polygon kept;

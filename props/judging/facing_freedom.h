@@ -1,4 +1,4 @@
-// What the legal models of a profile leave open about facings.
+// The facings that the legal models of a profile leave open.
 #ifndef RASTERPROOF_PROPS_JUDGING_FACING_FREEDOM_H_
 #define RASTERPROOF_PROPS_JUDGING_FACING_FREEDOM_H_
 
@@ -16,11 +16,11 @@
 namespace rasterproof::props {
 
 /// A triangle whose facing may be that of the polygon that clipping leaves inside the target is
-/// open where this polygon, grown by a grid step, is thinner than so many steps: its vertices snap
-/// too, less than a step on each axis. Of a wedge that crosses the target both edges can move by a
+/// open if this polygon, grown by a grid step, is thinner than this many steps: its vertices snap
+/// too, less than a step on each axis. Both edges of a wedge that crosses the target can move by a
 /// step toward each other, which takes two steps times its length from an area that is at least
-/// half its thickness times its length. One of almost three steps may have no area: two steps would
-/// not let it (facing_freedom_test.cc).
+/// half its thickness times its length. A wedge of almost three steps may lose its area, which a
+/// limit of two steps would miss (facing_freedom_test.cc).
 inline constexpr double kThinnestClippedSteps = 4;
 
 /// A triangle of a case, as legal models may face and place it.
@@ -48,11 +48,11 @@ class LegalTriangle {
   std::array<LegalPlaces, 3> places_{};
 };
 
-/// The triangle (0, 0), (2W, 0), (0, 2H) on a target W wide and H high: it covers every sample. By
-/// what it shows it is known which side the subject takes for the front.
+/// The triangle (0, 0), (2W, 0), (0, 2H) on a target W wide and H high: it covers every sample, and
+/// its counts show which side the subject takes for the front.
 struct Reference {
   PlacedCase value;
-  int facing = 0;  ///< that of every legal model: +1 or -1
+  int facing = 0;  ///< the same in every legal model: +1 or -1
 };
 inline constexpr const char* kReferenceWords = "the triangle (0, 0) (2 W, 0) (0, 2 H)";
 
@@ -61,12 +61,12 @@ inline constexpr const char* kReferenceWords = "the triangle (0, 0) (2 W, 0) (0,
 /// for the target. None where single samples are not stated.
 std::vector<Reference> ReferencesOf(const PlacedCase& c);
 
-/// The case's first triangles, so many, behind its last reference, if that is on the case's target.
+/// The case's first triangles, up to a number, after its last reference if that has its target.
 PlacedCase BehindItsReference(const PlacedCase& c, const std::vector<Reference>& references,
                               std::size_t count);
 
-/// What a drawing of one triangle shows: +1 front counts alone, -1 back counts alone, 0 none or
-/// both.
+/// The facing that a drawing of one triangle shows: +1 front counts alone, -1 back counts alone,
+/// 0 none or both.
 int ShownFacing(const CoverageCounts& counts);
 
 }  // namespace rasterproof::props

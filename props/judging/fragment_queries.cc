@@ -83,7 +83,7 @@ class Depths {
   explicit Depths(const Scene& scene) : bits_(kBits[static_cast<std::size_t>(scene.width) % 4]) {}
 
   double Of(std::size_t vertex) const {
-    // Eight places far apart, and 32 beside each.
+    // Eight places far apart, and 32 next to each.
     const auto place =
         static_cast<double>(1 + 3 * vertex % 8) - static_cast<double>(vertex / 8 % 32) / 32;
     return (bits_ == kBits[0] ? 0 : 0.5) + std::ldexp(place, -bits_);
@@ -116,8 +116,7 @@ double SizeOfBarycentrics(const BarycentricQuery& q) {
   return size;
 }
 
-// What a triangle's edge values can be off at a sample, for the ways to turn them into
-// barycentrics.
+// A triangle's edge values and area at a sample with their errors, to derive barycentrics from.
 struct EdgeErrors {
   std::array<double, 3> value{};      // |E_i|, at most
   std::array<double, 3> tolerance{};  // of E_i

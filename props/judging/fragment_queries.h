@@ -18,7 +18,7 @@
 
 namespace rasterproof::props {
 
-/// What the subject shows at one covered sample, and what it may be off.
+/// The subject's output at one covered sample, and its tolerances.
 struct Fragment {
   BarycentricQuery
       query;  ///< the visible triangle, by the vertices that the barycentrics belong to
@@ -28,8 +28,8 @@ struct Fragment {
   /// True if the draw was asked for barycentrics or for depths, and not for the other.
   bool asked_alone = false;
   std::array<double, 3> z{};
-  /// Of a depth that was asked for alone those of the draw that was asked for all; nothing if that
-  /// shows another triangle, or another choice of the owners would explain it.
+  /// For a depth that was requested alone, the barycentrics of the full draw; nothing if that shows
+  /// another triangle, or another choice of owners would explain it.
   std::optional<std::array<double, 3>> barycentrics;
   double depth = 0;  ///< anything if barycentrics were asked for alone
   /// NaN where nothing is stated. See BarycentricTolerances().
@@ -37,19 +37,19 @@ struct Fragment {
   double depth_tolerance = 0;
 };
 
-/// What a property judges of fragments, each of its own.
+/// Judges the fragments of one case; each property has its own.
 using FragmentJudge = Verdict (*)(const std::vector<Fragment>&);
 
 inline constexpr Outputs kBarycentricsAlone{
     .primitive_ids = true, .barycentrics = true, .depths = false};
 inline constexpr Outputs kDepthsAlone{.primitive_ids = true, .barycentrics = false, .depths = true};
 
-/// Asks for all that a call shows of the case, its vertices at depths of our own choice, then for
+/// Asks for all outputs of the case, with its vertices at depths that we choose, then for
 /// barycentrics or depths alone, and judges some of the covered samples of both draws, evenly
 /// spread. Triangles without area by the stated vertices are left out.
 ///
-/// Of a subject that does not say whose barycentrics it shows a fragment holds if it does by the
-/// vertices as given or by those on the grid.
+/// If the subject does not say which vertices its barycentrics belong to, a fragment holds if it
+/// does by the given vertices or by those on the grid.
 Checks AskFragments(const PlacedCase& c, const Description& subject, const Outputs& alone,
                     FragmentJudge judge);
 

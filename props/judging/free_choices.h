@@ -16,7 +16,7 @@
 
 namespace rasterproof::props {
 
-/// Where the legal models of a profile put a vertex: nowhere but in this rectangle of the window.
+/// The rectangle of the window in which all legal models of a profile put a vertex.
 struct LegalPlaces {
   Point2 low;
   Point2 high;
@@ -46,11 +46,11 @@ class ClippedEdges {
 /// Legal models: a vertex takes any grid point that the profile's tolerance allows, each position
 /// one. Watertight and closed subjects: any point within a step of the grid that the profile
 /// states, or within a pixel on each axis where it states none. A triangle that the subject may
-/// clip: a pixel further. What is said to be fixed is so in every legal model: the area is affine
-/// in each coordinate, so that its exact signs at the corners of the rectangles bound it.
+/// clip: a pixel further. A triangle that is not open has one facing in every legal model: the area
+/// is affine in each coordinate, so that its exact signs at the rectangles' corners bound it.
 class OpenTriangles {
  public:
-  /// None is open.
+  /// Makes an empty set: no triangle is open.
   OpenTriangles() = default;
   /// Domain:     a case as properties see it; window space, or clip space without a transform.
   explicit OpenTriangles(const PlacedCase& c);
@@ -61,7 +61,7 @@ class OpenTriangles {
   bool CanCover(Point2 p) const;
   bool IsEmpty() const { return open_.empty(); }
   std::size_t size() const { return open_.size(); }
-  /// From now on only those count that some legal models drop.
+  /// From now on only triangles that some legal models drop count as open.
   void ForgetTurned();
   /// The farthest that a legal model puts a vertex from where it is given, in pixels.
   double MostMoved() const { return most_moved_; }
@@ -80,8 +80,8 @@ class OpenTriangles {
   std::vector<Open> open_;
 };
 
-/// Where legal models put the corners of a triangle, each; whole pixels included by which a
-/// watertight subject's grid may lie beside.
+/// The places where legal models put each corner of a triangle, including the whole pixels by which
+/// a watertight subject's grid may be shifted.
 ///
 /// Returns:    nothing if some legal model puts one outside the guard-band rectangle, and may move
 ///             its edges.
@@ -93,13 +93,13 @@ std::optional<std::array<LegalPlaces, 3>> LegalPlacesOf(const PlacedCase& c, con
 /// Domain:     as LegalPlacesOf().
 bool StaysWhereGiven(const PlacedCase& c, const Triangle& t);
 
-/// Returns whether the facing of a triangle that the subject draws is what it says itself, and not
-/// worked out from the canonical model.
+/// Returns whether the subject itself reports the facing of a triangle, so that it is not computed
+/// from the canonical model.
 bool TellsFacings(const Description& subject);
 
 /// The window-space scene with its coordinates wrapped but not snapped; triangles that every legal
-/// model drops for their extent have their corners in one place. What is one place here is one in
-/// every legal model, and what is not need not be.
+/// model drops for their extent have their corners in one place. Vertices in one place here are in
+/// one place in every legal model; others may be too.
 Scene UnsnappedScene(const PlacedCase& c);
 
 }  // namespace rasterproof::props

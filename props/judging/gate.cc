@@ -124,7 +124,7 @@ std::optional<std::string> ContractDoesNotState(const Profile& profile, const Ga
   return "the profile's contract states nothing about coverage";
 }
 
-// Of clip space no profile with such a rectangle says anything.
+// A profile with such a rectangle says nothing about clip space.
 bool MayBeClipped(const Gate& gate) {
   return gate.judges_clipped || gate.contract == ContractNeeded::kNone ||
          gate.space == Space::kClip;
@@ -145,7 +145,7 @@ std::optional<std::string> ProfileDoesNotState(const Gate& gate, const SubjectIn
 std::optional<std::string> SubjectLacks(const Gate& gate, const Description& subject) {
   const Wanted wanted = WantedBy(gate.shows);
   if (!wanted.has(subject)) {
-    // Who shows no values at all is told so.
+    // A subject that shows no values at all gets that reason.
     const bool no_values = gate.shows == Shows::kSteps && subject.edges == nullptr;
     return std::string(no_values ? WantedBy(Shows::kEdgeValues).why_not : wanted.why_not);
   }
@@ -259,7 +259,7 @@ bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile) {
 std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject) {
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) return why;
   const Profile& profile = subject.info.profile;
-  // What models by target size say is asked for each case.
+  // Models by target size are examined for each case.
   return profile.by_target_size.empty() ? ProfileDoesNotState(gate, subject.info, profile)
                                         : ContractDoesNotState(profile, gate);
 }

@@ -15,9 +15,9 @@
 
 namespace rasterproof::props {
 
-/// A subject as properties see it, before it is asked anything.
+/// The description of a subject that properties see, before any question.
 ///
-/// The bounds are what it states, not what it measures: pure functions of the question.
+/// The bounds are statements, not measurements: pure functions of the question.
 struct Description {
   SubjectInfo info;
   const EdgeBounds* edges = nullptr;                ///< of its edge values; nullptr: it shows none
@@ -62,40 +62,39 @@ struct ProfileRule {
   bool names_contract = false;  ///< the words say what the gate's contract would
 };
 
-/// What a property needs before it may be judged.
+/// The conditions under which a property may be judged.
 struct Gate {
   Space space = Space::kWindow;
   Shows shows = Shows::kCoverage;
   ContractNeeded contract = ContractNeeded::kSampleExact;
-  /// True for what every model has, whichever one the subject chose among the legal ones.
+  /// True for a property that every legal model has, whichever one the subject chose.
   bool any_model = false;
-  /// True for what holds of fragments whichever of the legal grid points their barycentrics belong
-  /// to.
+  /// True for a property of fragments that holds for any legal grid points of their barycentrics.
   bool any_owners = false;
-  /// True if samples that the profile's edge_samples leaves open are told from the others.
+  /// True if the property separates samples that the profile's edge_samples leaves open.
   bool judges_shared_edge_samples = false;
-  /// True for what holds though clipping has moved the edges of triangles that leave the profile's
-  /// guard-band rectangle.
+  /// True for a property that holds even if clipping has moved the edges of triangles that leave
+  /// the profile's guard-band rectangle.
   bool judges_clipped = false;
-  /// True for what is also stated of triangles of zero area whose coverage the profile leaves
-  /// unspecified: a crash or a write outside the target is no freedom of theirs.
+  /// True for a property that also holds for triangles of zero area with unspecified coverage: they
+  /// too must not crash the subject or write outside the target.
   bool judges_degenerates = false;
-  /// True for what is stated beyond the profile's limits as well.
+  /// True for a property that also holds beyond the profile's limits.
   bool beyond_limits = false;
-  /// True for what is not stated where a coordinate wraps.
+  /// True for a property that is not stated where a coordinate wraps.
   bool unwrapped = false;
-  /// True for what counts by facing alone can show: a mesh that is judged as the subject shows it
+  /// True for a property that needs counts by facing: a mesh that is judged as the subject shows it
   /// has none (judging/as_shown.h).
   bool needs_facings = false;
   std::span<const ProfileRule> rules = {};
-  /// True for what is judged by what the oracle says of the case's scene.
+  /// True for a property that compares with the oracle's coverage of the case's scene.
   bool asks_oracle = false;
-  /// What of a case that is let through the property is about, in words, where that is less than
-  /// all: "two triangles or more". Its `ask` sees to it.
+  /// The part of an admitted case that the property is about, in words, if not all cases:
+  /// "two triangles or more". The property's `ask` checks it.
   std::string_view where = {};
 };
 
-/// The gate of a property that is about less of a case.
+/// Returns the gate with the words of a property that is about fewer cases.
 constexpr Gate Where(Gate gate, std::string_view where) {
   gate.where = where;
   return gate;
@@ -125,8 +124,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 ///                 judged as it is shown.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const PlacedCase& c);
 
-/// What DoesNotApply and Refusal ask for, in words, and `where`: as docs/mathematics.md and
-/// `rasterproof list` print it.
+/// Returns the conditions of DoesNotApply and Refusal in words, and `where`, as
+/// docs/mathematics.md and `rasterproof list` print them.
 std::string WordsOf(const Gate& gate);
 
 /// The case's drawing options without culling and scissor.

@@ -1,4 +1,4 @@
-// What the interpolation properties ask a barycentric evaluator about.
+// The values that the interpolation properties ask a barycentric evaluator for.
 #ifndef RASTERPROOF_PROPS_JUDGING_INTERPOLATION_QUERIES_H_
 #define RASTERPROOF_PROPS_JUDGING_INTERPOLATION_QUERIES_H_
 
@@ -24,7 +24,7 @@ struct InterpolationQuery {
 };
 
 /// The attribute sets of SomeAttributes under w = 1, and each under one of two sets of positive w:
-/// powers of two, so that a subject that divides by them adds no rounding of its own to the input.
+/// powers of two, so that a subject that divides by them does not round the input.
 std::vector<InterpolationQuery> SomeInterpolations(const PlacedCase& c);
 
 std::string_view InterpolationName(InterpolationForm form);

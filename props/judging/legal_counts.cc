@@ -66,16 +66,23 @@ Verdict LegalCounts::VerdictOn(const CoverageCounts& drawn, bool counts, std::ui
                : JudgeBySample(drawn, counts, exercised, of);
 }
 
+std::vector<std::size_t> LegalCounts::Wrong(const CoverageCounts& drawn, bool counts) const {
+  std::vector<std::size_t> wrong;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const bool is_right = only_
+                              ? drawn.front[k] == only_->front[k] && drawn.back[k] == only_->back[k]
+                              : IsAmong(numbers_[k], drawn.Count(k), counts);
+    if (!is_right) wrong.push_back(k);
+  }
+  return wrong;
+}
+
 Verdict LegalCounts::JudgeBySample(const CoverageCounts& drawn, bool counts,
                                    std::uint64_t exercised, const std::string& of) const {
-  std::uint64_t wrong = 0;
-  std::size_t first = 0;
-  for (std::size_t k = numbers_.size(); k-- > 0;) {
-    if (IsAmong(numbers_[k], drawn.Count(k), counts)) continue;
-    ++wrong;
-    first = k;
-  }
-  if (wrong == 0) return Verdict::Held(exercised);
+  const std::vector<std::size_t> all = Wrong(drawn, counts);
+  if (all.empty()) return Verdict::Held(exercised);
+  const std::size_t wrong = all.size();
+  const std::size_t first = all.front();
   Witness witness = WitnessAtIndex(drawn, first);
   witness.observed = std::to_string(drawn.Count(first));
   witness.expected = WordsOf(numbers_[first]);

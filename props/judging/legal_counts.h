@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_
 #define RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,11 +20,11 @@ namespace rasterproof::props {
 /// Returns why the counts of legal models are not known, or nothing if they are.
 std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const TargetProfile& profile);
 
-/// Where the profile leaves one model, its coverage by facing. Else for every sample the numbers of
-/// times that some legal model covers it; facings are not looked at.
+/// The coverage by facing if the profile has one model. Otherwise the counts that some legal model
+/// has at each sample; facings are ignored.
 class LegalCounts {
  public:
-  /// Of another scene on the case's target, under its profile, culling and scissor off.
+  /// Makes the counts of another scene on the case's target and profile, culling and scissor off.
   ///
   /// Domain:     window space; no WhyNoLegalCounts.
   LegalCounts(const Scene& scene, const PlacedCase& c);
@@ -33,6 +34,9 @@ class LegalCounts {
 
   /// Asks for the scene: by facing where one model is legal, else for what one call shows.
   static DrawQuestion QuestionOf(const Scene& scene, const PlacedCase& c);
+  /// The samples that no legal model covers as they were drawn, in their order. By facing where one
+  /// model is legal.
+  std::vector<std::size_t> Wrong(const CoverageCounts& drawn, bool counts) const;
   /// Violated if no legal model covers some sample as it was drawn. `counts`: whether the subject
   /// counts; else 1 stands for any number but 0.
   Verdict VerdictOn(const CoverageCounts& drawn, bool counts, std::uint64_t exercised,

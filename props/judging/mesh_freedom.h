@@ -1,5 +1,5 @@
-// What a legal choice leaves open of a mesh: which samples nothing is said of, and which may be
-// covered more often than once.
+// The samples of a mesh that legal choices leave open: those that are not judged, and those that
+// may be covered more than once.
 #ifndef RASTERPROOF_PROPS_JUDGING_MESH_FREEDOM_H_
 #define RASTERPROOF_PROPS_JUDGING_MESH_FREEDOM_H_
 
@@ -24,7 +24,7 @@ class SharedTies {
  public:
   explicit SharedTies(const PlacedCase& c);
 
-  /// Whether the sample may be covered so often. `index`: in counts of the case's target.
+  /// Whether the sample may be covered this often. `index`: in counts of the case's target.
   bool Allow(std::uint32_t count, std::size_t index, Point2 at) const {
     return most_.size() != 0 ? count <= most_.Count(index) : edges_.IsNear(at);
   }
@@ -34,15 +34,15 @@ class SharedTies {
   Outline edges_;
 };
 
-/// Where a mesh's outline lies, and what a legal choice can turn.
+/// A mesh's outline, and its triangles that a legal choice can turn.
 class OpenParts {
  public:
-  /// `spares_outline`: samples beside the outline are another property's business.
+  /// `spares_outline`: another property judges the samples next to the outline.
   OpenParts(const PlacedCase& c, bool spares_outline);
 
   /// Whether triangles face opposite ways, in some legal model.
   bool IsFolded() const { return is_folded_; }
-  /// Around the eye: nothing is said of triangles in a plane with it.
+  /// Around the eye: triangles in a plane with it are not judged.
   bool IsFlat() const { return is_flat_; }
   bool IsBesideTheOutline(Point2 p) const { return outline_.IsNear(p); }
   bool CanTurnAt(Point2 p) const { return open_.CanCover(p) || thin_.AreNear(p); }

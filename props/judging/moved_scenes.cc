@@ -16,11 +16,11 @@
 namespace rasterproof::props {
 namespace {
 
-// Of larger cases the moves cost more than they show.
+// In larger cases the moves cost more than they show.
 constexpr std::size_t kMostSamples = 4096;
 constexpr std::size_t kMostTriangles = 16;
 
-// The moves, from small to large. A length of 0 stands for the next number of the format.
+// The moves, from small to large. A length of 0 means the next number of the format.
 struct MoveLength {
   double pixels = 0;
   const char* words = "";

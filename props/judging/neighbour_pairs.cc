@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kPairs = 6;
 constexpr double kNear = 1;  // pixels
-// Doubles tell which of two distances is the smaller one unless they are this close.
+// Doubles decide which of two distances is the smaller one unless they are this close.
 constexpr double kDoubtful = 0x1p-20;
 
 // The corners of the box that holds what is near the edge; around the eye an edge can reach

@@ -21,7 +21,7 @@
 namespace rasterproof::props {
 namespace {
 
-// What is judged of a mesh, and what is expected there.
+// The mesh to judge, its open parts, its winding numbers and its shared ties.
 struct JudgedMesh {
   PlacedCase c;
   OpenParts open;

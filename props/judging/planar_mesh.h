@@ -24,16 +24,16 @@ namespace rasterproof::props {
 ///
 /// A watertight subject states where its meshes have no gap, not where their outline lies: for it
 /// samples near the outline (a T-junction is one) are not judged. So with a mesh that the subject
-/// clips (the profile's guard_band), and one whose grid points it may choose. Nor are samples that
-/// a triangle can cover which a legal choice turns over or flattens; all others are: what covers
-/// them has one facing in every legal model, so that the argument above holds. They are counted as
-/// not judged.
+/// clips (the profile's guard_band), and one whose grid points it may choose. If a legal choice can
+/// turn over or flatten a triangle, the samples that it can cover are counted as not judged. The
+/// triangles on all other samples have one facing in every legal model, so that the argument above
+/// holds.
 ///
 /// A mesh that is judged as it is shown (judging/as_shown.h) can fail, by a gap or by what is
 /// covered outside, but never holds: how often a sample is covered does not show.
 Checks CompareWithItsWinding(const PlacedCase& c, const Description& subject);
 
-/// What the profile must say of meshes that cover each sample inside.
+/// The requirement on the profile: meshes cover each sample inside.
 inline constexpr std::array kPlanarMeshRules{kClosesEdges};
 
 }  // namespace rasterproof::props

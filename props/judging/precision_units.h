@@ -1,4 +1,4 @@
-// What bounds on rounding errors are told in, by precision.
+// The units of bounds on rounding errors, by precision.
 #ifndef RASTERPROOF_PROPS_JUDGING_PRECISION_UNITS_H_
 #define RASTERPROOF_PROPS_JUDGING_PRECISION_UNITS_H_
 

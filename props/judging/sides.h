@@ -12,7 +12,7 @@ namespace rasterproof::props {
 
 /// Triangles of one scene, each list in the order given.
 struct Sides {
-  std::vector<Triangle> front;  ///< and those without area: they should cover nothing
+  std::vector<Triangle> front;  ///< includes triangles without area: they should cover nothing
   std::vector<Triangle> back;
 
   /// By the canonical model. Where the profile leaves other models legal that is a guess

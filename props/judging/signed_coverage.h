@@ -18,8 +18,8 @@ namespace rasterproof::props {
 /// Where front minus back is stated, each sample of an edge is given to one side, once.
 inline constexpr std::array kSignedCoverageRules{kCountsTies, kOwnsEdges};
 
-/// The samples that are not judged: beside an outline, where a triangle can lie whose facing or
-/// extent is the subject's choice, and where clipping may decide.
+/// The samples that are not judged: next to an outline, where a triangle can lie whose facing or
+/// extent the subject may choose, and where clipping may decide.
 struct Spared {
   Outline outline;
   OpenTriangles open;
@@ -27,8 +27,8 @@ struct Spared {
 };
 
 /// Asks for the case, culling and scissor off. Holds if front minus back is `expected`, in words
-/// `what`, at every sample that is not `spared`. What the open triangles spare is counted as not
-/// judged.
+/// `what`, at every sample that is not `spared`. Samples spared for open triangles are counted as
+/// not judged.
 ///
 /// Domain:     a case that outlives what is returned.
 /// Shape:      expected: as CoverageCounts.

@@ -33,7 +33,7 @@ std::uint64_t TouchedSquares(PlacedCase c) {
   return squares;
 }
 
-// A triangle of which no square may be covered was put to the test at the squares that it touches.
+// A triangle that may cover no square was exercised at the squares that it touches.
 Verdict ComparedToNone(const Verdict& verdict, MayBe allowed, const PlacedCase& one) {
   const bool is_none = allowed == MayBe::kLess && verdict.outcome == Outcome::kNotExercised;
   return is_none ? Verdict::Held(TouchedSquares(one)) : verdict;

@@ -1,4 +1,4 @@
-// What properties about pixels as squares share.
+// Shared parts of the properties about pixels as squares.
 #ifndef RASTERPROOF_PROPS_JUDGING_SQUARES_H_
 #define RASTERPROOF_PROPS_JUDGING_SQUARES_H_
 
@@ -36,7 +36,7 @@ inline constexpr auto kSquareDomains = std::to_array<std::string_view>(
      "axis-aligned", "near-edge", "needles", "caps", "snap-ties", "degenerate", "grids", "fans",
      "mixed-magnitude", "far-negative-corners", "vertex-orders"});
 
-/// The gate of what is judged by the squares that a profile states.
+/// The gate of a property about the squares that a profile states.
 constexpr Gate SquareGate(std::span<const ProfileRule> rules, std::string_view where = {}) {
   return {.space = Space::kWindow,
           .contract = ContractNeeded::kAny,
@@ -56,7 +56,7 @@ inline bool KeepsCentres(const Profile& profile, const SquareRegion& region) {
   return moved - std::min(0.0, region.half_width) < 0.5;
 }
 
-/// Which way a subject may differ from what is expected.
+/// The direction in which a subject may differ from the expected counts.
 enum class MayBe : std::uint8_t { kMore, kLess };
 
 /// Violated at the first sample that is counted less often than expected, where more is allowed, or
@@ -67,7 +67,7 @@ Verdict ComparedTo(const CoverageCounts& observed, const CoverageCounts& expecte
                    std::string_view message);
 
 /// Asks for each triangle alone, up to a stated number, and for the whole mesh: one triangle's
-/// excess must not make up for another's lack. `expected` tells what a case counts.
+/// excess must not make up for another's lack. `expected` returns the counts of a case.
 ///
 /// Domain:     a case and a description that outlive what is returned.
 Checks CompareEachAndAll(const PlacedCase& c, const Description& subject, MayBe allowed,

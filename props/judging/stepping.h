@@ -25,7 +25,7 @@ struct SteppingQuery {
   int steps = 0;
 };
 
-/// What a property about stepping needs.
+/// The gate of a property about stepping.
 inline constexpr Gate kAsksSteps{
     .shows = Shows::kSteps, .contract = ContractNeeded::kNone, .unwrapped = true};
 

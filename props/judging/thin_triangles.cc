@@ -19,7 +19,7 @@
 namespace rasterproof::props {
 namespace {
 
-// What lies farther from the target than this can't come near a sample of it.
+// Geometry farther from the target than this can't come near a sample of it.
 constexpr double kAround = 64;  // pixels
 // A clipped vertex is off by a few 2^-53 of the largest coordinate that it was made of.
 constexpr double kClipError = 0x1p-48;
@@ -114,7 +114,7 @@ bool IsWithin(const std::vector<Point2>& polygon, Point2 p, double reach) {
   return left || right;
 }
 
-// What the freedom of places allows.
+// The reach that the freedom of places allows.
 double ReachOfVertices(const PlacedCase& c) {
   const TargetProfile& profile = c.profile;
   const bool moves_pixels = !MovesClippedEdges(profile) && !IsUnclipped(c.scene, profile);

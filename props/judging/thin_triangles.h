@@ -30,7 +30,7 @@ class ThinTriangles {
 
  private:
   double reach_ = 0;
-  bool everywhere_ = false;  ///< doubles can't tell where some triangle lies
+  bool everywhere_ = false;  ///< doubles can't decide where some triangle lies
   std::vector<std::vector<Point2>> outlines_;
 };
 

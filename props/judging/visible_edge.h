@@ -10,8 +10,8 @@
 
 namespace rasterproof::props {
 
-/// The segment between two vertices (x / w, y / w) with w > 0; the ray that is seen of an edge that
-/// passes behind the eye; nothing where both ends have w <= 0. In window space w is 1.
+/// The segment between two vertices (x / w, y / w) with w > 0; a ray if the edge passes behind the
+/// eye; nothing if both ends have w <= 0. In window space w is 1.
 class VisibleEdge {
  public:
   /// Domain:     finite vertices.
@@ -20,7 +20,7 @@ class VisibleEdge {
   bool IsEmpty() const { return !seen_; }
   /// From p to the nearest point of it, in pixels.
   ///
-  /// Returns:    infinity if it is empty; 0 if doubles can't tell.
+  /// Returns:    infinity if it is empty; 0 if doubles can't decide.
   /// Error:      a few ulps of the largest coordinate: for choices, not for verdicts.
   double Distance(Point2 p) const;
   /// The square of that distance, exactly; nothing if it is empty.

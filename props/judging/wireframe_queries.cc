@@ -45,7 +45,7 @@ bool HasSquares(Point2 from, Point2 to, Precision precision) {
   return largest >= least && largest <= most;
 }
 
-// What one edge's distance should be at a query.
+// The expected distance of one edge at a query.
 struct ExpectedDistance {
   BarycentricQuery query;
   int edge = 0;

@@ -13,7 +13,7 @@
 
 namespace rasterproof::props {
 
-/// What a form states at one edge: `scale` times lambda_i is the distance it measures.
+/// A form's statement at one edge: `scale` times lambda_i is the distance it measures.
 struct WireframeScale {
   exact::Rational exact_square;  ///< square of the exact distance
   double scale = 0;              ///< distance per unit of lambda_i, rounded

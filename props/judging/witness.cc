@@ -31,7 +31,7 @@ std::string CountText(const CoverageCounts& counts, std::size_t index) {
          std::to_string(counts.back[index]);
 }
 
-// What a triangle drawn alone may count.
+// The counts that a triangle drawn alone may have.
 struct LegalCounts {
   CoverageCounts least;
   CoverageCounts most;

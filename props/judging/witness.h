@@ -29,15 +29,15 @@ Witness WitnessAtIndex(const CoverageCounts& shape, std::size_t index);
 Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                         std::size_t index);
 
-/// A second round (Property::blame): which triangle the subject, drawing it alone under `options`,
-/// gets wrong at the witness's sample. To the witness are added that triangle, its edge nearest to
-/// the sample, and (window space) the exact edge values there.
+/// Finds the triangle that the subject, drawing it alone under `options`, gets wrong at the
+/// witness's sample: a second round (Property::blame). Adds to the witness that triangle, its edge
+/// nearest to the sample and, in window space, the exact edge values there.
 ///
-/// Where the profile leaves it open where a vertex lies, no triangle alone can be wrong: nothing is
-/// drawn, and named is the one whose edge is nearest to the sample.
+/// If the profile leaves open where a vertex lies, no triangle alone can be wrong: nothing is
+/// drawn, and the triangle whose edge is nearest to the sample is named.
 ///
-/// Domain:     a verdict with a witness of one of the case's samples; a case that outlives what is
-///             returned.
+/// Domain:     a verdict with a witness of one of the case's samples; a case that outlives the
+///             returned check.
 Checks BlameTriangles(const PlacedCase& c, const Verdict& verdict, const DrawOptions& options);
 
 }  // namespace rasterproof::props

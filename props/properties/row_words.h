@@ -4,7 +4,17 @@
 
 #include <string_view>
 
+#include "props/judging/gate.h"
+
 namespace rasterproof::props {
+
+// Gates.
+inline constexpr Gate kAsksBarycentrics{
+    .shows = Shows::kBarycentrics, .contract = ContractNeeded::kNone, .unwrapped = true};
+inline constexpr Gate kAsksFragments{.shows = Shows::kFragments,
+                                     .contract = ContractNeeded::kNone,
+                                     .any_owners = true,
+                                     .unwrapped = true};
 
 // Where: see Gate.
 inline constexpr std::string_view kAreaNotZero = "area not zero";

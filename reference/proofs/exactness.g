@@ -1,5 +1,5 @@
-# The ladder of arithmetic of a plan (reference/plan.cc): in lattice units every coordinate is an
-# integer, and with box sides up to the limits below the differences, the products and E itself
+# Direct forms of exactness.h, and the two integers that a plan chooses from (reference/plan.cc): in
+# lattice units every coordinate is an integer, and with box sides up to the limits below the differences, the products and E itself
 # (at most the box's area in size) are exact. Each limit is the largest integer whose square fits.
 # Run: gappa -Eprecision=240 exactness.g
 

@@ -16,7 +16,7 @@ namespace {
 
 using reference::kernels::KernelMethod;
 
-// What the kernel states of itself is what reference/kernels/kernel.h says.
+// The kernel's statements are those of reference/kernels/kernel.h.
 struct KernelRow {
   std::string_view name;
   std::string_view summary;

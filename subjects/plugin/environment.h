@@ -6,15 +6,15 @@
 
 namespace rasterproof::subjects {
 
-/// Rounding mode, flush to zero and the like, as a library left them: it finds them so at its next
-/// call. A library that was built with -ffast-math, or sets a mode, is drawn with as it is, and
-/// whoever reads its answers, or judges, is not.
+/// Rounding mode, flush to zero and the like, as a library left them and as its next call finds
+/// them. A library built with -ffast-math, or that sets a mode, draws in its own environment; the
+/// code that reads its answers and judges them does not.
 class LibraryEnvironment {
  public:
-  /// As this thread has it now.
+  /// Copies this thread's current environment.
   LibraryEnvironment() { std::fegetenv(&theirs_); }
 
-  /// While this is there, the library's environment is this thread's.
+  /// While this lives, the thread has the library's environment.
   class Within {
    public:
     explicit Within(LibraryEnvironment& library) : library_(library) {

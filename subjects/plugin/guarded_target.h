@@ -1,4 +1,4 @@
-// A target for code that is not trusted: guarded counts around every row, closed pages around all.
+// A target for untrusted code: guard words around every row, closed pages around the whole.
 #ifndef RASTERPROOF_SUBJECTS_PLUGIN_GUARDED_TARGET_H_
 #define RASTERPROOF_SUBJECTS_PLUGIN_GUARDED_TARGET_H_
 
@@ -24,7 +24,7 @@ class GuardedCounts {
   std::size_t stride() const { return stride_ / words_; }
   /// The words of a row.
   std::span<const std::uint32_t> Row(std::size_t row) const;
-  /// Where something outside the rows was written, in words, or nothing.
+  /// Describes where something was written outside the rows; nothing if nothing was.
   std::string Damage() const;
 
  private:

@@ -9,20 +9,20 @@
 
 namespace rasterproof::subjects {
 
-/// A library loaded into this process, and what it says of itself.
+/// A library loaded into this process, with its own description.
 struct LoadedPlugin {
   std::unique_ptr<Subject> subject;  ///< its info lacks the profile
   std::string profile;               ///< a preset's name, or the text of a profile file
 };
 
-/// Loads a library. What it does wrong it does to this process: `pipe answer` is a process for it
-/// alone (tool/outside.h). Its rounding mode and the like are its own (environment.h).
+/// Loads a library into this process, which its faults can bring down. To isolate it, run it in the
+/// process `pipe answer` (tool/outside.h). Its floating-point environment is kept apart
+/// (environment.h).
 ///
 /// The subject draws into guarded memory: a write outside the target, or between its rows, is a
 /// breakdown that says where, or a crash where it goes farther than a page.
 ///
-/// Error:      InputError if the file is no such library, or of a version that this one does not
-///             know.
+/// Error:      InputError if the file is not such a library, or has an unknown version.
 LoadedPlugin LoadPlugin(const std::string& path);
 
 }  // namespace rasterproof::subjects

@@ -1,4 +1,4 @@
-// What is answered: written on the far side, read on this one.
+// Answers: written on the far side, read on this one.
 #include <array>
 #include <utility>
 

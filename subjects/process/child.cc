@@ -79,7 +79,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_
   argv.push_back(nullptr);
   const Pipe in = MakePipe(program);
   const Pipe out = MakePipe(program);
-  const Pipe report = MakePipe(program);  // closed by a good exec, else tells why it failed
+  const Pipe report = MakePipe(program);  // closed by a good exec, else reports why it failed
   pid_ = ForkGroup();
   const int fork_error = errno;
   if (pid_ == 0) Become(argv.data(), in, out, report.write, errors, most_bytes);
@@ -163,7 +163,7 @@ PipeEnd ChildProcess::Exchange(Patience& patience) {
     const PipeEnd state = ReadSome(moved);
     if (state != PipeEnd::kOpen) return state;
   }
-  // What came in the meantime counts, however late it is.
+  // Output that came in the meantime counts, even if late.
   if (!moved && is_over) return PipeEnd::kTimedOut;
   if (!moved && is_late) return PipeEnd::kDeadline;
   patience.time.Look(moved);

@@ -1,4 +1,4 @@
-// A child process with a pipe either way and a limit on everything.
+// A child process with a pipe in each direction and limits on time, memory and lines.
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_CHILD_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_CHILD_H_
 
@@ -20,33 +20,33 @@ namespace rasterproof::subjects {
 enum class PipeEnd : std::uint8_t {
   kOpen,         ///< the child goes on
   kClosed,       ///< the child closed its output: it ended, or is about to
-  kTooLong,      ///< a line has more bytes than it may
-  kTimedOut,     ///< its own time was over first
+  kTooLong,      ///< a line has more bytes than allowed
+  kTimedOut,     ///< the limit on its own time came first
   kDeadline,     ///< the deadline came first
   kInterrupted,  ///< the command is to end (groups.h)
 };
 
-/// What kTooSlow says where PipeEnd::kInterrupted ended an exchange.
+/// The message of kTooSlow if PipeEnd::kInterrupted ended an exchange.
 inline constexpr const char* kInterruptedText = "the command was interrupted before it answered";
 
-/// What Ending() says of a child that had to be killed.
+/// The text of Ending() for a child that had to be killed.
 inline constexpr const char* kStillRan = "still ran";
-/// How it begins of one that ended by itself.
+/// How Ending() begins for a child that ended by itself.
 inline constexpr const char* kEnded = "ended with status ";
 
-/// How long a child may take: of its own time, and until when.
+/// The limits on a child's time: on its own time (own_time.h), and a deadline.
 struct Patience {
   using Clock = OwnTime::Clock;
   OwnTime time;
   Clock::time_point deadline = Clock::time_point::max();
 };
 
-/// Owns the child: it is killed, with its process group, and waited for when this goes.
+/// Owns the child: the destructor kills it with its process group and waits for it.
 class ChildProcess {
  public:
   using Clock = OwnTime::Clock;
 
-  /// `errors`: the file that it has for its standard error; -1: this program's own.
+  /// `errors`: the file for its standard error; -1: this program's standard error.
   ///
   /// Error:      InputError if the program can't be started; SubjectStop if the command was
   ///             interrupted.
@@ -55,30 +55,31 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// The time that it takes from here on.
+  /// Sets the limits on its time from now on.
   Patience Wait(double seconds, Clock::time_point deadline = Clock::time_point::max()) const {
     return {OwnTime(pid_, seconds), deadline};
   }
-  /// Processor time of it and its group since they began. Nothing: the system does not tell.
+  /// Processor time of it and its group since they began. Nothing if the system does not report it.
   std::optional<double> Used() const { return ProcessorSeconds(pid_); }
-  /// What the child is told next; it leaves while answers are read, so that neither side waits for
-  /// the other's full pipe.
+  /// Queues text for the child. It is written while answers are read, so that neither side waits
+  /// for the other's full pipe.
   void Say(std::string text);
   bool WasTold() const { return !to_say_.empty(); }
-  /// Closes the child's input once all was said.
+  /// Closes the child's input once all queued text is written.
   void SayNoMore();
-  /// Whether the child closed its input before it had read all that it was told.
+  /// Whether the child closed its input before it had read all queued text.
   bool ReadsNoMore() const { return said_ < to_say_.size() && to_child_ < 0; }
-  /// Reads a line of at most so many bytes, without its end. kOpen: `line` is it, until the next
-  /// call.
+  /// Reads a line of at most this many bytes, without its newline. kOpen: `line` holds it, valid
+  /// until the next call.
   PipeEnd ReadLine(Patience& patience, std::size_t most_bytes, std::string_view& line);
 
-  /// What it has said by now beyond the lines that were read, up to its first line's end; does not
-  /// wait. Nothing: it has said no more.
+  /// Returns the output received after the lines that were read, up to the next newline, without
+  /// waiting. Nothing if there is none.
   bool HasUnread(std::string& first_line);
 
-  /// Kills what still runs, and says how it ended: "ended with status 3", "was killed by signal 11
-  /// (Segmentation fault)", "still ran". A child that closed its output is given a moment to end.
+  /// Kills it if it still runs, and returns how it ended: "ended with status 3", "was killed by
+  /// signal 11 (Segmentation fault)", "still ran". A child that closed its output has a moment to
+  /// end by itself.
   std::string Ending();
 
  private:
@@ -95,12 +96,12 @@ class ChildProcess {
   std::string to_say_;
   std::size_t said_ = 0;
   bool last_words_ = false;
-  bool lost_ = false;  ///< it did not answer as it should: nothing is worth waiting for
+  bool lost_ = false;  ///< it did not answer as it should: do not wait for it
   std::string_view Unread() const { return {heard_.data() + heard_from_, heard_to_ - heard_from_}; }
 
   std::vector<char> heard_;
-  std::size_t heard_from_ = 0;  ///< what lies before was given out
-  std::size_t heard_to_ = 0;    ///< what lies behind is room
+  std::size_t heard_from_ = 0;  ///< bytes before were read by callers
+  std::size_t heard_to_ = 0;    ///< bytes after are free
 };
 
 }  // namespace rasterproof::subjects

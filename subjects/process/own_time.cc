@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a line of /proc/.../stat tells (proc(5)).
+// The fields read from a line of /proc/.../stat (proc(5)).
 struct Stat {
   char state = 0;
   pid_t group = 0;
@@ -120,7 +120,7 @@ void OwnTime::Look(bool moved) {
     asleep_ += moved ? 0 : passed;
     return;
   }
-  // What it used before the first look is not known, and taken for nothing.
+  // Its time before the first look is unknown and counts as none.
   const double used = std::max(state->seconds - before_.value_or(state->seconds), 0.0);
   const bool is_first = !before_;
   before_ = state->seconds;

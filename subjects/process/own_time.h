@@ -1,4 +1,4 @@
-// How long a child takes by its own clock: what a loaded machine keeps from it does not count.
+// How long a child takes by its own clock: time lost to the machine's load does not count.
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_OWN_TIME_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_OWN_TIME_H_
 
@@ -12,10 +12,9 @@ namespace rasterproof::subjects {
 
 /// Counts processor time of a process group where it computes, and wall clock where it sleeps.
 ///
-/// Time in which it wants a processor and gets none, or waits for a disk, counts as neither, and
-/// processor time of many threads no more than wall clock: what is counted is never more than wall
-/// clock. So that a wait ends even where a machine gives nothing, kMostWaiting times the limit of
-/// wall clock end it too.
+/// Waiting for a processor or for a disk is not counted, and processor time of many threads counts
+/// as at most the wall clock: the sum never exceeds wall clock. So that a wait ends even if the
+/// machine gives the group no time, kMostWaiting times the limit in wall clock ends it too.
 ///
 /// Measured:   in ticks of 10 ms, by /proc; without /proc wall clock counts.
 class OwnTime {
@@ -27,12 +26,12 @@ class OwnTime {
 
   /// How long to wait before the next look.
   Clock::duration UntilNextLook() const;
-  /// Takes the time since the last look into account, if there is enough of it. `moved`: something
-  /// went over the pipes since, so that nobody slept over it.
+  /// Counts the time since the last look, if there is enough of it. `moved`: bytes went over the
+  /// pipes since, so that the time is not counted as sleep.
   void Look(bool moved);
 
   bool IsOver() const;
-  /// Whether it is over because the machine gave the group too little of its time.
+  /// Whether the limit was reached because the machine gave the group too little time.
   bool WasStarved() const { return Counted() < limit_; }
   /// "it used 10 s of processor time", "it slept for 10 s", or both.
   std::string Text() const;
@@ -51,8 +50,8 @@ class OwnTime {
   std::optional<double> before_;  ///< the group's processor time at the last look
 };
 
-/// Processor time of the group's processes by their own clocks, in all threads; that of their ended
-/// children in ticks of 10 ms. Nothing if /proc shows no process of the group.
+/// Returns the processor time of the group's processes in all threads, by their own clocks; for
+/// ended children in ticks of 10 ms. Nothing if /proc shows no process of the group.
 std::optional<double> ProcessorSeconds(pid_t group);
 
 /// Whether the process is past its last instruction, though it may still be there.

@@ -117,7 +117,7 @@ class ProcessSubject::Child {
   ChildProcess process_;
 };
 
-// The child's edge values. A question that is put again gets the answer afresh.
+// The child's edge values. A repeated question is sent again.
 class ProcessSubject::ShownEdges final : public StatedEdges {
  public:
   explicit ShownEdges(ProcessSubject& subject)
@@ -173,7 +173,7 @@ std::vector<DrawOutcome> ProcessSubject::DrawMany(std::span<const DrawJob> jobs)
   return outcomes;
 }
 
-// The outcomes of the first of the jobs, up to a breakdown; the rest is to be asked again.
+// The outcomes of the first of the jobs, up to a breakdown; the rest must be asked again.
 std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) {
   std::vector<DrawOutcome> outcomes;
   const DrawJob& first = jobs.front();
@@ -355,8 +355,8 @@ DrawOutcome ProcessSubject::AskAgain(const DrawJob& job, const OutOfTime& slow) 
   return outcome;
 }
 
-// A draw that took too long is put once more to a fresh process, alone, and given much longer. Then
-// it is known to hang, or how long it takes; or it was slow once, and the answer counts.
+// Repeats a draw that took too long, alone on a fresh process with a much longer limit. It then
+// hangs, or its time is known; or it was slow only once, and the answer counts.
 void ProcessSubject::TryLonger(const OutOfTime& slow, const std::function<double(double)>& ask) {
   const std::string limit = SecondsText(limits_.seconds);
   const std::string said = std::string(slow.what()) + " and gave no answer";

@@ -1,4 +1,4 @@
-// A program that draws, on a pipe: any language, any library, nothing of it in this process.
+// A program that draws, on a pipe: in any language, with any library, outside this process.
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_PROCESS_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_PROCESS_H_
 
@@ -26,15 +26,15 @@ struct ProcessLimits {
 
 /// A subject that is a child process speaking protocol.h.
 ///
-/// The child is started at the first draw, in a process group of its own, and again after it died
-/// or was killed: what follows a fault is judged on a fresh one. Its standard error is passed on.
+/// The child is started at the first draw, in its own process group, and restarted after it died or
+/// was killed: the draws after a fault go to a fresh process. Its standard error is passed on.
 ///
-/// Limits count its own time (own_time.h). A draw that takes longer is asked for once more, alone,
-/// on a fresh process, with ten times the limit: three times in the subject's life, if the deadline
-/// leaves room for it. No answer then either: it hangs, and so does whatever takes
-/// longer than the limit from then on. An answer within the limit counts: it was slow once. All
-/// else is kTooSlow. The first answer of a batch is due within the limit, and a batch that
-/// takes longer is asked for in parts.
+/// Limits count its own time (own_time.h). A draw that takes longer is repeated once, alone, on a
+/// fresh process, with ten times the limit; this happens at most three times in the subject's life,
+/// and only if the deadline leaves room. If there is no answer then either, the subject hangs, and
+/// from then on every draw over the limit is a hang. An answer within the ordinary limit counts;
+/// everything else is kTooSlow. The first answer of a batch is due within the limit, and a batch
+/// that takes longer is sent in parts.
 class ProcessSubject final : public Subject {
  public:
   using Clock = std::chrono::steady_clock;
@@ -53,21 +53,21 @@ class ProcessSubject final : public Subject {
   const SubjectInfo& OwnInfo() const override;
   /// Sends all requests before it waits for the first answer.
   ///
-  /// Returns:    where the child breaks down, the job that does it is found by drawing alone, each
-  ///             on a fresh child, those that it may have been; if none does it alone, the shortest
-  ///             run of jobs that does it, named in the end of its last one. kTooSlow also if the
-  ///             command was interrupted; kNotDrawable also if the program can't be started.
+  /// Returns:    if the child breaks down, each job that may be the cause is drawn alone on a fresh
+  ///             child to find it; if none breaks it alone, the shortest run of jobs that does is
+  ///             named in the end of its last one. kTooSlow also if the command was interrupted;
+  ///             kNotDrawable also if the program can't be started.
   /// Error:      SubjectDoesNotRun if the user's program ends by itself before its first answer,
-  ///             and once more where it is asked for one plain triangle alone.
+  ///             and again when it is asked for a single plain triangle.
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override;
-  /// By one request with repeats where the program takes them, else by as many requests in one
-  /// call, so that reading and answering are part of it. The time is of its whole process group.
+  /// Times one request with repeats if the program takes them; else as many requests in one call,
+  /// which includes reading and answering. The time is that of its whole process group.
   std::optional<DrawTime> TimeDraws(const DrawJob& job, int repeats) override;
   /// Error:      of its calls: SubjectStop; SubjectDoesNotRun.
   const EdgeEvaluator* Edges() const override;
   bool SharesCalls() const override { return true; }
   void SetDeadline(Clock::time_point deadline) override;
-  /// On a process of its own, with the same limits.
+  /// The twin runs in its own process, with the same limits.
   Subject* Twin() override;
 
  private:
@@ -96,7 +96,7 @@ class ProcessSubject final : public Subject {
   Clock::time_point deadline_ = Clock::time_point::max();
   int tries_left_;
   bool may_not_run_;    ///< it has given no answer yet
-  bool hangs_ = false;  ///< has been seen to
+  bool hangs_ = false;  ///< it was seen to hang
   std::size_t most_in_a_batch_ = static_cast<std::size_t>(-1);
   std::unique_ptr<Child> child_;
   std::unique_ptr<ShownEdges> edges_;
@@ -110,7 +110,7 @@ class ProcessSubject final : public Subject {
 void RequireThatItAnswers(const std::vector<std::string>& command, const SubjectInfo& info,
                           const ProcessLimits& limits);
 
-/// What a program prints, all of it: at most 1 MiB, within the limits but at least 10 s.
+/// Returns everything that a program prints: at most 1 MiB, within the limits but at least 10 s.
 ///
 /// Error:      InputError that names `place` if it can't be started, does not end in time, or ends
 ///             with another status than 0; SubjectStop if the command was interrupted.

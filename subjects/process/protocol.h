@@ -1,5 +1,5 @@
-// What goes over the pipe to a program that draws, and what comes back. Text: any language can read
-// and write it.
+// Requests to a program that draws and its answers, over a pipe. They are text, which any language
+// can read and write.
 //
 // A request is a line, then a line for each vertex and each triangle:
 //     draw ID WIDTH HEIGHT SAMPLES window|clip VERTICES TRIANGLES [cull=front|back]
@@ -9,7 +9,7 @@
 // Coordinates are decimal numbers that a reader of doubles reads back exactly (floats too, then
 // narrowed), or inf, -inf, nan. The answer to a request depends on what the program shows:
 //     counts ID      HEIGHT lines of WIDTH * SAMPLES integers, top row first; as many lines again
-//                    with the counts of the back faces if the program tells facings apart
+//                    with the counts of the back faces if the program reports facings
 //     primitive-ids ID HEIGHT lines of as many indices of triangles; -1 where none won the sample
 //     fragments ID   the same, but each index (not -1) is followed by W0 W1 W2 DEPTH
 // Or one line: `refused ID REASON`, or `fault ID REASON` for what it found out about itself.
@@ -20,25 +20,24 @@
 //     wants=...  not all that the program shows. coverage: the answer is `counts ID`, 1 where
 //                anything won the sample. primitive-ids: it is `primitive-ids ID`.
 //                primitive-ids,barycentrics or primitive-ids,depths: it is `fragments ID`, and
-//                behind each index come W0 W1 W2 alone, or DEPTH alone. centroids among them, of a
+//                after each index come W0 W1 W2 alone, or DEPTH alone. centroids among them, for a
 //                program that shows them: C0 C1 C2, the barycentrics at the fragment's centroid,
 //                come last. No request without that word asks for them.
-// The first request of a call has vertices of its own. What a program says in version 1 is the same
-// in version 2.
+// The first request of a call has its own vertices. A program's answers to requests of version 1
+// are the same in version 2.
 //
-// A program that takes repeats is told repeats=N where it is timed: it draws the scene N times,
-// each onto an empty target, and answers as for once. What one draw takes is the slope of its
-// processor time over N, in which starting, reading and answering drop out.
+// A program that takes repeats is sent repeats=N where it is timed: it draws the scene N times,
+// each onto an empty target, and answers as for once. The time of one draw is the slope of its
+// processor time over N, in which starting, reading and answering cancel.
 //
 // A program that shows edge values is asked for them in one line:
-//     edge ID AX AY BX BY PX PY                             E(a, b; p), evaluated afresh
+//     edge ID AX AY BX BY PX PY                             E(a, b; p), evaluated at p
 //     steps ID AX AY BX BY PX PY x|y +1|-1 LENGTH STEPS      from p, STEPS steps of LENGTH pixels
 // and answers `values ID V ...`: one number, or STEPS + 1, the first of them at p.
 //
-// A program that takes batches may be told `batch N` before N requests: it may draw them in one
-// call. It answers each of them, in order. One that does not is sent requests before it has
-// answered the earlier ones all the same, as many as the tool has at hand; requests for edge values
-// too.
+// A program that takes batches may be sent `batch N` before N requests: it may draw them in one
+// call. It answers each of them, in order. Any program, with batches or without, may be sent
+// further requests, for edge values too, before it has answered the earlier ones.
 #ifndef RASTERPROOF_SUBJECTS_PROCESS_PROTOCOL_H_
 #define RASTERPROOF_SUBJECTS_PROCESS_PROTOCOL_H_
 
@@ -69,7 +68,7 @@ struct DrawRequest {
   DrawJob job;
 };
 
-/// Asks for edge values.
+/// A request for edge values.
 struct EdgeRequest {
   std::uint64_t id = 0;
   Point2 a;
@@ -82,23 +81,23 @@ struct EdgeRequest {
 };
 
 /// The requests for the jobs of one call, numbered from `first_id` on, in the version that the
-/// subject speaks. Wishes that it does not take are left out.
+/// subject speaks. Options that it does not take are left out.
 std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
                          const SubjectInfo& info);
-/// The line that tells a program to take the next n requests as one call.
+/// The line that announces the next n requests as one call.
 std::string BatchText(std::size_t n);
 std::string RequestsText(std::span<const EdgeRequest> requests);
 
-/// What a subject that speaks its version is asked for of these outputs.
+/// Returns the ones of these outputs that a request in the subject's version can ask for.
 Outputs Requested(Outputs wants, const SubjectInfo& info);
-/// What the answer to a job that wants these outputs holds beside coverage: of what the subject
-/// shows. Ids come with barycentrics and depths, whose they are.
+/// Returns the outputs, in addition to coverage, of the answer to a job that wants these: those
+/// that the subject shows. Barycentrics and depths always come with ids.
 Outputs Answered(CoverageKind kind, Outputs wants);
 
 /// Reads requests of every version, one after the other.
 ///
 /// Domain:     a stream that outlives this.
-/// Error:      of all reading: InputError with the number of the request and what was expected.
+/// Error:      every read: InputError with the number of the request and the expected text.
 class RequestReader {
  public:
   explicit RequestReader(std::istream& in) : in_(in) {}
@@ -106,9 +105,9 @@ class RequestReader {
   /// The next call: a request, or as many as a batch line announces. Empty at the end of the
   /// stream. Requests for the same vertices share them.
   std::vector<DrawRequest> NextCall();
-  /// Whether another request is at hand; does not wait.
+  /// Whether another request can be read without waiting.
   bool HasMore();
-  /// The next request if it asks for edge values; else it is left where it is.
+  /// Reads the next request if it asks for edge values; else leaves it unread.
   std::optional<EdgeRequest> NextEdgeRequest();
 
  private:
@@ -129,17 +128,17 @@ class RequestReader {
 std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind, Outputs wants);
 std::string ValuesText(std::uint64_t id, std::span<const double> values);
 
-/// Gives the next line of an answer, valid until the next call. No right answer's has more than so
-/// many bytes: who reads need not wait for the end of one that has.
+/// Returns the next line of an answer, valid until the next call. The argument is the most bytes
+/// that a correct answer's line has: the reader need not wait for the end of a longer one.
 using NextLine = std::function<std::string_view(std::size_t most_bytes)>;
 
-/// Reads the answer to a request, line by line. What the job does not want may be left out.
+/// Reads the answer to a request, line by line. Outputs that the job does not want may be left out.
 ///
-/// Error:      SubjectStop if it is no answer to request `id` of this kind and shape, or reports a
-///             fault or a refusal; what next_line throws.
+/// Error:      SubjectStop if it is not an answer to request `id` of this kind and shape, or
+///             reports a fault or a refusal; any exception of next_line.
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const NextLine& next_line);
-/// The request that a line begins the answer to; 0 if it begins none.
+/// Returns the id of the request whose answer the line begins; 0 if it begins none.
 std::uint64_t AnsweredRequest(std::string_view line);
 /// Reads the answer to an edge request.
 ///

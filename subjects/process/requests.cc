@@ -1,4 +1,4 @@
-// What is asked: written on this side, read on the other.
+// Requests: written on this side, read on the other.
 #include <array>
 #include <cstring>
 #include <istream>
@@ -29,7 +29,7 @@ bool HaveTheSameVertices(const Scene& a, const Scene& b) {
          (bytes == 0 || std::memcmp(a.vertices.data(), b.vertices.data(), bytes) == 0);
 }
 
-// What a job wants of what the subject shows, as the line says it; nothing if it wants it all.
+// The outputs that a job wants, as words of the line; nothing if it wants all that are shown.
 std::string WantsText(Outputs wants, CoverageKind kind) {
   const Outputs answered = Answered(kind, wants);
   if (answered == Answered(kind, kEverything)) return "";
@@ -125,7 +125,7 @@ T Number(std::string_view word, const std::string& where) {
   return value;
 }
 
-// A line of exactly so many numbers. The place is named only where it is wrong: there are many.
+// A line of exactly this many numbers. The place is composed only for errors: there are many lines.
 template <class T, std::size_t n>
 std::array<T, n> NumbersOf(const std::string& line, const char* what, std::size_t index,
                            std::uint64_t id) {

@@ -27,7 +27,7 @@ std::string OneLine(std::string text) {
   return text;
 }
 
-// A drawing of another shape than its target's can't be told.
+// A drawing of another shape than its target's can't be sent.
 void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind) {
   const Outputs answered = Answered(kind, job.wants);
   const CoverageCounts target(job.scene->width, job.scene->height, job.samples);
@@ -56,7 +56,7 @@ std::string EndText(std::uint64_t id, const CallEnd& end) {
   return (is_refusal ? "refused " : "fault ") + std::to_string(id) + " " + OneLine(end.why) + "\n";
 }
 
-// What `answer` gives, or how it ended.
+// The result of `answer`, or how it ended.
 std::string AnswerOrEnd(std::uint64_t id, const std::function<std::string()>& answer) {
   std::string text;
   const CallEnd end = EndHere([&] { text = answer(); });
@@ -70,7 +70,7 @@ std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, Cover
   });
 }
 
-// All repeats of the job but the last. What goes wrong in them goes wrong in that one, too.
+// All repeats of the job but the last. Their failures occur in the last one too.
 void DrawForTheClock(Subject& subject, const DrawJob& job) {
   if (job.repeats == 1) return;
   try {

@@ -10,8 +10,8 @@
 
 namespace rasterproof::subjects {
 
-/// Answers every request of `in` until it ends; `say` sends an answer at once. What the subject
-/// throws is told as a refusal (InputError) or a fault (all else).
+/// Answers every request of `in` until it ends; `say` sends an answer at once. An exception of the
+/// subject is reported as a refusal (InputError) or a fault (any other).
 ///
 /// Error:      InputError if a request is malformed.
 void Serve(Subject& subject, std::istream& in, const std::function<void(const std::string&)>& say);

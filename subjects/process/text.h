@@ -32,14 +32,14 @@ class TextWriter {
   void AddNumber(T x) {
     Room(kMostOfANumber);
     char* const at = text_.data() + length_;
-    if (x >= 0 && x <= 9) {  // of counts nearly all
+    if (x >= 0 && x <= 9) {  // nearly all counts
       *at = static_cast<char>('0' + static_cast<int>(x));
       ++length_;
       return;
     }
     length_ += static_cast<std::size_t>(std::to_chars(at, at + kMostOfANumber, x).ptr - at);
   }
-  /// The shortest decimal number that is read back as the same bits; nan, whichever NaN it is.
+  /// The shortest decimal number that is read back as the same bits; nan for every NaN.
   void AddNumber(double x) {
     if (std::isnan(x)) return Add("nan");
     Room(kMostOfANumber);
@@ -47,7 +47,7 @@ class TextWriter {
     length_ += static_cast<std::size_t>(std::to_chars(at, at + kMostOfANumber, x).ptr - at);
   }
 
-  /// What was written; nothing is left here.
+  /// Returns the text that was written and leaves this empty.
   std::string Take() {
     text_.resize(length_);
     length_ = 0;
@@ -59,7 +59,7 @@ class TextWriter {
     if (text_.size() - length_ < more) text_.resize(2 * text_.size() + more + 256);
   }
 
-  std::string text_;  ///< its first characters; what is behind them is room
+  std::string text_;  ///< its first characters are the text; the rest is free
   std::size_t length_ = 0;
 };
 

@@ -52,10 +52,12 @@ std::string VerdictsOf(const Certificate& certificate) {
 }
 
 TEST(PageTest, RunsOneScriptByItsHashAndLoadsNothingFromElsewhere) {
-  for (const std::string& html : PagesOf(SamplePage())) {
+  const std::string script = fmt::format("<script>{}</script>", kPageScript);
+  for (std::string html : PagesOf(SamplePage())) {
     EXPECT_EQ(Count(html, "<script"), 1U);
     EXPECT_TRUE(Has(html, fmt::format("script-src 'sha256-{}'", kPageScriptHash)));
-    EXPECT_TRUE(Has(html, fmt::format("<script>{}</script>", kPageScript)));
+    ASSERT_TRUE(Has(html, script));
+    html.erase(html.find(script), script.size());  // which names the namespace of SVG
     EXPECT_TRUE(Has(html, "default-src 'none'"));
     for (const char* loads : {"http:", "https:", "<link", "@import", "url(", "=\"//"}) {
       EXPECT_FALSE(Has(html, loads)) << loads;

@@ -67,17 +67,14 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentric_is_one_at_its_vertex_and_zero_opposite
 
-extern const Property kBarycentricIsOneAtItsVertexAndZeroOpposite;
-constinit const Property kBarycentricIsOneAtItsVertexAndZeroOpposite{
+extern constinit const Property kBarycentricIsOneAtItsVertexAndZeroOpposite{
     .name = "BarycentricIsOneAtItsVertexAndZeroOpposite",
     .group = "barycentric",
     .clause = "lambda_i is 1 at vertex i and 0 on the opposite edge.",
     .tolerance = kBarycentricBounds,
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = "area not zero; at vertices and at samples exactly on an edge line"},
+    .gate = Where(kAsksBarycentrics,
+                  "area not zero; at vertices and at samples exactly on an edge line"),
     .ask = barycentric_is_one_at_its_vertex_and_zero_opposite::Ask,
 };
 

@@ -50,8 +50,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentric_signs_agree_with_the_edges
 
-extern const Property kBarycentricSignsAgreeWithTheEdges;
-constinit const Property kBarycentricSignsAgreeWithTheEdges{
+extern constinit const Property kBarycentricSignsAgreeWithTheEdges{
     .name = "BarycentricSignsAgreeWithTheEdges",
     .group = "barycentric",
     .clause =
@@ -59,10 +58,7 @@ constinit const Property kBarycentricSignsAgreeWithTheEdges{
         "1.3, Basic Polygon Rasterization), and one of them is negative outside.",
     .tolerance = "the subject's proven BarycentricErrorBounds; where they are 0, none: exact",
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = kAreaNotZero},
+    .gate = Where(kAsksBarycentrics, kAreaNotZero),
     .ask = barycentric_signs_agree_with_the_edges::Ask,
 };
 

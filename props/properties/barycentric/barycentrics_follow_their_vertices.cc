@@ -80,17 +80,13 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentrics_follow_their_vertices
 
-extern const Property kBarycentricsFollowTheirVertices;
-constinit const Property kBarycentricsFollowTheirVertices{
+extern constinit const Property kBarycentricsFollowTheirVertices{
     .name = "BarycentricsFollowTheirVertices",
     .group = "barycentric",
     .clause = "A barycentric belongs to its vertex, in whatever order the vertices are listed.",
     .tolerance = "the sum of both proven BarycentricErrorBounds",
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = kAreaNotZero},
+    .gate = Where(kAsksBarycentrics, kAreaNotZero),
     .ask = barycentrics_follow_their_vertices::Ask,
 };
 

@@ -71,8 +71,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentrics_reproduce_the_point
 
-extern const Property kBarycentricsReproduceThePoint;
-constinit const Property kBarycentricsReproduceThePoint{
+extern constinit const Property kBarycentricsReproduceThePoint{
     .name = "BarycentricsReproduceThePoint",
     .group = "barycentric",
     .clause =
@@ -80,10 +79,7 @@ constinit const Property kBarycentricsReproduceThePoint{
         "Rasterization).",
     .tolerance = "sum of bound_i |v_i|",
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = kAreaNotZero},
+    .gate = Where(kAsksBarycentrics, kAreaNotZero),
     .ask = barycentrics_reproduce_the_point::Ask,
 };
 

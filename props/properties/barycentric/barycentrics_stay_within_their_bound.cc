@@ -47,8 +47,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentrics_stay_within_their_bound
 
-extern const Property kBarycentricsStayWithinTheirBound;
-constinit const Property kBarycentricsStayWithinTheirBound{
+extern constinit const Property kBarycentricsStayWithinTheirBound{
     .name = "BarycentricsStayWithinTheirBound",
     .group = "barycentric",
     .clause =
@@ -56,10 +55,7 @@ constinit const Property kBarycentricsStayWithinTheirBound{
         "(OpenGL 4.6 section 14.6.1, the barycentrics a, b, c).",
     .tolerance = kBarycentricBounds,
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = "area not zero; unsigned areas: closed triangle only"},
+    .gate = Where(kAsksBarycentrics, "area not zero; unsigned areas: closed triangle only"),
     .ask = barycentrics_stay_within_their_bound::Ask,
 };
 

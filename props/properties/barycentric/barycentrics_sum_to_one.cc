@@ -66,18 +66,14 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace barycentrics_sum_to_one
 
-extern const Property kBarycentricsSumToOne;
-constinit const Property kBarycentricsSumToOne{
+extern constinit const Property kBarycentricsSumToOne{
     .name = "BarycentricsSumToOne",
     .group = "barycentric",
     .clause =
         "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
     .tolerance = "the subject's proven SumErrorBound",
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = kAreaNotZero},
+    .gate = Where(kAsksBarycentrics, kAreaNotZero),
     .ask = barycentrics_sum_to_one::Ask,
 };
 

@@ -50,8 +50,7 @@ constexpr std::array kRules{ProfileRule{
 
 }  // namespace centroids_lie_where_stated
 
-extern const Property kCentroidsLieWhereStated;
-constinit const Property kCentroidsLieWhereStated{
+extern constinit const Property kCentroidsLieWhereStated{
     .name = "CentroidsLieWhereStated",
     .group = "barycentric",
     .clause =

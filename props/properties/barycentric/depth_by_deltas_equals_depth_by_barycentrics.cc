@@ -63,8 +63,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace depth_by_deltas_equals_depth_by_barycentrics
 
-extern const Property kDepthByDeltasEqualsDepthByBarycentrics;
-constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
+extern constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
     .name = "DepthByDeltasEqualsDepthByBarycentrics",
     .group = "barycentric",
     .clause =
@@ -72,10 +71,7 @@ constinit const Property kDepthByDeltasEqualsDepthByBarycentrics{
         "to one.",
     .tolerance = "the sum of both proven InterpolationErrorBounds",
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = kAreaNotZero},
+    .gate = Where(kAsksBarycentrics, kAreaNotZero),
     .ask = depth_by_deltas_equals_depth_by_barycentrics::Ask,
 };
 

@@ -49,8 +49,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace fragment_barycentrics_stay_within_their_error
 
-extern const Property kFragmentBarycentricsStayWithinTheirError;
-constinit const Property kFragmentBarycentricsStayWithinTheirError{
+extern constinit const Property kFragmentBarycentricsStayWithinTheirError{
     .name = "FragmentBarycentricsStayWithinTheirError",
     .group = "barycentric",
     .clause =

@@ -48,8 +48,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace fragment_barycentrics_sum_to_one
 
-extern const Property kFragmentBarycentricsSumToOne;
-constinit const Property kFragmentBarycentricsSumToOne{
+extern constinit const Property kFragmentBarycentricsSumToOne{
     .name = "FragmentBarycentricsSumToOne",
     .group = "barycentric",
     .clause =
@@ -57,11 +56,7 @@ constinit const Property kFragmentBarycentricsSumToOne{
     .required_by = kBarycentricClauses,
     .tolerance = "the sum of the three tolerances of FragmentBarycentricsStayWithinTheirError",
     .domains = kFragments,
-    .gate = {.shows = Shows::kFragments,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .where = kAreaNotZero},
+    .gate = Where(kAsksFragments, kAreaNotZero),
     .ask = fragment_barycentrics_sum_to_one::Ask,
 };
 

@@ -53,8 +53,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace fragment_depth_follows_its_barycentrics
 
-extern const Property kFragmentDepthFollowsItsBarycentrics;
-constinit const Property kFragmentDepthFollowsItsBarycentrics{
+extern constinit const Property kFragmentDepthFollowsItsBarycentrics{
     .name = "FragmentDepthFollowsItsBarycentrics",
     .group = "barycentric",
     .clause =
@@ -63,11 +62,7 @@ constinit const Property kFragmentDepthFollowsItsBarycentrics{
     .tolerance =
         "the depth's and the barycentrics' tolerances, the latter times the vertices' depths",
     .domains = kFragments,
-    .gate = {.shows = Shows::kFragments,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .where = kAreaNotZero},
+    .gate = Where(kAsksFragments, kAreaNotZero),
     .ask = fragment_depth_follows_its_barycentrics::Ask,
 };
 

@@ -39,19 +39,14 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace fragment_depth_stays_in_the_hull
 
-extern const Property kFragmentDepthStaysInTheHull;
-constinit const Property kFragmentDepthStaysInTheHull{
+extern constinit const Property kFragmentDepthStaysInTheHull{
     .name = "FragmentDepthStaysInTheHull",
     .group = "barycentric",
     .clause = "Inside, a depth is a convex combination of the vertices' depths.",
     .required_by = kBarycentricClauses,
     .tolerance = kDepthTolerance,
     .domains = kFragments,
-    .gate = {.shows = Shows::kFragments,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .where = "samples in the closed triangle of the vertices that it names"},
+    .gate = Where(kAsksFragments, "samples in the closed triangle of the vertices that it names"),
     .ask = fragment_depth_stays_in_the_hull::Ask,
 };
 

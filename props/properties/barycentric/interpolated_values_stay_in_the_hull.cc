@@ -44,17 +44,14 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace interpolated_values_stay_in_the_hull
 
-extern const Property kInterpolatedValuesStayInTheHull;
-constinit const Property kInterpolatedValuesStayInTheHull{
+extern constinit const Property kInterpolatedValuesStayInTheHull{
     .name = "InterpolatedValuesStayInTheHull",
     .group = "barycentric",
     .clause = "Inside, an interpolated value is a convex combination of the vertices' values.",
     .tolerance = kInterpolationBound,
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = "area not zero; samples in the closed triangle; every w positive"},
+    .gate =
+        Where(kAsksBarycentrics, "area not zero; samples in the closed triangle; every w positive"),
     .ask = interpolated_values_stay_in_the_hull::Ask,
 };
 

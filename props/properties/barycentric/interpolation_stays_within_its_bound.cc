@@ -1,4 +1,5 @@
-// Interpolation by barycentrics and by deltas stays within the bound stated of the exact value.
+// Interpolation stays within the bound stated of the exact value: by barycentrics, by deltas, and
+// perspective-correct.
 #include <vector>
 
 #include "props/judging/interpolation_queries.h"
@@ -8,22 +9,9 @@
 #include "props/property.h"
 
 namespace rasterproof::props {
-namespace interpolation_stays_within_its_bound {
 
-Checks Ask(const PlacedCase& c, const Description& subject) {
-  std::vector<InterpolationQuery> affine = SomeInterpolations(c);
-  // w plays no part in the affine forms: the queries that differ in it alone are left out.
-  std::erase_if(affine, [](const InterpolationQuery& q) {
-    return q.corners[0].w != 1 || q.corners[2].w != 1;
-  });
-  return AskInterpolations(affine, {InterpolationForm::kBarycentrics, InterpolationForm::kDeltas},
-                           *subject.barycentrics, InterpolationsStayWithinTheirBound);
-}
-
-}  // namespace interpolation_stays_within_its_bound
-
-extern const Property kInterpolationStaysWithinItsBound;
-constinit const Property kInterpolationStaysWithinItsBound{
+// Interpolation by barycentrics and by deltas stays within the bound stated of the exact value.
+extern constinit const Property kInterpolationStaysWithinItsBound{
     .name = "InterpolationStaysWithinItsBound",
     .group = "barycentric",
     .clause =
@@ -31,11 +19,35 @@ constinit const Property kInterpolationStaysWithinItsBound{
         "section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
     .tolerance = kInterpolationBound,
     .domains = kBarycentrics,
-    .gate = {.shows = Shows::kBarycentrics,
-             .contract = ContractNeeded::kNone,
-             .unwrapped = true,
-             .where = kAreaNotZero},
-    .ask = interpolation_stays_within_its_bound::Ask,
+    .gate = Where(kAsksBarycentrics, kAreaNotZero),
+    .ask =
+        [](const PlacedCase& c, const Description& subject) {
+          std::vector<InterpolationQuery> affine = SomeInterpolations(c);
+          // w plays no part in the affine forms: the queries that differ in it alone are left out.
+          std::erase_if(affine, [](const InterpolationQuery& q) {
+            return q.corners[0].w != 1 || q.corners[2].w != 1;
+          });
+          return AskInterpolations(affine,
+                                   {InterpolationForm::kBarycentrics, InterpolationForm::kDeltas},
+                                   *subject.barycentrics, InterpolationsStayWithinTheirBound);
+        },
+};
+
+// Perspective-correct interpolation stays within the bound stated of the exact quotient.
+extern constinit const Property kPerspectiveInterpolationStaysWithinItsBound{
+    .name = "PerspectiveInterpolationStaysWithinItsBound",
+    .group = "barycentric",
+    .clause =
+        "f = (sum a f_a / w_a) / (sum a / w_a) (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, "
+        "Basic Polygon Rasterization; Heckbert and Moreton 1991).",
+    .tolerance = kInterpolationBound,
+    .domains = kBarycentrics,
+    .gate = Where(kAsksBarycentrics, "area not zero; every w positive"),
+    .ask =
+        [](const PlacedCase& c, const Description& subject) {
+          return AskInterpolations(SomeInterpolations(c), {InterpolationForm::kPerspective},
+                                   *subject.barycentrics, InterpolationsStayWithinTheirBound);
+        },
 };
 
 }  // namespace rasterproof::props

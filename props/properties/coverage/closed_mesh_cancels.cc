@@ -60,8 +60,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace closed_mesh_cancels
 
-extern const Property kClosedMeshCancels;
-constinit const Property kClosedMeshCancels{
+extern constinit const Property kClosedMeshCancels{
     .name = "ClosedMeshCancels",
     .group = "coverage",
     .clause = "A closed surface has no boundary: what it shows of its front it shows of its back.",

@@ -53,8 +53,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace closed_surface_around_the_eye_is_seen_equally_often
 
-extern const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften;
-constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
+extern constinit const Property kClosedSurfaceAroundTheEyeIsSeenEquallyOften{
     .name = "ClosedSurfaceAroundTheEyeIsSeenEquallyOften",
     .group = "coverage",
     .clause = "A closed surface winds equally often around the eye in every direction.",

@@ -1,4 +1,4 @@
-// Front and back counts equal those of the profile's canonical model at every sample.
+// Coverage is that of the profile's canonical model, in window space and in clip space.
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
@@ -9,8 +9,8 @@
 
 namespace rasterproof::props {
 
-extern const Property kCoverageEqualsTheModel;
-constinit const Property kCoverageEqualsTheModel{
+// Front and back counts equal those of the profile's canonical model at every sample.
+extern constinit const Property kCoverageEqualsTheModel{
     .name = "CoverageEqualsTheModel",
     .group = "coverage",
     .clause =
@@ -20,6 +20,24 @@ constinit const Property kCoverageEqualsTheModel{
     .tolerance = kExact,
     .domains = kModelCoverage,
     .gate = {.judges_shared_edge_samples = true, .asks_oracle = true},
+    .ask = CompareWithTheModel,
+    .blame = [](const PlacedCase& c, const Verdict& verdict,
+                const Description&) { return BlameTriangles(c, verdict, c.options); },
+};
+
+// Clip-space triangles cover what the ray through the sample meets in front of the eye.
+extern constinit const Property kClipSpaceCoverageEqualsTheModel{
+    .name = "ClipSpaceCoverageEqualsTheModel",
+    .group = "coverage",
+    .clause =
+        "A clip-space triangle covers what the ray through the sample meets in front of the "
+        "eye (Olano and Greer 1997).",
+    .tolerance = kExact,
+    .domains = kClipSpace,
+    .gate = {.space = Space::kClip,
+             .judges_shared_edge_samples = true,
+             .asks_oracle = true,
+             .where = "no near clipping"},
     .ask = CompareWithTheModel,
     .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },

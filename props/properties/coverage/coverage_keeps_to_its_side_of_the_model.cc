@@ -86,8 +86,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace coverage_keeps_to_its_side_of_the_model
 
-extern const Property kCoverageKeepsToItsSideOfTheModel;
-constinit const Property kCoverageKeepsToItsSideOfTheModel{
+extern constinit const Property kCoverageKeepsToItsSideOfTheModel{
     .name = "CoverageKeepsToItsSideOfTheModel",
     .group = "coverage",
     .clause =

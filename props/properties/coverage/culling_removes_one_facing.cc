@@ -227,8 +227,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace culling_removes_one_facing
 
-extern const Property kCullingRemovesOneFacing;
-constinit const Property kCullingRemovesOneFacing{
+extern constinit const Property kCullingRemovesOneFacing{
     .name = "CullingRemovesOneFacing",
     .group = "coverage",
     .clause =

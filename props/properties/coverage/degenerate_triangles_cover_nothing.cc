@@ -39,8 +39,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace degenerate_triangles_cover_nothing
 
-extern const Property kDegenerateTrianglesCoverNothing;
-constinit const Property kDegenerateTrianglesCoverNothing{
+extern constinit const Property kDegenerateTrianglesCoverNothing{
     .name = "DegenerateTrianglesCoverNothing",
     .group = "coverage",
     .clause =

@@ -18,8 +18,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace embedded_mesh_samples_are_covered_once
 
-extern const Property kEmbeddedMeshSamplesAreCoveredOnce;
-constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
+extern constinit const Property kEmbeddedMeshSamplesAreCoveredOnce{
     .name = "EmbeddedMeshSamplesAreCoveredOnce",
     .group = "coverage",
     .clause =

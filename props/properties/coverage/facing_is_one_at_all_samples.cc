@@ -179,8 +179,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace facing_is_one_at_all_samples
 
-extern const Property kFacingIsOneAtAllSamples;
-constinit const Property kFacingIsOneAtAllSamples{
+extern constinit const Property kFacingIsOneAtAllSamples{
     .name = "FacingIsOneAtAllSamples",
     .group = "coverage",
     .clause =

@@ -92,8 +92,7 @@ bool StatesTranslation(const Profile& profile) {
 
 }  // namespace integer_translation_moves_coverage
 
-extern const Property kIntegerTranslationMovesCoverage;
-constinit const Property kIntegerTranslationMovesCoverage{
+extern constinit const Property kIntegerTranslationMovesCoverage{
     .name = "IntegerTranslationMovesCoverage",
     .group = "coverage",
     .clause =

@@ -77,8 +77,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace lifted_triangles_cover_like_projected_ones
 
-extern const Property kLiftedTrianglesCoverLikeProjectedOnes;
-constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
+extern constinit const Property kLiftedTrianglesCoverLikeProjectedOnes{
     .name = "LiftedTrianglesCoverLikeProjectedOnes",
     .group = "coverage",
     .clause =

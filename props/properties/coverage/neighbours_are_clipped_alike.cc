@@ -35,8 +35,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace neighbours_are_clipped_alike
 
-extern const Property kNeighboursAreClippedAlike;
-constinit const Property kNeighboursAreClippedAlike{
+extern constinit const Property kNeighboursAreClippedAlike{
     .name = "NeighboursAreClippedAlike",
     .group = "coverage",
     .clause =

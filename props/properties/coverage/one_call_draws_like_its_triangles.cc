@@ -115,8 +115,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace one_call_draws_like_its_triangles
 
-extern const Property kOneCallDrawsLikeItsTriangles;
-constinit const Property kOneCallDrawsLikeItsTriangles{
+extern constinit const Property kOneCallDrawsLikeItsTriangles{
     .name = "OneCallDrawsLikeItsTriangles",
     .group = "coverage",
     .clause =

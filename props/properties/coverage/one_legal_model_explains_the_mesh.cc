@@ -214,8 +214,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace one_legal_model_explains_the_mesh
 
-extern const Property kOneLegalModelExplainsTheMesh;
-constinit const Property kOneLegalModelExplainsTheMesh{
+extern constinit const Property kOneLegalModelExplainsTheMesh{
     .name = "OneLegalModelExplainsTheMesh",
     .group = "coverage",
     .clause =

@@ -40,8 +40,7 @@ constexpr std::array kRulesForOnce{
 
 }  // namespace open_ties_are_covered_once
 
-extern const Property kOpenTiesAreCoveredOnce;
-constinit const Property kOpenTiesAreCoveredOnce{
+extern constinit const Property kOpenTiesAreCoveredOnce{
     .name = "OpenTiesAreCoveredOnce",
     .group = "coverage",
     .clause =

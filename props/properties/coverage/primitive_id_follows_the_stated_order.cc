@@ -48,8 +48,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace primitive_id_follows_the_stated_order
 
-extern const Property kPrimitiveIdFollowsTheStatedOrder;
-constinit const Property kPrimitiveIdFollowsTheStatedOrder{
+extern constinit const Property kPrimitiveIdFollowsTheStatedOrder{
     .name = "PrimitiveIdFollowsTheStatedOrder",
     .group = "coverage",
     .clause =

@@ -30,8 +30,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace reversal_swaps_facing
 
-extern const Property kReversalSwapsFacing;
-constinit const Property kReversalSwapsFacing{
+extern constinit const Property kReversalSwapsFacing{
     .name = "ReversalSwapsFacing",
     .group = "coverage",
     .clause = "Winding decides facing, never coverage.",

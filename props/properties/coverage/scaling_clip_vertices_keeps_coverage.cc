@@ -52,8 +52,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace scaling_clip_vertices_keeps_coverage
 
-extern const Property kScalingClipVerticesKeepsCoverage;
-constinit const Property kScalingClipVerticesKeepsCoverage{
+extern constinit const Property kScalingClipVerticesKeepsCoverage{
     .name = "ScalingClipVerticesKeepsCoverage",
     .group = "coverage",
     .clause =

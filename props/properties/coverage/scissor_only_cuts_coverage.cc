@@ -42,8 +42,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace scissor_only_cuts_coverage
 
-extern const Property kScissorOnlyCutsCoverage;
-constinit const Property kScissorOnlyCutsCoverage{
+extern constinit const Property kScissorOnlyCutsCoverage{
     .name = "ScissorOnlyCutsCoverage",
     .group = "coverage",
     .clause =

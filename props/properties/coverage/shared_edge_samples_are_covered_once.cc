@@ -67,8 +67,7 @@ Checks CoverSharedEdgesOnce(const PlacedCase& c, const Description& subject, Cli
   return asked;
 }
 
-extern const Property kSharedEdgeSamplesAreCoveredOnce;
-constinit const Property kSharedEdgeSamplesAreCoveredOnce{
+extern constinit const Property kSharedEdgeSamplesAreCoveredOnce{
     .name = "SharedEdgeSamplesAreCoveredOnce",
     .group = "coverage",
     .clause =

@@ -30,8 +30,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace signed_coverage_equals_the_winding_number
 
-extern const Property kSignedCoverageEqualsTheWindingNumber;
-constinit const Property kSignedCoverageEqualsTheWindingNumber{
+extern constinit const Property kSignedCoverageEqualsTheWindingNumber{
     .name = "SignedCoverageEqualsTheWindingNumber",
     .group = "coverage",
     .clause =

@@ -49,8 +49,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace target_height_keeps_coverage
 
-extern const Property kTargetHeightKeepsCoverage;
-constinit const Property kTargetHeightKeepsCoverage{
+extern constinit const Property kTargetHeightKeepsCoverage{
     .name = "TargetHeightKeepsCoverage",
     .group = "coverage",
     .clause = "A sample is covered alike whatever rows lie beyond it.",

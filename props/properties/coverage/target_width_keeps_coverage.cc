@@ -44,8 +44,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace target_width_keeps_coverage
 
-extern const Property kTargetWidthKeepsCoverage;
-constinit const Property kTargetWidthKeepsCoverage{
+extern constinit const Property kTargetWidthKeepsCoverage{
     .name = "TargetWidthKeepsCoverage",
     .group = "coverage",
     .clause = "Coverage depends on the sample and the triangle, not on the size of the target.",

@@ -49,8 +49,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace tiles_drawn_apart_equal_the_whole
 
-extern const Property kTilesDrawnApartEqualTheWhole;
-constinit const Property kTilesDrawnApartEqualTheWhole{
+extern constinit const Property kTilesDrawnApartEqualTheWhole{
     .name = "TilesDrawnApartEqualTheWhole",
     .group = "coverage",
     .clause =

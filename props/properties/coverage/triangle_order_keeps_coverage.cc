@@ -34,8 +34,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace triangle_order_keeps_coverage
 
-extern const Property kTriangleOrderKeepsCoverage;
-constinit const Property kTriangleOrderKeepsCoverage{
+extern constinit const Property kTriangleOrderKeepsCoverage{
     .name = "TriangleOrderKeepsCoverage",
     .group = "coverage",
     .clause = "Coverage of a triangle depends on no other triangle.",

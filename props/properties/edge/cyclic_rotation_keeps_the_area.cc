@@ -75,8 +75,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace cyclic_rotation_keeps_the_area
 
-extern const Property kCyclicRotationKeepsTheArea;
-constinit const Property kCyclicRotationKeepsTheArea{
+extern constinit const Property kCyclicRotationKeepsTheArea{
     .name = "CyclicRotationKeepsTheArea",
     .group = "edge",
     .clause = "E(v0, v1; v2) is twice the signed area, whichever vertex the list starts with.",

@@ -37,8 +37,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace edge_error_stays_within_its_bound
 
-extern const Property kEdgeErrorStaysWithinItsBound;
-constinit const Property kEdgeErrorStaysWithinItsBound{
+extern constinit const Property kEdgeErrorStaysWithinItsBound{
     .name = "EdgeErrorStaysWithinItsBound",
     .group = "edge",
     .clause =

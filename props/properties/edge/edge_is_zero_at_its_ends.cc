@@ -49,8 +49,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace edge_is_zero_at_its_ends
 
-extern const Property kEdgeIsZeroAtItsEnds;
-constinit const Property kEdgeIsZeroAtItsEnds{
+extern constinit const Property kEdgeIsZeroAtItsEnds{
     .name = "EdgeIsZeroAtItsEnds",
     .group = "edge",
     .clause = "An edge line passes through its ends: E(a, b; a) = E(a, b; b) = 0.",

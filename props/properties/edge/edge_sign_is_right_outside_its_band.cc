@@ -44,8 +44,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace edge_sign_is_right_outside_its_band
 
-extern const Property kEdgeSignIsRightOutsideItsBand;
-constinit const Property kEdgeSignIsRightOutsideItsBand{
+extern constinit const Property kEdgeSignIsRightOutsideItsBand{
     .name = "EdgeSignIsRightOutsideItsBand",
     .group = "edge",
     .clause =

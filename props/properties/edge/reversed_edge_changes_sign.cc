@@ -65,8 +65,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace reversed_edge_changes_sign
 
-extern const Property kReversedEdgeChangesSign;
-constinit const Property kReversedEdgeChangesSign{
+extern constinit const Property kReversedEdgeChangesSign{
     .name = "ReversedEdgeChangesSign",
     .group = "edge",
     .clause =

@@ -107,8 +107,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace bad_triangles_poison_no_others
 
-extern const Property kBadTrianglesPoisonNoOthers;
-constinit const Property kBadTrianglesPoisonNoOthers{
+extern constinit const Property kBadTrianglesPoisonNoOthers{
     .name = "BadTrianglesPoisonNoOthers",
     .group = "extremes",
     .clause = "A triangle that covers nothing leaves the coverage of the others alone.",

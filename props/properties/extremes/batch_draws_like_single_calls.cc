@@ -114,8 +114,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace batch_draws_like_single_calls
 
-extern const Property kBatchDrawsLikeSingleCalls;
-constinit const Property kBatchDrawsLikeSingleCalls{
+extern constinit const Property kBatchDrawsLikeSingleCalls{
     .name = "BatchDrawsLikeSingleCalls",
     .group = "extremes",
     .clause = "Scenes that share a call have nothing to do with each other.",

@@ -98,8 +98,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace draw_stays_inside_its_target
 
-extern const Property kDrawStaysInsideItsTarget;
-constinit const Property kDrawStaysInsideItsTarget{
+extern constinit const Property kDrawStaysInsideItsTarget{
     .name = "DrawStaysInsideItsTarget",
     .group = "extremes",
     .clause =

@@ -64,8 +64,7 @@ constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
 }  // namespace earlier_scenes_leave_no_trace
 
-extern const Property kEarlierScenesLeaveNoTrace;
-constinit const Property kEarlierScenesLeaveNoTrace{
+extern constinit const Property kEarlierScenesLeaveNoTrace{
     .name = "EarlierScenesLeaveNoTrace",
     .group = "extremes",
     .clause = "A scene covers the same whatever was drawn before it.",

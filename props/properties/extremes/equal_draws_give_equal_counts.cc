@@ -29,8 +29,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace equal_draws_give_equal_counts
 
-extern const Property kEqualDrawsGiveEqualCounts;
-constinit const Property kEqualDrawsGiveEqualCounts{
+extern constinit const Property kEqualDrawsGiveEqualCounts{
     .name = "EqualDrawsGiveEqualCounts",
     .group = "extremes",
     .clause = "Equal calls give equal counts, and counts are added to.",

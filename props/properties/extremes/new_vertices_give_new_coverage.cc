@@ -72,8 +72,7 @@ constexpr std::array kRules{kCountsTies, kStatesSamplePositions};
 
 }  // namespace new_vertices_give_new_coverage
 
-extern const Property kNewVerticesGiveNewCoverage;
-constinit const Property kNewVerticesGiveNewCoverage{
+extern constinit const Property kNewVerticesGiveNewCoverage{
     .name = "NewVerticesGiveNewCoverage",
     .group = "extremes",
     .clause = "What a scene covers follows from its own vertices, not from what was drawn before.",

@@ -93,8 +93,7 @@ constexpr std::array kRules{
 
 }  // namespace non_finite_triangles_cover_nothing
 
-extern const Property kNonFiniteTrianglesCoverNothing;
-constinit const Property kNonFiniteTrianglesCoverNothing{
+extern constinit const Property kNonFiniteTrianglesCoverNothing{
     .name = "NonFiniteTrianglesCoverNothing",
     .group = "extremes",
     .clause =

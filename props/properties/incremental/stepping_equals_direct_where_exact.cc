@@ -59,8 +59,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace stepping_equals_direct_where_exact
 
-extern const Property kSteppingEqualsDirectWhereExact;
-constinit const Property kSteppingEqualsDirectWhereExact{
+extern constinit const Property kSteppingEqualsDirectWhereExact{
     .name = "SteppingEqualsDirectWhereExact",
     .group = "incremental",
     .clause =

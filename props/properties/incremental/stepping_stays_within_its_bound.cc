@@ -1,6 +1,5 @@
-// Each of the eight steppings meets values within the bound that the subject states for its steps.
-//
-// They go along x or y, either way, by one pixel or by L.
+// Steppings meet values within the bound that the subject states for their steps: each of the eight
+// along x or y, either way, by one pixel or by L, and one across the largest target.
 #include "props/judging/stepping.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
@@ -8,16 +7,16 @@
 #include "props/property.h"
 
 namespace rasterproof::props {
-namespace stepping_stays_within_its_bound {
+namespace {
 
-Checks Ask(const PlacedCase& c, const Description& subject) {
-  return StepsStayWithinTheirBound(SomeSteppingQueries(c), *subject.edges);
-}
+constexpr int kSteps = 16384;  // the side of the largest target of the APIs in use
 
-}  // namespace stepping_stays_within_its_bound
+}  // namespace
 
-extern const Property kSteppingStaysWithinItsBound;
-constinit const Property kSteppingStaysWithinItsBound{
+// Each of the eight steppings meets values within the bound that the subject states for its steps.
+//
+// They go along x or y, either way, by one pixel or by L.
+extern constinit const Property kSteppingStaysWithinItsBound{
     .name = "SteppingStaysWithinItsBound",
     .group = "incremental",
     .clause =
@@ -26,7 +25,27 @@ constinit const Property kSteppingStaysWithinItsBound{
     .tolerance = kSteppingBounds,
     .domains = kMagnitudes,
     .gate = kAsksSteps,
-    .ask = stepping_stays_within_its_bound::Ask,
+    .ask =
+        [](const PlacedCase& c, const Description& subject) {
+          return StepsStayWithinTheirBound(SomeSteppingQueries(c), *subject.edges);
+        },
+};
+
+// A stepping across the largest target drifts no further than the bound stated for it.
+extern constinit const Property kLongSteppingStaysWithinItsBound{
+    .name = "LongSteppingStaysWithinItsBound",
+    .group = "incremental",
+    .clause =
+        "A stepping over 16384 samples, the largest target of current APIs, drifts by a proven "
+        "bound at most.",
+    .tolerance = kSteppingBounds,
+    .domains = kLongRows,
+    .takes_long = true,
+    .gate = kAsksSteps,
+    .ask =
+        [](const PlacedCase& c, const Description& subject) {
+          return StepsStayWithinTheirBound(LongRows(c, kSteps), *subject.edges);
+        },
 };
 
 }  // namespace rasterproof::props

@@ -28,8 +28,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace held_squares_have_covered_centres
 
-extern const Property kHeldSquaresHaveCoveredCentres;
-constinit const Property kHeldSquaresHaveCoveredCentres{
+extern constinit const Property kHeldSquaresHaveCoveredCentres{
     .name = "HeldSquaresHaveCoveredCentres",
     .group = "square",
     .clause =

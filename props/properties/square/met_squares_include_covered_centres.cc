@@ -39,8 +39,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace met_squares_include_covered_centres
 
-extern const Property kMetSquaresIncludeCoveredCentres;
-constinit const Property kMetSquaresIncludeCoveredCentres{
+extern constinit const Property kMetSquaresIncludeCoveredCentres{
     .name = "MetSquaresIncludeCoveredCentres",
     .group = "square",
     .clause =

@@ -24,8 +24,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace squares_outside_the_may_region_stay_free
 
-extern const Property kSquaresOutsideTheMayRegionStayFree;
-constinit const Property kSquaresOutsideTheMayRegionStayFree{
+extern constinit const Property kSquaresOutsideTheMayRegionStayFree{
     .name = "SquaresOutsideTheMayRegionStayFree",
     .group = "square",
     .clause =

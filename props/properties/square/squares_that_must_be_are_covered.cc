@@ -73,8 +73,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
 
 }  // namespace squares_that_must_be_are_covered
 
-extern const Property kSquaresThatMustBeAreCovered;
-constinit const Property kSquaresThatMustBeAreCovered{
+extern constinit const Property kSquaresThatMustBeAreCovered{
     .name = "SquaresThatMustBeAreCovered",
     .group = "square",
     .clause =

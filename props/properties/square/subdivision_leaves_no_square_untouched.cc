@@ -93,8 +93,7 @@ Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
 
 }  // namespace subdivision_leaves_no_square_untouched
 
-extern const Property kSubdivisionLeavesNoSquareUntouched;
-constinit const Property kSubdivisionLeavesNoSquareUntouched{
+extern constinit const Property kSubdivisionLeavesNoSquareUntouched{
     .name = "SubdivisionLeavesNoSquareUntouched",
     .group = "square",
     .clause =

@@ -1,0 +1,64 @@
+"""check --catalogue: a table of families, saved cases that fail again, its exit status.
+
+usage: catalogue_test.py PROGRAM SOURCES
+"""
+import glob
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SOURCES = (os.path.abspath(path) for path in sys.argv[1:3])
+
+
+FEW = [word for name in ("needles", "near-edge", "grids", "snap-ties", "degenerate", "mixed-w")
+       for word in ("--family", name)]  # fmt: skip
+
+
+def check(*arguments):
+    return subprocess.run([PROGRAM, "check", "--catalogue", "--cases", "20", *FEW, *arguments],
+                          capture_output=True, text=True, cwd=SOURCES, timeout=300,
+                          check=False)  # fmt: skip
+
+
+class Catalogue(unittest.TestCase):
+    def test_an_exact_subject_fails_no_family_of_its_model(self):
+        done = check("--subject", "i64-snap8")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        last = done.stdout.splitlines()[-1]
+        self.assertRegex(last, r"^i64-snap8: own model: \d+ families stand, 0 fail, ")
+        self.assertNotRegex(last, r"real geometry: \d+ families stand, 0 fail")
+
+    def test_what_fails_is_saved_and_fails_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = check("--subject", "textbook", "--save", folder)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertRegex(done.stdout, r"\n  needles +fails \d+ of 20, ")
+            saved = sorted(glob.glob(os.path.join(folder, "*.json")))
+            self.assertGreater(len(saved), 3)
+            for path in saved[:6]:
+                again = subprocess.run([PROGRAM, "replay", path], capture_output=True, text=True,
+                                       cwd=SOURCES, timeout=60, check=False)  # fmt: skip
+                self.assertEqual(again.returncode, 1, path + again.stdout + again.stderr)
+
+    def test_what_it_cannot_be_combined_with_is_refused(self):
+        for other in (("--property", "CoverageEqualsTheModel"), ("--case", "needles:1@1"),
+                      ("scenes/ties.json",)):  # fmt: skip
+            done = check(*other)
+            self.assertEqual(done.returncode, 2, other)
+            self.assertIn("--catalogue", done.stderr)
+
+    def test_a_family_that_is_none_is_refused_with_the_one_that_may_be_meant(self):
+        done = check("--family", "neddles")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("did you mean needles?", done.stderr)
+
+    def test_a_subject_of_squares_is_refused_with_the_reason(self):
+        done = check("--subject", "spans-exact", "--profile", "vulkan-overestimate")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("whole pixels", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -6,19 +6,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
 #include "core/profile.h"
+#include "core/quoted.h"
 
 namespace rasterproof {
 
-// All files of core/clauses/, one after the other; core/CMakeLists.txt embeds them.
-extern const char* const kClauseFiles;
-
 namespace {
-
-constexpr std::string_view kCanonical = "-canonical";
 
 // "required" is the default and so is not written in the files.
 constexpr std::array<std::string_view, 3> kForces{"required", "allowed", "silent"};
@@ -27,13 +24,14 @@ template <typename Row>
 struct Field {
   std::string_view name;
   std::string_view Row::* text;
+  bool is_required = true;
 };
 
 constexpr std::array<Field<Specification>, 4> kSpecificationFields{{
     {"api", &Specification::api},
     {"title", &Specification::title},
     {"edition", &Specification::edition},
-    {"base", &Specification::base},
+    {"base", &Specification::base, false},
 }};
 
 constexpr std::array<Field<Clause>, 6> kClauseFields{{
@@ -41,61 +39,109 @@ constexpr std::array<Field<Clause>, 6> kClauseFields{{
     {"place", &Clause::place},
     {"sentence", &Clause::sentence},
     {"reading", &Clause::reading},
-    {"keys", &Clause::keys},
-    {"shown_by", &Clause::shown_by},
+    {"keys", &Clause::keys, false},
+    {"shown_by", &Clause::shown_by, false},
 }};
 
-// Returns whether the row has a field of this name, which is then set.
-template <typename Row>
-bool Set(Row& row, std::span<const Field<Row>> fields, std::string_view name,
-         std::string_view text) {
-  const auto field = std::ranges::find(fields, name, &Field<Row>::name);
-  if (field == fields.end()) return false;
-  row.*(field->text) = text;
-  return true;
-}
+class ClauseReader {
+ public:
+  explicit ClauseReader(const ClauseFile& file) : file_(file) {}
 
-bool SetChoice(Clause& clause, std::string_view name, std::string_view text) {
-  if (name == "assumed") {
-    clause.is_assumed = text == "yes";
-    return clause.is_assumed;
+  Specification Read() {
+    std::string_view rest = file_.text;
+    while (!rest.empty()) {
+      const std::string_view line = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+      ++line_;
+      if (!line.empty() && !line.starts_with('#')) ReadLine(line);
+    }
+    RequireWhole();
+    return std::move(all_);
   }
-  const auto force = std::ranges::find(kForces, text);
-  if (name != "force" || force == kForces.end()) return false;
-  clause.force = static_cast<Force>(force - kForces.begin());
-  return true;
-}
 
-// A line "api: ..." begins a specification, "id: ..." a clause of it.
-bool ReadLine(std::string_view line, std::vector<Specification>& all) {
-  const std::size_t colon = std::min(line.find(": "), line.size());
-  const std::string_view name = line.substr(0, colon);
-  const std::string_view text = line.substr(std::min(colon + 2, line.size()));
-  if (name == "api") all.emplace_back();
-  if (text.empty() || all.empty()) return false;
-  std::vector<Clause>& clauses = all.back().clauses;
-  if (name == "id") clauses.emplace_back();
-  if (clauses.empty()) return Set<Specification>(all.back(), kSpecificationFields, name, text);
-  return Set<Clause>(clauses.back(), kClauseFields, name, text) ||
-         SetChoice(clauses.back(), name, text);
-}
+ private:
+  void ReadLine(std::string_view line) {
+    const std::size_t colon = std::min(line.find(": "), line.size());
+    const std::string_view name = line.substr(0, colon);
+    const std::string_view text = line.substr(std::min(colon + 2, line.size()));
+    if (text.empty()) Fail(line, "is not a field and its text", "write \"field: text\"");
+    if (name == "id") BeginClause(text);
+    if (all_.clauses.empty()) return Set<Specification>(all_, kSpecificationFields, name, text);
+    if (name != "force" && name != "assumed") {
+      return Set<Clause>(all_.clauses.back(), kClauseFields, name, text);
+    }
+    SetChoice(all_.clauses.back(), line);
+  }
+
+  void BeginClause(std::string_view id) {
+    RequireWhole();
+    if (ApiOf({.id = id}) != all_.api) {
+      Fail(id, "is not of this specification", "begin the id with the file's api and a period");
+    }
+    if (std::ranges::find(all_.clauses, id, &Clause::id) != all_.clauses.end()) {
+      Fail(id, "is the id of two clauses", "rename one");
+    }
+    all_.clauses.emplace_back();
+  }
+
+  template <typename Row>
+  void Set(Row& row, std::span<const Field<Row>> fields, std::string_view name,
+           std::string_view text) const {
+    const auto field = std::ranges::find(fields, name, &Field<Row>::name);
+    if (field == fields.end()) {
+      Fail(name, "is no field", "write one that core/clauses/clauses.cc lists");
+    }
+    if (!(row.*(field->text)).empty()) Fail(name, "is given twice", "remove one");
+    row.*(field->text) = text;
+  }
+
+  void SetChoice(Clause& clause, std::string_view line) const {
+    if (line == "force: allowed") {
+      clause.force = Force::kAllowed;
+    } else if (line == "force: silent") {
+      clause.force = Force::kSilent;
+    } else if (line == "assumed: yes") {
+      clause.is_assumed = true;
+    } else {
+      Fail(line, "is no choice", "write \"force: allowed\", \"force: silent\" or \"assumed: yes\"");
+    }
+  }
+
+  // Of the specification, or of its last clause.
+  void RequireWhole() const {
+    if (all_.clauses.empty()) return RequireFields<Specification>(all_, kSpecificationFields);
+    RequireFields<Clause>(all_.clauses.back(), kClauseFields);
+  }
+
+  template <typename Row>
+  void RequireFields(const Row& row, std::span<const Field<Row>> fields) const {
+    for (const Field<Row>& field : fields) {
+      if (field.is_required && (row.*(field.text)).empty()) {
+        Fail(field.name, "is missing above", "add the field");
+      }
+    }
+  }
+
+  [[noreturn]] void Fail(std::string_view what, const char* reason, const char* remedy) const {
+    throw InputError(std::string(file_.name) + ": line " + std::to_string(line_),
+                     Quoted(what) + " " + reason, remedy);
+  }
+
+  ClauseFile file_;
+  Specification all_;
+  int line_ = 0;
+};
 
 }  // namespace
 
-std::vector<Specification> ReadSpecifications(std::string_view text) {
-  std::vector<Specification> all;
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-    if (line.empty() || line.starts_with('#') || ReadLine(line, all)) continue;
-    throw InputError("core/clauses/: \"" + std::string(line) + "\"", "not a field of a clause",
-                     "write one of those in core/clauses/clauses.cc, then \": \" and its text");
-  }
-  return all;
-}
+Specification ReadSpecification(const ClauseFile& file) { return ClauseReader(file).Read(); }
 
 std::span<const Specification> Specifications() {
-  static const std::vector<Specification> all = ReadSpecifications(kClauseFiles);
+  static const std::vector<Specification> all = [] {
+    std::vector<Specification> read;
+    for (const ClauseFile& file : ClauseFiles()) read.push_back(ReadSpecification(file));
+    return read;
+  }();
   return all;
 }
 
@@ -107,7 +153,7 @@ const Specification* FindSpecification(std::string_view api) {
 
 const Specification* SpecificationOf(std::string_view profile_name) {
   if (const Specification* named = FindSpecification(profile_name)) return named;
-  const bool is_model = profile_name.ends_with(kCanonical);
+  const bool is_model = profile_name.ends_with("-canonical");
   if (is_model || !PresetProfile(profile_name)) return nullptr;
   const Specification* longest = nullptr;
   for (const Specification& one : Specifications()) {

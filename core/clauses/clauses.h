@@ -73,10 +73,21 @@ std::vector<ClauseKey> KeysOf(const Clause& clause);
 /// its base first. Empty if there is no such specification.
 std::vector<const Clause*> AssumptionsOf(std::string_view api);
 
-/// Reads the text of files of core/clauses/, into which the result points: lines "field: text", a
-/// specification's before those of its clauses. Lines that begin with '#' are comments. Throws
-/// InputError that names a line which is neither.
-std::vector<Specification> ReadSpecifications(std::string_view text);
+/// A file of core/clauses/, a specification each: lines "field: text", those of the specification
+/// before those of its clauses, each of which begins with its id. Fields have the names of the
+/// members above; "force: required" and "assumed: no" are never written. A line that begins with
+/// '#' is a comment.
+struct ClauseFile {
+  std::string_view name;
+  std::string_view text;
+};
+/// All of them, in the order in which they are listed. core/CMakeLists.txt writes this function.
+std::vector<ClauseFile> ClauseFiles();
+/// The result points into the file's text.
+///
+/// Error:      InputError, with file and line, for an unknown field, one that is given twice or
+///             missing, a value that is none, and an id that is not this specification's alone.
+Specification ReadSpecification(const ClauseFile& file);
 
 }  // namespace rasterproof
 

@@ -214,6 +214,13 @@ class BenchReader {
     auto next = all.begin();
     std::apply([&](auto&... item) { ((Read(*next, item), ++next), ...); }, items);
   }
+  // Methods are compared by their intervals: one that is apart from itself would beat itself.
+  void Read(const JsonValue& value, Interval& interval) {
+    Read(value, ItemsOf(interval));
+    if (interval.low > interval.median || interval.median > interval.high) {
+      throw value.Error("is no interval", "write the lower end, the median, the upper end");
+    }
+  }
   void Read(const JsonValue& value, std::string& text) { text = value.RequireString(); }
   void Read(const JsonValue& value, bool& is) { is = io::Boolean(value); }
   void Read(const JsonValue& value, int& pixel) {

@@ -66,6 +66,8 @@ TEST(BenchJson, FaultsNamePlaceAndRemedy) {
             "curves[0].parameter"},
            {WithChanged("[[2,1000,0,0,2e-08]", "[[2,1000,0,0]"), "curves[0].points[0]"},
            {WithChanged("\"missing\":5", "\"missing\":-5"), "rows[0].real.missing"},
+           {WithChanged("\"ratio\":[0.99,1,", "\"ratio\":[1.5,1,"),
+            "rows[0].ratio: is no interval"},
            {WithChanged("\"wall_seconds\"", "\"elapsed\""), "rows[0]"},
            {WithChanged("\"seed\": \"1", "\"seed\": \"x1"), "below 2^64"},
        }) {

@@ -13,12 +13,12 @@
 #include "core/error.h"
 #include "core/subject_info.h"
 #include "fmt/format.h"
-#include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/domains/worlds.h"
 #include "props/run/campaign_part.h"
+#include "report/bench_json.h"
 #include "report/bench_page.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
@@ -371,7 +371,7 @@ int RunCertify(const CertifyOptions& options) {
 int Certify(const CertifyOptions& options, const Source& source) {
   const std::vector<SubjectFactory> subjects = SubjectsOf(options);
   report::Page page;
-  if (!options.bench.empty()) page.bench = io::ReadBench(options.bench);
+  if (!options.bench.empty()) page.bench = report::ReadBench(options.bench);
   page.folder = ShellWord(options.output);
   io::MakeFolder(options.output);
   std::exception_ptr failure;

@@ -89,6 +89,32 @@ class ShownCommandsTest(unittest.TestCase):
         self.assertEqual(self.script.missing_line("three 3\none 1\n", printed), "one 1")
         self.assertEqual(self.script.missing_line("one\n", printed), "one")
 
+
+class TablesTest(unittest.TestCase):
+    def setUp(self):
+        self.script = load("tables.py")
+
+    def write(self, text, name):
+        with tempfile.TemporaryDirectory() as folder:
+            document = pathlib.Path(folder) / "a.md"
+            document.write_text(text, encoding="utf-8")
+            rows = self.script.table(["of", "n"], [["a", "1"]], numbers=1)
+            self.script.write(document, {name: rows})
+            return document.read_text(encoding="utf-8")
+
+    def test_a_table_is_written_between_its_comments(self):
+        block = "<!-- {0}, made by scripts/s -->\n{1}<!-- {0}: to here -->\n"
+        text = "A.\n" + block.format("x", "{}") + "B.\n" + block.format("y", "old\n") + "C.\n"
+        self.assertEqual(self.write(text.format("old\n"), "x"),
+                         text.format("| of | n |\n| --- | ---: |\n| a | 1 |\n"))  # fmt: skip
+
+    def test_a_document_has_one_block_of_a_name(self):
+        block = "<!-- x, made by scripts/s -->\n<!-- x: to here -->\n"
+        for text, count in (("A.\n", 0), (block * 2, 2)):
+            with self.assertRaisesRegex(SystemExit, f"it has {count} blocks named x; write"):
+                self.write(text, "x")
+
+
 class FiguresTest(unittest.TestCase):
     """Numbers and names in sentences are those of what the sentences are about."""
 

@@ -77,7 +77,7 @@ class ShownCommandsTest(unittest.TestCase):
         block, = self.blocks("See `build/try/a.json`.\n\n```json\n{}\n```\n")
         self.assertIsNone(block["file"])
 
-    def test_a_quotation_stands_right_below_its_command(self):
+    def test_a_quotation_comes_right_below_its_command(self):
         shell = "```sh\nbuild/a\n```\n"
         self.assertEqual(self.blocks(shell + "\n```text\nb\n```\n")[0]["printed"], "b\n")
         self.assertIsNone(self.blocks(shell + "\nSo.\n\n```text\nb\n```\n")[0]["printed"])
@@ -123,7 +123,7 @@ class FiguresTest(unittest.TestCase):
                "eighteen", "nineteen", "twenty")  # fmt: skip
 
     def one(self, pattern, path):
-        """What the only place of a file that the pattern fits says."""
+        """Returns what the pattern captures at the only place of the file that it matches."""
         found = re.findall(pattern, read(path))
         self.assertEqual(len(found), 1, f"{pattern} in {path}")
         return found[0]
@@ -145,7 +145,7 @@ class FiguresTest(unittest.TestCase):
                 seen.add(file.name)
         self.assertEqual(seen, {"plugin.c", "program.py", "console.c", "own_type.cc"})
 
-    def test_the_worst_cases_known_stand_beside_their_bounds(self):
+    def test_the_worst_cases_known_are_quoted_beside_their_bounds(self):
         """0.9752 (f32-direct) in a header, where scenes/worst/README.md says so."""
         quoted = r"(\d\.\d{4})\s+\(([\w-]+)\)"
         headers = re.sub(r"\n\s*/// +", " ", read("reference/bounds.h"))

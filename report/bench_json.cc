@@ -134,7 +134,7 @@ void BenchWriter::WriteDecision(std::uint32_t family, Need need) {
   json_.EndObject();
 }
 
-// What follows from the rows, for programs to read; the reader leaves it out.
+// Conclusions from the rows, for programs to read. The reader ignores them: they follow again.
 void BenchWriter::Decisions(std::string_view key) {
   json_.Key(key).BeginArray();
   for (std::uint32_t family = 0; family < result_.families.size(); ++family) {

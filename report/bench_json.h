@@ -1,4 +1,4 @@
-// What a benchmark found, as data: bench files, the output of `rasterproof bench --json`.
+// Bench files: results of a benchmark as JSON, the output of `rasterproof bench --json`.
 #ifndef RASTERPROOF_REPORT_BENCH_JSON_H_
 #define RASTERPROOF_REPORT_BENCH_JSON_H_
 
@@ -9,7 +9,7 @@
 
 namespace rasterproof::report {
 
-/// All that there is, the raw times included.
+/// The text of a bench file with the whole result, raw times included.
 ///
 /// Properties: BenchToJson(ParseBench(BenchToJson(result), place)) is the same text: numbers are as
 ///             short as reads back to them, except raw times, which are rounded to six digits.

@@ -181,7 +181,7 @@ std::unique_ptr<Subject> PluginOf(const std::string& file) {
   return std::move(loaded.subject);
 }
 
-// What runs in a process of its own: commands, and subjects outside by name.
+// The subjects that run in their own processes: commands, and outside subjects by name.
 std::vector<std::string> ProgramNames(const BenchOptions& options) {
   std::vector<std::string> names;
   std::ranges::copy_if(options.subjects, std::back_inserter(names), IsOutside);
@@ -191,11 +191,11 @@ std::vector<std::string> ProgramNames(const BenchOptions& options) {
   return names;
 }
 
-// All that is asked for, the user's own behind the project's.
+// All contenders of a run, first the project's, then the user's.
 struct Contenders {
   std::vector<std::unique_ptr<Subject>> libraries;
-  /// The user's own, each in a process of its own: the programs, and copies of the libraries, which
-  /// draw each family first. In the order of the contenders.
+  /// The user's, each in a separate process: the programs, and copies of the libraries, which draw
+  /// each family first. In the order of the contenders.
   std::vector<std::unique_ptr<Subject>> outside;
   std::vector<std::unique_ptr<bench::Contender>> list;
   std::size_t own = 0;  ///< of the list: the project's
@@ -244,8 +244,9 @@ void AddLimits(const Contenders& contenders, Progress& progress, BenchResult& re
   }
 }
 
-// What methods say of one sample over neighbouring inputs, and what the stages of a frame move. Of
-// the project's own: a user's library might break down over inputs that no family has.
+// Draws how each method decides one sample over neighbouring inputs, and measures how far each
+// stage of a frame moves it. Only the project's methods: a user's library might crash on inputs
+// that no family has.
 void AddPictures(const Contenders& contenders, Progress& progress, BenchResult& result) {
   progress.Stage("fingerprints");
   const std::array steps{bench::kFingerprintSteps[0], bench::kFingerprintSteps[2]};

@@ -51,7 +51,7 @@ double TimeOne(const reference::PlanDraw draw, const Scene& scene, const Profile
   return spent / draws * 1e9;
 }
 
-// What each variant of the plan costs: interleaved, medians; the counts of each must be the plan's.
+// Times the variants of the plan in turn and prints their medians; all must count as the plan does.
 std::string Measured(const reference::Plan& plan, const Scene& scene, const Profile& profile,
                      int& status) {
   const int samples = profile.pattern.samples();

@@ -1,4 +1,4 @@
-// What specifications say about coverage, sentence by sentence: the clause table.
+// The clause table: sentences of specifications about coverage, and how they were read.
 #ifndef RASTERPROOF_CORE_CLAUSES_CLAUSES_H_
 #define RASTERPROOF_CORE_CLAUSES_CLAUSES_H_
 
@@ -11,11 +11,11 @@
 
 namespace rasterproof {
 
-/// What a specification does about a matter.
+/// How far a specification binds an implementation in one matter.
 enum class Force : std::uint8_t {
   kRequired,  ///< it binds every implementation
-  kAllowed,   ///< it leaves a choice, or says outright that nothing is defined
-  kSilent     ///< it says nothing: looked for, and not found
+  kAllowed,   ///< it leaves a choice, or states that the matter is undefined
+  kSilent     ///< it says nothing: a sentence was looked for and not found
 };
 
 /// One sentence of a specification, or the lack of one.
@@ -25,22 +25,23 @@ struct Clause {
   Force force = Force::kRequired;
   std::string_view sentence = {};  ///< a few of its words in quotes, else in our words
   std::string_view reading = {};   ///< how it was read: one sentence
-  /// The profile keys that it stands for, "; " between them: "tie_ownership=per-edge; tie_rule". A
-  /// key without a value: whatever the presets say there. Empty: of no key.
+  /// The profile keys that express it, separated by "; ": "tie_ownership=per-edge; tie_rule". A key
+  /// without a value has any value that a preset gives it. Empty if no key expresses it.
   std::string_view keys = {};
-  /// The test that shows it by the specification's own figure or example: "Suite.Name". Or empty.
+  /// The test that checks it by the specification's figure or example: "Suite.Name". Or empty.
   std::string_view shown_by = {};
-  /// True of a reading that no sentence settles and that verdicts rest on: it is printed with them.
+  /// Whether verdicts rest on a reading that no sentence settles: it is printed with them.
   bool is_assumed = false;
 };
 
 /// A specification that has clauses in the table.
 struct Specification {
-  std::string_view api = {};  ///< as ids and presets begin: "vulkan"
+  std::string_view api = {};  ///< the prefix of its ids and presets: "vulkan"
   std::string_view title = {};
   std::string_view edition = {};  ///< which text was read, and where it was not the publisher's own
   std::vector<Clause> clauses = {};
-  /// The one that it builds on, whose clauses hold for it as well: "d3d11" of "d3d12". Or empty.
+  /// The api of the specification that it builds on, whose clauses hold for it as well: "d3d11" for
+  /// Direct3D 12. Or empty.
   std::string_view base = {};
 };
 
@@ -48,11 +49,11 @@ struct Specification {
 std::span<const Specification> Specifications();
 /// nullptr if there is none of that name.
 const Specification* FindSpecification(std::string_view api);
-/// The specification that a profile of this name stands for: "vulkan" is Vulkan's, as is a preset
-/// whose name begins so and goes on with a hyphen. nullptr for all others: "real", models
-/// ("vulkan-canonical") and users' own.
+/// Returns the specification that a profile of this name expresses: Vulkan for "vulkan" and for
+/// presets whose names begin with "vulkan-". Returns nullptr for "real", for models
+/// ("vulkan-canonical") and for users' profiles.
 const Specification* SpecificationOf(std::string_view profile_name);
-/// The same for a profile: that of the set which it names, or else of its own name.
+/// The same for the legal set that the profile names, or for its name if it names none.
 const Specification* SpecificationOf(const Profile& profile);
 /// nullptr if there is none of that name.
 const Clause* FindClause(std::string_view id);
@@ -62,7 +63,7 @@ std::string_view ApiOf(const Clause& clause);
 /// "required", "allowed", "silent".
 std::string_view ForceName(Force force);
 
-/// A profile key that a clause stands for, and the value, empty where it is any.
+/// A profile key that expresses a clause, and its value; empty for any value.
 struct ClauseKey {
   std::string_view key;
   std::string_view value;
@@ -73,10 +74,10 @@ std::vector<ClauseKey> KeysOf(const Clause& clause);
 /// its base first. Empty if there is no such specification.
 std::vector<const Clause*> AssumptionsOf(std::string_view api);
 
-/// A file of core/clauses/, a specification each: lines "field: text", those of the specification
-/// before those of its clauses, each of which begins with its id. Fields have the names of the
-/// members above; "force: required" and "assumed: no" are never written. A line that begins with
-/// '#' is a comment.
+/// A file of core/clauses/: one specification in lines "field: text", first its fields, then those
+/// of its clauses, each of which begins with its id. Fields have the names of the members above,
+/// but "assumed: yes" is is_assumed; what is required or not assumed has no line for it. Lines that
+/// begin with '#' are comments.
 struct ClauseFile {
   std::string_view name;
   std::string_view text;

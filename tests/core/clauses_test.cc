@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,19 +34,15 @@ TEST(Clauses, CoverTheGraphicsApisAndWhatSurveysJudgeBy) {
 }
 
 TEST(Clauses, AreFoundByTheirNamesEachOnce) {
-  std::set<std::string_view> ids;
-  ForEachClause([&](const Specification& one, const Clause& clause) {
-    EXPECT_TRUE(ids.insert(clause.id).second) << clause.id;
-    EXPECT_EQ(ApiOf(clause), one.api) << clause.id;
+  ForEachClause([](const Specification&, const Clause& clause) {
     EXPECT_EQ(FindClause(clause.id), &clause) << clause.id;
   });
   EXPECT_EQ(FindClause("vulkan.no-such-clause"), nullptr);
   EXPECT_EQ(FindClause("vulkan"), nullptr);
 }
 
-TEST(Clauses, SayWhereTheyStandAndHowTheyWereRead) {
+TEST(Clauses, AreWholeSentences) {
   ForEachClause([](const Specification&, const Clause& clause) {
-    EXPECT_FALSE(clause.place.empty()) << clause.id;
     EXPECT_TRUE(clause.sentence.ends_with('.') || clause.sentence.ends_with(".\""))
         << clause.id << ": " << clause.sentence;
     EXPECT_TRUE(clause.reading.ends_with('.') || clause.reading.ends_with(".\"") ||

@@ -77,7 +77,7 @@ class ShownCommandsTest(unittest.TestCase):
         block, = self.blocks("See `build/try/a.json`.\n\n```json\n{}\n```\n")
         self.assertIsNone(block["file"])
 
-    def test_a_quotation_stands_right_below_its_command(self):
+    def test_a_quotation_comes_right_below_its_command(self):
         shell = "```sh\nbuild/a\n```\n"
         self.assertEqual(self.blocks(shell + "\n```text\nb\n```\n")[0]["printed"], "b\n")
         self.assertIsNone(self.blocks(shell + "\nSo.\n\n```text\nb\n```\n")[0]["printed"])
@@ -89,6 +89,32 @@ class ShownCommandsTest(unittest.TestCase):
         self.assertEqual(self.script.missing_line("three 3\none 1\n", printed), "one 1")
         self.assertEqual(self.script.missing_line("one\n", printed), "one")
 
+
+class TablesTest(unittest.TestCase):
+    def setUp(self):
+        self.script = load("tables.py")
+
+    def write(self, text, name):
+        with tempfile.TemporaryDirectory() as folder:
+            document = pathlib.Path(folder) / "a.md"
+            document.write_text(text, encoding="utf-8")
+            rows = self.script.table(["of", "n"], [["a", "1"]], numbers=1)
+            self.script.write(document, {name: rows})
+            return document.read_text(encoding="utf-8")
+
+    def test_a_table_is_written_between_its_comments(self):
+        block = "<!-- {0}, made by scripts/s -->\n{1}<!-- {0}: to here -->\n"
+        text = "A.\n" + block.format("x", "{}") + "B.\n" + block.format("y", "old\n") + "C.\n"
+        self.assertEqual(self.write(text.format("old\n"), "x"),
+                         text.format("| of | n |\n| --- | ---: |\n| a | 1 |\n"))  # fmt: skip
+
+    def test_a_document_has_one_block_of_a_name(self):
+        block = "<!-- x, made by scripts/s -->\n<!-- x: to here -->\n"
+        for text, count in (("A.\n", 0), (block * 2, 2)):
+            with self.assertRaisesRegex(SystemExit, f"it has {count} blocks named x; write"):
+                self.write(text, "x")
+
+
 class FiguresTest(unittest.TestCase):
     """Numbers and names in sentences are those of what the sentences are about."""
 
@@ -97,7 +123,7 @@ class FiguresTest(unittest.TestCase):
                "eighteen", "nineteen", "twenty")  # fmt: skip
 
     def one(self, pattern, path):
-        """What the only place of a file that the pattern fits says."""
+        """Returns what the pattern captures at the only place of the file that it matches."""
         found = re.findall(pattern, read(path))
         self.assertEqual(len(found), 1, f"{pattern} in {path}")
         return found[0]
@@ -119,7 +145,7 @@ class FiguresTest(unittest.TestCase):
                 seen.add(file.name)
         self.assertEqual(seen, {"plugin.c", "program.py", "console.c", "own_type.cc"})
 
-    def test_the_worst_cases_known_stand_beside_their_bounds(self):
+    def test_the_worst_cases_known_are_quoted_beside_their_bounds(self):
         """0.9752 (f32-direct) in a header, where scenes/worst/README.md says so."""
         quoted = r"(\d\.\d{4})\s+\(([\w-]+)\)"
         headers = re.sub(r"\n\s*/// +", " ", read("reference/bounds.h"))

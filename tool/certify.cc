@@ -127,7 +127,7 @@ void Certification::Do(std::size_t part, Subject& subject) {
   if (part < tests_.size()) {
     DoTest(subject, part, mine);
   } else {
-    MeasureOne(subject, *scenes_[part - tests_.size()], mine.found);
+    MeasureOne(subject, *scenes_[part - tests_.size()], mine.found, scene_pace_);
     mine.tiers = scope.Counts();
   }
   mine.is_done = true;

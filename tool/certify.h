@@ -79,8 +79,10 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress);
 
 /// Draws a scene of the set; what the subject breaks down over, refuses, or takes too long over
 /// goes to the certificate too. Of a profile that leaves something free a row says whether one
-/// legal model explains what was drawn.
-void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate);
+/// legal model explains what was drawn. After a scene that it hangs on, a subject from outside gets
+/// for the others no more than `pace` leaves of its time limit.
+void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate,
+                props::Pace& pace);
 /// Whether it is such a row.
 bool IsOfAScene(const PropertyResult& result);
 
@@ -144,6 +146,7 @@ class Certification {
   const Source& source_;
   std::vector<Test> tests_;
   props::Pace pace_;
+  props::Pace scene_pace_;  ///< scenes are large: that small cases are fast says nothing of them
   std::vector<Part> parts_;
 };
 

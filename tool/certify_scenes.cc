@@ -26,6 +26,7 @@
 #include "tool/certify.h"
 #include "tool/interrupt.h"
 #include "tool/legality.h"
+#include "tool/outside.h"
 #include "tool/session.h"
 #include "tool/shared_files.h"
 #include "tool/shell.h"
@@ -49,6 +50,7 @@ struct Attempt {
   std::optional<CoverageCounts> counts;
   std::optional<OneCall> call;                ///< of a profile that leaves something free
   Outcome outcome = Outcome::kNotApplicable;  ///< of no counts; kViolated or kInconclusive are told
+  Stop stop = Stop::kNone;
   std::string reason;
   double seconds = 0;
   bool as_shown = false;  ///< the counts say whether a sample is covered, not how often
@@ -56,6 +58,7 @@ struct Attempt {
 
 void SetReason(const SubjectStop& end, Attempt& attempt) {
   const std::string why = end.what();
+  attempt.stop = end.stop();
   switch (end.stop()) {
     case Stop::kNone:
       return;
@@ -96,6 +99,29 @@ Attempt TryToDraw(Subject& subject, const Scene& scene) {
     SetReason({Stop::kNotDrawable, error.what()}, attempt);
   }
   attempt.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return attempt;
+}
+
+// With the time that is left to a subject that hung on another scene.
+Attempt TryInTime(Subject& subject, const Scene& scene, props::Pace& pace) {
+  const double limit = IsOutside(subject.Info().name) ? OutsideLimits().seconds : 0;
+  const bool is_short = pace.hangs && limit > 0;
+  if (is_short) {
+    const std::chrono::duration<double> left(pace.LimitAfterAHang(limit));
+    subject.SetDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(left));
+  }
+  Attempt attempt = TryToDraw(subject, scene);
+  subject.SetDeadline(Clock::time_point::max());
+  if (attempt.counts) pace.Answered(attempt.seconds);
+  if (attempt.stop == Stop::kHung || attempt.stop == Stop::kDeadline) {
+    pace.hangs = true;
+    ++pace.silent;
+  }
+  if (is_short && attempt.stop == Stop::kDeadline) {
+    attempt.reason =
+        "no answer within the short time that a scene gets since the subject hung on "
+        "another one (--time-limit)";
+  }
   return attempt;
 }
 
@@ -274,10 +300,11 @@ bool IsOfAScene(const PropertyResult& result) {
   return result.property.starts_with(std::string(kJointProperty) + " on ");
 }
 
-void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate) {
+void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate,
+                props::Pace& pace) {
   const Profile real = *PresetProfile("real");
   const SubjectInfo& info = subject.Info();
-  const Attempt attempt = TryToDraw(subject, measured.scene());
+  const Attempt attempt = TryInTime(subject, measured.scene(), pace);
   certificate.interrupted = Interrupted();
   if (Interrupted() && !attempt.counts) return;  // whatever came of it, the interrupt did it
   if (attempt.outcome == Outcome::kViolated || attempt.outcome == Outcome::kInconclusive) {

@@ -108,9 +108,9 @@ SubjectMaker MakerOf(const std::string& name, const Profile& of_oracle) {
   if (IsOracle(name)) {
     MakeOracle(name, of_oracle);  // throws if it can't decide by this profile
     make = [name, of_oracle] { return MakeOracle(name, of_oracle); };
-  } else if (subjects::MakeBuiltin(name) != nullptr) {
+  } else if (subjects::IsBuiltin(name)) {
     make = [name] { return subjects::MakeBuiltin(name); };
-  } else if (subjects::MakeMutant(name) != nullptr) {
+  } else if (subjects::IsMutant(name)) {
     make = [name] { return subjects::MakeMutant(name); };
   }
   if (!make) return ResolveOutside(name);
@@ -122,6 +122,12 @@ SubjectMaker MakerOf(const std::string& name, const Profile& of_oracle) {
 }
 
 }  // namespace
+
+bool IsOurs(const std::string& name) {
+  const std::vector<std::string> own = OwnNames();
+  return IsOracle(name) || subjects::IsBuiltin(name) || subjects::IsMutant(name) ||
+         std::ranges::find(own, name) != own.end();
+}
 
 bool IsOracle(std::string_view name) {
   return std::ranges::find(kOracles, name, [](const auto& o) { return o.first; }) != kOracles.end();

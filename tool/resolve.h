@@ -58,6 +58,10 @@ void NotePreset(const Profile& profile);
 /// whole pixels.
 void RequireSamples(const SubjectInfo& info);
 
+/// True of the subjects that this program is made of: methods, kernels, oracle, mutants, and the
+/// types that it was built with. No name of these makes another program run than the user's own.
+bool IsOurs(const std::string& name);
+
 /// True of the names of the oracle's deciders, and of no other.
 bool IsOracle(std::string_view name);
 

@@ -37,14 +37,6 @@
 namespace rasterproof::tool {
 namespace {
 
-// What this program is made of: no name of these makes another program run than the user's own.
-bool IsOurs(const std::string& name) {
-  if (NamesWhatToRun(name)) return false;
-  const std::vector<std::string> own = OwnNames();
-  return MakeOracle(name, {}) != nullptr || subjects::MakeBuiltin(name) != nullptr ||
-         subjects::MakeMutant(name) != nullptr || std::ranges::find(own, name) != own.end();
-}
-
 // Case files are what people exchange: one must not decide what runs on the machine that reads it.
 void RequireOursInFile(const std::string& name, const CaseChoice& choice, std::string_view verb) {
   if (IsOurs(name)) return;

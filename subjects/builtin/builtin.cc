@@ -1,5 +1,6 @@
 #include "subjects/builtin/builtin.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -76,6 +77,11 @@ std::vector<std::string> BuiltinNames() {
   }
   for (std::string& name : KernelSubjectNames()) names.push_back(std::move(name));
   return names;
+}
+
+bool IsBuiltin(std::string_view name) {
+  const std::vector<std::string> kernels = KernelSubjectNames();
+  return Find(name).method != nullptr || std::ranges::find(kernels, name) != kernels.end();
 }
 
 std::unique_ptr<Subject> MakeBuiltin(std::string_view name) {

@@ -15,6 +15,9 @@ namespace rasterproof::subjects {
 /// fast kernels and the plan.
 std::vector<std::string> BuiltinNames();
 
+/// True of the names that MakeBuiltin makes a subject of.
+bool IsBuiltin(std::string_view name);
+
 /// Returns the subject of that name, or nullptr.
 std::unique_ptr<Subject> MakeBuiltin(std::string_view name);
 

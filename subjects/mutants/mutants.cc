@@ -1,5 +1,6 @@
 #include "subjects/mutants/mutants.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -90,6 +91,10 @@ const std::vector<MutantInfo>& Mutants() {
     return all;
   }();
   return infos;
+}
+
+bool IsMutant(std::string_view name) {
+  return std::ranges::find(Mutants(), name, &MutantInfo::name) != Mutants().end();
 }
 
 std::unique_ptr<Subject> MakeMutant(std::string_view name) {

@@ -24,6 +24,9 @@ struct MutantInfo {
 /// Every mutant, the late ones last, and then every legal variant.
 const std::vector<MutantInfo>& Mutants();
 
+/// True of the names in Mutants().
+bool IsMutant(std::string_view name);
+
 /// Returns the subject of that name ("mutant:NAME" or "legal:NAME"), or nullptr. Some hold state: a
 /// thread has its own.
 std::unique_ptr<Subject> MakeMutant(std::string_view name);

@@ -7,9 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/call_end.h"

@@ -1,7 +1,6 @@
 // What a profile states beyond snap and rule is judged where it is stated, and reached.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string_view>

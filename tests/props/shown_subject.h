@@ -2,9 +2,7 @@
 #ifndef RASTERPROOF_TESTS_PROPS_SHOWN_SUBJECT_H_
 #define RASTERPROOF_TESTS_PROPS_SHOWN_SUBJECT_H_
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <utility>

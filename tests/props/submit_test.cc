@@ -3,11 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "core/call_end.h"

@@ -11,7 +11,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>

@@ -1,4 +1,5 @@
 // The methods of the table that are exact for every finite input.
+#include <utility>
 #include <vector>
 
 #include "reference/edge_values.h"
@@ -6,16 +7,19 @@
 #include "reference/fill.h"
 #include "reference/filtered_form.h"
 #include "reference/method_rows.h"
+#include "reference/proved.h"
 #include "reference/spans.h"
 #include "reference/whole_scene.h"
 
 namespace rasterproof::reference {
 namespace {
 
-Method ExactMethod(std::string_view name, std::string_view summary, decltype(Stages::fill) fill) {
+Method ExactMethod(std::string_view name, std::string_view summary, decltype(Stages::fill) fill,
+                   std::vector<Proof> proofs) {
   static const ExactEdgeValues edge_values;
   Method method = WindowMethod(name, summary, Precision::kFloat64);
   method.info.states_exact = true;
+  method.info.proofs = std::move(proofs);
   method.stages.facing = &ExactFacing;
   method.stages.fill = fill;
   method.edges = &edge_values;
@@ -34,7 +38,7 @@ Method SpansMethod() {
       ExactMethod("spans-exact",
                   "the crossing of each edge and row, guessed and corrected exactly: float32 by "
                   "vectors, the rest in double",
-                  &FillSpans);
+                  &FillSpans, CrossingProofs());
   method.whole = &DrawWhole;
   return method;
 }
@@ -46,7 +50,7 @@ std::vector<Method> ExactMethods() {
       SpansMethod(),
       ExactMethod("filtered-exact",
                   "a filter in double at every sample, exact arithmetic where it can't tell",
-                  &FillByWalk<FreshWalk<FilteredForm>>),
+                  &FillByWalk<FreshWalk<FilteredForm>>, FilterProofs()),
   };
 }
 

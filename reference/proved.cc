@@ -73,6 +73,18 @@ std::vector<Proof> IntegerProofs() {
            "exactness.g"}};
 }
 
+std::vector<Proof> FilterProofs() {
+  return {{"a sign that the filter in double is sure of is the exact one, underflow apart",
+           "edge_filter.g"}};
+}
+
+std::vector<Proof> CrossingProofs() {
+  return {{"a crossing guessed in double is off by less than the error beyond which it decides",
+           "row_crossing.g"},
+          {"a crossing guessed in float32 is off by less than the error beyond which it decides",
+           "kernel_crossing.g"}};
+}
+
 std::vector<Proof> HomogeneousProofs() {
   return {
       {"where no product over- or underflows (V_j x V_i) . p is off by at most (5 + 11u) u "

@@ -16,6 +16,13 @@ std::vector<Proof> EdgeProofs(EdgeArithmetic arithmetic);
 /// Of integer edge values inside the method's coordinate limit.
 std::vector<Proof> IntegerProofs();
 
+/// Of the filter that leaves to exact arithmetic the signs that it is not sure of.
+std::vector<Proof> FilterProofs();
+
+/// Of the crossings of edges and rows that spans-exact guesses: samples farther from them than the
+/// errors are on the side that the guess says; the others are decided exactly.
+std::vector<Proof> CrossingProofs();
+
 /// Of edges of (x, y, w) vertices, by V_j x V_i.
 std::vector<Proof> HomogeneousProofs();
 

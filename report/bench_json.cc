@@ -1,295 +1,325 @@
 #include "report/bench_json.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
 
+#include "core/quoted.h"
 #include "core/scene.h"
+#include "io/json_document.h"
+#include "io/json_members.h"
+#include "io/output.h"
 #include "io/scene_json.h"
 #include "report/bench_decision.h"
+#include "report/bench_members.h"
 #include "report/json_writer.h"
 #include "report/page_parts.h"
 
 namespace rasterproof::report {
 namespace {
 
+using io::JsonValue;
+
 constexpr int kVersion = 3;
 
-std::string_view ClockName(BenchClock clock) {
-  switch (clock) {
-    case BenchClock::kThread:
-      return "processor";
-    case BenchClock::kProgram:
-      return "program";
-    case BenchClock::kWall:
-      return "elapsed";
+constexpr std::array<std::pair<BenchClock, std::string_view>, 3> kClocks{
+    {{BenchClock::kThread, "processor"},
+     {BenchClock::kProgram, "program"},
+     {BenchClock::kWall, "elapsed"}}};
+
+template <class T>
+concept HasItems = requires(T& value) { ItemsOf(value); };
+
+template <class T>
+constexpr bool kIsOnOneLine =
+    std::same_as<T, BenchRow> || std::same_as<T, BenchErrors> || std::same_as<T, BenchLeftOut> ||
+    std::same_as<T, BenchCurve> || std::same_as<T, BenchCliff>;
+
+// Visits the members of an object and writes them.
+class BenchWriter {
+ public:
+  BenchWriter(JsonWriter& json, const BenchResult& result) : json_(json), result_(result) {}
+
+  template <class T>
+  void operator()(std::string_view key, T&& value) {
+    json_.Key(key);
+    Write(value);
   }
-  return "";
-}
-
-void WriteInterval(JsonWriter& json, std::string_view key, const Interval& interval) {
-  json.Key(key).BeginArrayLine();
-  json.Rounded(interval.low).Rounded(interval.median).Rounded(interval.high);
-  json.EndArray();
-}
-
-// The three members that name a method among all.
-void WriteMethodKey(JsonWriter& json, const BenchResult& result, std::uint32_t index) {
-  const BenchMethod& method = result.methods[index];
-  json.Key("method").Text(method.name);
-  json.Key("target").Text(method.target);
-  json.Key("sink").Text(method.sink);
-}
-
-void WriteWitness(JsonWriter& json, const BenchWitness& witness) {
-  json.Key("worst").BeginObject();
-  json.Key("triangle").Integer(witness.triangle);
-  json.Key("corners").BeginArray();
-  for (const Vertex& corner : witness.corners) {
-    json.BeginArray();
-    json.Exact(corner.x).Exact(corner.y).Exact(corner.z).Exact(corner.w);
-    json.EndArray();
+  template <class T>
+  void operator()(std::string_view key, std::optional<T>& value) {
+    if (value) (*this)(key, *value);
   }
-  json.EndArray();
-  json.Key("x").Integer(witness.x);
-  json.Key("y").Integer(witness.y);
-  json.Key("distance").Shortest(witness.distance);
-  json.EndObject();
-}
-
-void WriteErrors(JsonWriter& json, std::string_view key, const BenchErrors& errors) {
-  json.Key(key).BeginObjectLine();
-  json.Key("missing").Integer(errors.missing);
-  json.Key("unexpected").Integer(errors.unexpected);
-  json.Key("beside_edges").Integer(errors.beside_edges);
-  json.Key("lost").Integer(errors.lost);
-  json.Key("displacement").Shortest(errors.displacement);
-  json.Key("displacement_999").Shortest(errors.displacement_999);
-  if (errors.worst) WriteWitness(json, *errors.worst);
-  json.EndObject();
-}
-
-void WriteMethod(JsonWriter& json, const BenchMethod& method) {
-  json.BeginObject();
-  json.Key("name").Text(method.name);
-  json.Key("summary").Text(method.summary);
-  json.Key("kind").Text(method.kind);
-  json.Key("target").Text(method.target);
-  json.Key("sink").Text(method.sink);
-  json.Key("model").Text(method.model);
-  json.Key("clock").Text(ClockName(method.clock));
-  json.Key("proved").Bool(method.is_proved);
-  json.Key("users").Bool(method.is_users);
-  json.Key("coordinate_limit").Shortest(method.coordinate_limit);
-  json.Key("vertex_bytes").Integer(method.vertex_bytes);
-  json.Key("pixel_bits").Integer(method.pixel_bits);
-  json.Key("times_requests").Bool(method.times_requests);
-  json.EndObject();
-}
-
-void WriteFamily(JsonWriter& json, const BenchResult& result, const BenchFamily& family) {
-  json.BeginObject();
-  json.Key("name").Text(family.name);
-  json.Key("summary").Text(family.summary);
-  json.Key("width").Integer(family.width);
-  json.Key("height").Integer(family.height);
-  json.Key("clip_space").Bool(family.is_clip_space);
-  json.Key("constructed").Bool(family.is_constructed);
-  json.Key("random").Bool(family.is_random);
-  json.Key("largest_coordinate").Shortest(family.largest_coordinate);
-  json.Key("triangles").Integer(family.triangles);
-  json.Key("covered").Integer(family.covered);
-  json.Key("judged_triangles").Integer(family.judged_triangles);
-  json.Key("judged_covered").Integer(family.judged_covered);
-  json.Key("boundary_pairs").Integer(family.boundary_pairs);
-  json.Key("shared_pairs").Integer(family.shared_pairs);
-  json.Key("distances").BeginArrayLine();
-  for (const std::uint64_t pairs : family.distances.pairs) json.Integer(pairs);
-  json.EndArray();
-  json.Key("baseline").Text(result.methods[family.baseline].name);
-  json.Key("twin").Text(result.methods[family.twin].name);
-  json.Key("rounds").Integer(family.rounds);
-  json.EndObject();
-}
-
-void WriteRow(JsonWriter& json, const BenchResult& result, const BenchRow& row) {
-  json.BeginObjectLine();
-  json.Key("family").Text(result.families[row.family].name);
-  WriteMethodKey(json, result, row.method);
-  WriteInterval(json, "seconds", row.time);
-  json.Key("wall_seconds").Rounded(row.wall_median);
-  WriteInterval(json, "ratio", row.ratio);
-  json.Key("conversion_seconds").Rounded(row.conversion_seconds);
-  json.Key("store_limit").Bool(row.binds_at_store);
-  if (row.drawing_wrong) json.Key("drawing_wrong").Integer(*row.drawing_wrong);
-  if (row.is_judged) {
-    WriteErrors(json, "real", row.real);
-    // Against real geometry the two are one.
-    if (result.methods[row.method].model != kRealProfile) WriteErrors(json, "own", row.own);
-    json.Key("judged_triangles").Integer(row.judged_triangles);
-    json.Key("boundary_pairs").Integer(row.boundary_pairs);
-    json.Key("gaps").Integer(row.leaks.gaps);
-    json.Key("overlaps").Integer(row.leaks.overlaps);
+  template <class T>
+  void operator()(std::string_view key, std::vector<T>& list) {
+    Each(key, list, [](T& item) -> T& { return item; });
   }
-  json.Key("edge_error").Rounded(row.values.edge);
-  json.Key("edge_share_of_bound").Rounded(row.values.edge_share_of_bound);
-  json.Key("barycentric_error").Rounded(row.values.barycentric);
-  json.Key("depth_error").Rounded(row.values.depth);
-  json.Key("runs").BeginArrayLine();
-  for (const double seconds : row.seconds) json.Rounded(seconds);
-  json.EndArray();
-  json.EndObject();
-}
+  void Each(std::string_view key, auto& list, auto as) {
+    json_.Key(key).BeginArray();
+    for (auto& item : list) Write(as(item));
+    json_.EndArray();
+  }
+  void Index(std::string_view key, std::uint32_t index, auto list, std::string_view) {
+    json_.Key(key).Text((result_.*list)[index].name);
+  }
+  void Method(std::uint32_t index) {
+    const BenchMethod& method = result_.methods[index];
+    json_.Key("method").Text(method.name);
+    json_.Key("target").Text(method.target);
+    json_.Key("sink").Text(method.sink);
+  }
+  bool Has(std::string_view, bool is_there) const { return is_there; }
+  void Version(std::string_view key) { json_.Key(key).Integer(kVersion); }
+  void Decisions(std::string_view key);
+  const BenchResult& result() const { return result_; }
 
-void WriteLeftOut(JsonWriter& json, const BenchResult& result, const BenchLeftOut& left_out) {
-  json.BeginObjectLine();
-  json.Key("family").Text(result.families[left_out.family].name);
-  WriteMethodKey(json, result, left_out.method);
-  json.Key("why").Text(left_out.why);
-  json.EndObject();
-}
+  template <class T>
+  void Write(T& object) {
+    kIsOnOneLine<T> ? json_.BeginObjectLine() : json_.BeginObject();
+    Members(*this, object);
+    json_.EndObject();
+  }
 
-void WriteDecision(JsonWriter& json, const BenchResult& result, std::uint32_t family, Need need) {
-  const std::optional<Decision> decision = Decide(result, family, need);
+ private:
+  void Write(HasItems auto& value) { Write(ItemsOf(value)); }
+  template <class... Item>
+  void Write(std::tuple<Item...> items) {
+    json_.BeginArrayLine();
+    std::apply([&](auto&... item) { (Write(item), ...); }, items);
+    json_.EndArray();
+  }
+  void Write(std::string& text) { json_.Text(text); }
+  void Write(bool value) { json_.Bool(value); }
+  void Write(int pixel) { json_.Integer(pixel); }
+  void Write(std::uint64_t count) { json_.Integer(count); }
+  void Write(double number) { json_.Shortest(number); }
+  void Write(Rounded rounded) { json_.Rounded(rounded.number); }
+  void Write(Exact exact) { json_.Exact(exact.number); }
+  void Write(AsText text) { json_.Text(std::to_string(text.number)); }
+  void Write(TargetSide side) { json_.Integer(side.pixels); }
+  void Write(BenchClock clock) { json_.Text(io::NameOf<BenchClock>(clock, kClocks)); }
+  void Write(Scene& scene) {
+    std::string text;
+    io::AppendSceneJson(scene, "", text);
+    std::erase(text, '\n');
+    json_.Value(text);
+  }
+  void WriteDecision(std::uint32_t family, Need need);
+
+  JsonWriter& json_;
+  const BenchResult& result_;
+};
+
+void BenchWriter::WriteDecision(std::uint32_t family, Need need) {
+  const std::optional<Decision> decision = Decide(result_, family, need);
   if (!decision) return;
-  json.BeginObjectLine();
-  json.Key("family").Text(result.families[family].name);
-  json.Key("need").Text(NeedName(need));
-  WriteMethodKey(json, result, decision->row->method);
-  json.Key("nanoseconds_a_triangle").Rounded(NanosecondsATriangle(result, *decision->row));
-  json.Key("ratio_to_fastest").Rounded(decision->ratio);
-  json.Key("tied_with_fastest").Bool(decision->is_tied_with_fastest);
-  json.Key("tied").BeginArrayLine();
-  for (const BenchRow* row : decision->tied) json.Text(FullName(result.methods[row->method]));
-  json.EndArray();
-  json.EndObject();
+  json_.BeginObjectLine();
+  json_.Key("family").Text(result_.families[family].name);
+  json_.Key("need").Text(NeedName(need));
+  Method(decision->row->method);
+  json_.Key("nanoseconds_a_triangle").Rounded(NanosecondsATriangle(result_, *decision->row));
+  json_.Key("ratio_to_fastest").Rounded(decision->ratio);
+  json_.Key("tied_with_fastest").Bool(decision->is_tied_with_fastest);
+  json_.Key("tied").BeginArrayLine();
+  for (const BenchRow* row : decision->tied) json_.Text(FullName(result_.methods[row->method]));
+  json_.EndArray();
+  json_.EndObject();
 }
 
-// What follows from the rows, for programs to read; the parser leaves it out.
-void WriteDecisions(JsonWriter& json, const BenchResult& result) {
-  json.Key("decisions").BeginArray();
-  for (std::uint32_t family = 0; family < result.families.size(); ++family) {
-    for (const Need need : kNeeds) WriteDecision(json, result, family, need);
+// What follows from the rows, for programs to read; the reader leaves it out.
+void BenchWriter::Decisions(std::string_view key) {
+  json_.Key(key).BeginArray();
+  for (std::uint32_t family = 0; family < result_.families.size(); ++family) {
+    for (const Need need : kNeeds) WriteDecision(family, need);
   }
-  json.EndArray();
+  json_.EndArray();
 }
 
-void WriteParameter(JsonWriter& json, const BenchParameter& parameter) {
-  json.BeginObject();
-  json.Key("name").Text(parameter.name);
-  json.Key("summary").Text(parameter.summary);
-  json.Key("unit").Text(parameter.unit);
-  json.Key("cost").Bool(parameter.is_cost);
-  json.EndObject();
-}
+// Visits the members of an object and reads them. Without an object it lists their keys instead,
+// those included that may be missing.
+class BenchReader {
+ public:
+  BenchReader(std::optional<JsonValue> object, BenchResult& result)
+      : object_(object), result_(result) {}
 
-// Errors, or costs: [value, asked, wrong, displacement, share of the bound], or [value, asked, low,
-// median, high] of the seconds.
-void WritePoint(JsonWriter& json, const BenchPoint& point, bool is_cost) {
-  json.BeginArrayLine();
-  json.Shortest(point.value).Integer(point.asked);
-  if (is_cost) {
-    json.Rounded(point.time.low).Rounded(point.time.median).Rounded(point.time.high);
-  } else {
-    json.Integer(point.wrong).Rounded(point.displacement).Rounded(point.share_of_bound);
+  template <class T>
+  void operator()(std::string_view key, T&& value) {
+    if (const auto found = Get(key)) Read(*found, value);
   }
-  json.EndArray();
-}
-
-void WriteCurve(JsonWriter& json, const BenchResult& result, const BenchCurve& curve) {
-  const BenchParameter& parameter = result.parameters[curve.parameter];
-  json.BeginObjectLine();
-  WriteMethodKey(json, result, curve.method);
-  json.Key("parameter").Text(parameter.name);
-  json.Key("points").BeginArray();
-  for (const BenchPoint& point : curve.points) WritePoint(json, point, parameter.is_cost);
-  json.EndArray();
-  json.EndObject();
-}
-
-void WriteCliff(JsonWriter& json, const BenchResult& result, const BenchCliff& cliff) {
-  json.BeginObjectLine();
-  WriteMethodKey(json, result, cliff.method);
-  json.Key("parameter").Text(result.parameters[cliff.parameter].name);
-  json.Key("proved_to").Shortest(cliff.proved_to);
-  json.Key("held_to").Shortest(cliff.held_to);
-  json.Key("first_failing").Shortest(cliff.first_failing);
-  if (cliff.scene) {
-    std::string scene;
-    io::AppendSceneJson(*cliff.scene, "", scene);
-    std::erase(scene, '\n');
-    json.Key("scene").Value(scene);
-    json.Key("x").Integer(cliff.x);
-    json.Key("y").Integer(cliff.y);
+  template <class T>
+  void operator()(std::string_view key, std::optional<T>& value) {
+    if (!object_ || object_->Find(key)) (*this)(key, value.emplace());
   }
-  json.EndObject();
+  template <class T>
+  void operator()(std::string_view key, std::vector<T>& list) {
+    Each(key, list, [](T& item) -> T& { return item; });
+  }
+  void Each(std::string_view key, auto& list, auto as) {
+    const auto found = Get(key);
+    if (!found) return;
+    for (const JsonValue item : found->RequireArray()) Read(item, as(list.emplace_back()));
+  }
+  void Index(std::string_view key, std::uint32_t& index, auto list, std::string_view what);
+  void Method(std::uint32_t& index);
+  bool Has(std::string_view key, bool& is_there) const {
+    return is_there = !object_ || object_->Find(key);
+  }
+  void Version(std::string_view key) { Get(key); }
+  void Decisions(std::string_view key) {
+    if (!object_) Get(key);
+  }
+  const BenchResult& result() const { return result_; }
+
+  template <class T>
+  void Read(const JsonValue& value, T& object) {
+    static const std::vector<std::string_view> keys = KeysOf<T>();
+    value.RequireObject(keys);
+    BenchReader visit(value, result_);
+    Members(visit, object);
+  }
+
+ private:
+  template <class T>
+  static std::vector<std::string_view> KeysOf() {
+    BenchResult one_of_each;
+    one_of_each.methods.resize(1);
+    one_of_each.parameters.resize(1);
+    BenchReader visit(std::nullopt, one_of_each);
+    T object;
+    Members(visit, object);
+    return visit.keys_;
+  }
+  std::optional<JsonValue> Get(std::string_view key) {
+    if (object_) return object_->Get(key);
+    keys_.push_back(key);
+    return std::nullopt;
+  }
+
+  void Read(const JsonValue& value, HasItems auto& object) { Read(value, ItemsOf(object)); }
+  template <class... Item>
+  void Read(const JsonValue& value, std::tuple<Item...> items) {
+    const auto all = value.RequireArray();
+    if (all.size() != sizeof...(Item)) {
+      throw value.Error("has " + std::to_string(all.size()) + " items",
+                        "write " + std::to_string(sizeof...(Item)) + " of them");
+    }
+    auto next = all.begin();
+    std::apply([&](auto&... item) { ((Read(*next, item), ++next), ...); }, items);
+  }
+  // Methods are compared by their intervals: one that is apart from itself would beat itself.
+  void Read(const JsonValue& value, Interval& interval) {
+    Read(value, ItemsOf(interval));
+    if (interval.low > interval.median || interval.median > interval.high) {
+      throw value.Error("is no interval", "write the lower end, the median, the upper end");
+    }
+  }
+  void Read(const JsonValue& value, std::string& text) { text = value.RequireString(); }
+  void Read(const JsonValue& value, bool& is) { is = io::Boolean(value); }
+  void Read(const JsonValue& value, int& pixel) {
+    pixel = io::Integer(value, INT32_MIN, INT32_MAX);
+  }
+  void Read(const JsonValue& value, std::uint64_t& count) {
+    count = static_cast<std::uint64_t>(value.RequireInteger(0, INT64_MAX));
+  }
+  void Read(const JsonValue& value, double& number) {
+    number = io::CoordinateFromJson(value, Precision::kFloat64);
+  }
+  void Read(const JsonValue& value, Rounded rounded) { Read(value, rounded.number); }
+  void Read(const JsonValue& value, Exact exact) { Read(value, exact.number); }
+  void Read(const JsonValue& value, AsText text);
+  void Read(const JsonValue& value, TargetSide side) {
+    side.pixels = io::Integer(value, 1, kMaxTargetSide);
+  }
+  void Read(const JsonValue& value, BenchClock& clock) {
+    clock = io::FromName<BenchClock>(value, kClocks);
+  }
+  void Read(const JsonValue& value, Scene& scene) { scene = io::SceneFromJson(value); }
+
+  std::optional<JsonValue> object_;
+  BenchResult& result_;
+  std::vector<std::string_view> keys_;
+};
+
+void BenchReader::Index(std::string_view key, std::uint32_t& index, auto list,
+                        std::string_view what) {
+  const auto name = Get(key);
+  if (!name) return;
+  const std::string_view text = name->RequireString();
+  const auto& named = result_.*list;
+  const auto found = std::ranges::find_if(named, [&](const auto& one) { return one.name == text; });
+  if (found == named.end()) {
+    throw name->Error(Quoted(text) + " is no " + std::string(what) + " of this file",
+                      "write the name of one that it lists");
+  }
+  index = static_cast<std::uint32_t>(found - named.begin());
 }
 
-void WriteStage(JsonWriter& json, const BenchStage& stage) {
-  json.BeginObject();
-  json.Key("name").Text(stage.name);
-  json.Key("summary").Text(stage.summary);
-  json.Key("wrong").Integer(stage.wrong);
-  json.Key("asked").Integer(stage.asked);
-  json.Key("displacement").Shortest(stage.displacement);
-  json.EndObject();
+void BenchReader::Method(std::uint32_t& index) {
+  BenchMethod named;
+  (*this)("method", named.name);
+  (*this)("target", named.target);
+  (*this)("sink", named.sink);
+  if (!object_) return;
+  const auto found = std::ranges::find_if(result_.methods, [&](const BenchMethod& method) {
+    return method.name == named.name && method.target == named.target && method.sink == named.sink;
+  });
+  if (found == result_.methods.end()) {
+    throw object_->Get("method").Error(
+        Quoted(named.name) + " by " + Quoted(named.target) + " into " + Quoted(named.sink) +
+            " is no method of this file",
+        "write \"method\", \"target\" and \"sink\" of one that it lists");
+  }
+  index = static_cast<std::uint32_t>(found - result_.methods.begin());
 }
 
-void WriteFingerprint(JsonWriter& json, const BenchResult& result, const BenchFingerprint& print) {
-  json.BeginObject();
-  WriteMethodKey(json, result, print.method);
-  json.Key("step").Text(print.step);
-  json.Key("wrong").Integer(print.wrong);
-  json.Key("png").Text(print.png);
-  json.Key("places").Integer(print.places);
-  json.EndObject();
+void BenchReader::Read(const JsonValue& value, AsText text) {
+  const std::string_view digits = value.RequireString();
+  const char* const past = digits.data() + digits.size();
+  const auto [end, fault] = std::from_chars(digits.data(), past, text.number);
+  if (fault == std::errc() && end == past) return;
+  throw value.Error(Quoted(digits) + " is no seed", "write an integer below 2^64 as a string");
 }
 
-void WriteSetting(JsonWriter& json, const BenchSetting& setting) {
-  json.Key("rasterproof_bench").Integer(kVersion);
-  json.Key("processor").Text(setting.processor);
-  json.Key("compiler").Text(setting.compiler);
-  json.Key("flags").Text(setting.flags);
-  json.Key("commit").Text(setting.commit);
-  json.Key("command").Text(setting.command);
-  json.Key("date").Text(setting.date);
-  json.Key("seed").Text(std::to_string(setting.seed));
-  json.Key("quick").Bool(setting.is_quick);
-}
-
-template <class Items, class Write>
-void WriteArray(JsonWriter& json, std::string_view key, const Items& items, Write write) {
-  json.Key(key).BeginArray();
-  for (const auto& item : items) write(item);
-  json.EndArray();
+void RequireVersion(const JsonValue& root) {
+  if (root.kind() == io::JsonKind::kObject && !root.Find("rasterproof_bench")) {
+    throw root.Error("is no bench file: the key \"rasterproof_bench\" is missing",
+                     "give a file that rasterproof bench --json wrote");
+  }
+  const JsonValue version = root.Get("rasterproof_bench");
+  if (version.RequireInteger(0, INT32_MAX) != kVersion) {
+    throw version.Error("version " + std::string(version.text()) + " is unknown",
+                        "this program reads version 3: measure again by rasterproof bench --json");
+  }
 }
 
 }  // namespace
 
 std::string BenchToJson(const BenchResult& result) {
   JsonWriter json;
-  // Writes an item that names a method or a family by its place in the result.
-  const auto in_result = [&](auto write) {
-    return [&json, &result, write](const auto& item) { write(json, result, item); };
-  };
-  const auto alone = [&](auto write) {
-    return [&json, write](const auto& item) { write(json, item); };
-  };
-  json.BeginObject();
-  WriteSetting(json, result.setting);
-  WriteArray(json, "methods", result.methods, alone(WriteMethod));
-  WriteArray(json, "families", result.families, in_result(WriteFamily));
-  WriteArray(json, "rows", result.rows, in_result(WriteRow));
-  WriteArray(json, "left_out", result.left_out, in_result(WriteLeftOut));
-  WriteDecisions(json, result);
-  WriteArray(json, "parameters", result.parameters, alone(WriteParameter));
-  WriteArray(json, "curves", result.curves, in_result(WriteCurve));
-  WriteArray(json, "cliffs", result.cliffs, in_result(WriteCliff));
-  WriteArray(json, "stages", result.stages, alone(WriteStage));
-  WriteArray(json, "fingerprints", result.fingerprints, in_result(WriteFingerprint));
-  json.EndObject();
+  BenchResult visited = result;  // as readers set what they visit
+  BenchWriter(json, result).Write(visited);
   return json.Finish();
+}
+
+BenchResult ParseBench(std::string_view text, const std::string& place) {
+  const io::JsonDocument document(text, place);
+  // Keys differ from version to version, so that the version is asked for first.
+  RequireVersion(document.root());
+  BenchResult result;
+  BenchReader(document.root(), result).Read(document.root(), result);
+  return result;
+}
+
+BenchResult ReadBench(const std::string& path) {
+  return ParseBench(io::ReadFile(path), path == "-" ? "standard input" : path);
 }
 
 }  // namespace rasterproof::report

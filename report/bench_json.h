@@ -1,8 +1,9 @@
-// What a benchmark found, as data: io::ParseBench reads it back.
+// What a benchmark found, as data: bench files, the output of `rasterproof bench --json`.
 #ifndef RASTERPROOF_REPORT_BENCH_JSON_H_
 #define RASTERPROOF_REPORT_BENCH_JSON_H_
 
 #include <string>
+#include <string_view>
 
 #include "core/bench_result.h"
 
@@ -10,9 +11,18 @@ namespace rasterproof::report {
 
 /// All that there is, the raw times included.
 ///
-/// Properties: BenchToJson(io::ParseBench(BenchToJson(result))) is the same text: numbers are as
+/// Properties: BenchToJson(ParseBench(BenchToJson(result), place)) is the same text: numbers are as
 ///             short as reads back to them, except raw times, which are rounded to six digits.
 std::string BenchToJson(const BenchResult& result);
+
+/// The record of a bench file's text. `place` begins the place of every error.
+///
+/// Error:      InputError if it is not a bench file of version 3, for values out of their range,
+///             and for rows that name a family, method or parameter that the file does not list.
+BenchResult ParseBench(std::string_view text, const std::string& place);
+
+/// The same of a file; "-" is standard input.
+BenchResult ReadBench(const std::string& path);
 
 }  // namespace rasterproof::report
 

@@ -91,6 +91,7 @@ std::string PageToHtml(const Page& page) {
   if (page.bench) html += BenchSections(*page.bench, page.folder);
   html += Section("verdicts", "Verdicts", "A name leads to all that is known of the subject.",
                   VerdictGroups(page));
+  if (page.catalogue) html += CatalogueSection(*page.catalogue);
   html += Section("pictures", "Failures",
                   "Where a subject first differs from the exact oracle, each with the command that "
                   "shows it again.",

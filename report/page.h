@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/bench_result.h"
+#include "report/catalogue.h"
 #include "report/certificate.h"
 
 namespace rasterproof::report {
@@ -32,7 +33,8 @@ struct Page {
   std::vector<Certificate> certificates;
   std::vector<Picture> pictures;
   std::optional<BenchResult> bench = std::nullopt;  ///< error against run time, before the verdicts
-  std::string folder = "out";                       ///< where the page lies, as commands on it say
+  std::optional<Catalogue> catalogue = std::nullopt;  ///< of stiff cases, after the verdicts
+  std::string folder = "out";  ///< where the page lies, as commands on it say
 };
 
 /// The page of all subjects: what was shown in a sentence or two; error against run time, where a

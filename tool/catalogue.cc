@@ -1,7 +1,10 @@
 #include "tool/catalogue.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,11 +13,14 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "report/proportion.h"
+#include "report/catalogue.h"
+#include "report/picture.h"
 #include "report/text.h"
 #include "tool/exit_status.h"
+#include "tool/failure.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
+#include "tool/progress.h"
 #include "tool/session.h"
 #include "tool/workers.h"
 
@@ -27,25 +33,8 @@ using props::Yardstick;
 
 constexpr std::array kYardsticks{Yardstick::kOwnModel, Yardstick::kRealGeometry};
 
-std::string Displacement(double pixels) {
-  return std::isfinite(pixels) ? fmt::format("{:.2g} px", pixels) : "ended";
-}
-
-// "fails 3 of 100, 1.0 to 8.5 %, 0.0017 px", "100 tested", "exhausted, 117649".
-std::string CellText(const FamilyCell& cell) {
-  if (cell.cases == 0) return cell.excused == 0 ? "not run" : "excused";
-  if (cell.Fails()) {
-    const report::Interval rate = report::ProportionInterval(cell.wrong, cell.cases);
-    return fmt::format("fails {} of {}, {:.2g} to {:.2g} %, {}", cell.wrong, cell.cases,
-                       100 * rate.low, 100 * rate.high, Displacement(cell.worst_pixels));
-  }
-  if (cell.is_exhausted) return fmt::format("exhausted, {}", cell.cases);
-  return cell.excused == 0 ? fmt::format("{} tested", cell.cases)
-                           : fmt::format("{} tested, {} excused", cell.cases, cell.excused);
-}
-
 std::string Table(const std::vector<props::Family>& families,
-                  const std::vector<FamilyResult>& results) {
+                  const report::CatalogueColumn& column) {
   std::string text;
   const props::Theme* theme = nullptr;
   for (std::size_t k = 0; k < families.size(); ++k) {
@@ -53,9 +42,9 @@ std::string Table(const std::vector<props::Family>& families,
       theme = families[k].theme;
       text += fmt::format("\n{}: {}\n", theme->name, theme->right);
     }
-    text += fmt::format("  {:<22} {:<44} {}\n", families[k].name,
-                        CellText(results[k].By(Yardstick::kOwnModel)),
-                        CellText(results[k].By(Yardstick::kRealGeometry)));
+    text +=
+        fmt::format("  {:<22} {:<44} {}\n", families[k].name,
+                    report::FamilyText(column.cells[k][0]), report::FamilyText(column.cells[k][1]));
   }
   return text;
 }
@@ -86,6 +75,12 @@ std::string SummaryLine(const std::string& subject, const Summary& sum) {
   return line + "\n";
 }
 
+// The case as the yardstick judges it.
+Case JudgedBy(Yardstick yardstick, Case c) {
+  if (yardstick == Yardstick::kRealGeometry) c.profile = props::RealProfileOf(c.profile);
+  return c;
+}
+
 void SaveWorst(const std::string& folder, const std::string& subject,
                const std::vector<FamilyResult>& results) {
   io::MakeFolder(folder);
@@ -93,12 +88,10 @@ void SaveWorst(const std::string& folder, const std::string& subject,
     for (const Yardstick yardstick : kYardsticks) {
       const FamilyCell& cell = result.By(yardstick);
       if (!cell.worst) continue;
-      Case worst = *cell.worst;
-      const bool is_own = yardstick == Yardstick::kOwnModel;
-      if (!is_own) worst.profile = props::RealProfileOf(worst.profile);
-      io::WriteFile(fmt::format("{}/{}-{}-{}.json", folder, FileNameOf(subject), result.family,
-                                is_own ? "own" : "real"),
-                    io::CaseToJson({worst, subject, "CoverageEqualsTheModel"}));
+      io::WriteFile(
+          fmt::format("{}/{}-{}-{}.json", folder, FileNameOf(subject), result.family,
+                      yardstick == Yardstick::kOwnModel ? "own" : "real"),
+          io::CaseToJson({JudgedBy(yardstick, *cell.worst), subject, "CoverageEqualsTheModel"}));
     }
   }
 }
@@ -121,12 +114,48 @@ std::vector<props::Family> FamiliesNamed(const std::vector<std::string>& names) 
   return chosen;
 }
 
-}  // namespace
+report::CatalogueCell AsReported(const FamilyCell& cell, bool is_proved) {
+  return {.cases = cell.cases,
+          .wrong = cell.wrong,
+          .samples = cell.samples,
+          .wrong_samples = cell.wrong_samples,
+          .worst_pixels = cell.worst_pixels,
+          .worst_case = cell.worst ? cell.worst->origin : "",
+          .excused = cell.excused,
+          .why = cell.why,
+          .is_exhausted = cell.is_exhausted,
+          .is_proved = is_proved && cell.wrong == 0};
+}
 
+report::CatalogueColumn ColumnOf(const SubjectInfo& info,
+                                 const std::vector<FamilyResult>& results) {
+  report::CatalogueColumn column{.subject = info.name, .folder = {}, .cells = {}};
+  const bool is_proved = info.states_exact && !info.proofs.empty();
+  const bool is_real = SameModel(info.profile, props::RealProfileOf(info.profile));
+  for (const FamilyResult& result : results) {
+    column.cells.push_back({AsReported(result.By(Yardstick::kOwnModel), is_proved),
+                            AsReported(result.By(Yardstick::kRealGeometry), is_proved && is_real)});
+  }
+  return column;
+}
+
+report::Catalogue CatalogueOf(const std::vector<props::Family>& families,
+                              const props::CataloguePlan& plan) {
+  report::Catalogue catalogue{
+      .seed = plan.seed, .cases = plan.cases, .families = {}, .columns = {}};
+  for (const props::Family& family : families) {
+    catalogue.families.push_back({std::string(family.name), std::string(family.summary),
+                                  std::string(family.theme->name),
+                                  std::string(family.theme->right)});
+  }
+  return catalogue;
+}
+
+// By the order of the families; after an interrupt some results have no cases.
 std::vector<FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
                                            const std::vector<props::Family>& families,
-                                           const props::CataloguePlan& plan, int jobs,
-                                           Progress& progress) {
+                                           const props::CataloguePlan& plan, int jobs) {
+  Progress progress(static_cast<std::size_t>(jobs));
   Crew crew(jobs, [&](std::size_t) { return subject.Make(); });
   std::vector<FamilyResult> results(families.size());
   for (std::size_t k = 0; k < families.size(); ++k) results[k].family = families[k].name;
@@ -141,6 +170,62 @@ std::vector<FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
   return results;
 }
 
+// A failing case of a family, and whose it is.
+struct Worst {
+  double pixels = -1;
+  Case value;
+  const SubjectFactory* subject = nullptr;
+};
+
+void KeepWorst(const SubjectFactory& subject, const FamilyResult& result, Worst& worst) {
+  for (const Yardstick yardstick : kYardsticks) {
+    const FamilyCell& cell = result.By(yardstick);
+    if (!cell.worst || !std::isfinite(cell.worst_pixels) || cell.worst_pixels <= worst.pixels) {
+      continue;
+    }
+    worst = {cell.worst_pixels, JudgedBy(yardstick, *cell.worst), &subject};
+  }
+}
+
+std::optional<report::FamilyPicture> PictureOf(const Worst& worst) {
+  if (worst.subject == nullptr) return std::nullopt;
+  const std::unique_ptr<Subject> subject = worst.subject->Make();
+  try {
+    report::Explanation explanation = Explain(*subject, worst.value, {}, "");
+    explanation.edge_values.clear();
+    const bool is_real = !SameModel(worst.value.profile, subject->Info().profile);
+    return report::FamilyPicture{
+        fmt::format("{} by {}: {:.2g} pixels", worst.subject->name(),
+                    is_real ? "real geometry" : "its own model", worst.pixels),
+        worst.subject->name(), report::ExplanationToSvg(explanation)};
+  } catch (const InputError&) {
+    return std::nullopt;  // a case that it drew before and refuses now
+  } catch (const SubjectStop&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+report::Catalogue MeasureCatalogues(const std::vector<SubjectFactory>& subjects,
+                                    const props::CataloguePlan& plan, int jobs) {
+  const std::vector<props::Family> families = props::Catalogue();
+  report::Catalogue catalogue = CatalogueOf(families, plan);
+  std::vector<Worst> worst(families.size());
+  for (const SubjectFactory& subject : subjects) {
+    const SubjectInfo info = subject.Make()->Info();
+    if (info.profile.squares || Interrupted()) continue;
+    const std::vector<FamilyResult> results = MeasureCatalogue(subject, families, plan, jobs);
+    for (std::size_t k = 0; k < families.size(); ++k) KeepWorst(subject, results[k], worst[k]);
+    report::CatalogueColumn& column = catalogue.columns.emplace_back(ColumnOf(info, results));
+    column.folder = FileNameOf(info.name);
+  }
+  for (std::size_t k = 0; k < families.size(); ++k) {
+    catalogue.families[k].picture = PictureOf(worst[k]);
+  }
+  return catalogue;
+}
+
 int CheckCatalogue(const CheckOptions& options) {
   const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
@@ -150,17 +235,18 @@ int CheckCatalogue(const CheckOptions& options) {
   plan.cases = options.campaign.cases;
   plan.seconds = options.campaign.seconds;
   plan.stop = Interrupted;
+  report::Catalogue catalogue = CatalogueOf(families, plan);
   int status = kExitHolds;
   for (const SubjectFactory& subject : asked.subjects) {
     RequireSamples(subject.Make()->Info());
-    Progress progress(static_cast<std::size_t>(options.jobs));
     const std::vector<FamilyResult> results =
-        MeasureCatalogue(subject, families, plan, options.jobs, progress);
+        MeasureCatalogue(subject, families, plan, options.jobs);
+    catalogue.columns.push_back(ColumnOf(subject.Make()->Info(), results));
     const Summary sum = SummaryOf(results);
     io::WriteStandardOutput(report::CleanText(
         fmt::format("{}, seed {}, {} cases a family\n{:<25}{:<45}{}\n", subject.name(), plan.seed,
                     plan.cases, "", props::kYardstickNames[0], props::kYardstickNames[1]) +
-        Table(families, results) + "\n" + SummaryLine(subject.name(), sum)));
+        Table(families, catalogue.columns.back()) + "\n" + SummaryLine(subject.name(), sum)));
     if (!options.save.empty()) SaveWorst(options.save, subject.name(), results);
     if (sum.fails[0] != 0) status = WorseStatus(status, kExitViolated);
     if (sum.stands[0] + sum.fails[0] == 0) status = WorseStatus(status, kExitInconclusive);

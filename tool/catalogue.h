@@ -1,23 +1,22 @@
-// What `check --catalogue` does.
+// What `check --catalogue` and `certify --catalogue` do.
 #ifndef RASTERPROOF_TOOL_CATALOGUE_H_
 #define RASTERPROOF_TOOL_CATALOGUE_H_
 
 #include <vector>
 
 #include "props/catalogue/catalogue.h"
+#include "report/catalogue.h"
 #include "tool/commands.h"
-#include "tool/progress.h"
 #include "tool/resolve.h"
 
 namespace rasterproof::tool {
 
-/// Measures the subject on every family, families at once on the crew's workers.
+/// All families: a column for each subject whose profile is about samples, with the folder of its
+/// page beside the report, and for each family a picture of its worst case.
 ///
-/// Returns:    by Catalogue()'s order; after an interrupt some results have no cases.
-std::vector<props::FamilyResult> MeasureCatalogue(const SubjectFactory& subject,
-                                                  const std::vector<props::Family>& families,
-                                                  const props::CataloguePlan& plan, int jobs,
-                                                  Progress& progress);
+/// Returns:    after an interrupt, what was measured until then.
+report::Catalogue MeasureCatalogues(const std::vector<SubjectFactory>& subjects,
+                                    const props::CataloguePlan& plan, int jobs);
 
 /// Prints each subject's table, and saves the worst case of each cell that fails.
 ///

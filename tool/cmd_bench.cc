@@ -29,7 +29,6 @@
 #include "exact/environment.h"
 #include "fmt/chrono.h"
 #include "fmt/format.h"
-#include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "io/scene_set.h"
@@ -320,8 +319,9 @@ int RunBench(const BenchOptions& options) {
   }
   if (options.fingerprint) return FingerprintsAlone(options);
   std::optional<BenchResult> before;
-  if (!options.against.empty()) before = io::ReadBench(options.against);
-  const BenchResult result = options.from.empty() ? Measured(options) : io::ReadBench(options.from);
+  if (!options.against.empty()) before = report::ReadBench(options.against);
+  const BenchResult result =
+      options.from.empty() ? Measured(options) : report::ReadBench(options.from);
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
   if (!options.svg.empty()) io::WriteFile(options.svg, report::BenchToSvg(result));
   if (!before) {

@@ -13,18 +13,19 @@
 #include "core/error.h"
 #include "core/subject_info.h"
 #include "fmt/format.h"
-#include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/domains/worlds.h"
 #include "props/run/campaign_part.h"
+#include "report/bench_json.h"
 #include "report/bench_page.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/page.h"
 #include "report/text.h"
 #include "subjects/builtin/builtin.h"
+#include "tool/catalogue.h"
 #include "tool/certify.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
@@ -138,6 +139,20 @@ void WriteBenchCases(const std::string& output, const BenchResult& bench) {
   }
 }
 
+// Larger targets cost each subject seconds and 2 GiB.
+constexpr std::int64_t kMostPixelsOfReport = std::int64_t{1} << 26;
+
+void WriteCatalogue(const std::string& output, const report::Catalogue& catalogue) {
+  io::MakeFolder(output + "/families");
+  for (std::size_t k = 0; k < catalogue.families.size(); ++k) {
+    const report::CatalogueFamily& family = catalogue.families[k];
+    const std::string path = output + "/" + report::FamilyPagePath(family);
+    io::WriteFile(path + ".html", report::FamilyPageToHtml(catalogue, k));
+    if (family.picture) io::WriteFile(path + ".svg", family.picture->svg);
+  }
+  io::WriteFile(output + "/catalogue.json", report::CatalogueToJson(catalogue));
+}
+
 // The page of all subjects comes last: what it leads to and shows is then there, each file whole.
 std::string WritePages(const std::string& output, const report::Page& page) {
   for (const report::Picture& picture : page.pictures) {
@@ -150,6 +165,7 @@ std::string WritePages(const std::string& output, const report::Page& page) {
                   report::SubjectPageToHtml(page, certificate));
   }
   if (page.bench) WriteBenchCases(output, *page.bench);
+  if (page.catalogue) WriteCatalogue(output, *page.catalogue);
   const std::string path = output + "/report.html";
   io::WriteFile(path, report::PageToHtml(page));
   return path;
@@ -329,6 +345,7 @@ void RequireForAPart(const CertifyOptions& options) {
   if (!options.scene_set.empty())
     refuse("--scenes", "give it to --merge, which measures the scenes");
   if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to --merge");
+  if (options.catalogue) refuse("--catalogue", "give it to --merge, which makes the page");
   if (!options.bench.empty()) refuse("--bench", "give it to --merge, which makes the page");
   if (options.range && !options.shard.empty()) {
     refuse("--shard beside it", "give --cases N with --shard, or --cases A..B alone");
@@ -354,7 +371,7 @@ int RunCertify(const CertifyOptions& options) {
 int Certify(const CertifyOptions& options, const Source& source) {
   const std::vector<SubjectFactory> subjects = SubjectsOf(options);
   report::Page page;
-  if (!options.bench.empty()) page.bench = io::ReadBench(options.bench);
+  if (!options.bench.empty()) page.bench = report::ReadBench(options.bench);
   page.folder = ShellWord(options.output);
   io::MakeFolder(options.output);
   std::exception_ptr failure;
@@ -371,6 +388,15 @@ int Certify(const CertifyOptions& options, const Source& source) {
     }
     if (failure) std::rethrow_exception(failure);
     if (!Interrupted()) page.pictures = TakePictures(scenes, page.certificates, progress);
+  }
+  if (options.catalogue) {
+    page.catalogue = MeasureCatalogues(subjects,
+                                       {.seed = options.campaign.seed,
+                                        .cases = options.campaign.cases,
+                                        .seconds = options.campaign.seconds,
+                                        .most_pixels = kMostPixelsOfReport,
+                                        .stop = Interrupted},
+                                       options.jobs);
   }
   const std::string path = WritePages(options.output, page);
   io::WriteStandardOutput(Summary(page.certificates, subjects.size(), options.all) +

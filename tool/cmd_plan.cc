@@ -11,11 +11,11 @@
 #include "core/quoted.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
-#include "io/bench_file.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "model/target_profile.h"
 #include "reference/plan.h"
+#include "report/bench_json.h"
 #include "tool/commands.h"
 #include "tool/plan_error.h"
 #include "tool/session.h"
@@ -98,7 +98,7 @@ int PlanByError(const PlanOptions& options, const Scene& scene) {
     throw InputError("--error", "the scene is in clip space, where no edge's error is bounded",
                      "give a scene in window space");
   }
-  const BenchResult bench = io::ReadBench(options.bench);
+  const BenchResult bench = report::ReadBench(options.bench);
   const std::size_t family = NearestFamily(bench, scene, options.bench);
   const std::vector<ErrorChoice> choices = ErrorChoices(bench, family, scene, options.error);
   const auto chosen = std::ranges::find_if(choices, &ErrorChoice::meets);

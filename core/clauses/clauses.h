@@ -36,10 +36,10 @@ struct Clause {
 
 /// A specification that has clauses in the table.
 struct Specification {
-  std::string_view api;  ///< as ids and presets begin: "vulkan"
-  std::string_view title;
-  std::string_view edition;  ///< which text was read, and where it was not the publisher's own
-  std::span<const Clause> clauses;
+  std::string_view api = {};  ///< as ids and presets begin: "vulkan"
+  std::string_view title = {};
+  std::string_view edition = {};  ///< which text was read, and where it was not the publisher's own
+  std::vector<Clause> clauses = {};
   /// The one that it builds on, whose clauses hold for it as well: "d3d11" of "d3d12". Or empty.
   std::string_view base = {};
 };
@@ -73,16 +73,21 @@ std::vector<ClauseKey> KeysOf(const Clause& clause);
 /// its base first. Empty if there is no such specification.
 std::vector<const Clause*> AssumptionsOf(std::string_view api);
 
-// One file each.
-std::span<const Clause> OpenGlClauses();
-std::span<const Clause> VulkanClauses();
-std::span<const Clause> Direct3D11Clauses();
-std::span<const Clause> Direct3D12Clauses();
-std::span<const Clause> WebGpuClauses();
-std::span<const Clause> PdfClauses();
-std::span<const Clause> GdalClauses();
-std::span<const Clause> X11Clauses();
-std::span<const Clause> JavaClauses();
+/// A file of core/clauses/, a specification each: lines "field: text", those of the specification
+/// before those of its clauses, each of which begins with its id. Fields have the names of the
+/// members above; "force: required" and "assumed: no" are never written. A line that begins with
+/// '#' is a comment.
+struct ClauseFile {
+  std::string_view name;
+  std::string_view text;
+};
+/// All of them, in the order in which they are listed. core/CMakeLists.txt writes this function.
+std::vector<ClauseFile> ClauseFiles();
+/// The result points into the file's text.
+///
+/// Error:      InputError, with file and line, for an unknown field, one that is given twice or
+///             missing, a value that is none, and an id that is not this specification's alone.
+Specification ReadSpecification(const ClauseFile& file);
 
 }  // namespace rasterproof
 

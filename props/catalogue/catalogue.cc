@@ -27,6 +27,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kMostStops = 4;
+// Most worlds have small scenes: one is drawn if it has at most this many times the cases of a
+// domain.
+constexpr std::uint64_t kMostOfWorld = 100;
 // Of one case: more would cost more than they tell.
 constexpr std::size_t kMostMeasured = 64;
 
@@ -103,8 +106,12 @@ class Measuring {
     if (family_.domain != nullptr) {
       return Suits(*family_.domain, info) ? "" : "the subject takes none of the family's scenes";
     }
-    if (family_.world->cases > plan_.cases && !plan_.has_large_worlds) {
-      return "the world has more cases than were asked for";
+    if (family_.world->cases / kMostOfWorld >= plan_.cases) {
+      return "the world has " + std::to_string(family_.world->cases) + " cases, more than " +
+             std::to_string(kMostOfWorld) + " times as many as a domain is given";
+    }
+    if (family_.world->pixels > plan_.most_pixels) {
+      return "the world's targets are larger than the report draws: check --catalogue draws them";
     }
     return WhyNotGiven(*family_.world, info);
   }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,10 +75,11 @@ struct FamilyResult {
 
 struct CataloguePlan {
   std::uint64_t seed = 1;
-  std::uint64_t cases = 100;  ///< of each domain; worlds have their own number
-  double seconds = 0;         ///< at most, for a family; 0: no limit
-  /// Whether worlds of more cases than `cases` are drawn.
-  bool has_large_worlds = false;
+  std::uint64_t cases =
+      100;             ///< of each domain; worlds have their own number, at most 100 times this
+  double seconds = 0;  ///< at most, for a family; 0: no limit
+  /// Worlds of larger targets are left out.
+  std::int64_t most_pixels = std::numeric_limits<std::int64_t>::max();
   /// Asked between cases: true ends the measurement. May be empty.
   std::function<bool()> stop = {};
 };

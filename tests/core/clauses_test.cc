@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
+
 namespace rasterproof {
 namespace {
 
@@ -99,6 +101,57 @@ TEST(Clauses, ARowMayStandForSeveralKeys) {
   EXPECT_EQ(keys[1].value, "");
   EXPECT_EQ(keys[2].value, "0.6");
   EXPECT_TRUE(KeysOf({.id = "x.y"}).empty());
+}
+
+constexpr const char* kHead = "# Of one.\napi: x\ntitle: X\nedition: First\n\n";
+constexpr const char* kWhole = "id: x.a\nplace: 1\nsentence: \"a: b\"\nreading: A.\n";
+
+Specification ReadText(const std::string& text) {
+  return ReadSpecification({.name = "x.txt", .text = text});
+}
+
+TEST(Clauses, AreReadFromLinesOfFields) {
+  const std::string text =
+      kHead + std::string("base: y\n") + kWhole + "force: silent\nassumed: yes\n";
+  const Specification one = ReadText(text);
+  EXPECT_EQ(one.base, "y");
+  ASSERT_EQ(one.clauses.size(), 1U);
+  EXPECT_EQ(one.clauses[0].id, "x.a");
+  EXPECT_EQ(one.clauses[0].force, Force::kSilent);
+  EXPECT_EQ(one.clauses[0].sentence, "\"a: b\"");
+  EXPECT_TRUE(one.clauses[0].is_assumed);
+}
+
+TEST(Clauses, AMalformedFileIsRefusedByFileAndLine) {
+  struct Malformed {
+    std::string text;
+    std::string fault;
+  };
+  const std::string whole = kHead + std::string(kWhole);
+  for (const auto& [text, fault] : std::vector<Malformed>{
+           {whole + "sentense: A.\n", "x.txt: line 10: \"sentense\" is no field"},
+           {whole + "title: X\n", "x.txt: line 10: \"title\" is no field"},
+           {whole + "place: 2\n", "x.txt: line 10: \"place\" is given twice"},
+           {whole + "keys:\n", "x.txt: line 10: \"keys:\" is not a field and its text"},
+           {whole + "keys\n", "x.txt: line 10: \"keys\" is not a field and its text"},
+           {whole + "force: perhaps\n", "x.txt: line 10: \"force: perhaps\" is no choice"},
+           {whole + "assumed: no\n", "x.txt: line 10: \"assumed: no\" is no choice"},
+           {whole + "\n" + kWhole, "x.txt: line 11: \"x.a\" is the id of two clauses"},
+           {whole + "id: y.a\n", "x.txt: line 10: \"y.a\" is not of this specification"},
+           {whole + "\nid: x.b\nplace: 2\nreading: B.\n\nid: x.c\n",
+            "x.txt: line 15: \"sentence\" is missing above"},
+           {whole + "id: x.b\nplace: 2\nsentence: B.\n",
+            "x.txt: line 12: \"reading\" is missing above"},
+           {"api: x\ntitle: X\nid: x.a\n", "x.txt: line 3: \"edition\" is missing above"},
+           {"id: x.a\n", "x.txt: line 1: \"api\" is missing above"},
+           {"", "x.txt: line 0: \"api\" is missing above"}}) {
+    try {
+      ReadText(text);
+      ADD_FAILURE() << "read, though " << fault;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with(fault + ";")) << error.what();
+    }
+  }
 }
 
 TEST(Clauses, TheTestThatShowsAFigureIsThere) {

@@ -119,8 +119,7 @@ TEST(Catalogue, ASubjectOfWindowSpaceIsExcusedFromClipSpaceWithTheReason) {
 TEST(Catalogue, AWorldIsExhaustedOrExcused) {
   FakeSubject subject = testing::Sound(RealInfo());
   EXPECT_EQ(Measured(subject, "pairs-3x3").By(Yardstick::kOwnModel).cases, 0U);
-  const FamilyResult whole =
-      MeasureFamily(subject, FamilyOf("pairs-3x3"), {.cases = 1, .has_large_worlds = true});
+  const FamilyResult whole = MeasureFamily(subject, FamilyOf("pairs-3x3"), {.cases = 66});
   EXPECT_TRUE(whole.By(Yardstick::kOwnModel).is_exhausted);
   EXPECT_EQ(whole.By(Yardstick::kOwnModel).cases, 6561U);
 }

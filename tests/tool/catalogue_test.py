@@ -3,7 +3,10 @@
 usage: catalogue_test.py PROGRAM SOURCES
 """
 import glob
+import html
+import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -58,6 +61,44 @@ class Catalogue(unittest.TestCase):
         done = check("--subject", "spans-exact", "--profile", "vulkan-overestimate")
         self.assertEqual(done.returncode, 2)
         self.assertIn("whole pixels", done.stderr)
+
+    def test_certify_writes_the_matrix_and_a_page_a_family(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(
+                [PROGRAM, "certify", "--catalogue", "--subject", "spans-exact", "--subject",
+                 "f32-direct", "--cases", "10", "--scenes", "scenes/quick.json", "--out", folder],
+                capture_output=True, text=True, cwd=SOURCES, timeout=300, check=False)  # fmt: skip
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            with open(os.path.join(folder, "catalogue.json")) as file:
+                catalogue = json.load(file)
+            of = {column["subject"]: {cell["family"]: cell for cell in column["cells"]}
+                  for column in catalogue["subjects"]}  # fmt: skip
+            self.assertEqual(of["spans-exact"]["needles"]["own_model"]["state"], "proved")
+            self.assertEqual(of["f32-direct"]["long-targets"]["own_model"]["state"], "exhausted")
+            self.assertEqual(of["f32-direct"]["mixed-w"]["own_model"]["state"], "excused")
+            needles = of["f32-direct"]["needles"]["real_geometry"]
+            self.assertEqual((needles["state"], needles["cases"]), ("fails", 10))
+            # No family of an exact subject fails, and what isn't measured says why.
+            for cells in of["spans-exact"].values():
+                self.assertNotEqual(cells["own_model"]["state"], "fails")
+                self.assertTrue(cells["own_model"]["cases"] or cells["own_model"]["why"])
+            pages = os.listdir(os.path.join(folder, "families"))
+            self.assertEqual({page for page in pages if page.endswith(".html")},
+                             {f"{family['name']}.html" for family in catalogue["families"]})
+            with open(os.path.join(folder, "families", "needles.html")) as file:
+                page = file.read()
+            self.assertIn('src="../families/needles.svg"', page)
+            self.assertIn("needles.svg", pages)
+            # The command beside the subject saves the case that the cell speaks of.
+            command = re.search(r"<code>(.*--subject</span> <span>f32-direct.*)</code>", page)[1]
+            words = html.unescape(re.sub("<[^>]*>", "", command)).split()[1:]
+            saved = subprocess.run([PROGRAM, *words], capture_output=True, text=True, cwd=folder,
+                                   timeout=60, check=False)  # fmt: skip
+            self.assertEqual(saved.returncode, 1, saved.stdout + saved.stderr)
+            with open(os.path.join(folder, "worst", "f32-direct-needles-real.json")) as file:
+                self.assertIn(needles["worst_case"], file.read())
+            with open(os.path.join(folder, "report.html")) as file:
+                self.assertIn('href="families/needles.html"', file.read())
 
 
 if __name__ == "__main__":

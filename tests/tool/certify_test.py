@@ -283,7 +283,7 @@ class IsStated(Certify):
             ("f32-direct", ["edge_direct.g", *barycentrics]),
             ("f32-kahan", ["edge_kahan.g", *barycentrics]),
             ("f32-incremental", ["edge_direct.g", "increment.g", *barycentrics]),
-            ("filtered-exact", barycentrics),
+            ("filtered-exact", ["edge_filter.g", *barycentrics]),
             ("i64-snap8", ["exactness.g"]),
             ("hom-f32", ["homogeneous.g"]),
         ):

@@ -1,4 +1,4 @@
-#include "io/bench_file.h"
+#include "report/bench_json.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "report/bench_json.h"
 #include "tests/report/sample_bench.h"
 
 namespace rasterproof::report {
@@ -22,21 +21,21 @@ std::string WithChanged(std::string_view from, std::string_view to) {
 
 std::string FaultOf(const std::string& text) {
   try {
-    io::ParseBench(text, "bench.json");
+    ParseBench(text, "bench.json");
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(BenchFile, ReadsBackWhatIsWritten) {
+TEST(BenchJson, ReadsBackWhatIsWritten) {
   const std::string text = BenchToJson(SampleBench());
-  EXPECT_EQ(BenchToJson(io::ParseBench(text, "bench.json")), text);
+  EXPECT_EQ(BenchToJson(ParseBench(text, "bench.json")), text);
 }
 
-TEST(BenchFile, ReadsEveryPart) {
+TEST(BenchJson, ReadsEveryPart) {
   const BenchResult written = SampleBench();
-  const BenchResult read = io::ParseBench(BenchToJson(written), "bench.json");
+  const BenchResult read = ParseBench(BenchToJson(written), "bench.json");
   EXPECT_EQ(read.methods.size(), written.methods.size());
   EXPECT_EQ(read.methods[5], written.methods[5]);
   EXPECT_EQ(read.rows[1].real.worst, written.rows[1].real.worst);
@@ -53,7 +52,7 @@ TEST(BenchFile, ReadsEveryPart) {
   EXPECT_EQ(read.fingerprints[0].png, written.fingerprints[0].png);
 }
 
-TEST(BenchFile, FaultsNamePlaceAndRemedy) {
+TEST(BenchJson, FaultsNamePlaceAndRemedy) {
   for (const auto& [text, words] : {
            std::pair<std::string, std::string>{"{}", "rasterproof bench --json"},
            {"[]", "bench.json"},
@@ -67,6 +66,8 @@ TEST(BenchFile, FaultsNamePlaceAndRemedy) {
             "curves[0].parameter"},
            {WithChanged("[[2,1000,0,0,2e-08]", "[[2,1000,0,0]"), "curves[0].points[0]"},
            {WithChanged("\"missing\":5", "\"missing\":-5"), "rows[0].real.missing"},
+           {WithChanged("\"ratio\":[0.99,1,", "\"ratio\":[1.5,1,"),
+            "rows[0].ratio: is no interval"},
            {WithChanged("\"wall_seconds\"", "\"elapsed\""), "rows[0]"},
            {WithChanged("\"seed\": \"1", "\"seed\": \"x1"), "below 2^64"},
        }) {

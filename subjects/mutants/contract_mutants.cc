@@ -165,11 +165,27 @@ std::vector<Mutant> LeftOpen() {
   };
 }
 
+FixedStages OwningTies(Contract contract, bool owns) {
+  FixedStages stages;
+  stages.profile.contract = contract;
+  stages.owns = [owns](const GridEdge&, const GridTriangle&, const Sample&) { return owns; };
+  return stages;
+}
+
+std::vector<Mutant> Sides() {
+  return {
+      {"at-least-model-ties-lost", "at-least-model, and no edge owns its samples", "",
+       OwningTies(Contract::kAtLeastModel, false)},
+      {"at-most-model-ties-twice", "at-most-model, and every edge owns its samples", "",
+       OwningTies(Contract::kAtMostModel, true)},
+  };
+}
+
 }  // namespace
 
 std::vector<Mutant> ContractMutants() {
   std::vector<Mutant> table = FixedInputs();
-  for (const auto more : {Extents, Targets, Clips, LeftOpen}) {
+  for (const auto more : {Extents, Targets, Clips, LeftOpen, Sides}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,7 @@ class FixedPoint final : public Subject {
     info_.summary = summary;
     info_.profile = stages_.profile;
     info_.takes_threads = true;
+    info_.takes_batches = static_cast<bool>(stages_.batch);
     bits_ = std::max(stages_.bits, stages_.profile.snap.bits);
     if (info_.profile.fixed) bits_ = std::max(bits_, info_.profile.fixed->fraction_bits);
     for (const TargetModel& model : info_.profile.by_target_size)
@@ -42,6 +44,11 @@ class FixedPoint final : public Subject {
 
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    std::vector<DrawOutcome> outcomes = Subject::DrawMany(jobs);
+    if (stages_.batch && outcomes.size() > 1) stages_.batch(outcomes);
+    return outcomes;
+  }
   Subject* Twin() override {
     if (!twin_) twin_ = std::make_unique<FixedPoint>(info_.name, info_.summary, stages_);
     return twin_.get();

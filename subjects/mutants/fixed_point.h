@@ -14,6 +14,7 @@
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
@@ -109,6 +110,8 @@ struct FixedStages {
   /// By what images of whole draws are kept and found again, beside target, culling and scissor;
   /// each subject keeps its own. Empty: none is kept.
   std::function<std::vector<std::int64_t>(const Scene&)> kept_by = {};
+  /// If set, the subject takes batches, and this changes the answers to one of several scenes.
+  std::function<void(std::vector<DrawOutcome>&)> batch = {};
 };
 
 /// The rasterizer with the given stages.

@@ -64,10 +64,13 @@ class FreeChoice final : public Subject {
     drawing.depths.resize(size);
     const Scene scene = SceneOf(job);
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+      const std::size_t id = stages_.id ? stages_.id(t, scene.triangles.size()) : t;
       CoverageCounts alone(scene.width, scene.height, job.samples);
       DrawTriangle(scene, t, job.options, alone);
       for (std::size_t k = 0; k < size; ++k) {
-        if (alone.Count(k) != 0) Win(scene, t, k, drawing);
+        if (alone.Count(k) == 0) continue;
+        drawing.primitive_ids[k] = static_cast<std::int32_t>(id);
+        Interpolate(scene, t, k, drawing);
       }
     }
     return drawing;
@@ -161,13 +164,12 @@ class FreeChoice final : public Subject {
   }
 
   // Barycentrics are those of the vertices as given, in double.
-  static void Win(const Scene& scene, std::size_t t, std::size_t k, Drawing& drawing) {
+  static void Interpolate(const Scene& scene, std::size_t t, std::size_t k, Drawing& drawing) {
     const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
     const std::array<Point2, 3> at{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
     const auto width = static_cast<std::size_t>(scene.width);
     const Point2 p{static_cast<double>(k % width) + 0.5, static_cast<double>(k / width) + 0.5};
     const double area = EdgeValue(at[0], at[1], at[2]);
-    drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
     drawing.depths[k] = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const double barycentric = EdgeValue(at[(i + 1) % 3], at[(i + 2) % 3], p) / area;

@@ -4,6 +4,7 @@
 #define RASTERPROOF_SUBJECTS_MUTANTS_FREE_CHOICE_H_
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -39,6 +40,8 @@ struct FreeStages {
   std::function<TieRule(const std::array<Point2, 3>& triangle)> rule = {};
   /// A planted bug: where the vertex goes instead of where `harm` says.
   std::function<Point2(const FreeCorner& corner, Point2 legal)> instead = {};
+  /// A planted bug: the primitive id that is shown for triangle `number` of `count`.
+  std::function<std::size_t(std::size_t number, std::size_t count)> id = {};
 };
 
 /// Domain:     float32 scenes in window space, or in clip space in front of the eye.

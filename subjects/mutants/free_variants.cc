@@ -114,6 +114,11 @@ Point2 Apart(const FreeCorner& corner, Point2 legal, double step) {
   return IsOdd(corner.triangle) ? Point2{legal.x + step, legal.y} : legal;
 }
 
+// One grid point for each vertex, and the last triangle of a sample.
+FreeStages ShowsIds() {
+  return {.profile = FixedPointProfile(), .coverage = CoverageKind::kPrimitiveIds};
+}
+
 }  // namespace
 
 std::vector<Mutant> FreeVariants() {
@@ -164,6 +169,10 @@ std::vector<Mutant> FreeMutants() {
   crack.instead = [](const FreeCorner& corner, Point2 legal) {
     return corner.is_turned ? RoundedDown(corner.at, 0x1p-4) : legal;
   };
+  FreeStages byte = ShowsIds();
+  byte.id = [](std::size_t number, std::size_t) { return number % 256; };
+  FreeStages from_the_end = ShowsIds();
+  from_the_end.id = [](std::size_t number, std::size_t count) { return count - 1 - number; };
   FreeStages apart = Private();
   apart.instead = [](const FreeCorner& corner, Point2 legal) { return Apart(corner, legal, 0.25); };
   FreeStages pixels_apart = Pixels();
@@ -182,6 +191,9 @@ std::vector<Mutant> FreeMutants() {
        std::move(apart)},
       {"private-pixels-apart", "a vertex of odd triangles is a pixel off", "",
        std::move(pixels_apart)},
+      {"ids-of-a-byte", "primitive ids keep 8 bits", "", std::move(byte)},
+      {"ids-from-the-end", "primitive ids count from the end of the list", "",
+       std::move(from_the_end)},
   };
 }
 

@@ -118,6 +118,8 @@ std::vector<Mutant> Freedoms() {
       {"tile-1", "every sample is a tile of its own", "", WithTile(1)},
       {"tile-3", "tiles are 3 pixels wide", "", WithTile(3)},
       {"tile-64", "tiles are 64 pixels wide", "", WithTile(64)},
+      {"batches", "scenes are taken in batches", "",
+       FixedStages{.batch = [](std::vector<DrawOutcome>&) {}}},
       {"watertight-elsewhere", "samples lie elsewhere, and only watertight meshes are stated", "",
        std::move(moved)},
       {"contract-none", "every edge owns its samples and some count twice; nothing is stated", "",

@@ -155,6 +155,9 @@ std::vector<Mutant> RealClips() {
        Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = std::max(p.w, 0x1p-10); })};
        })},
+      {"clip-w-ignored", "vertices are not divided by w", "", Becoming([](const ClipTriangle& v) {
+         return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = 1; })};
+       })},
       {"clip-w-absolute", "the absolute value of w is taken", "",
        Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = std::fabs(p.w); })};

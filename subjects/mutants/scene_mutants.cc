@@ -124,6 +124,26 @@ std::vector<Mutant> Leaks() {
   };
 }
 
+std::vector<Mutant> Batches() {
+  return {
+      {"batch-last-lost", "the last scene of a batch is not drawn", "",
+       FixedStages{.batch =
+                       [](std::vector<DrawOutcome>& outcomes) {
+                         CoverageCounts& last = outcomes.back().drawing.counts;
+                         last = CoverageCounts(last.width, last.height, last.samples);
+                       }}},
+      {"batch-leaks", "what a scene of a batch covers stays in the next one of its size", "",
+       FixedStages{.batch =
+                       [](std::vector<DrawOutcome>& outcomes) {
+                         for (std::size_t k = 1; k < outcomes.size(); ++k) {
+                           const CoverageCounts& before = outcomes[k - 1].drawing.counts;
+                           CoverageCounts& counts = outcomes[k].drawing.counts;
+                           if (before.size() == counts.size()) counts += before;
+                         }
+                       }}},
+  };
+}
+
 std::vector<Mutant> BadInput() {
   return {
       {"nan-as-zero", "NaN is taken for zero, and the triangle drawn", "",
@@ -208,8 +228,9 @@ std::vector<Mutant> Losses() {
 
 std::vector<Mutant> SceneMutants() {
   std::vector<Mutant> table = Leaks();
-  for (Mutant& planted : BadInput()) table.push_back(std::move(planted));
-  for (Mutant& planted : Losses()) table.push_back(std::move(planted));
+  for (const auto more : {Batches, BadInput, Losses}) {
+    for (Mutant& planted : more()) table.push_back(std::move(planted));
+  }
   return table;
 }
 

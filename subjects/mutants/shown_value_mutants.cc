@@ -67,6 +67,8 @@ std::vector<Mutant> EdgeSteps() {
        steps([](std::vector<double>& e, Step) {
          for (std::size_t n = e.size() - 1; n > 8192; --n) e[n] = e[n - 1];
        })},
+      {"stepping-last-lost", "the value after the last step is not shown", "",
+       steps([](std::vector<double>& e, Step) { e.pop_back(); })},
       {"stepping-bound-too-small", "the stated bound on steps is a hundredth of the proven one", "",
        ValueStages{.method = "f32-incremental", .stepping_bound = 0.01}},
   };

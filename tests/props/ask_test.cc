@@ -18,7 +18,7 @@
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"
 #include "subjects/builtin/builtin.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
@@ -109,8 +109,7 @@ TEST(TheGate, ToldByTheOracleWhatItDoesNotDecide) {
   info.takes_clip = true;
   info.profile.coordinate_limit = 0x1p60;
   int draws = 0;
-  testing::PlantedSubject subject(
-      info, [&](const Scene&, const DrawOptions&, CoverageCounts&) { ++draws; });
+  FakeSubject subject(info, [&](const Scene&, const DrawOptions&, CoverageCounts&) { ++draws; });
   Case c = OneTriangle();
   c.scene.clip_space = true;
   c.scene.vertices[1].x = 0x1p50;
@@ -150,8 +149,8 @@ Check OneDraw(const PlacedCase& c, Verdict verdict) {
 
 TEST(Checks, AreJudgedInOrderUpToTheFirstViolatedOne) {
   int draws = 0;
-  testing::PlantedSubject subject(
-      testing::RealInfo(), [&](const Scene&, const DrawOptions&, CoverageCounts&) { ++draws; });
+  FakeSubject subject(testing::RealInfo(),
+                      [&](const Scene&, const DrawOptions&, CoverageCounts&) { ++draws; });
   const Property property = WithChecks([](const PlacedCase& c, const Description&) {
     Checks asked;
     asked.checks = {OneDraw(c, Verdict::Held(3)), OneDraw(c, Verdict::Violated(2, "wrong", {})),
@@ -166,7 +165,7 @@ TEST(Checks, AreJudgedInOrderUpToTheFirstViolatedOne) {
 }
 
 TEST(Checks, ReadTheDrawsThatTheyNameAsBases) {
-  testing::PlantedSubject subject = testing::Sound(testing::RealInfo());
+  FakeSubject subject = testing::Sound(testing::RealInfo());
   const Property property = WithChecks([](const PlacedCase& c, const Description&) {
     Checks asked;
     asked.checks.push_back(BaseDraw(CountsOf(c.scene, c.profile, c.options)));
@@ -185,7 +184,7 @@ TEST(Checks, ReadTheDrawsThatTheyNameAsBases) {
 }
 
 TEST(Samples, ThatAreNotJudgedAreAddedUp) {
-  testing::PlantedSubject subject = testing::Sound(testing::RealInfo());
+  FakeSubject subject = testing::Sound(testing::RealInfo());
   Property property = testing::ModelProperty(FindProperty("CoverageEqualsTheModel")->domains);
   property.ask = [](const PlacedCase&, const Description&) {
     return OneCheck({}, [](const Answers&) {

@@ -15,7 +15,7 @@
 #include "props/run/case_places.h"
 #include "props/run/property_domains.h"
 #include "props/run/tally.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
@@ -40,7 +40,7 @@ TEST(Campaign, HoldsForASoundSubjectAndSaysWhatItDid) {
   const PropertyResult result = Campaign(subject, 120);
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
   EXPECT_EQ(result.property, "CoverageIsTheModels");
-  EXPECT_EQ(result.subject, "planted");
+  EXPECT_EQ(result.subject, "fake");
   EXPECT_EQ(result.cases, 120U);
   EXPECT_EQ(result.cases_exercised, 120U);
   EXPECT_GT(result.exercised, 120U);
@@ -51,7 +51,7 @@ TEST(Campaign, HoldsForASoundSubjectAndSaysWhatItDid) {
 
 struct FoundWithin {
   std::string_view bug;
-  testing::PlantedSubject subject;
+  FakeSubject subject;
   std::uint64_t cases;  ///< within which it must be found
 };
 
@@ -139,11 +139,11 @@ TEST(Campaign, ContainsASubjectThatThrows) {
   const PropertyResult result = Campaign(subject, 100);
   EXPECT_EQ(result.outcome, Outcome::kViolated);
   EXPECT_NE(result.message.find("negative column"), std::string::npos) << result.message;
-  testing::PlantedSubject odd(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+  FakeSubject odd(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw 7;  // NOLINT: what a plugin may do
   });
   EXPECT_EQ(Campaign(odd, 1).outcome, Outcome::kViolated);
-  testing::PlantedSubject choosy(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+  FakeSubject choosy(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw InputError("scene", "not for me", "send another");
   });
   const PropertyResult refused = Campaign(choosy, 5);

@@ -19,7 +19,8 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "subjects/builtin/builtin.h"
-#include "tests/props/planted_bugs.h"
+#include "subjects/mutants/mutants.h"
+#include "tests/fake_subject.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
@@ -161,62 +162,6 @@ TEST(Exercise, ClipSpacePropertiesArePutToTheTestByAClipSpaceSubject) {
   }
 }
 
-// Mutation evidence: every property catches what was planted for it, and says where.
-TEST(PlantedBugs, ThereIsOneForEveryProperty) {
-  std::set<std::string_view> caught;
-  for (const PlantedBug& bug : PlantedBugs()) caught.insert(bug.property);
-  for (const Property& property : Catalog()) {
-    EXPECT_TRUE(caught.contains(property.name)) << property.name;
-  }
-}
-
-TEST(PlantedBugs, EachIsCaughtByItsPropertyWithAWitness) {
-  constexpr std::uint64_t kCases = 400;
-  for (const PlantedBug& bug : PlantedBugs()) {
-    const Property& property = *FindProperty(bug.property);
-    PlantedSubject subject(subjects::MakeBuiltin(bug.sound), bug.bug);
-    std::uint64_t i = 0;
-    Verdict verdict;
-    for (; i < kCases && verdict.outcome != Outcome::kViolated; ++i) {
-      verdict = RunCase(subject, property, DrawCase(subject.Info(), property, kSeed, i));
-    }
-    ASSERT_EQ(verdict.outcome, Outcome::kViolated) << bug.property << " lets through: " << bug.name;
-    RecordProperty(std::string(bug.property) + ", " + std::string(bug.name),
-                   std::to_string(i) + " cases");
-    EXPECT_FALSE(verdict.message.empty()) << bug.property;
-    EXPECT_GT(verdict.exercised, 0U) << bug.property;
-    ASSERT_TRUE(verdict.witness.has_value()) << bug.property;
-    EXPECT_FALSE(verdict.witness->observed.empty()) << bug.property;
-    EXPECT_FALSE(verdict.witness->expected.empty()) << bug.property;
-  }
-}
-
-// What the planted ones differ from: exact fragments, in batches.
-TEST(SoundOutputs, HoldOnEveryCase) {
-  Bug none;
-  none.show = [](Drawing&, const DrawJob&) {};
-  none.batch = [](std::vector<DrawOutcome>&) {};
-  none.has_twin = true;
-  none.states = [](Profile& profile) { profile.centroid = Centroid::kInside; };
-  PlantedSubject subject(subjects::MakeBuiltin("spans-exact"), none);
-  for (const PlantedBug& bug : OutputPlantedBugs()) {
-    const Property& property = *FindProperty(bug.property);
-    std::uint64_t exercised = 0;
-    constexpr std::uint64_t kCases = 12;
-    // A share of them may hold none that asks anything.
-    const auto goes_on = [&](std::uint64_t i) {
-      return i < Cases(kCases) || (exercised == 0 && i < kCases);
-    };
-    for (std::uint64_t i = 0; goes_on(i); ++i) {
-      const Verdict verdict =
-          RunCase(subject, property, DrawCase(subject.Info(), property, kSeed, i));
-      ASSERT_NE(verdict.outcome, Outcome::kViolated) << bug.property << ": " << verdict.message;
-      exercised += verdict.exercised;
-    }
-    EXPECT_GT(exercised, 0U) << bug.property;
-  }
-}
-
 // RunCase throws if a property fails over what a subject answers: that is our fault, never its own.
 TEST(EveryProperty, ReachesAVerdictOfASubjectThatRefusesAndBreaksDownAndShowsNoNumbers) {
   const auto misbehave = [n = std::make_shared<int>(0)] {
@@ -235,27 +180,31 @@ TEST(EveryProperty, ReachesAVerdictOfASubjectThatRefusesAndBreaksDownAndShowsNoN
         return;
     }
   };
-  Bug draws;
-  draws.draw = [=](Subject& sound, const Scene& scene, const DrawOptions& options,
-                   CoverageCounts& counts) {
+  const auto method = subjects::MakeBuiltin("f32-direct");
+  FakeSubject draws(method->Info(),
+                    [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                      misbehave();
+                      DrawOnto(*method, scene, options, counts);
+                    });
+  draws.edges = method->Edges();
+  draws.barycentrics = method->Barycentrics();
+  const auto fragments = subjects::MakeMutant("legal:centroid-direct3d-1x");
+  FakeSubject shows = FakeSubject::Showing(fragments->Info(), [&](const DrawJob& job) {
     misbehave();
-    DrawOnto(sound, scene, options, counts);
-  };
-  Bug shows;
-  shows.batch = [](std::vector<DrawOutcome>&) {};
-  shows.show = [=](Drawing& drawing, const DrawJob&) {
-    misbehave();
-    for (double& depth : drawing.depths) depth = std::numeric_limits<double>::quiet_NaN();
-    for (auto& barycentrics : drawing.barycentrics) barycentrics[1] = drawing.depths[0];
-  };
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    Drawing drawing = DrawOne(*fragments, job);
+    for (double& depth : drawing.depths) depth = kNoNumber;
+    for (auto& barycentrics : drawing.barycentrics) barycentrics[1] = kNoNumber;
+    return drawing;
+  });
+  shows.info.takes_batches = true;
   std::set<Outcome> outcomes;
-  for (const Bug& bug : {draws, shows}) {
-    PlantedSubject subject(subjects::MakeBuiltin("f32-direct"), bug);
+  for (FakeSubject* const subject : {&draws, &shows}) {
     for (const Property& property : Catalog()) {
-      if (!HasADomainFor(property, subject.Info())) continue;
+      if (!HasADomainFor(property, subject->Info())) continue;
       for (std::uint64_t i = 0; i < Cases<std::uint64_t>(4); ++i) {
-        const Case c = DrawCase(subject.Info(), property, kSeed, i);
-        outcomes.insert(RunCase(subject, property, c).outcome);
+        const Case c = DrawCase(subject->Info(), property, kSeed, i);
+        outcomes.insert(RunCase(*subject, property, c).outcome);
       }
     }
   }
@@ -272,25 +221,30 @@ Case TwoTriangles() {
   return c;
 }
 
-Verdict Judge(std::string_view property, Bug bug, const Case& c) {
-  PlantedSubject subject(subjects::MakeBuiltin("spans-exact"), std::move(bug));
+void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+  counts += exact::Coverage(scene, Profile{}, options);
+}
+
+// Of a subject that draws by `draw` and shows exact edge values and barycentrics.
+Verdict Judge(std::string_view property, FakeSubject::DrawFunction draw, const Case& c) {
+  const auto sound = subjects::MakeBuiltin("spans-exact");
+  FakeSubject subject(sound->Info(), std::move(draw));
+  subject.edges = sound->Edges();
+  subject.barycentrics = sound->Barycentrics();
   return RunCase(subject, *FindProperty(property), c);
 }
 
 // An extra count at column 5, row 2, if the second triangle is drawn.
-Bug ExtraCount() {
-  return {.draw = [](Subject& sound, const Scene& scene, const DrawOptions& options,
-                     CoverageCounts& counts) {
-    DrawOnto(sound, scene, options, counts);
-    const Triangle second{0, 3, 2};
-    if (std::ranges::find(scene.triangles, second) != scene.triangles.end()) {
-      ++counts.front[counts.Index(5, 2)];
-    }
-  }};
+void DrawOneTooMany(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+  DrawRight(scene, options, counts);
+  const Triangle second{0, 3, 2};
+  if (std::ranges::find(scene.triangles, second) != scene.triangles.end()) {
+    ++counts.front[counts.Index(5, 2)];
+  }
 }
 
 TEST(Witness, NamesTheSampleTheTriangleAndTheCounts) {
-  const Verdict verdict = Judge("CoverageEqualsTheModel", ExtraCount(), TwoTriangles());
+  const Verdict verdict = Judge("CoverageEqualsTheModel", DrawOneTooMany, TwoTriangles());
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->x, 5);
   EXPECT_EQ(verdict.witness->y, 2);
@@ -301,11 +255,10 @@ TEST(Witness, NamesTheSampleTheTriangleAndTheCounts) {
 }
 
 TEST(Witness, OfASharedEdgeIsTheSampleCoveredTwice) {
-  Bug inclusive{
-      .draw = [](Subject&, const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
-        if (scene.triangles.size() == 2) ++counts.front[counts.Index(3, 3)];
-        for (std::uint32_t& count : counts.front) ++count;
-      }};
+  const auto inclusive = [](const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
+    if (scene.triangles.size() == 2) ++counts.front[counts.Index(3, 3)];
+    for (std::uint32_t& count : counts.front) ++count;
+  };
   const Verdict verdict = Judge("SharedEdgeSamplesAreCoveredOnce", inclusive, TwoTriangles());
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->x, 3);
@@ -315,13 +268,15 @@ TEST(Witness, OfASharedEdgeIsTheSampleCoveredTwice) {
 }
 
 TEST(Witness, OfAnEdgeValueHoldsHexAndTheExactValue) {
-  // Wrong for the edge from (0, 8) only: edge 0 of the second triangle.
-  Bug bug;
-  bug.value = [](double e, Point2 a, Point2, Point2) { return a == Point2{0, 8} ? e + 1 : e; };
-  const Verdict verdict = Judge("EdgeErrorStaysWithinItsBound", bug, TwoTriangles());
+  // Wrong for edges whose ends differ in |x|: the first of them is edge 1 of the second triangle.
+  Case c = TwoTriangles();
+  c.scene.vertices = {{-8, 0}, {8, 0}, {8, 8}, {0, 8}, {-8, 8}};
+  c.scene.triangles = {{0, 2, 1}, {3, 1, 4}};
+  const auto subject = subjects::MakeMutant("mutant:edge-from-one-end");
+  const Verdict verdict = RunCase(*subject, *FindProperty("EdgeErrorStaysWithinItsBound"), c);
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->triangle, 1);
-  EXPECT_EQ(verdict.witness->edge, 0);
+  EXPECT_EQ(verdict.witness->edge, 1);
   EXPECT_EQ(verdict.witness->observed.substr(0, 2), "0x");
   EXPECT_EQ(verdict.witness->expected.substr(0, 4), "E = ");
 }
@@ -334,7 +289,7 @@ TEST(Fairness, AContractOfNoneIsNeverJudgedForCoverage) {
     const bool about_memory = property.name == "DrawStaysInsideItsTarget";
     if (property.group != "coverage" && property.group != "extremes") continue;
     if (about_memory) continue;
-    EXPECT_EQ(Judge(property.name, ExtraCount(), c).outcome, Outcome::kNotApplicable)
+    EXPECT_EQ(Judge(property.name, DrawOneTooMany, c).outcome, Outcome::kNotApplicable)
         << property.name;
   }
 }
@@ -345,11 +300,10 @@ TEST(Fairness, AWatertightSubjectIsJudgedOnMeshesOnlyAndAwayFromTheirOutline) {
   c.profile.contract = Contract::kWatertight;
   // One sample too many beside the outline, another beside the diagonal.
   const auto extra = [](int x, int y) {
-    return Bug{.draw = [x, y](Subject& sound, const Scene& scene, const DrawOptions& options,
-                              CoverageCounts& counts) {
-      DrawOnto(sound, scene, options, counts);
+    return [x, y](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+      DrawRight(scene, options, counts);
       ++counts.front[counts.Index(x, y)];
-    }};
+    };
   };
   EXPECT_EQ(Judge("CoverageEqualsTheModel", extra(8, 4), c).outcome, Outcome::kNotApplicable);
   EXPECT_EQ(Judge("EmbeddedMeshSamplesAreCoveredOnce", extra(8, 4), c).outcome, Outcome::kHolds);
@@ -364,7 +318,7 @@ TEST(Fairness, WeakContractsAreHeldToTheirOwnPropertyOnly) {
   Case c = TwoTriangles();
   const auto judged = [&](Contract contract, std::string_view property) {
     c.profile.contract = contract;
-    return Judge(property, ExtraCount(), c).outcome;
+    return Judge(property, DrawOneTooMany, c).outcome;
   };
   for (const Contract contract :
        {Contract::kClosed, Contract::kAtLeastModel, Contract::kAtMostModel}) {
@@ -384,7 +338,7 @@ TEST(Fairness, WeakContractsAreHeldToTheirOwnPropertyOnly) {
   // Both sides of the sheet: a closed surface. The extra count has no counterpart behind.
   c.scene.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 2}, {0, 2, 3}};
   EXPECT_EQ(judged(Contract::kClosed, "ClosedMeshCancels"), Outcome::kViolated);
-  EXPECT_EQ(Judge("ClosedMeshCancels", {}, c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Judge("ClosedMeshCancels", DrawRight, c).outcome, Outcome::kHolds);
 }
 
 TEST(Fairness, AFreeProfileIsNotHeldToTheCanonicalModel) {
@@ -394,15 +348,15 @@ TEST(Fairness, AFreeProfileIsNotHeldToTheCanonicalModel) {
   for (const std::string_view property :
        {"CoverageEqualsTheModel", "SignedCoverageEqualsTheWindingNumber",
         "VertexRotationKeepsCoverage"}) {
-    EXPECT_EQ(Judge(property, ExtraCount(), c).outcome, Outcome::kNotApplicable) << property;
+    EXPECT_EQ(Judge(property, DrawOneTooMany, c).outcome, Outcome::kNotApplicable) << property;
   }
   // It is asked what users want, too: AuthorityOf says that it is not stated.
   EXPECT_EQ(AuthorityOf(*FindProperty("IntegerTranslationMovesCoverage"), c.profile).authority,
             Authority::kQuality);
-  EXPECT_EQ(Judge("OneLegalModelExplainsTheMesh", ExtraCount(), c).outcome, Outcome::kViolated);
+  EXPECT_EQ(Judge("OneLegalModelExplainsTheMesh", DrawOneTooMany, c).outcome, Outcome::kViolated);
   for (const std::string_view property :
        {"TileSizeKeepsCoverage", "TriangleOrderKeepsCoverage", "OneLegalModelExplainsTheMesh"}) {
-    EXPECT_EQ(Judge(property, {}, c).outcome, Outcome::kHolds) << property;
+    EXPECT_EQ(Judge(property, DrawRight, c).outcome, Outcome::kHolds) << property;
   }
 }
 
@@ -410,7 +364,7 @@ TEST(Fairness, BeyondTheCoordinateLimitOnlyTheDrawItselfIsJudged) {
   Case c = TwoTriangles();
   c.profile.coordinate_limit = 4;
   for (const Property& property : Catalog()) {
-    const Outcome outcome = Judge(property.name, {}, c).outcome;
+    const Outcome outcome = Judge(property.name, DrawRight, c).outcome;
     if (property.name == "DrawStaysInsideItsTarget") {
       EXPECT_EQ(outcome, Outcome::kHolds);
     } else {
@@ -423,26 +377,28 @@ TEST(Fairness, BeyondTheCoordinateLimitOnlyTheDrawItselfIsJudged) {
 TEST(Fairness, AnInclusiveTieRuleMayCoverSharedEdgesTwice) {
   Case c = TwoTriangles();
   c.profile.tie_rule.inclusive = true;
-  Bug inclusive{
-      .draw = [](Subject&, const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-        Profile profile;
-        profile.tie_rule.inclusive = true;
-        counts += exact::Coverage(scene, profile, options);
-      }};
+  const auto inclusive = [](const Scene& scene, const DrawOptions& options,
+                            CoverageCounts& counts) {
+    Profile profile;
+    profile.tie_rule.inclusive = true;
+    counts += exact::Coverage(scene, profile, options);
+  };
   for (const std::string_view name :
        {"SharedEdgeSamplesAreCoveredOnce", "EmbeddedMeshSamplesAreCoveredOnce"}) {
     EXPECT_EQ(Judge(name, inclusive, c).outcome, Outcome::kHolds) << name;
-    EXPECT_EQ(Judge(name, {}, c).outcome, Outcome::kHolds) << name << ": once is at least once";
+    EXPECT_EQ(Judge(name, DrawRight, c).outcome, Outcome::kHolds)
+        << name << ": once is at least once";
     c.profile.tie_rule.inclusive = false;
     EXPECT_EQ(Judge(name, inclusive, c).outcome, Outcome::kViolated) << name;
     c.profile.tie_rule.inclusive = true;
   }
   for (const std::string_view name :
        {"SignedCoverageEqualsTheWindingNumber", "ClosedMeshCancels"}) {
-    EXPECT_EQ(Judge(name, {}, c).outcome, Outcome::kNotApplicable) << name;
+    EXPECT_EQ(Judge(name, DrawRight, c).outcome, Outcome::kNotApplicable) << name;
   }
   c.profile.tie_rule = {.exclusive = true};
-  EXPECT_EQ(Judge("SharedEdgeSamplesAreCoveredOnce", {}, c).outcome, Outcome::kNotApplicable);
+  EXPECT_EQ(Judge("SharedEdgeSamplesAreCoveredOnce", DrawRight, c).outcome,
+            Outcome::kNotApplicable);
 }
 
 TEST(Fairness, ABoundThatIsNotStatedIsNotJudged) {

@@ -17,12 +17,11 @@
 #include "props/domains/worlds.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
 
-using testing::PlantedSubject;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
@@ -47,7 +46,7 @@ TEST(Catalogue, HasEveryDomainAndEveryWorldOnce) {
 }
 
 TEST(Catalogue, ASoundSubjectStandsOnBothYardsticksWhereItsModelIsRealGeometry) {
-  PlantedSubject subject = testing::Sound(RealInfo());
+  FakeSubject subject = testing::Sound(RealInfo());
   for (const char* family : {"needles", "near-edge", "grids", "degenerate", "product-overflow"}) {
     for (const FamilyCell& cell : Measured(subject, family).cells) {
       EXPECT_EQ(cell.wrong, 0U) << family << " " << cell.why;
@@ -58,7 +57,7 @@ TEST(Catalogue, ASoundSubjectStandsOnBothYardsticksWhereItsModelIsRealGeometry) 
 }
 
 TEST(Catalogue, ASnapIsRightByItsModelAndDisplacedFromRealGeometry) {
-  PlantedSubject subject = testing::Sound(SnappedInfo(4));
+  FakeSubject subject = testing::Sound(SnappedInfo(4));
   const FamilyResult result = Measured(subject, "snap-ties", 200);
   EXPECT_EQ(result.By(Yardstick::kOwnModel).wrong, 0U);
   const FamilyCell& real = result.By(Yardstick::kRealGeometry);
@@ -97,7 +96,7 @@ TEST(Catalogue, WhatASetLeavesOpenIsNotHeldAgainstASubject) {
 
 TEST(Catalogue, ASubjectThatEndsFailsAndIsGivenUpAfterFour) {
   std::uint64_t calls = 0;
-  PlantedSubject subject(RealInfo(), [&](const Scene&, const DrawOptions&, CoverageCounts&) {
+  FakeSubject subject(RealInfo(), [&](const Scene&, const DrawOptions&, CoverageCounts&) {
     ++calls;
     throw SubjectStop(Stop::kBrokeDown, "killed by signal 11");
   });
@@ -111,14 +110,14 @@ TEST(Catalogue, ASubjectThatEndsFailsAndIsGivenUpAfterFour) {
 }
 
 TEST(Catalogue, ASubjectOfWindowSpaceIsExcusedFromClipSpaceWithTheReason) {
-  PlantedSubject subject = testing::Sound(RealInfo());
+  FakeSubject subject = testing::Sound(RealInfo());
   const FamilyCell own = Measured(subject, "mixed-w").By(Yardstick::kOwnModel);
   EXPECT_EQ(own.cases, 0U);
   EXPECT_FALSE(own.why.empty());
 }
 
 TEST(Catalogue, AWorldIsExhaustedOrExcused) {
-  PlantedSubject subject = testing::Sound(RealInfo());
+  FakeSubject subject = testing::Sound(RealInfo());
   EXPECT_EQ(Measured(subject, "pairs-3x3").By(Yardstick::kOwnModel).cases, 0U);
   const FamilyResult whole = MeasureFamily(subject, FamilyOf("pairs-3x3"), {.cases = 66});
   EXPECT_TRUE(whole.By(Yardstick::kOwnModel).is_exhausted);

@@ -10,7 +10,7 @@
 #include "core/subject_info.h"
 #include "props/run/campaign.h"
 #include "subjects/builtin/builtin.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {

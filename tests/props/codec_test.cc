@@ -14,7 +14,7 @@
 #include "props/domains/domain.h"
 #include "props/run/near_edge.h"
 #include "props/run/property_domains.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {

@@ -18,7 +18,7 @@
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 #include "props/domains/hardest_ray.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {

@@ -20,7 +20,7 @@
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
 #include "props/run/property_domains.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {

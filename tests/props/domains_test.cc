@@ -18,7 +18,7 @@
 #include "props/domains/input_lattice.h"
 #include "props/property.h"
 #include "props/run/near_edge.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {

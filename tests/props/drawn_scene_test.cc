@@ -12,12 +12,11 @@
 #include "exact/coverage.h"
 #include "props/property.h"
 #include "props/run/trial.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
 
-using testing::PlantedSubject;
 using testing::RealInfo;
 
 constexpr int kSide = 8;
@@ -50,8 +49,8 @@ Trial Tried(std::string_view property, const Which& is_bad, bool throws,
     if (is_bad(scene) && throws) throw SubjectStop(Stop::kHung, "it gives no answer");
     if (!is_bad(scene)) counts += exact::Coverage(scene, c.profile, options);
   };
-  PlantedSubject alone(info, draw);
-  PlantedSubject together = PlantedSubject::Outside(info, draw);
+  FakeSubject alone(info, draw);
+  FakeSubject together = FakeSubject::Outside(info, draw);
   const Trial trial = TryCase(alone, *FindProperty(property), c);
   const Trial of_shared_calls = TryCase(together, *FindProperty(property), c);
   EXPECT_EQ(trial.verdict.drawn == nullptr, of_shared_calls.verdict.drawn == nullptr) << property;

@@ -6,52 +6,32 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 #include "props/run/facing_draws.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
 
 // The exact model, but its facings are lost; as a mask its counts as well.
-class Faceless final : public Subject {
- public:
-  explicit Faceless(SubjectInfo info) : info_(std::move(info)) {}
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    ++draws;
-    const CoverageCounts drawn = exact::Coverage(scene, info_.profile, options);
-    const bool mask = info_.coverage == CoverageKind::kMask;
-    for (std::size_t k = 0; k < drawn.size(); ++k) {
-      const std::uint32_t n = drawn.Count(k);
-      counts.front[k] += mask ? std::uint32_t{n != 0} : n;
-    }
-  }
-  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
-    std::size_t size = 0;
-    for (const DrawJob& job : jobs) size += SizeInACall(job);
-    largest_call = std::max(largest_call, size);
-    return Subject::DrawMany(jobs);
-  }
-  int draws = 0;
-  std::size_t largest_call = 0;
-
- private:
-  SubjectInfo info_;
-};
+FakeSubject Faceless(const SubjectInfo& info) {
+  return {info, [kind = info.coverage, profile = info.profile](
+                    const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+            counts = exact::Coverage(scene, profile, options);
+            HideFacings(kind, counts);
+          }};
+}
 
 void ExpectTheModel(CoverageKind kind, YAxis y_axis, const char* domain, bool clip) {
   SubjectInfo info = clip ? testing::RealInfo() : testing::SnappedInfo(8);
   info.takes_clip = clip;
   info.profile.y_axis = y_axis;
   info.coverage = kind;
-  Faceless subject(info);
+  FakeSubject subject = Faceless(info);
   for (std::uint64_t index = 0; index < 40; ++index) {
     PhiloxSource bits(1, index);
     const Case c = FindDomain(domain)->draw(bits, info);
@@ -73,14 +53,14 @@ TEST(Facings, OfCountsAndMasksAreThoseOfTheModel) {
 TEST(Facings, TakeOneDrawForAMeshThatFacesOneWay) {
   SubjectInfo info = testing::RealInfo();
   info.coverage = CoverageKind::kCounts;
-  Faceless subject(info);
+  FakeSubject subject = Faceless(info);
   Scene scene;
   scene.width = scene.height = 4;
   scene.vertices = {{0, 0}, {0, 4}, {4, 4}, {4, 0}};
   scene.triangles = {{0, 1, 2}, {0, 2, 3}};
   CoverageCounts counts(4, 4);
   DrawByFacing(subject, scene, {}, counts);
-  EXPECT_EQ(subject.draws, 1);
+  EXPECT_EQ(subject.draws, 1U);
   EXPECT_EQ(counts, exact::Coverage(scene, info.profile));
 }
 
@@ -88,7 +68,7 @@ TEST(Facings, TakeOneDrawForAMeshThatFacesOneWay) {
 TEST(Facings, OfManyTrianglesTakeCallsOfABoundedSize) {
   SubjectInfo info = testing::RealInfo();
   info.coverage = CoverageKind::kMask;
-  Faceless subject(info);
+  FakeSubject subject = Faceless(info);
   Scene scene;
   scene.width = scene.height = 512;
   for (int n = 0; n < 9; ++n) {
@@ -96,17 +76,23 @@ TEST(Facings, OfManyTrianglesTakeCallsOfABoundedSize) {
     scene.vertices.insert(scene.vertices.end(), {{x, 0}, {x, 50}, {x + 50, 50}});
     scene.triangles.push_back({3 * n, 3 * n + 1, 3 * n + 2});
   }
+  std::size_t largest_call = 0;
+  subject.on_call = [&](std::span<const DrawJob> jobs) {
+    std::size_t size = 0;
+    for (const DrawJob& job : jobs) size += SizeInACall(job);
+    largest_call = std::max(largest_call, size);
+  };
   CoverageCounts counts(512, 512);
   DrawByFacing(subject, scene, {}, counts);
-  EXPECT_EQ(subject.draws, 9);
-  EXPECT_LE(subject.largest_call, kMostInACall);
+  EXPECT_EQ(subject.draws, 9U);
+  EXPECT_LE(largest_call, kMostInACall);
   EXPECT_EQ(counts, exact::Coverage(scene, info.profile));
 }
 
 TEST(Facings, AreThoseOfTheProfileThatTheSubjectIsJudgedBy) {
   SubjectInfo info = testing::RealInfo();
   info.coverage = CoverageKind::kCounts;
-  Faceless subject(info);
+  FakeSubject subject = Faceless(info);
   Scene scene;
   scene.width = scene.height = 4;
   scene.vertices = {{0, 0}, {0, 4}, {4, 4}};

@@ -6,13 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
-#include "core/subject.h"
 #include "core/subject_info.h"
 #include "exact/coverage.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "tests/fake_subject.h"
 
 namespace rasterproof::props {
 namespace {
@@ -62,52 +61,45 @@ struct Form {
   float (*depth)(const Barycentrics3&, const std::array<Vertex, 3>&);
 };
 
-class HonestSubject final : public Subject {
- public:
-  explicit HonestSubject(const Form& form) : form_(form) {
-    info_.name = form.name;
-    info_.coverage = CoverageKind::kFragments;
-    info_.takes_culling = info_.takes_scissor = info_.takes_tiles = false;
+void DrawTriangle(const Form& form, const Scene& scene, std::size_t t, Drawing& drawing) {
+  const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
+  Scene alone = scene;
+  alone.triangles = {scene.triangles[t]};
+  const CoverageCounts covered = exact::Coverage(alone, Profile{});
+  for (std::size_t k = 0; k < covered.size(); ++k) {
+    if (covered.Count(k) == 0) continue;
+    const auto width = static_cast<std::size_t>(scene.width);
+    const float x = static_cast<float>(k % width) + 0.5F;
+    const float y = static_cast<float>(k / width) + 0.5F;
+    const Barycentrics3 l = form.barycentrics(v, x, y);
+    drawing.counts.front[k] = 1;
+    drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
+    drawing.barycentrics[k] = {l[0], l[1], l[2]};
+    drawing.depths[k] = form.depth(l, v);
   }
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  Drawing Show(const DrawJob& job) override {
+}
+
+FakeSubject Honest(const Form& form) {
+  SubjectInfo info;
+  info.name = form.name;
+  info.coverage = CoverageKind::kFragments;
+  info.takes_culling = info.takes_scissor = info.takes_tiles = false;
+  return FakeSubject::Showing(info, [form](const DrawJob& job) {
     const Scene scene = SceneOf(job);
     Drawing drawing;
     drawing.counts = CoverageCounts(scene.width, scene.height);
     drawing.primitive_ids.assign(drawing.counts.size(), kNoPrimitive);
     drawing.barycentrics.resize(drawing.counts.size());
     drawing.depths.resize(drawing.counts.size());
-    for (std::size_t t = 0; t < scene.triangles.size(); ++t) DrawTriangle(scene, t, drawing);
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) DrawTriangle(form, scene, t, drawing);
     return drawing;
-  }
-
- private:
-  void DrawTriangle(const Scene& scene, std::size_t t, Drawing& drawing) const {
-    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
-    Scene alone = scene;
-    alone.triangles = {scene.triangles[t]};
-    const CoverageCounts covered = exact::Coverage(alone, info_.profile);
-    for (std::size_t k = 0; k < covered.size(); ++k) {
-      if (covered.Count(k) == 0) continue;
-      const auto width = static_cast<std::size_t>(scene.width);
-      const float x = static_cast<float>(k % width) + 0.5F;
-      const float y = static_cast<float>(k / width) + 0.5F;
-      const Barycentrics3 l = form_.barycentrics(v, x, y);
-      drawing.counts.front[k] = 1;
-      drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
-      drawing.barycentrics[k] = {l[0], l[1], l[2]};
-      drawing.depths[k] = form_.depth(l, v);
-    }
-  }
-
-  Form form_;
-  SubjectInfo info_;
-};
+  });
+}
 
 class FragmentTolerance : public testing::TestWithParam<Form> {};
 
 TEST_P(FragmentTolerance, AUsualFormNeedsNoStatement) {
-  HonestSubject subject(GetParam());
+  FakeSubject subject = Honest(GetParam());
   for (const char* name :
        {"FragmentBarycentricsSumToOne", "FragmentBarycentricsStayWithinTheirError",
         "FragmentDepthStaysInTheHull", "FragmentDepthFollowsItsBarycentrics"}) {

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -25,7 +24,7 @@
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
@@ -45,36 +44,26 @@ double UpFrom42(double x, double step) {
 // Where the subject puts a vertex of the triangle with these indices (their sum).
 using Place = std::function<Point2(Point2 at, std::int32_t indices)>;
 
-// Draws what `place` makes of each triangle; as counts without facings, if told so.
-class Placing final : public Subject {
- public:
-  Placing(SubjectInfo info, Place place) : info_(std::move(info)), place_(std::move(place)) {}
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    Profile placed = info_.profile;
-    placed.snap = {};
-    placed.freedom = {};
-    for (const Triangle& t : scene.triangles) {
-      Scene one = scene;
-      one.precision = Precision::kFloat64;
-      one.triangles = {t};
-      for (Vertex& v : one.vertices) {
-        const Point2 p = place_(WindowPoint(v), t[0] + t[1] + t[2]);
-        v = {p.x, p.y, 0, 1};
-      }
-      CoverageCounts drawn = exact::Coverage(one, placed, options);
-      for (std::size_t k = 0; k < drawn.size(); ++k) {
-        const bool tells = info_.coverage == CoverageKind::kFacingCounts;
-        counts.front[k] += tells ? drawn.front[k] : drawn.Count(k);
-        if (tells) counts.back[k] += drawn.back[k];
-      }
-    }
-  }
-
- private:
-  SubjectInfo info_;
-  Place place_;
-};
+// Draws what `place` makes of each triangle, as counts of the kind that it states.
+FakeSubject Placing(const SubjectInfo& info, Place place) {
+  Profile placed = info.profile;
+  placed.snap = {};
+  placed.freedom = {};
+  return {info, [placed, place = std::move(place), kind = info.coverage](
+                    const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+            for (const Triangle& t : scene.triangles) {
+              Scene one = scene;
+              one.precision = Precision::kFloat64;
+              one.triangles = {t};
+              for (Vertex& v : one.vertices) {
+                const Point2 p = place(WindowPoint(v), t[0] + t[1] + t[2]);
+                v = {p.x, p.y, 0, 1};
+              }
+              counts += exact::Coverage(one, placed, options);
+            }
+            HideFacings(kind, counts);
+          }};
+}
 
 Place UpFrom42Of(double step) {
   return [step](Point2 at, std::int32_t) {
@@ -118,7 +107,7 @@ TEST(FreeChoices, CountsOfTheModelHoldInClipSpaceWhereSnappingTurnsTheTriangle) 
   scene.clip_space = true;
   scene.vertices = {{0, 0.5, 0, 1}, {16, 0x1.0147aep-1, 0, 1}, {8, 0x1.00c49cp-1, 0, 1}};
   scene.triangles = {{0, 1, 2}};
-  testing::PlantedSubject subject(
+  FakeSubject subject(
       info, [info](const Scene& drawn, const DrawOptions& options, CoverageCounts& counts) {
         const CoverageCounts model = exact::Coverage(drawn, info.profile, options);
         for (std::size_t k = 0; k < model.size(); ++k) counts.front[k] += model.Count(k);
@@ -130,7 +119,7 @@ TEST(FreeChoices, CountsOfTheModelHoldInClipSpaceWhereSnappingTurnsTheTriangle) 
 TEST(FreeChoices, AClosedMeshThatALegalChoiceTurnsIsNotJudgedWithoutFacings) {
   SubjectInfo info = FreeInfo(8, 0.6);
   info.coverage = CoverageKind::kCounts;
-  Placing subject(info, UpFrom42Of(0x1p-8));
+  FakeSubject subject = Placing(info, UpFrom42Of(0x1p-8));
   const Scene scene = ClosedSliver();
   EXPECT_EQ(Judged("OneLegalModelExplainsTheMesh", subject, scene).outcome, Outcome::kHolds);
   const Verdict verdict = Judged("ClosedMeshCancels", subject, scene);
@@ -139,11 +128,11 @@ TEST(FreeChoices, AClosedMeshThatALegalChoiceTurnsIsNotJudgedWithoutFacings) {
 }
 
 TEST(FreeChoices, AClosedMeshThatALegalChoiceTurnsIsJudgedByTheFacingsThatTheSubjectTells) {
-  Placing sound(FreeInfo(8, 0.6), UpFrom42Of(0x1p-8));
+  FakeSubject sound = Placing(FreeInfo(8, 0.6), UpFrom42Of(0x1p-8));
   const Verdict holds = Judged("ClosedMeshCancels", sound, ClosedSliver());
   EXPECT_EQ(holds.outcome, Outcome::kHolds) << holds.message;
   EXPECT_EQ(holds.not_judged, 0U);
-  Placing one_sided(FreeInfo(8, 0.6), [](Point2 at, std::int32_t indices) {
+  FakeSubject one_sided = Placing(FreeInfo(8, 0.6), [](Point2 at, std::int32_t indices) {
     const double nearest = std::round(at.y * 256) / 256;
     return Point2{at.x, indices == 3 ? UpFrom42(at.y, 0x1p-8) : nearest};
   });
@@ -158,7 +147,7 @@ constexpr std::array<std::string_view, 3> kMeshProperties{"EmbeddedMeshSamplesAr
                                                           "NeighboursAreClippedAlike"};
 
 TEST(FreeChoices, ALegalFoldIsNotCoveredTooOften) {
-  Placing subject(FreeInfo(8, 0.6), UpFrom42Of(0x1p-8));
+  FakeSubject subject = Placing(FreeInfo(8, 0.6), UpFrom42Of(0x1p-8));
   for (const std::string_view property : kMeshProperties) {
     EXPECT_NE(Judged(property, subject, FoldedRow()).outcome, Outcome::kViolated) << property;
   }
@@ -173,7 +162,7 @@ TEST(FreeChoices, AFoldOnAGridOfItsOwnIsNotCoveredTooOften) {
   SubjectInfo info = testing::RealInfo();
   info.profile.contract = Contract::kWatertight;
   for (const double step : {0x1p-8, 0x1p-2, 1.0}) {
-    Placing subject(info, UpFrom42Of(step));
+    FakeSubject subject = Placing(info, UpFrom42Of(step));
     for (const std::string_view property : kMeshProperties) {
       const Verdict verdict = Judged(property, subject, FoldedRow());
       EXPECT_NE(verdict.outcome, Outcome::kViolated) << property << ", steps of " << step;
@@ -186,7 +175,7 @@ TEST(FreeChoices, AFoldOnAGridOfItsOwnIsNotCoveredTooOften) {
 
 // The vertex between the rows goes another legal way for one of the triangles that turn.
 TEST(FreeChoices, ACrackAmongTurningTrianglesIsFoundJointly) {
-  Placing cracked(FreeInfo(8, 0.6), [](Point2 at, std::int32_t indices) {
+  FakeSubject cracked = Placing(FreeInfo(8, 0.6), [](Point2 at, std::int32_t indices) {
     if (indices == 2 + 3 + 4) return Point2{UpFrom42(at.x, 0x1p-8), std::floor(at.y * 256) / 256};
     return Point2{UpFrom42(at.x, 0x1p-8), UpFrom42(at.y, 0x1p-8)};
   });
@@ -207,10 +196,10 @@ TEST(FreeChoices, ACrackBesideTurningTrianglesIsFoundByTheMeshProperties) {
     }
     scene.triangles.push_back({7, 8, 9});
     scene.triangles.push_back({7, 9, 10});
-    Placing sound(info, UpFrom42Of(0x1p-8));
+    FakeSubject sound = Placing(info, UpFrom42Of(0x1p-8));
     const Verdict holds = Judged(kMeshProperties[0], sound, scene);
     EXPECT_EQ(holds.outcome, Outcome::kHolds) << holds.message;
-    Placing cracked(info, [](Point2 at, std::int32_t indices) {
+    FakeSubject cracked = Placing(info, [](Point2 at, std::int32_t indices) {
       Point2 p{UpFrom42(at.x, 0x1p-8), UpFrom42(at.y, 0x1p-8)};
       if (indices == 7 + 8 + 9 && at.x == 30 && at.y == 13) p.y -= 2;
       return p;
@@ -334,7 +323,7 @@ TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotComparedWhereTheGridPointsAreF
   by_bits.least_bits = 4;
   for (const Freedom& freedom : {by_tolerance, by_rounding, by_bits}) {
     info.profile.freedom = freedom;
-    Placing subject(info, UpFrom42Of(0x1p-8));
+    FakeSubject subject = Placing(info, UpFrom42Of(0x1p-8));
     EXPECT_EQ(Judged("FragmentBarycentricsStayWithinTheirError", subject, FoldedRow()).outcome,
               Outcome::kNotApplicable);
   }
@@ -343,7 +332,7 @@ TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotComparedWhereTheGridPointsAreF
 TEST(FreeChoices, ClipSpaceAndManyTrianglesAreSearchedJointly) {
   SubjectInfo info = FreeInfo(8, 0.6);
   info.takes_clip = true;
-  Placing subject(info, UpFrom42Of(0x1p-8));
+  FakeSubject subject = Placing(info, UpFrom42Of(0x1p-8));
   Scene clip = FoldedRow();
   clip.clip_space = true;
   const Verdict in_clip_space = Judged("OneLegalModelExplainsTheMesh", subject, clip);
@@ -357,10 +346,10 @@ TEST(FreeChoices, ClipSpaceAndManyTrianglesAreSearchedJointly) {
 }
 
 // Draws what is infinite as if it were far away.
-Placing ClampsInfinity(const SubjectInfo& info) {
-  return {info, [](Point2 at, std::int32_t) {
-            return Point2{std::clamp(at.x, -8.0, 8.0), std::clamp(at.y, -8.0, 8.0)};
-          }};
+FakeSubject ClampsInfinity(const SubjectInfo& info) {
+  return Placing(info, [](Point2 at, std::int32_t) {
+    return Point2{std::clamp(at.x, -8.0, 8.0), std::clamp(at.y, -8.0, 8.0)};
+  });
 }
 
 Scene WithCorner(double x) {
@@ -378,13 +367,13 @@ TEST(InfiniteVertices, AreJudgedWhereTheProfileSaysWhatTheyCover) {
     for (const std::string_view preset : kPresetProfiles) {
       SubjectInfo info;
       info.profile = *PresetProfile(preset);
-      Placing open = ClampsInfinity(info);
+      FakeSubject open = ClampsInfinity(info);
       const Scene judged = property == "BadTrianglesPoisonNoOthers" ? WithCorner(8) : scene;
       EXPECT_EQ(Judged(property, open, judged).outcome == Outcome::kViolated, preset == "real")
           << property << " under " << preset;
       info.profile.name = "stated";
       info.profile.infinite_vertex = InfiniteVertex::kNothing;
-      Placing stated = ClampsInfinity(info);
+      FakeSubject stated = ClampsInfinity(info);
       EXPECT_EQ(Judged(property, stated, judged).outcome, Outcome::kViolated) << property;
     }
   }
@@ -393,7 +382,7 @@ TEST(InfiniteVertices, AreJudgedWhereTheProfileSaysWhatTheyCover) {
 TEST(InfiniteVertices, LeaveNaNJudged) {
   SubjectInfo info;
   info.profile = *PresetProfile("vulkan-canonical");
-  Placing takes_nan(info, [](Point2 at, std::int32_t) {
+  FakeSubject takes_nan = Placing(info, [](Point2 at, std::int32_t) {
     return Point2{std::isnan(at.x) ? 8 : at.x, std::isnan(at.y) ? 8 : at.y};
   });
   const Scene scene = WithCorner(std::nan(""));

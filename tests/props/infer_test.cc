@@ -23,13 +23,12 @@
 #include "props/infer/directed.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
 
-using testing::PlantedSubject;
 using testing::RealInfo;
 
 // What is compared of a model: all but its name and what bounds verdicts only.
@@ -48,7 +47,7 @@ void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
 }
 
 // Draws as `model` does and states `stated`.
-PlantedSubject Follows(const Profile& model, const Profile& stated) {
+FakeSubject Follows(const Profile& model, const Profile& stated) {
   SubjectInfo info = RealInfo();
   info.profile = stated;
   return {info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
@@ -86,7 +85,7 @@ int Differences(const Profile& a, const Profile& b, int cases) {
 
 void ExpectFound(const Profile& planted) {
   SCOPED_TRACE(Describe(planted));
-  PlantedSubject subject = Follows(planted, planted);
+  FakeSubject subject = Follows(planted, planted);
   const Inference inference = Infer(subject);
   ASSERT_TRUE(inference.Fits()) << inference.message << "; nearest "
                                 << Describe(inference.nearest->profile);
@@ -189,7 +188,7 @@ const StatementVerdict* Find(const Inference& inference, std::string_view statem
 TEST(Infer, ContradictsAnUntrueStatementWithACase) {
   const Profile model = Snapped(4, SnapRule::kNearestEven);
   const Profile stated = Snapped(8, SnapRule::kNearestEven);
-  PlantedSubject subject = Follows(model, stated);
+  FakeSubject subject = Follows(model, stated);
   const Inference inference = Infer(subject);
   ASSERT_TRUE(inference.Fits()) << inference.message;
   EXPECT_FALSE(inference.Agrees());
@@ -207,19 +206,19 @@ TEST(Infer, FreedomAllowsWhatItSaysAndNoMore) {
   stated.freedom = {.snap_tolerance = 0.6, .ties = TieOwnership::kAxisAligned};
   Profile away = Snapped(8, SnapRule::kNearestAway);
   away.tie_rule = kConsistentRules[5];
-  PlantedSubject legal = Follows(away, stated);
+  FakeSubject legal = Follows(away, stated);
   EXPECT_TRUE(Infer(legal).Agrees());
-  PlantedSubject floor = Follows(Snapped(8, SnapRule::kFloor), stated);
+  FakeSubject floor = Follows(Snapped(8, SnapRule::kFloor), stated);
   EXPECT_FALSE(Infer(floor).Agrees()) << "up to a whole step is more than 0.6";
   stated.freedom.snap_tolerance = 1;
-  PlantedSubject tolerated = Follows(Snapped(8, SnapRule::kFloor), stated);
+  FakeSubject tolerated = Follows(Snapped(8, SnapRule::kFloor), stated);
   EXPECT_TRUE(Infer(tolerated).Agrees());
 }
 
 TEST(Infer, AContractOfNoneIsObservedOnly) {
   Profile stated = Snapped(8, SnapRule::kNearestEven);
   stated.contract = Contract::kNone;
-  PlantedSubject subject = Follows(Snapped(4, SnapRule::kFloor), stated);
+  FakeSubject subject = Follows(Snapped(4, SnapRule::kFloor), stated);
   EXPECT_TRUE(Infer(subject).Agrees());
 }
 
@@ -227,7 +226,7 @@ TEST(Infer, ToldReversedFacings) {
   const Profile model = Snapped(8, SnapRule::kNearestEven);
   SubjectInfo info = RealInfo();
   info.profile = model;
-  PlantedSubject subject(
+  FakeSubject subject(
       info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         CoverageCounts drawn = exact::Coverage(scene, model, options);
         std::swap(drawn.front, drawn.back);
@@ -244,7 +243,7 @@ TEST(Infer, FindsTheModelOfSamplesWhoseFacingsAreGuessed) {
   const Profile model = Snapped(8, SnapRule::kFloor);
   SubjectInfo info = RealInfo();
   info.profile = model;
-  PlantedSubject subject(
+  FakeSubject subject(
       info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         const CoverageCounts drawn = exact::Coverage(scene, model, options);
         // On whole pixels a triangle can face the other way, or none.
@@ -270,12 +269,13 @@ TEST(Infer, TakesClipSpaceAndCountsWithoutFacings) {
   info.takes_clip = true;
   info.coverage = CoverageKind::kCounts;
   int window_scenes = 0;
-  PlantedSubject subject(
-      info, [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-        window_scenes += scene.clip_space ? 0 : 1;
-        const CoverageCounts drawn = exact::Coverage(scene, model, options);
-        for (std::size_t k = 0; k < drawn.size(); ++k) counts.front[k] += drawn.Count(k);
-      });
+  FakeSubject subject(info,
+                      [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                        window_scenes += scene.clip_space ? 0 : 1;
+                        const CoverageCounts drawn = exact::Coverage(scene, model, options);
+                        for (std::size_t k = 0; k < drawn.size(); ++k)
+                          counts.front[k] += drawn.Count(k);
+                      });
   const Inference inference = Infer(subject);
   ASSERT_TRUE(inference.Fits()) << inference.message;
   EXPECT_EQ(window_scenes, 0);
@@ -285,7 +285,7 @@ TEST(Infer, TakesClipSpaceAndCountsWithoutFacings) {
 }
 
 // Top-left in one tile, bottom-right in the next, as a checkerboard.
-PlantedSubject FlipsItsRuleByTile(const Profile& profile) {
+FakeSubject FlipsItsRuleByTile(const Profile& profile) {
   SubjectInfo info = RealInfo();
   info.profile = profile;
   return {info, [profile](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
@@ -305,7 +305,7 @@ PlantedSubject FlipsItsRuleByTile(const Profile& profile) {
 }
 
 TEST(Infer, NoModelFitsARuleThatFlipsByTile) {
-  PlantedSubject subject = FlipsItsRuleByTile(Snapped(8, SnapRule::kNearestEven));
+  FakeSubject subject = FlipsItsRuleByTile(Snapped(8, SnapRule::kNearestEven));
   const Inference inference = Infer(subject);
   EXPECT_FALSE(inference.Fits());
   EXPECT_FALSE(inference.message.empty());
@@ -324,7 +324,7 @@ TEST(Infer, NoModelFitsARuleThatFlipsByTile) {
 }
 
 TEST(Infer, NoModelFitsASubjectThatThrowsOrCulls) {
-  PlantedSubject throwing(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+  FakeSubject throwing(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw std::runtime_error("out of order");
   });
   const Inference broken = Infer(throwing);
@@ -333,17 +333,17 @@ TEST(Infer, NoModelFitsASubjectThatThrowsOrCulls) {
   EXPECT_TRUE(broken.witness.has_value());
   DrawOptions front_only;
   front_only.cull = Cull::kBack;
-  PlantedSubject culling(RealInfo(),
-                         [&](const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
-                           AddTo(counts, exact::Coverage(scene, Profile{}, front_only));
-                         });
+  FakeSubject culling(RealInfo(),
+                      [&](const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
+                        AddTo(counts, exact::Coverage(scene, Profile{}, front_only));
+                      });
   const Inference culled = Infer(culling);
   EXPECT_FALSE(culled.Fits());
   EXPECT_NE(culled.message.find("turn the other way"), std::string::npos) << culled.message;
 }
 
 // Breaks off at the n-th draw.
-PlantedSubject EndsAt(int n, void (*end)(), int& draws) {
+FakeSubject EndsAt(int n, void (*end)(), int& draws) {
   const Profile model = Snapped(8, SnapRule::kHalfUp);
   SubjectInfo info = RealInfo();
   info.profile = model;
@@ -357,7 +357,7 @@ PlantedSubject EndsAt(int n, void (*end)(), int& draws) {
 TEST(Infer, AsksASubjectThatBrokeOffNoMoreAndSaysHowItEnded) {
   for (const int n : {1, 3, 20, 100}) {
     int draws = 0;
-    PlantedSubject subject = EndsAt(n, [] { BreakDown("it crashed"); }, draws);
+    FakeSubject subject = EndsAt(n, [] { BreakDown("it crashed"); }, draws);
     const Inference inference = Infer(subject);
     EXPECT_EQ(draws, n);
     EXPECT_EQ(inference.experiments, static_cast<std::uint64_t>(n));
@@ -371,7 +371,7 @@ TEST(Infer, AsksASubjectThatBrokeOffNoMoreAndSaysHowItEnded) {
 
 TEST(Infer, IsInconclusiveWhereTheSubjectIsTooSlow) {
   int draws = 0;
-  PlantedSubject subject = EndsAt(20, [] { throw SubjectStop(Stop::kTooSlow, "a day"); }, draws);
+  FakeSubject subject = EndsAt(20, [] { throw SubjectStop(Stop::kTooSlow, "a day"); }, draws);
   const Inference inference = Infer(subject);
   EXPECT_EQ(draws, 20);
   EXPECT_TRUE(inference.is_inconclusive);
@@ -387,7 +387,7 @@ TEST(Infer, FindsTheModelOfASubjectThatTakesLittleRoom) {
     planted.tie_rule = *TieRuleFromName("bottom-right");
     planted.pattern.locations = {{0.5625, 0.25}};
     double farthest = 0;
-    PlantedSubject subject(
+    FakeSubject subject(
         Follows(planted, planted).Info(),
         [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
           for (const Vertex& v : scene.vertices)
@@ -407,11 +407,11 @@ TEST(Infer, SaysWhatItLookedForWhereFinerPlacesHaveNoRoom) {
   Profile planted = Snapped(8, SnapRule::kNearestEven);
   planted.coordinate_limit = 140;
   planted.pattern.locations = {{0.5 + 1.0 / 256, 0.5}};
-  PlantedSubject as_stated = Follows(planted, planted);
+  FakeSubject as_stated = Follows(planted, planted);
   EXPECT_TRUE(Infer(as_stated).Fits());
   Profile centred = planted;
   centred.pattern.locations = {{0.5, 0.5}};
-  PlantedSubject subject = Follows(planted, centred);
+  FakeSubject subject = Follows(planted, centred);
   const Inference inference = Infer(subject);
   EXPECT_FALSE(inference.Fits());
   EXPECT_NE(inference.message.find("multiples of 1/32 pixel"), std::string::npos)
@@ -421,7 +421,7 @@ TEST(Infer, SaysWhatItLookedForWhereFinerPlacesHaveNoRoom) {
 TEST(Infer, IsInconclusiveWhereThereIsNoRoomForTheCoarsestPlaces) {
   Profile planted = Snapped(4, SnapRule::kHalfUp);
   planted.coordinate_limit = 65;
-  PlantedSubject subject = Follows(planted, planted);
+  FakeSubject subject = Follows(planted, planted);
   const Inference inference = Infer(subject);
   EXPECT_TRUE(inference.is_inconclusive);
   EXPECT_NE(inference.message.find("up to 66"), std::string::npos) << inference.message;
@@ -429,7 +429,7 @@ TEST(Infer, IsInconclusiveWhereThereIsNoRoomForTheCoarsestPlaces) {
 
 TEST(Infer, IsInconclusiveWhereAViewportTakesNoVertexToThePlacesOfItsProbes) {
   int draws = 0;
-  PlantedSubject subject = EndsAt(0, [] {}, draws);
+  FakeSubject subject = EndsAt(0, [] {}, draws);
   SubjectInfo info = subject.Info();
   info.takes_window = false;
   info.takes_clip = true;
@@ -441,7 +441,7 @@ TEST(Infer, IsInconclusiveWhereAViewportTakesNoVertexToThePlacesOfItsProbes) {
 }
 
 TEST(Infer, IsTheSameEveryTime) {
-  PlantedSubject subject = Follows(Snapped(8, SnapRule::kHalfUp), Snapped(8, SnapRule::kHalfUp));
+  FakeSubject subject = Follows(Snapped(8, SnapRule::kHalfUp), Snapped(8, SnapRule::kHalfUp));
   const Inference once = Infer(subject);
   const Inference twice = Infer(subject);
   EXPECT_EQ(once.experiments, twice.experiments);
@@ -466,7 +466,7 @@ TEST(Infer, SaysNothingOfRoundedCrossings) {
 TEST(Infer, NamesThePlantedModelOfASubjectThatIsWrongNowAndThen) {
   Profile model = Snapped(12, SnapRule::kFloor);
   model.tie_rule = *TieRuleFromName("bottom-right");
-  PlantedSubject subject(
+  FakeSubject subject(
       RealInfo(), [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         CoverageCounts drawn = exact::Coverage(scene, model, options);
         if (!scene.vertices.empty() && scene.vertices[0].y < 1) drawn.front[0] = drawn.back[0] = 0;
@@ -484,7 +484,7 @@ TEST(Infer, NamesThePlantedModelOfASubjectThatIsWrongNowAndThen) {
 
 TEST(Infer, FindsTheModelOfASubjectThatRefusesSomeScenes) {
   const Profile model = Snapped(4, SnapRule::kNearestEven);
-  PlantedSubject subject(
+  FakeSubject subject(
       RealInfo(), [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         if (!scene.vertices.empty() && scene.vertices[0].x < 0) {
           throw SubjectStop(Stop::kRefused, "no");

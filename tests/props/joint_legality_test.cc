@@ -17,12 +17,10 @@
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
-
-using testing::PlantedSubject;
 
 SubjectInfo FreeInfo(int bits, double tolerance, bool any_owner) {
   SubjectInfo info = testing::SnappedInfo(bits);
@@ -39,8 +37,8 @@ void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
 }
 
 // Draws each triangle by the profile that `of` makes of the stated one.
-PlantedSubject EachBy(const SubjectInfo& info,
-                      const std::function<void(Profile&, const Triangle&)>& of) {
+FakeSubject EachBy(const SubjectInfo& info,
+                   const std::function<void(Profile&, const Triangle&)>& of) {
   return {info, [profile = info.profile, of](const Scene& scene, const DrawOptions& options,
                                              CoverageCounts& counts) {
             for (const Triangle& t : scene.triangles) {
@@ -54,7 +52,7 @@ PlantedSubject EachBy(const SubjectInfo& info,
 }
 
 // Ties of the snap go up for one of two neighbours and down for the other.
-PlantedSubject SnapsNeighboursApart(const SubjectInfo& info) {
+FakeSubject SnapsNeighboursApart(const SubjectInfo& info) {
   return EachBy(info, [](Profile& profile, const Triangle& t) {
     const bool odd = std::max({t[0], t[1], t[2]}) % 2 != 0;
     profile.snap.rule = odd ? SnapRule::kHalfUp : SnapRule::kNearestEven;
@@ -85,7 +83,7 @@ Tried Try(Subject& subject, std::string_view domain, int cases) {
   return tried;
 }
 
-void ExpectLegal(PlantedSubject subject, std::string_view what) {
+void ExpectLegal(FakeSubject subject, std::string_view what) {
   for (const std::string_view domain : {"shared-snap-ties", "snap-ties", "shared-edge", "fans"}) {
     const Tried tried = Try(subject, domain, 40);
     EXPECT_EQ(tried.violated, 0) << what << " on " << domain;
@@ -120,17 +118,17 @@ TEST(JointLegality, EveryConsistentTieRuleIsLegalWhereTheRuleIsFree) {
 }
 
 TEST(JointLegality, WhatTheToleranceDoesNotAllowIsFound) {
-  PlantedSubject floor = testing::WithProfile(FreeInfo(4, 0.6, false),
-                                              [](Profile& p) { p.snap.rule = SnapRule::kFloor; });
+  FakeSubject floor = testing::WithProfile(FreeInfo(4, 0.6, false),
+                                           [](Profile& p) { p.snap.rule = SnapRule::kFloor; });
   EXPECT_GT(Try(floor, "snap-ties", 60).violated, 0);
-  PlantedSubject coarse =
+  FakeSubject coarse =
       testing::WithProfile(FreeInfo(8, 0.6, false), [](Profile& p) { p.snap.bits = 4; });
   EXPECT_GT(Try(coarse, "snap-ties", 60).violated, 0);
-  PlantedSubject two_rules = EachBy(FreeInfo(8, 0, true), [](Profile& profile, const Triangle& t) {
+  FakeSubject two_rules = EachBy(FreeInfo(8, 0, true), [](Profile& profile, const Triangle& t) {
     profile.tie_rule = kConsistentRules[std::max({t[0], t[1], t[2]}) % 2 == 0 ? 0 : 3];
   });
   EXPECT_GT(Try(two_rules, "fans", 60).violated, 0);
-  PlantedSubject mesh_differs(
+  FakeSubject mesh_differs(
       FreeInfo(8, 0.6, false),
       [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         Profile profile = FreeInfo(8, 0.6, false).profile;
@@ -188,7 +186,7 @@ bool IsLegalSampleBySample(Subject& subject, const Case& c) {
 }
 
 TEST(JointLegality, NeighboursSnappedApartAreFoundThoughEachSampleIsLegal) {
-  PlantedSubject subject = SnapsNeighboursApart(FreeInfo(4, 0.6, false));
+  FakeSubject subject = SnapsNeighboursApart(FreeInfo(4, 0.6, false));
   const Tried tried = Try(subject, "shared-snap-ties", 300);
   ASSERT_GT(tried.violated, 3);
   int let_through = 0;
@@ -204,7 +202,7 @@ TEST(JointLegality, NeighboursSnappedApartAreFoundThoughEachSampleIsLegal) {
 }
 
 TEST(JointLegality, AppliesToFreeProfilesOnly) {
-  PlantedSubject exact_model = testing::Sound(testing::SnappedInfo(8));
+  FakeSubject exact_model = testing::Sound(testing::SnappedInfo(8));
   PhiloxSource bits(3, 0);
   const Case c = FindDomain("fans")->draw(bits, exact_model.Info());
   EXPECT_EQ(OneLegalModelExplainsTheMesh(exact_model, c).outcome, Outcome::kNotApplicable);

@@ -12,7 +12,7 @@
 #include "exact/coverage.h"
 #include "props/judging/as_shown.h"
 #include "props/run/campaign.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/props/shown_subject.h"
 
 namespace rasterproof::props {
@@ -56,7 +56,7 @@ bool IsLarge(const Case& c) {
 }
 
 // Turns the answer at one sample of what it draws around.
-ShownSubject WrongAt(CoverageKind kind, int x, int row) {
+FakeSubject WrongAt(CoverageKind kind, int x, int row) {
   return ShownSubject(kind, TakesAll,
                       [=](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
                         DrawRight(scene, options, counts);
@@ -75,12 +75,12 @@ TEST(ALargeMesh, IsDrawnInOneCallAndJudgedByWhatIsCovered) {
   const Case sheet = Sheet(24, 24, true);
   ASSERT_TRUE(IsLarge(sheet));
   for (const CoverageKind kind : {CoverageKind::kMask, CoverageKind::kPrimitiveIds}) {
-    ShownSubject sound(kind, TakesAll, DrawRight);
+    FakeSubject sound = ShownSubject(kind, TakesAll, DrawRight);
     const Verdict holds = Judge(sound, "CoverageEqualsTheModel", sheet);
     EXPECT_EQ(holds.outcome, Outcome::kHolds) << holds.message;
-    EXPECT_EQ(sound.calls, 1U);
+    EXPECT_EQ(sound.draws, 1U);
     for (const auto& [x, row] : {std::array{100, 100}, std::array{3, 500}}) {
-      ShownSubject wrong = WrongAt(kind, x, row);
+      FakeSubject wrong = WrongAt(kind, x, row);
       const Verdict found = Judge(wrong, "CoverageEqualsTheModel", sheet);
       ASSERT_EQ(found.outcome, Outcome::kViolated);
       EXPECT_EQ(found.witness->x, x);
@@ -90,21 +90,21 @@ TEST(ALargeMesh, IsDrawnInOneCallAndJudgedByWhatIsCovered) {
 }
 
 TEST(ALargeMesh, ThatIsCountedIsDrawnByItsTwoSides) {
-  ShownSubject counts(CoverageKind::kCounts, TakesAll, DrawRight);
+  FakeSubject counts = ShownSubject(CoverageKind::kCounts, TakesAll, DrawRight);
   EXPECT_EQ(Judge(counts, "ClosedMeshCancels", Sheet(24, 24, true)).outcome, Outcome::kHolds);
-  EXPECT_EQ(counts.calls, 2U);
+  EXPECT_EQ(counts.draws, 2U);
 }
 
 TEST(ALargeMesh, SaysNothingOfFacingsWhereNoneAreShown) {
   const Case sheet = Sheet(24, 24, true);
   for (const std::string_view property :
        {"ClosedMeshCancels", "SignedCoverageEqualsTheWindingNumber"}) {
-    ShownSubject mask(CoverageKind::kMask, TakesAll, DrawRight);
+    FakeSubject mask = ShownSubject(CoverageKind::kMask, TakesAll, DrawRight);
     const Verdict verdict = Judge(mask, property, sheet);
     EXPECT_EQ(verdict.outcome, Outcome::kNotExercised) << property;
     EXPECT_EQ(verdict.message, kJudgedAsShown);
-    EXPECT_EQ(mask.calls, 0U);
-    ShownSubject facings(CoverageKind::kFacingCounts, TakesAll, DrawRight);
+    EXPECT_EQ(mask.draws, 0U);
+    FakeSubject facings = ShownSubject(CoverageKind::kFacingCounts, TakesAll, DrawRight);
     EXPECT_EQ(Judge(facings, property, sheet).outcome, Outcome::kHolds) << property;
   }
 }
@@ -112,7 +112,7 @@ TEST(ALargeMesh, SaysNothingOfFacingsWhereNoneAreShown) {
 TEST(ALargeMesh, HasGapsThatAreSeenAndOverlapsThatAreNot) {
   const Case sheet = Sheet(24, 24, false);
   ASSERT_TRUE(IsLarge(sheet));
-  const auto judged = [&](ShownSubject subject) {
+  const auto judged = [&](FakeSubject subject) {
     return Judge(subject, "EmbeddedMeshSamplesAreCoveredOnce", sheet);
   };
   const Verdict sound = judged(ShownSubject(CoverageKind::kMask, TakesAll, DrawRight));

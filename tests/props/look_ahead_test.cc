@@ -3,13 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
-#include <stdexcept>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/call_end.h"
@@ -17,7 +15,7 @@
 #include "exact/coverage.h"
 #include "props/domains/domain.h"
 #include "props/run/campaign.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
@@ -25,66 +23,23 @@ namespace {
 
 constexpr std::uint64_t kLookAheadSeed = 1;
 
-// The exact model of a profile, and how it was called.
-class Called final : public Subject {
- public:
-  explicit Called(SubjectInfo info, Profile drawn) : info_(std::move(info)), drawn_(drawn) {}
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  bool SharesCalls() const override { return true; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    ++draws;
-    if (keeps_scenes) drawn.push_back(scene);
-    if (breaks_left_of < 0) {
-      for (const Vertex& v : scene.vertices) {
-        if (v.x < breaks_left_of) BreakDown("it broke");
-      }
-    }
-    CoverageCounts covered = exact::Coverage(scene, drawn_, options);
-    if (info_.coverage != CoverageKind::kFacingCounts) {
-      for (std::size_t k = 0; k < covered.size(); ++k) {
-        covered.front[k] += std::exchange(covered.back[k], 0);
-        if (info_.coverage == CoverageKind::kMask && covered.front[k] > 1) covered.front[k] = 1;
-      }
-    }
-    counts += covered;
-  }
-  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
-    calls.push_back(jobs.size());
-    if (keeps_scenes && jobs.size() > 1) {
-      scenes.emplace_back();
-      for (const DrawJob& job : jobs) scenes.back().push_back(SceneOf(job));
-    }
-    std::vector<DrawOutcome> outcomes = Subject::DrawMany(jobs);
-    if (leaks && outcomes.size() > 8) ++outcomes[8].drawing.counts.front[0];
-    return outcomes;
-  }
-
-  std::size_t draws = 0;
-  std::vector<std::size_t> calls;  ///< how many jobs each had
-  bool keeps_scenes = false;
-  std::vector<std::vector<Scene>> scenes;  ///< of each call for many draws
-  std::vector<Scene> drawn;                ///< in the order of drawing
-  double breaks_left_of = 0;
-  bool leaks = false;
-
- private:
-  SubjectInfo info_;
-  Profile drawn_;
-};
-
-struct Outside {
-  explicit Outside(std::unique_ptr<Called> called_) : called(*called_), whole(std::move(called_)) {}
-  Called& called;
-  std::unique_ptr<Subject> whole;
-};
-
-Outside Make(CoverageKind kind, bool inclusive) {
+// The exact model, or one whose edges all own their samples, shown as `kind`. Breaks down over a
+// vertex left of `least_x`.
+FakeSubject Make(CoverageKind kind, bool inclusive, double least_x = -HUGE_VAL) {
   SubjectInfo info = testing::RealInfo();
   info.coverage = kind;
   info.takes_batches = true;
   Profile drawn = info.profile;
   drawn.tie_rule.inclusive = inclusive;
-  return Outside(std::make_unique<Called>(info, drawn));
+  return FakeSubject::Outside(
+      info, [=](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+        for (const Vertex& v : scene.vertices) {
+          if (v.x < least_x) BreakDown("it broke");
+        }
+        CoverageCounts covered = exact::Coverage(scene, drawn, options);
+        HideFacings(kind, covered);
+        counts += covered;
+      });
 }
 
 std::vector<Case> SomeCases(const SubjectInfo& info, const Property& property, std::uint64_t n) {
@@ -102,13 +57,13 @@ bool HasADomain(const Property& property, const SubjectInfo& info) {
 }
 
 // Runs the cases both ways, up to the first violated one. Returns what came of them together.
-std::vector<Trial> ExpectTheSameVerdicts(Outside outside, const Property& property,
+std::vector<Trial> ExpectTheSameVerdicts(FakeSubject outside, const Property& property,
                                          std::uint64_t n) {
-  const std::vector<Case> cases = SomeCases(outside.whole->Info(), property, n);
-  const std::vector<Trial> batched = TryTogether(*outside.whole, property, cases);
+  const std::vector<Case> cases = SomeCases(outside.Info(), property, n);
+  const std::vector<Trial> batched = TryTogether(outside, property, cases);
   EXPECT_FALSE(batched.empty());
   for (std::size_t k = 0; k < batched.size(); ++k) {
-    const Verdict alone = RunCase(*outside.whole, property, cases[k]);
+    const Verdict alone = RunCase(outside, property, cases[k]);
     const Verdict& together = batched[k].verdict;
     EXPECT_EQ(together.outcome, alone.outcome) << property.name << " " << k;
     EXPECT_EQ(together.message, alone.message) << property.name << " " << k;
@@ -133,74 +88,83 @@ TEST(Batches, GiveTheVerdictsOfSingleDraws) {
 
 TEST(Batches, NameTheCaseThatBreaksTheSubjectDown) {
   const Property& property = *FindProperty("CoverageEqualsTheModel");
-  Outside outside = Make(CoverageKind::kCounts, false);
-  outside.called.breaks_left_of = -100;
-  const std::vector<Trial> trials = ExpectTheSameVerdicts(std::move(outside), property, 40);
+  const std::vector<Trial> trials =
+      ExpectTheSameVerdicts(Make(CoverageKind::kCounts, false, -100), property, 40);
   ASSERT_FALSE(trials.empty());
   EXPECT_EQ(trials.back().stop, Stop::kBrokeDown);
 }
 
 TEST(Batches, PutTheDrawsOfManyCasesIntoOneCall) {
   const Property& property = *FindProperty("CoverageEqualsTheModel");
-  const Outside outside = Make(CoverageKind::kFacingCounts, false);
-  const std::vector<Case> cases = SomeCases(outside.whole->Info(), property, 20);
-  TryTogether(*outside.whole, property, cases);
-  EXPECT_EQ(outside.called.calls, (std::vector<std::size_t>{20}));
-  EXPECT_EQ(outside.called.draws, 20U);
+  FakeSubject outside = Make(CoverageKind::kFacingCounts, false);
+  const std::vector<Case> cases = SomeCases(outside.Info(), property, 20);
+  TryTogether(outside, property, cases);
+  EXPECT_EQ(outside.calls, (std::vector<std::size_t>{20}));
+  EXPECT_EQ(outside.draws, 20U);
 }
 
 TEST(Batches, AreWhatACampaignDraws) {
-  const Outside outside = Make(CoverageKind::kFacingCounts, false);
+  FakeSubject outside = Make(CoverageKind::kFacingCounts, false);
   CampaignOptions options;
   options.cases = 64;
   const PropertyResult result =
-      RunCampaign(*outside.whole, *FindProperty("CoverageEqualsTheModel"), options);
+      RunCampaign(outside, *FindProperty("CoverageEqualsTheModel"), options);
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
-  EXPECT_EQ(outside.called.calls, (std::vector<std::size_t>{32, 31}));
+  EXPECT_EQ(outside.calls, (std::vector<std::size_t>{32, 31}));
 }
 
 TEST(Batches, ThatChangeWhatIsDrawnAreAFinding) {
-  const Outside outside = Make(CoverageKind::kFacingCounts, false);
-  outside.called.leaks = true;
+  FakeSubject outside = Make(CoverageKind::kFacingCounts, false);
+  outside.on_answer = [](std::vector<DrawOutcome>& outcomes) {
+    if (outcomes.size() > 8) ++outcomes[8].drawing.counts.front[0];
+  };
   CampaignOptions options;
   options.cases = 64;
   const PropertyResult result =
-      RunCampaign(*outside.whole, *FindProperty("CoverageEqualsTheModel"), options);
+      RunCampaign(outside, *FindProperty("CoverageEqualsTheModel"), options);
   EXPECT_EQ(result.outcome, Outcome::kViolated);
   const Case ninth =
-      DrawCase(outside.whole->Info(), *FindProperty("CoverageEqualsTheModel"), kDefaultSeed, 8);
+      DrawCase(outside.Info(), *FindProperty("CoverageEqualsTheModel"), kDefaultSeed, 8);
   EXPECT_EQ(result.failing_case, ninth.origin);
   EXPECT_NE(result.message.find("alone the case does not fail"), std::string::npos)
       << result.message;
 }
 
-// Runs 64 cases, which all hold, and keeps their scenes.
-void KeepScenes(const Outside& outside, std::string_view property) {
-  outside.called.keeps_scenes = true;
-  CampaignOptions options;
-  options.cases = 64;
-  const PropertyResult result = RunCampaign(*outside.whole, *FindProperty(property), options);
+// Runs 64 cases, which all hold. Returns the scenes of each call.
+std::vector<std::vector<Scene>> CallsOf(CoverageKind kind, std::string_view property) {
+  std::vector<std::vector<Scene>> calls;
+  FakeSubject outside = Make(kind, false);
+  outside.on_call = [&](std::span<const DrawJob> jobs) {
+    std::vector<Scene>& scenes = calls.emplace_back();
+    for (const DrawJob& job : jobs) scenes.push_back(SceneOf(job));
+  };
+  const PropertyResult result = RunCampaign(outside, *FindProperty(property), {.cases = 64});
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
-  EXPECT_FALSE(outside.called.drawn.empty());
+  return calls;
 }
 
 TEST(Batches, LeaveCallsThatMustFollowEachOtherAlone) {
-  const Outside outside = Make(CoverageKind::kCounts, false);
-  KeepScenes(outside, "EqualDrawsGiveEqualCounts");
-  const std::vector<Scene>& drawn = outside.called.drawn;
+  std::vector<Scene> drawn;
+  for (const std::vector<Scene>& call :
+       CallsOf(CoverageKind::kCounts, "EqualDrawsGiveEqualCounts")) {
+    drawn.insert(drawn.end(), call.begin(), call.end());
+  }
+  ASSERT_FALSE(drawn.empty());
   ASSERT_EQ(drawn.size() % 2, 0U);
   for (std::size_t k = 0; k < drawn.size(); k += 2) EXPECT_TRUE(drawn[k] == drawn[k + 1]) << k;
 }
 
 TEST(Batches, AddNothingToACallThatAPropertyPutsTogether) {
-  const Outside outside = Make(CoverageKind::kFacingCounts, false);
-  KeepScenes(outside, "BatchDrawsLikeSingleCalls");
-  EXPECT_EQ(outside.called.scenes.size(), 64U);
-  for (const std::vector<Scene>& scenes : outside.called.scenes) {
+  std::size_t batches = 0;
+  for (const std::vector<Scene>& scenes :
+       CallsOf(CoverageKind::kFacingCounts, "BatchDrawsLikeSingleCalls")) {
+    if (scenes.size() == 1) continue;
+    ++batches;
     EXPECT_LE(scenes.size(), 12U);
     ASSERT_GT(scenes.size(), 4U);
     EXPECT_TRUE(scenes.front() == scenes.back()) << "the case comes first and last";
   }
+  EXPECT_EQ(batches, 64U);
 }
 
 }  // namespace

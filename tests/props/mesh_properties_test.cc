@@ -19,13 +19,12 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/contract_evidence.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
 
-using testing::PlantedSubject;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
@@ -65,7 +64,7 @@ CoverageCounts DrawnElsewhere(const Scene& scene, const Profile& stated,
   return exact::Coverage(scene, OwnProfile(scene, stated), options);
 }
 
-PlantedSubject Elsewhere(const SubjectInfo& info) {
+FakeSubject Elsewhere(const SubjectInfo& info) {
   return {info, [info](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             counts += DrawnElsewhere(scene, info.profile, options);
           }};
@@ -73,7 +72,7 @@ PlantedSubject Elsewhere(const SubjectInfo& info) {
 
 // Where all lies in front of the eye, each position is up to nine tenths of a pixel off, on each
 // axis, by its bits: triangles fold and turn wherever they are small enough for it.
-PlantedSubject Displaced(const SubjectInfo& info) {
+FakeSubject Displaced(const SubjectInfo& info) {
   return {info, [info](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             Scene moved = scene;
             moved.precision = Precision::kFloat64;
@@ -94,7 +93,7 @@ PlantedSubject Displaced(const SubjectInfo& info) {
 }
 
 // On that grid, but each triangle is a fifth of a pixel to one side of its neighbour, by turns.
-PlantedSubject Cracked(const SubjectInfo& info) {
+FakeSubject Cracked(const SubjectInfo& info) {
   return {info, [info](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
               Scene one = scene;
@@ -120,17 +119,17 @@ Verdict Judged(Subject& subject, std::string_view property, const Case& c) {
 void ExpectSoundHoldsAndCrackedIsFound(const SubjectInfo& info) {
   bool found = false;
   for (const std::string_view property : PropertiesOf(info.profile.contract)) {
-    PlantedSubject sound = Elsewhere(info);
+    FakeSubject sound = Elsewhere(info);
     const PropertyResult result = Campaign(sound, property, 400);
     EXPECT_EQ(result.outcome, Outcome::kHolds) << property << ": " << result.message;
     EXPECT_GT(result.cases_exercised, result.cases / 20) << property;
     if (info.profile.contract == Contract::kWatertight && info.profile.snap.IsNone()) {
-      PlantedSubject displaced = Displaced(info);
+      FakeSubject displaced = Displaced(info);
       const PropertyResult other = Campaign(displaced, property, 400);
       EXPECT_EQ(other.outcome, Outcome::kHolds)
           << property << ": " << other.message << ", " << other.failing_case;
     }
-    PlantedSubject cracked = Cracked(info);
+    FakeSubject cracked = Cracked(info);
     found = found || Campaign(cracked, property, 400).outcome == Outcome::kViolated;
   }
   EXPECT_TRUE(found);
@@ -151,10 +150,10 @@ TEST(ClipSpaceMeshes, AreJudgedForAWatertightSubjectOfASnappedProfile) {
 TEST(ClipSpaceMeshes, OfClosedSurfacesAreJudgedForTheContractClosed) {
   const SubjectInfo info = ClipInfo(Contract::kClosed);
   for (const std::string_view property : PropertiesOf(Contract::kClosed)) {
-    PlantedSubject sound = Elsewhere(info);
+    FakeSubject sound = Elsewhere(info);
     const PropertyResult result = Campaign(sound, property, 200);
     EXPECT_EQ(result.outcome, Outcome::kHolds) << property << ": " << result.message;
-    PlantedSubject cracked = Cracked(info);
+    FakeSubject cracked = Cracked(info);
     EXPECT_EQ(Campaign(cracked, property, 200).outcome, Outcome::kViolated) << property;
   }
 }
@@ -179,15 +178,15 @@ Case AroundTheEye(Contract contract) {
 TEST(ClipSpaceMeshes, AroundTheEyeAreCoveredOnceEverywhere) {
   const Case c = AroundTheEye(Contract::kSampleExact);
   SubjectInfo info = ClipInfo(Contract::kSampleExact);
-  PlantedSubject sound = Elsewhere(info);
+  FakeSubject sound = Elsewhere(info);
   const Verdict held = Judged(sound, "EmbeddedMeshSamplesAreCoveredOnce", c);
   EXPECT_EQ(held.outcome, Outcome::kHolds) << held.message;
   EXPECT_EQ(held.exercised, 256U);
-  PlantedSubject hole(
-      info, [info](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-        counts += DrawnElsewhere(scene, info.profile, options);
-        counts.front[counts.Index(5, 6)] = counts.back[counts.Index(5, 6)] = 0;
-      });
+  FakeSubject hole(info,
+                   [info](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                     counts += DrawnElsewhere(scene, info.profile, options);
+                     counts.front[counts.Index(5, 6)] = counts.back[counts.Index(5, 6)] = 0;
+                   });
   const Verdict verdict = Judged(hole, "EmbeddedMeshSamplesAreCoveredOnce", c);
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->x, 5);
@@ -197,7 +196,7 @@ TEST(ClipSpaceMeshes, AroundTheEyeAreCoveredOnceEverywhere) {
 
 TEST(ClipSpaceMeshes, AroundTheEyeOnAGridOfTheirOwnAreNotJudgedWhereAPieceMayTurn) {
   const Case c = AroundTheEye(Contract::kWatertight);
-  PlantedSubject sound = Elsewhere(ClipInfo(Contract::kWatertight));
+  FakeSubject sound = Elsewhere(ClipInfo(Contract::kWatertight));
   const Verdict verdict = Judged(sound, "EmbeddedMeshSamplesAreCoveredOnce", c);
   EXPECT_EQ(verdict.outcome, Outcome::kNotExercised) << verdict.message;
   EXPECT_EQ(verdict.not_judged, 256U);
@@ -221,14 +220,14 @@ TEST(SharedTies, AreCoveredOnceAtLeastOnEdgesAndOnceAwayFromThem) {
       info.profile.tie_rule = {.inclusive = true};
       info.profile.shares_edge_samples = edge_samples;
       const auto with_extra = [&](int x, int y, int more) {
-        return PlantedSubject(
+        return FakeSubject(
             info, [=](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
               counts += exact::Coverage(scene, info.profile, options);
               std::uint32_t& count = counts.back[counts.Index(x, y)];
               count = static_cast<std::uint32_t>(static_cast<int>(count) + more);
             });
       };
-      const auto outcome = [&](PlantedSubject subject) {
+      const auto outcome = [&](FakeSubject subject) {
         return Judged(subject, "EmbeddedMeshSamplesAreCoveredOnce", Square(info.profile)).outcome;
       };
       EXPECT_EQ(outcome(with_extra(7, 7, 0)), Outcome::kHolds);
@@ -247,7 +246,7 @@ Case BesideTheTop(const Profile& profile) {
   return c;
 }
 
-PlantedSubject LosesSample(const SubjectInfo& info, int x, int y) {
+FakeSubject LosesSample(const SubjectInfo& info, int x, int y) {
   return {info, [=](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             counts += exact::Coverage(scene, info.profile, options);
             counts.front[counts.Index(x, y)] = counts.back[counts.Index(x, y)] = 0;
@@ -258,7 +257,7 @@ TEST(NamedEdges, AreTheOnesNearestToTheSample) {
   const SubjectInfo info = RealInfo(Precision::kFloat64);
   const Case c = BesideTheTop(info.profile);
   // Pixel (1, 2): 0.004 below the top edge, some 0.3 from the diagonal.
-  PlantedSubject top = LosesSample(info, 1, 2);
+  FakeSubject top = LosesSample(info, 1, 2);
   EXPECT_NE(Judged(top, "SharedEdgeSamplesAreCoveredOnce", c).outcome, Outcome::kViolated);
   for (const std::string_view property :
        {"EmbeddedMeshSamplesAreCoveredOnce", "CoverageEqualsTheModel",
@@ -268,7 +267,7 @@ TEST(NamedEdges, AreTheOnesNearestToTheSample) {
     EXPECT_EQ(verdict.witness->triangle, 0) << property;
     EXPECT_EQ(verdict.witness->edge, 2) << property << ": from vertex 0 to vertex 1";
   }
-  PlantedSubject diagonal = LosesSample(info, 7, 7);
+  FakeSubject diagonal = LosesSample(info, 7, 7);
   const Verdict verdict = Judged(diagonal, "SharedEdgeSamplesAreCoveredOnce", c);
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   const auto t = static_cast<std::size_t>(verdict.witness->triangle);
@@ -279,7 +278,7 @@ TEST(NamedEdges, AreTheNearestOfTheWholeMeshWhereNoTriangleAloneIsWrong) {
   SubjectInfo info = RealInfo(Precision::kFloat64);
   info.profile.contract = Contract::kWatertight;
   Case c = Square(info.profile);
-  PlantedSubject subject = LosesSample(info, 8, 7);
+  FakeSubject subject = LosesSample(info, 8, 7);
   const Verdict verdict = Judged(subject, "EmbeddedMeshSamplesAreCoveredOnce", c);
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->triangle, 0);
@@ -357,7 +356,7 @@ std::vector<PropertyResult> WholeRun(Subject& subject, std::uint64_t cases) {
 }
 
 ContractEvidence EvidenceOf(const SubjectInfo& info) {
-  PlantedSubject subject = Elsewhere(info);
+  FakeSubject subject = Elsewhere(info);
   return EvidenceOfContract(info, WholeRun(subject, 32));
 }
 

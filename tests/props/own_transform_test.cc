@@ -13,7 +13,7 @@
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"
 #include "subjects/mutants/mutants.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {

@@ -1,7 +1,6 @@
 // What a profile states beyond snap and rule is judged where it is stated, and reached.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -17,13 +16,12 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
 
-using testing::PlantedSubject;
 using testing::RealInfo;
 using testing::SnappedInfo;
 using testing::Sound;
@@ -58,29 +56,9 @@ Case CaseOf(const Profile& profile, std::vector<Vertex> vertices, std::vector<Tr
   return c;
 }
 
-void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    counts.front[k] += more.front[k];
-    counts.back[k] += more.back[k];
-  }
+FakeSubject WithRule(const SubjectInfo& info, const TieRule& rule) {
+  return testing::WithProfile(info, [rule](Profile& profile) { profile.tie_rule = rule; });
 }
-
-// Keeps what it was given, to be looked at.
-class Recording final : public Subject {
- public:
-  explicit Recording(const SubjectInfo& info, const Profile& drawn) : info_(info), drawn_(drawn) {}
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    within_limits_ = within_limits_ && WithinLimits(scene, info_.profile);
-    AddTo(counts, exact::Coverage(scene, drawn_, options));
-  }
-  bool within_limits() const { return within_limits_; }
-
- private:
-  SubjectInfo info_;
-  Profile drawn_;
-  bool within_limits_ = true;
-};
 
 TEST(FixedPointInput, IsGivenItsIntegersByEveryDomain) {
   for (const SubjectInfo& info : FixedInfos()) {
@@ -136,7 +114,7 @@ TEST(FixedPointInput, IsDrawnAtBothEndsOfItsRange) {
 
 TEST(FixedPointInput, SoundSubjectsHoldInEveryProperty) {
   for (const SubjectInfo& info : FixedInfos()) {
-    Recording subject(info, info.profile);
+    FakeSubject subject = Sound(info);
     for (const Property& property : Catalog()) {
       if (DomainsFor(info, property).empty()) continue;
       for (std::uint64_t i = 0; i < Cases<std::uint64_t>(30); ++i) {
@@ -219,17 +197,17 @@ Case FarNeighbours(const Profile& profile) {
 TEST(GuardBand, SkipsSamplesAndStillJudgesMeshes) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.guard_band = WindowBox{-100, -100, 100, 100};
-  PlantedSubject moved(info,
-                       [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-                         Scene clipped = scene;
-                         for (Vertex& v : clipped.vertices) v.y += v.x > 100 ? 0.5 : 0;
-                         counts = exact::Coverage(clipped, SnappedInfo(8).profile, options);
-                       });
+  FakeSubject moved(info,
+                    [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                      Scene clipped = scene;
+                      for (Vertex& v : clipped.vertices) v.y += v.x > 100 ? 0.5 : 0;
+                      counts = exact::Coverage(clipped, SnappedInfo(8).profile, options);
+                    });
   const Case far = FarNeighbours(info.profile);
   EXPECT_EQ(Judged(moved, "CoverageEqualsTheModel", far).outcome, Outcome::kNotExercised);
   EXPECT_EQ(Judged(moved, "SharedEdgeSamplesAreCoveredOnce", far).outcome, Outcome::kHolds);
   EXPECT_EQ(Judged(moved, "SignedCoverageEqualsTheWindingNumber", far).outcome, Outcome::kHolds);
-  PlantedSubject torn(
+  FakeSubject torn(
       info, [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         for (const Triangle& t : scene.triangles) {
           Scene one = scene;
@@ -249,9 +227,9 @@ TEST(GuardBand, SkipsSamplesAndStillJudgesMeshes) {
 TEST(Targets, AreJudgedEachByItsOwnModel) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.by_target_size = {{.max_width = 9, .max_height = 9, .snap = {0, SnapRule::kFloor}}};
-  PlantedSubject sound = Sound(info);
+  FakeSubject sound = Sound(info);
   const TargetProfile always_small(info.profile, 1, 1);
-  PlantedSubject wrong(
+  FakeSubject wrong(
       info, [always_small](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         counts = exact::Coverage(scene, always_small, options);
       });
@@ -272,14 +250,10 @@ TEST(Targets, GrowWhereYGrows) {
   for (const YAxis y_axis : {YAxis::kDown, YAxis::kUp}) {
     SubjectInfo info = SnappedInfo(8);
     info.profile.y_axis = y_axis;
-    PlantedSubject sound = Sound(info);
+    FakeSubject sound = Sound(info);
     const Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {9, 0, 0, 1}, {0, 5, 0, 1}}, {{0, 1, 2}}, 9);
     EXPECT_EQ(Judged(sound, "TargetHeightKeepsCoverage", c).outcome, Outcome::kHolds);
   }
-}
-
-PlantedSubject WithRule(const SubjectInfo& info, const TieRule& rule) {
-  return testing::WithProfile(info, [rule](Profile& profile) { profile.tie_rule = rule; });
 }
 
 TEST(EdgeSamples, AsksForOneOwnerAtLeast) {
@@ -289,9 +263,9 @@ TEST(EdgeSamples, AsksForOneOwnerAtLeast) {
   const Case square =
       CaseOf(info.profile, {{0.5, 0.5, 0, 1}, {6.5, 0.5, 0, 1}, {6.5, 6.5, 0, 1}, {0.5, 6.5, 0, 1}},
              {{0, 1, 2}, {0, 2, 3}});
-  PlantedSubject twice = WithRule(info, {.inclusive = true});
-  PlantedSubject once = Sound(info);
-  PlantedSubject never = WithRule(info, {.exclusive = true});
+  FakeSubject twice = WithRule(info, {.inclusive = true});
+  FakeSubject once = Sound(info);
+  FakeSubject never = WithRule(info, {.exclusive = true});
   for (const std::string_view property :
        {"CoverageEqualsTheModel", "SharedEdgeSamplesAreCoveredOnce",
         "EmbeddedMeshSamplesAreCoveredOnce"}) {
@@ -314,7 +288,7 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
     }
   };
   const std::vector<Vertex> corners{{0, 0, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}};
-  PlantedSubject subject(info, draws_lines);
+  FakeSubject subject(info, draws_lines);
   Case c = CaseOf(info.profile, corners, {{0, 0, 1}, {0, 1, 2}});
   for (const std::string_view property :
        {"CoverageEqualsTheModel", "DegenerateTrianglesCoverNothing"}) {
@@ -325,11 +299,10 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
   EXPECT_EQ(Judged(subject, "DegenerateTrianglesCoverNothing", c).outcome, Outcome::kNotApplicable);
   // The others are judged, and named by their place in the whole list.
   c.scene.vertices[2].y = 5;
-  PlantedSubject off(info,
-                     [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-                       counts = exact::Coverage(scene, SnappedInfo(0).profile, options);
-                       counts.front[9] += 1;
-                     });
+  FakeSubject off(info, [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+    counts = exact::Coverage(scene, SnappedInfo(0).profile, options);
+    counts.front[9] += 1;
+  });
   const Verdict verdict = Judged(off, "CoverageEqualsTheModel", c);
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->triangle, 1);
@@ -338,7 +311,7 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
 TEST(DegenerateTriangles, LeftUnspecifiedIsNoLeaveToCrashNorAboutWhatIsNotFinite) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
-  PlantedSubject crashing(info, [](const Scene& scene, const DrawOptions&, CoverageCounts&) {
+  FakeSubject crashing(info, [](const Scene& scene, const DrawOptions&, CoverageCounts&) {
     for (const Triangle& t : scene.triangles) {
       if (t[0] == t[1]) BreakDown("it died");
     }
@@ -346,7 +319,8 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNoLeaveToCrashNorAboutWhatIsNotFinite
   Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}}, {{0, 0, 1}});
   EXPECT_EQ(Judged(crashing, "DrawStaysInsideItsTarget", c).outcome, Outcome::kViolated);
   c.scene.vertices[0].x = std::nan("");
-  Recording sound(info, SnappedInfo(8).profile);
+  FakeSubject sound =
+      testing::WithProfile(info, [](Profile& drawn) { drawn = SnappedInfo(8).profile; });
   EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kNotExercised);
 }
 
@@ -354,7 +328,7 @@ TEST(MaxPrimitiveExtent, IsVerifiedBothWays) {
   SubjectInfo info = FixedInfo({12, 4, true, false});
   info.profile.max_primitive_extent = MaxPrimitiveExtent{64, 32};
   const auto violated = [&](std::optional<MaxPrimitiveExtent> real) {
-    PlantedSubject subject = testing::WithProfile(
+    FakeSubject subject = testing::WithProfile(
         info, [real](Profile& profile) { profile.max_primitive_extent = real; });
     CampaignOptions options;
     options.seed = kKeysSeed;
@@ -372,18 +346,20 @@ TEST(Infer, KeepsToTheIntegersAndTheLimitThatAreStated) {
   SubjectInfo info = FixedInfo({12, 4, true, false}, 2);
   info.profile.snap.rule = SnapRule::kFloor;
   info.profile.coordinate_limit = 1030;
-  Recording subject(info, info.profile);
+  FakeSubject subject = Sound(info);
+  bool within_limits = true;
+  subject.on_call = [&](std::span<const DrawJob> jobs) {
+    for (const DrawJob& job : jobs) within_limits &= WithinLimits(SceneOf(job), info.profile);
+  };
   const Inference inference = Infer(subject, {.checks = 60});
   EXPECT_TRUE(inference.Fits()) << inference.message;
   EXPECT_TRUE(inference.Agrees());
-  EXPECT_TRUE(subject.within_limits());
+  EXPECT_TRUE(within_limits);
 }
 
 TEST(Infer, NamesTheExclusiveRule) {
   SubjectInfo info = SnappedInfo(8);
-  Profile drawn = info.profile;
-  drawn.tie_rule = {.exclusive = true};
-  Recording subject(info, drawn);
+  FakeSubject subject = WithRule(info, {.exclusive = true});
   const Inference inference = Infer(subject, {.checks = 60});
   ASSERT_TRUE(inference.Fits()) << inference.message;
   EXPECT_FALSE(inference.Agrees());
@@ -400,7 +376,7 @@ TEST(Infer, IsInconclusiveWhereThereIsTooLittleRoom) {
   infos[3].profile.guard_band = WindowBox{-512, -512, 65, 512};
   infos[4].profile.by_target_size = {{.max_width = 40, .max_height = 20, .snap = {4}}};
   for (const SubjectInfo& info : infos) {
-    Recording subject(info, info.profile);
+    FakeSubject subject = Sound(info);
     const Inference inference = Infer(subject, {});
     EXPECT_TRUE(inference.is_inconclusive);
     EXPECT_FALSE(inference.Fits());
@@ -413,9 +389,7 @@ TEST(Infer, DoesNotStrikeOutWhatSharingAllows) {
   SubjectInfo info = SnappedInfo(4);
   info.profile.shares_edge_samples = true;
   info.profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
-  Profile drawn = info.profile;
-  drawn.tie_rule = {.inclusive = true};
-  Recording subject(info, drawn);
+  FakeSubject subject = WithRule(info, {.inclusive = true});
   const Inference inference = Infer(subject, {.checks = 60});
   EXPECT_TRUE(inference.Fits()) << inference.message;
   EXPECT_TRUE(inference.Agrees());

@@ -18,13 +18,12 @@
 #include "props/domains/domain.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
 
 using testing::LosesLarge;
-using testing::PlantedSubject;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
@@ -212,7 +211,7 @@ TEST(SparseIndices, AgreeInTheirLowerBits) {
 
 // What llvmpipe 22.3 does to some of them (docs/findings.md).
 TEST(CoveringFans, ShowTheLossOfTrianglesThatReachFar) {
-  PlantedSubject subject = LosesLarge(SnappedInfo(8), 4096);
+  FakeSubject subject = LosesLarge(SnappedInfo(8), 4096);
   for (const std::string_view name :
        {"EmbeddedMeshSamplesAreCoveredOnce", "SharedEdgeSamplesAreCoveredOnce",
         "NeighboursAreClippedAlike"}) {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/ulp.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/props/rapidcheck_bridge.h"
 
 namespace rasterproof::props {
@@ -30,7 +30,7 @@ TEST(RapidCheck, HoldsForASoundSubject) {
 }
 
 TEST(RapidCheck, FindsAndShrinksWhatTheCampaignFinds) {
-  const auto expect_found = [](testing::PlantedSubject subject, std::uint64_t cases) {
+  const auto expect_found = [](FakeSubject subject, std::uint64_t cases) {
     const PropertyResult result =
         CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 1, cases);
     ASSERT_EQ(result.outcome, Outcome::kViolated);
@@ -64,11 +64,10 @@ TEST(RapidCheck, TakesItsCasesFromTheSeedAloneNotFromTheEnvironment) {
 
 TEST(RapidCheck, StopsShrinkingAtItsBudget) {
   std::uint64_t draws = 0;
-  testing::PlantedSubject subject(RealInfo(),
-                                  [&](const Scene&, const DrawOptions&, CoverageCounts& counts) {
-                                    ++draws;
-                                    counts.front[0] += 7;
-                                  });
+  FakeSubject subject(RealInfo(), [&](const Scene&, const DrawOptions&, CoverageCounts& counts) {
+    ++draws;
+    counts.front[0] += 7;
+  });
   const PropertyResult result =
       CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 1, 10, /*shrink_budget=*/5);
   EXPECT_EQ(result.outcome, Outcome::kViolated);

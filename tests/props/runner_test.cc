@@ -1,15 +1,12 @@
 // Subjects that throw, refuse or change their answers; faults that are not the subject's.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <new>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -24,13 +21,12 @@
 #include "props/run/counterexample.h"
 #include "props/run/tally.h"
 #include "props/run/trial.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
 
 using testing::ModelProperty;
-using testing::PlantedSubject;
 using testing::RealInfo;
 
 constexpr std::array<std::string_view, 3> kDomains{"uniform-subpixel", "fans", "needles"};
@@ -80,13 +76,13 @@ std::string FaultOf(Subject& subject, const Property& property) {
 }
 
 TEST(AFaultOfOurs, IsNeverTheSubjects) {
-  PlantedSubject subject(RealInfo(), DrawRight);
+  FakeSubject subject(RealInfo(), DrawRight);
   const std::string said = FaultOf(subject, Throwing(OracleFails));
   EXPECT_TRUE(Says(said, "CoverageIsTheModels on uniform-subpixel:4140000@1")) << said;
   EXPECT_TRUE(Says(said, "a rational must be finite")) << said;
   EXPECT_NE(FaultOf(subject, Throwing(MemoryRunsOut)), "");
   EXPECT_NE(FaultOf(subject, Throwing(OracleDecidesNothing)), "");
-  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), DrawRight);
+  FakeSubject outside = FakeSubject::Outside(RealInfo(), DrawRight);
   EXPECT_NE(FaultOf(outside, Throwing(OracleFails)), "");
   EXPECT_NE(FaultOf(outside, Throwing(MemoryRunsOut)), "");
 }
@@ -95,9 +91,9 @@ TEST(AFaultOfOurs, IsMemoryThatRanOutInTheSubjectAsWell) {
   const auto runs_out = [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw std::bad_alloc();
   };
-  PlantedSubject subject(RealInfo(), runs_out);
+  FakeSubject subject(RealInfo(), runs_out);
   EXPECT_THROW(RunCase(subject, ModelProperty(kDomains), SomeCase()), JudgingFault);
-  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), runs_out);
+  FakeSubject outside = FakeSubject::Outside(RealInfo(), runs_out);
   EXPECT_TRUE(Says(FaultOf(outside, ModelProperty(kDomains)), "uniform-subpixel:4140000@1 or one"));
 }
 
@@ -105,8 +101,8 @@ TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {
   const auto throws = [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw std::logic_error("negative column");
   };
-  PlantedSubject subject(RealInfo(), throws);
-  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), throws);
+  FakeSubject subject(RealInfo(), throws);
+  FakeSubject outside = FakeSubject::Outside(RealInfo(), throws);
   for (Subject* const each : {static_cast<Subject*>(&subject), static_cast<Subject*>(&outside)}) {
     const Trial trial = TryCase(*each, ModelProperty(kDomains), SomeCase());
     EXPECT_EQ(trial.verdict.outcome, Outcome::kViolated);
@@ -115,13 +111,8 @@ TEST(ASubjectThatThrows, IsBlamedForWhatItsOwnCallThrows) {
   }
 }
 
-class ThrowingEdges final : public Subject, public EdgeEvaluator {
+class ThrowingEdges final : public EdgeEvaluator {
  public:
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    DrawRight(scene, options, counts);
-  }
-  const EdgeEvaluator* Edges() const override { return this; }
   double Value(Point2 /*a*/, Point2 /*b*/, Point2 /*p*/) const override {
     throw std::out_of_range("no such edge");
   }
@@ -131,13 +122,12 @@ class ThrowingEdges final : public Subject, public EdgeEvaluator {
   std::vector<double> SteppingErrorBounds(Point2, Point2, Point2, Step, int steps) const override {
     return std::vector<double>(static_cast<std::size_t>(steps) + 1, 1);
   }
-
- private:
-  SubjectInfo info_ = RealInfo();
 };
 
 TEST(ASubjectThatThrows, IsBlamedForItsEdgeValuesToo) {
-  ThrowingEdges subject;
+  const ThrowingEdges edges;
+  FakeSubject subject(RealInfo(), DrawRight);
+  subject.edges = &edges;
   const Verdict value = RunCase(subject, *FindProperty("EdgeErrorStaysWithinItsBound"), SomeCase());
   EXPECT_EQ(value.outcome, Outcome::kViolated);
   EXPECT_EQ(value.message, "the subject failed: it threw: no such edge");
@@ -149,7 +139,7 @@ TEST(ASubjectThatThrows, IsBlamedForItsEdgeValuesToo) {
 
 // ---- refusals -----------------------------------------------------------------------------------
 
-PlantedSubject::DrawFunction RefusingUnless(std::function<bool(const Scene&)> takes) {
+FakeSubject::DrawFunction RefusingUnless(std::function<bool(const Scene&)> takes) {
   return [takes = std::move(takes)](const Scene& scene, const DrawOptions& options,
                                     CoverageCounts& counts) {
     if (!takes(scene)) throw Refusal();
@@ -157,13 +147,13 @@ PlantedSubject::DrawFunction RefusingUnless(std::function<bool(const Scene&)> ta
   };
 }
 
-PropertyResult RunOutside(PlantedSubject::DrawFunction draw, const CampaignOptions& options) {
-  PlantedSubject outside = PlantedSubject::Outside(RealInfo(), std::move(draw));
+PropertyResult RunOutside(FakeSubject::DrawFunction draw, const CampaignOptions& options) {
+  FakeSubject outside = FakeSubject::Outside(RealInfo(), std::move(draw));
   return RunCampaign(outside, ModelProperty(kDomains), options);
 }
 
-PropertyResult RunInside(PlantedSubject::DrawFunction draw, const CampaignOptions& options) {
-  PlantedSubject inside(RealInfo(), std::move(draw));
+PropertyResult RunInside(FakeSubject::DrawFunction draw, const CampaignOptions& options) {
+  FakeSubject inside(RealInfo(), std::move(draw));
   return RunCampaign(inside, ModelProperty(kDomains), options);
 }
 
@@ -203,7 +193,7 @@ TEST(Refusals, OfMoreThanHalfAreNoVerdict) {
 
 TEST(Refusals, BeyondTheLimitsAreNoneTooMany) {
   const auto takes = [](const Scene& scene) { return WithinLimits(scene, RealInfo().profile); };
-  PlantedSubject subject(RealInfo(), RefusingUnless(takes));
+  FakeSubject subject(RealInfo(), RefusingUnless(takes));
   const PropertyResult result =
       RunCampaign(subject, *FindProperty("NonFiniteTrianglesCoverNothing"), {.cases = 60});
   EXPECT_GT(result.cases_refused, 30U);
@@ -236,7 +226,7 @@ TEST(AnAnswerThatChanges, IsInconclusiveWithBothAnswers) {
     DrawRight(scene, options, counts);
     if (n++ == 0) counts.front[0] += 5;
   };
-  PlantedSubject subject(RealInfo(), wrong_once);
+  FakeSubject subject(RealInfo(), wrong_once);
   const PropertyResult result =
       RunCampaign(subject, *FindProperty("CoverageEqualsTheModel"), {.cases = 5});
   EXPECT_EQ(result.outcome, Outcome::kInconclusive);
@@ -280,7 +270,7 @@ TEST(AnAnswerThatChanges, ViolatesThePropertyThatEqualDrawsAreEqual) {
     DrawRight(scene, options, counts);
     if (n++ == 1) counts.front[0] += 5;
   };
-  PlantedSubject subject(RealInfo(), wrong_once);
+  FakeSubject subject(RealInfo(), wrong_once);
   const PropertyResult result =
       RunCampaign(subject, *FindProperty("EqualDrawsGiveEqualCounts"), {.cases = 5});
   EXPECT_EQ(result.outcome, Outcome::kViolated);

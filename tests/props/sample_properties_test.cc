@@ -2,13 +2,9 @@
 // sees where samples lie.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/sample_pattern.h"
@@ -18,7 +14,7 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
@@ -36,24 +32,9 @@ Outcome Found(Subject& subject, const Property& property, std::uint64_t cases) {
   return outcome;
 }
 
-Outcome FoundOf(std::string_view mutant, const Property& property) {
+Outcome FoundOf(std::string_view variant, const Property& property) {
   constexpr std::uint64_t kCases = 200;
-  return Found(*subjects::MakeMutant(mutant), property, kCases);
-}
-
-TEST(Samples, EachMutantIsFoundByTheSentenceThatItBreaks) {
-  for (const auto& [mutant, property] : std::vector<std::pair<std::string_view, const Property*>>{
-           {"mutant:samples-exchanged", FindProperty("CoverageEqualsTheModel")},
-           {"mutant:samples-one-reused", FindProperty("OneLegalModelExplainsTheMesh")},
-           {"mutant:samples-centre-for-all", FindProperty("OneLegalModelExplainsTheMesh")},
-           {"mutant:samples-exchanged-under-vulkan", FindProperty("OneLegalModelExplainsTheMesh")},
-           {"mutant:samples-vary", FindProperty("OneLegalModelExplainsTheMesh")},
-           {"mutant:samples-vary-where-fixed", FindProperty("IntegerTranslationMovesCoverage")},
-           {"mutant:samples-by-triangle", FindProperty("SharedEdgeSamplesAreCoveredOnce")},
-           {"mutant:facing-by-sample", FindProperty("FacingIsOneAtAllSamples")},
-           {"mutant:facing-by-sample-where-open", FindProperty("FacingIsOneAtAllSamples")}}) {
-    EXPECT_EQ(FoundOf(mutant, *property), Outcome::kViolated) << mutant << ", " << property->name;
-  }
+  return Found(*subjects::MakeMutant(variant), property, kCases);
 }
 
 // Where positions are open meshes are judged all the same, and singles are not.
@@ -79,38 +60,29 @@ TEST(Samples, WhatIsOpenIsNotJudgedAndMeshesAre) {
 }
 
 // Shows the last triangle on each of four samples, or on the pixel's first one for all.
-class ShowsIds final : public Subject {
- public:
-  explicit ShowsIds(bool by_pixel) : by_pixel_(by_pixel), info_(testing::RealInfo()) {
-    info_.profile.pattern = *StandardPattern(4);
-    info_.coverage = CoverageKind::kPrimitiveIds;
-    info_.fragments.visible = Visible::kLastDrawn;
-  }
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  Drawing Show(const DrawJob& job) override {
+FakeSubject ShowsIds(bool by_pixel) {
+  SubjectInfo info = testing::RealInfo();
+  info.profile.pattern = *StandardPattern(4);
+  info.coverage = CoverageKind::kPrimitiveIds;
+  return FakeSubject::Showing(info, [by_pixel, profile = info.profile](const DrawJob& job) {
     const Scene scene = SceneOf(job);
     Drawing drawing;
     drawing.counts = CoverageCounts(scene.width, scene.height, job.samples);
-    drawing.primitive_ids =
-        exact::PrimitiveIds({scene, info_.profile}, job.options, info_.fragments.visible);
+    drawing.primitive_ids = exact::PrimitiveIds({scene, profile}, job.options, Visible::kLastDrawn);
     std::vector<std::int32_t>& ids = drawing.primitive_ids;
     for (std::size_t k = 0; k < ids.size(); ++k) {
       const std::size_t first = k - k % 4;
-      if (by_pixel_ && ids[k] != kNoPrimitive && ids[first] != kNoPrimitive) ids[k] = ids[first];
+      if (by_pixel && ids[k] != kNoPrimitive && ids[first] != kNoPrimitive) ids[k] = ids[first];
       drawing.counts.front[k] = ids[k] != kNoPrimitive ? 1 : 0;
     }
     return drawing;
-  }
-
- private:
-  bool by_pixel_;
-  SubjectInfo info_;
-};
+  });
+}
 
 TEST(Samples, PrimitiveIdsFollowTheOrderAtEachSample) {
-  ShowsIds sound(false);
+  FakeSubject sound = ShowsIds(false);
   EXPECT_EQ(Found(sound, *FindProperty("PrimitiveIdFollowsTheStatedOrder"), 40), Outcome::kHolds);
-  ShowsIds by_pixel(true);
+  FakeSubject by_pixel = ShowsIds(true);
   EXPECT_EQ(Found(by_pixel, *FindProperty("PrimitiveIdFollowsTheStatedOrder"), 200),
             Outcome::kViolated);
 }

@@ -14,7 +14,7 @@
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
 #include "props/shrink/cost.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {

@@ -14,29 +14,28 @@
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"
 #include "subjects/mutants/mutants.h"
+#include "tests/fake_subject.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
 
-// Draws the least or the most that its profile allows, whatever its vertices' places.
-class BoundSubject final : public Subject {
- public:
-  BoundSubject(std::string_view preset, bool draws_most) : draws_most_(draws_most) {
-    info_.name = preset;
-    info_.profile = *SquarePreset(preset);
-    info_.coverage = CoverageKind::kFacingCounts;
-  }
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += draws_most_ ? exact::MayCover({scene, info_.profile}, options)
-                          : exact::MustCover({scene, info_.profile}, options);
-  }
+SubjectInfo InfoOf(std::string_view preset) {
+  SubjectInfo info;
+  info.name = preset;
+  info.profile = *SquarePreset(preset);
+  return info;
+}
 
- private:
-  SubjectInfo info_;
-  bool draws_most_;
-};
+// Draws the least or the most that its profile allows, whatever its vertices' places.
+FakeSubject AtItsBound(std::string_view preset, bool draws_most) {
+  const auto cover = draws_most ? exact::MayCover : exact::MustCover;
+  return {InfoOf(preset),
+          [cover, profile = *SquarePreset(preset)](const Scene& scene, const DrawOptions& options,
+                                                   CoverageCounts& counts) {
+            counts += cover({scene, profile}, options);
+          }};
+}
 
 constexpr std::string_view kNames[] = {
     "SquaresThatMustBeAreCovered", "SquaresOutsideTheMayRegionStayFree",
@@ -91,7 +90,7 @@ TEST(Squares, OfAMutantAreFound) {
 TEST(Squares, AtTheBoundsOfAnyPresetHold) {
   for (const SquarePresetInfo& preset : kSquarePresets) {
     for (const bool most : {false, true}) {
-      BoundSubject subject(preset.name, most);
+      FakeSubject subject = AtItsBound(preset.name, most);
       const SquareRule& rule = *subject.Info().profile.squares;
       // On a grid line no open square meets a flat triangle, and one must show it all the same.
       const bool shows_too_little =
@@ -105,7 +104,7 @@ TEST(Squares, AtTheBoundsOfAnyPresetHold) {
 }
 
 TEST(Squares, AFlatTriangleThatMustBeDrawnMayNotFallBetweenThem) {
-  BoundSubject least("d3d12-conservative-2", false);
+  FakeSubject least = AtItsBound("d3d12-conservative-2", false);
   Case c;
   c.scene.width = c.scene.height = 8;
   c.scene.vertices = {{3, 3}, {5, 3}, {4, 3}};
@@ -115,32 +114,18 @@ TEST(Squares, AFlatTriangleThatMustBeDrawnMayNotFallBetweenThem) {
   const Verdict verdict = RunCase(least, property, c);
   EXPECT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.message, "squares: a flat triangle that must be drawn falls through");
-  BoundSubject most("d3d12-conservative-2", true);
+  FakeSubject most = AtItsBound("d3d12-conservative-2", true);
   EXPECT_EQ(RunCase(most, property, c).outcome, Outcome::kHolds);
   c.scene.triangles = {{0, 1, 1}};
   EXPECT_NE(RunCase(least, property, c).outcome, Outcome::kViolated) << "a vertex named twice";
 }
 
-// Covers what the triangles touch, flat ones too.
-class TouchedSubject final : public Subject {
- public:
-  TouchedSubject() {
-    info_.name = "touched";
-    info_.profile = *SquarePreset("vulkan-underestimate");
-    info_.coverage = CoverageKind::kFacingCounts;
-  }
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    counts += exact::MayCover({scene, *SquarePreset("voxel")}, options);
-  }
-
- private:
-  SubjectInfo info_;
-};
-
 TEST(Squares, AFlatTriangleIsJudgedWhereItMayCoverNothing) {
-  BoundSubject most("vulkan-underestimate", true);
-  TouchedSubject touched;
+  FakeSubject most = AtItsBound("vulkan-underestimate", true);
+  FakeSubject touched(InfoOf("vulkan-underestimate"),
+                      [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                        counts += exact::MayCover({scene, *SquarePreset("voxel")}, options);
+                      });
   Case c;
   c.scene.width = c.scene.height = 8;
   c.scene.vertices = {{3, 3}, {5, 3}, {4, 3}};

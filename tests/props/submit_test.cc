@@ -3,18 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "core/call_end.h"
 #include "core/error.h"
 #include "props/judging/redraw.h"
 #include "props/run/judge.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
@@ -22,24 +19,12 @@ namespace {
 // As many samples as a call holds: beside such a draw there is room for no other.
 constexpr int kSide = 1024;
 
-// Draws nothing, counts its calls, and breaks down over a scene of so many vertices.
-class Empty final : public Subject {
- public:
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions&, CoverageCounts&) override {
-    if (scene.vertices.size() == breaks_over) BreakDown("it crashed");
-  }
-  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
-    calls.push_back(jobs.size());
-    return Subject::DrawMany(jobs);
-  }
-
-  std::size_t breaks_over = 0;
-  std::vector<std::size_t> calls;
-
- private:
-  SubjectInfo info_ = testing::RealInfo();
-};
+// Draws nothing, and breaks down over a scene of so many vertices.
+FakeSubject Empty(const std::size_t& breaks_over) {
+  return {testing::RealInfo(), [&](const Scene& scene, const DrawOptions&, CoverageCounts&) {
+            if (scene.vertices.size() == breaks_over) BreakDown("it crashed");
+          }};
+}
 
 Case Blank(int width, int height, std::size_t vertices) {
   Case c;
@@ -71,11 +56,12 @@ class Requests {
 };
 
 TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
-  Empty subject;
+  std::size_t breaks_over = 0;
+  FakeSubject subject = Empty(breaks_over);
   Requests requests;
   requests.Add({Blank(8, 8, 3), Blank(kMaxTargetSide, kMaxTargetSide, 3)});
   EXPECT_EQ(requests.SubmitTo(subject)[0].end.stop, Stop::kNotDrawable);
-  subject.breaks_over = 3;
+  breaks_over = 3;
   const Answers crashed = requests.SubmitTo(subject)[0];
   EXPECT_EQ(crashed.end.stop, Stop::kBrokeDown);
   EXPECT_EQ(crashed.end.why, "it crashed");
@@ -83,7 +69,8 @@ TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
 }
 
 TEST(Questions, BehindABreakdownAtTheEndOfACallAreNotPut) {
-  Empty subject;
+  std::size_t breaks_over = 0;
+  FakeSubject subject = Empty(breaks_over);
   Requests requests;
   for (const std::size_t vertices : {3U, 4U, 5U}) {
     requests.Add({Blank(8, 8, 1), Blank(8, 8, vertices), Blank(kSide, kSide, 2)});
@@ -92,7 +79,7 @@ TEST(Questions, BehindABreakdownAtTheEndOfACallAreNotPut) {
   const std::vector<std::size_t> by_size{2, 1, 2, 1, 2, 1};
   EXPECT_EQ(subject.calls, by_size);
   subject.calls.clear();
-  subject.breaks_over = 4;  // the last job of the third call
+  breaks_over = 4;  // the last job of the third call
   const std::vector<Answers> answers = requests.SubmitTo(subject);
   ASSERT_EQ(answers.size(), 2U);
   EXPECT_EQ(answers[0].end.stop, Stop::kNone);

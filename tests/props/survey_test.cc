@@ -15,12 +15,11 @@
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
 #include "props/run/property_domains.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
 
-using testing::PlantedSubject;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
@@ -39,7 +38,7 @@ const Finding& FindingOf(const DomainSurvey& survey, Fault fault) {
 
 // The exact model, but for what `change` makes of the scene before it is drawn.
 template <class Change>
-PlantedSubject Draws(const SubjectInfo& info, Change change) {
+FakeSubject Draws(const SubjectInfo& info, Change change) {
   return {info,
           [info, change](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             Scene changed = scene;
@@ -56,7 +55,7 @@ TEST(Survey, DrawsFromDomainsThatThereAre) {
 
 TEST(Survey, CountsNothingOfARightRasterizer) {
   for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8), SnappedInfo(0)}) {
-    PlantedSubject subject = testing::Sound(info);
+    FakeSubject subject = testing::Sound(info);
     for (const SurveyedDomain& surveyed : SurveyedDomains()) {
       const DomainSurvey survey = SurveyOf(subject, surveyed.name);
       EXPECT_EQ(survey.cases, 60U) << surveyed.name;
@@ -68,7 +67,7 @@ TEST(Survey, CountsNothingOfARightRasterizer) {
 }
 
 TEST(Survey, TakesEveryCaseOfTheseDomainsForACoveringMesh) {
-  PlantedSubject subject = testing::Sound(SnappedInfo(4));
+  FakeSubject subject = testing::Sound(SnappedInfo(4));
   for (const std::string_view domain : {"triangulations", "subdivisions", "covering-fans"}) {
     EXPECT_EQ(SurveyOf(subject, domain).meshes, 60U) << domain;
   }
@@ -76,7 +75,7 @@ TEST(Survey, TakesEveryCaseOfTheseDomainsForACoveringMesh) {
 }
 
 TEST(Survey, CountsAPlantedGapAndKeepsItsCase) {
-  PlantedSubject subject = testing::WithProfile(
+  FakeSubject subject = testing::WithProfile(
       RealInfo(), [](Profile& profile) { profile.tie_rule = {.exclusive = true}; });
   const DomainSurvey survey = SurveyOf(subject, "triangulations");
   EXPECT_GT(survey.gaps, 0U);
@@ -91,7 +90,7 @@ TEST(Survey, CountsAPlantedGapAndKeepsItsCase) {
 }
 
 TEST(Survey, NamesTheFirstCaseSoThatItIsDrawnAgain) {
-  PlantedSubject subject = testing::Inclusive(RealInfo());
+  FakeSubject subject = testing::Inclusive(RealInfo());
   SurveyPlan plan;
   plan.model = subject.Info().profile;
   plan.cases = 60;
@@ -104,7 +103,7 @@ TEST(Survey, NamesTheFirstCaseSoThatItIsDrawnAgain) {
 }
 
 TEST(Survey, CountsGapsAndOverlapsWhateverTieRuleTheModelHas) {
-  PlantedSubject subject = testing::Inclusive(RealInfo());
+  FakeSubject subject = testing::Inclusive(RealInfo());
   SurveyPlan plan;
   plan.model = subject.Info().profile;
   plan.model.tie_rule = {.inclusive = true};
@@ -116,14 +115,14 @@ TEST(Survey, CountsGapsAndOverlapsWhateverTieRuleTheModelHas) {
 }
 
 TEST(Survey, CountsWrongSamplesOfSingleTriangles) {
-  PlantedSubject subject = testing::DropsLastColumn(RealInfo());
+  FakeSubject subject = testing::DropsLastColumn(RealInfo());
   const DomainSurvey survey = SurveyOf(subject, "uniform-subpixel");
   EXPECT_GT(survey.wrong, 0U);
   EXPECT_EQ(FindingOf(survey, Fault::kWrong).minimal.scene.triangles.size(), 1U);
 }
 
 TEST(Survey, FindsACallThatIsNotTheSumOfItsTriangles) {
-  PlantedSubject subject = Draws(RealInfo(), [](Scene& scene) {
+  FakeSubject subject = Draws(RealInfo(), [](Scene& scene) {
     if (scene.triangles.size() > 1) scene.triangles.pop_back();
   });
   const DomainSurvey survey = SurveyOf(subject, "axis-aligned");
@@ -134,21 +133,21 @@ TEST(Survey, FindsACallThatIsNotTheSumOfItsTriangles) {
 TEST(Survey, FindsOverlapsOfASubjectThatShowsNoCounts) {
   SubjectInfo info = RealInfo();
   info.coverage = CoverageKind::kMask;
-  PlantedSubject subject(
-      info, [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-        Profile inclusive;
-        inclusive.tie_rule = {.inclusive = true};
-        const CoverageCounts drawn = exact::Coverage(scene, inclusive, options);
-        for (std::size_t k = 0; k < drawn.size(); ++k)
-          counts.front[k] = std::min(drawn.Count(k), 1U);
-      });
+  FakeSubject subject(info,
+                      [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                        Profile inclusive;
+                        inclusive.tie_rule = {.inclusive = true};
+                        const CoverageCounts drawn = exact::Coverage(scene, inclusive, options);
+                        for (std::size_t k = 0; k < drawn.size(); ++k)
+                          counts.front[k] = std::min(drawn.Count(k), 1U);
+                      });
   const DomainSurvey survey = SurveyOf(subject, "fans");
   EXPECT_GT(survey.overlaps, 0U);
   EXPECT_EQ(survey.Faulty(Fault::kBatch), 0U);
 }
 
 TEST(Survey, KeepsTheCaseOfACrashAndGivesTheDomainUpAtTheFourth) {
-  PlantedSubject subject = testing::Throwing(RealInfo());
+  FakeSubject subject = testing::Throwing(RealInfo());
   const DomainSurvey survey = SurveyOf(subject, "covering-fans");
   EXPECT_EQ(survey.Faulty(Fault::kEnd), 4U);
   const Finding& crash = FindingOf(survey, Fault::kEnd);
@@ -157,7 +156,7 @@ TEST(Survey, KeepsTheCaseOfACrashAndGivesTheDomainUpAtTheFourth) {
 }
 
 TEST(Survey, CountsRefusalsApart) {
-  PlantedSubject subject(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
+  FakeSubject subject(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw SubjectStop(Stop::kRefused, "it is not drawn");
   });
   const DomainSurvey survey = SurveyOf(subject, "fans");
@@ -169,14 +168,14 @@ TEST(Survey, CountsRefusalsApart) {
 TEST(Survey, DoesNotCompareWhatTheProfileSaysNothingOf) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.guard_band = WindowBox{-64, -64, 64, 64};
-  PlantedSubject subject = testing::Sound(info);
+  FakeSubject subject = testing::Sound(info);
   const DomainSurvey survey = SurveyOf(subject, "covering-fans");
   EXPECT_GT(survey.unjudged, 0U);
   EXPECT_EQ(survey.cases + survey.unjudged, 60U);
 }
 
 TEST(Survey, DrawsNothingOfADomainThatTheSubjectCannotBeGiven) {
-  PlantedSubject subject = testing::Sound(RealInfo());
+  FakeSubject subject = testing::Sound(RealInfo());
   EXPECT_EQ(SurveyOf(subject, "perspective").cases, 0U);
 }
 

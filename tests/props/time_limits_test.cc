@@ -8,14 +8,13 @@
 #include <functional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/call_end.h"
 #include "exact/coverage.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {
@@ -48,27 +47,16 @@ struct Time {
   }
 };
 
-// Draws what is right, and takes its time over it.
-class Timed final : public Subject {
- public:
-  using Take = std::function<void(const Scene&, Time&)>;
-  Timed(Time& time, Take take) : time_(time), take_(std::move(take)) {}
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
-    take_(scene, time_);
-    counts += exact::Coverage(scene, Profile{}, options);
-  }
-  bool SharesCalls() const override { return true; }
-  void SetDeadline(Clock::time_point deadline) override { time_.deadline = deadline; }
+using Take = std::function<void(const Scene&, Time&)>;
 
- private:
-  SubjectInfo info_ = RealInfo();
-  Time& time_;
-  Take take_;
-};
-
-PropertyResult RunTimed(Time& time, Timed::Take take, CampaignOptions options) {
-  Timed outside(time, std::move(take));
+// Of a subject that draws what is right, and takes its time over it.
+PropertyResult RunTimed(Time& time, const Take& take, CampaignOptions options) {
+  FakeSubject outside = FakeSubject::Outside(
+      RealInfo(), [&](const Scene& scene, const DrawOptions& draw, CoverageCounts& counts) {
+        take(scene, time);
+        counts += exact::Coverage(scene, Profile{}, draw);
+      });
+  outside.on_deadline = [&](Clock::time_point deadline) { time.deadline = deadline; };
   options.now = [&time] { return time.now; };
   return RunCampaign(outside, ModelProperty(kDomains), options);
 }

@@ -10,7 +10,7 @@
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "props/run/campaign.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/props/shown_subject.h"
 #include "tests/share.h"
 
@@ -36,7 +36,7 @@ bool TakesNoneWithTheFirstVertexOfTheOneBefore(std::span<const Triangle> call, s
 
 PropertyResult RunWith(CoverageKind kind, const Takes& takes, std::string_view property,
                        std::uint64_t cases) {
-  ShownSubject subject(kind, takes, DrawRight);
+  FakeSubject subject = ShownSubject(kind, takes, DrawRight);
   return RunCampaign(subject, *FindProperty(property), {.cases = cases, .shrink_budget = 0});
 }
 
@@ -74,7 +74,7 @@ TEST(WholeCalls, OfASoundSubjectAreEqual) {
 TEST(WholeCalls, ShowWhatIsCulledWithoutFacings) {
   for (const CoverageKind kind : kShown) {
     for (const bool nothing : {true, false}) {
-      ShownSubject subject(
+      FakeSubject subject = ShownSubject(
           kind, TakesAll,
           [nothing](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             DrawOptions other = options;

@@ -17,13 +17,12 @@
 #include "props/domains/domain.h"
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
 
-using testing::PlantedSubject;
 using testing::RealInfo;
 using testing::SnappedInfo;
 
@@ -96,14 +95,14 @@ TEST(Worlds, AreGivenOnlyWhereTheGridIsTaken) {
   transforms.profile.transform.emplace();
   EXPECT_NE(WhyNotGiven(world, transforms), "");
 
-  PlantedSubject coarse = testing::Sound(SnappedInfo(0));
+  FakeSubject coarse = testing::Sound(SnappedInfo(0));
   const PropertyResult result = Exhaust(coarse, "pairs-3x3", "SharedEdgeSamplesAreCoveredOnce");
   EXPECT_EQ(result.outcome, Outcome::kNotApplicable) << result.message;
 }
 
 TEST(Worlds, AreExhaustedBySoundSubjects) {
   for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
-    PlantedSubject sound = testing::Sound(info);
+    FakeSubject sound = testing::Sound(info);
     for (const std::string_view world : {"pairs-3x3", "pairs-4x4"}) {
       const PropertyResult result = Exhaust(sound, world, "CoverageEqualsTheModel");
       EXPECT_TRUE(IsExhausted(result)) << result.message;
@@ -118,7 +117,7 @@ TEST(Worlds, ShowABugOfASingleCase) {
   constexpr std::uint64_t kNumber = 77'777;
   const SubjectInfo info = RealInfo();
   const Case only = CaseOfWorld(*FindWorld("triangles-7x7"), kNumber, info);
-  PlantedSubject bug(
+  FakeSubject bug(
       info, [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         const bool is_it = scene.vertices == only.scene.vertices && scene.width == only.scene.width;
         if (!is_it) counts = exact::Coverage(scene, info.profile, options);
@@ -176,7 +175,7 @@ TEST(Worlds, OfSizesShowNumbersThatAreCutOff) {
                          {"numbers of triangles", "long-lists", CutTriangles},
                          {"columns", "long-targets", CutColumns},
                          {"rows", "long-targets", CutRows}}) {
-    PlantedSubject subject(
+    FakeSubject subject(
         info, [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
           counts = exact::Coverage(one.cut(scene), info.profile, options);
         });

@@ -17,7 +17,7 @@
 #include "reference/kernels/crossing_errors.h"
 #include "reference/kernels/kernel.h"
 #include "reference/kernels/kernel_table.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
 

@@ -11,7 +11,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -19,10 +18,10 @@
 
 #include "core/call_end.h"
 #include "core/error.h"
-#include "core/subject.h"
 #include "core/subject_info.h"
 #include "subjects/process/serve.h"
 #include "subjects/process/text.h"
+#include "tests/fake_subject.h"
 #include "tests/share.h"
 
 namespace rasterproof::subjects {
@@ -423,34 +422,30 @@ TEST(Protocol, AsksForRepeatsWhereTheyAreTaken) {
   }
 }
 
-class Speaker final : public Subject {
- public:
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& scene, const DrawOptions&, CoverageCounts& counts) override {
-    if (scene.width == 1) throw InputError("place", "too\nsmall", "more");
-    if (scene.width == 2) BreakDown("it broke");
-    ++drawn;
-    counts.front[0] = 5;
-    counts.back[1] = 6;
-  }
-
-  int drawn = 0;
-
- private:
-  SubjectInfo info_;
-};
+FakeSubject Speaker() {
+  return {SubjectInfo{}, [](const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
+            if (scene.width == 1) throw InputError("place", "too\nsmall", "more");
+            if (scene.width == 2) BreakDown("it broke");
+            counts.front[0] = 5;
+            counts.back[1] = 6;
+          }};
+}
 
 TEST(Serve, DrawsRepeatsAndAnswersOnce) {
-  Speaker speaker;
+  FakeSubject speaker = Speaker();
+  int drawn = 0;
+  speaker.on_answer = [&](const std::vector<DrawOutcome>& outcomes) {
+    for (const DrawOutcome& outcome : outcomes) drawn += outcome.end.stop == Stop::kNone ? 1 : 0;
+  };
   std::istringstream in("draw 1 3 1 1 window 0 0 repeats=5\ndraw 2 1 1 1 window 0 0 repeats=5\n");
   std::string said;
   Serve(speaker, in, [&](const std::string& text) { said += text; });
   EXPECT_EQ(said, "counts 1\n5 0 0\n0 6 0\nrefused 2 place: too small; more\n");
-  EXPECT_EQ(speaker.drawn, 5);
+  EXPECT_EQ(drawn, 5);
 }
 
 TEST(Serve, AnswersRefusesAndConfesses) {
-  Speaker speaker;
+  FakeSubject speaker = Speaker();
   std::istringstream in(
       "draw 1 1 1 1 window 0 0\ndraw 2 2 1 1 window 0 0\n\ndraw 3 3 2 1 window 0 0\n");
   std::string said;
@@ -461,25 +456,14 @@ TEST(Serve, AnswersRefusesAndConfesses) {
       "0\n");
 }
 
-class Short final : public Subject {
- public:
-  explicit Short(CoverageKind kind) { info_.coverage = kind; }
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene&, const DrawOptions&, CoverageCounts&) override {}
-  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
-    return Subject::DrawMany(jobs.first(jobs.size() - 1));
-  }
-
- private:
-  SubjectInfo info_;
-};
-
 TEST(Serve, ConfessesWhatIsLeftOutOrLacksAPart) {
   const auto said_of = [](CoverageKind kind) {
-    const auto subject = std::make_unique<Short>(kind);
+    FakeSubject subject({}, [](const Scene&, const DrawOptions&, CoverageCounts&) {});
+    subject.info.coverage = kind;
+    subject.on_answer = [](std::vector<DrawOutcome>& outcomes) { outcomes.pop_back(); };
     std::istringstream in("batch 2\ndraw 1 1 1 1 window 0 0\ndraw 2 1 1 1 window 0 0\n");
     std::string said;
-    Serve(*subject, in, [&](const std::string& text) { said += text; });
+    Serve(subject, in, [&](const std::string& text) { said += text; });
     return said;
   };
   EXPECT_EQ(said_of(CoverageKind::kFacingCounts), "counts 1\n0\n0\nfault 2 it left out a scene\n");
@@ -487,7 +471,7 @@ TEST(Serve, ConfessesWhatIsLeftOutOrLacksAPart) {
 }
 
 TEST(Serve, AnswersABatchUpToTheFirstFault) {
-  Speaker speaker;
+  FakeSubject speaker = Speaker();
   std::istringstream in(
       "batch 4\ndraw 1 1 1 1 window 0 0\ndraw 2 3 1 1 window 0 0\ndraw 3 2 1 1 window 0 0\n"
       "draw 4 3 1 1 window 0 0\n");

@@ -15,6 +15,8 @@
 
 #include "core/error.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
+#include "tests/fake_subject.h"
 #include "tool/progress.h"
 #include "tool/typed_number.h"
 
@@ -25,14 +27,7 @@ std::vector<std::size_t> Ascending(std::size_t count) {
   return OrderOfWork(1, count, [](std::size_t) { return true; });
 }
 
-class Nothing final : public Subject {
- public:
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene&, const DrawOptions&, CoverageCounts&) override {}
-
- private:
-  SubjectInfo info_;
-};
+std::unique_ptr<Subject> Nothing() { return std::make_unique<FakeSubject>(SubjectInfo{}, nullptr); }
 
 TEST(ShareWork, DoesEachPieceOnceWhateverTheNumberOfWorkers) {
   for (const int jobs : {1, 2, 7, 100}) {
@@ -108,9 +103,9 @@ TEST(Crew, GivesEachWorkerASubjectOfItsOwnAndKeepsIt) {
   int made = 0;
   Crew crew(3, [&](std::size_t) {
     ++made;
-    return std::make_unique<Nothing>();
+    return Nothing();
   });
-  crew.Give(std::make_unique<Nothing>());
+  crew.Give(Nothing());
   const std::set<const Subject*> subjects{&crew.Of(0), &crew.Of(1), &crew.Of(2), &crew.Of(1)};
   EXPECT_EQ(subjects.size(), 3U);
   EXPECT_EQ(made, 2);
@@ -120,7 +115,7 @@ TEST(Crew, MakesTheSubjectThatIsAskedFor) {
   std::vector<std::size_t> made;
   Crew crew(1, [&](std::size_t subject) {
     made.push_back(subject);
-    return std::make_unique<Nothing>();
+    return Nothing();
   });
   for (const std::size_t subject : {0U, 0U, 1U, 1U, 0U}) crew.Of(0, subject);
   EXPECT_EQ(made, (std::vector<std::size_t>{0, 1, 0}));

@@ -1,4 +1,4 @@
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 #include <array>
 #include <cmath>
@@ -59,7 +59,7 @@ void DrawNaively(const Scene& scene, const DrawOptions& options, CoverageCounts&
 
 SubjectInfo RealInfo(Precision input) {
   SubjectInfo info;
-  info.name = "planted";
+  info.name = "fake";
   info.input = input;
   return info;
 }
@@ -71,25 +71,25 @@ SubjectInfo SnappedInfo(int bits) {
   return info;
 }
 
-PlantedSubject Sound(const SubjectInfo& info) {
+FakeSubject Sound(const SubjectInfo& info) {
   return {info, [profile = info.profile](const Scene& scene, const DrawOptions& options,
                                          CoverageCounts& counts) {
-            counts = exact::Coverage(scene, profile, options);
+            counts += exact::Coverage(scene, profile, options);
           }};
 }
 
-PlantedSubject WithProfile(const SubjectInfo& info, const std::function<void(Profile&)>& change) {
+FakeSubject WithProfile(const SubjectInfo& info, const std::function<void(Profile&)>& change) {
   Profile profile = info.profile;
   change(profile);
   return {info, [profile](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-            counts = exact::Coverage(scene, profile, options);
+            counts += exact::Coverage(scene, profile, options);
           }};
 }
 
-PlantedSubject DropsLastColumn(const SubjectInfo& info) {
+FakeSubject DropsLastColumn(const SubjectInfo& info) {
   return {info, [profile = info.profile](const Scene& scene, const DrawOptions& options,
                                          CoverageCounts& counts) {
-            counts = exact::Coverage(scene, profile, options);
+            counts += exact::Coverage(scene, profile, options);
             for (int row = 0; row < counts.height; ++row) {
               const std::size_t index = counts.Index(counts.width - 1, row);
               counts.front[index] = counts.back[index] = 0;
@@ -97,15 +97,15 @@ PlantedSubject DropsLastColumn(const SubjectInfo& info) {
           }};
 }
 
-PlantedSubject Inclusive(const SubjectInfo& info) {
+FakeSubject Inclusive(const SubjectInfo& info) {
   return WithProfile(info, [](Profile& profile) { profile.tie_rule.inclusive = true; });
 }
 
-PlantedSubject NaiveFloat32(const SubjectInfo& info) { return {info, DrawNaively<float>}; }
+FakeSubject NaiveFloat32(const SubjectInfo& info) { return {info, DrawNaively<float>}; }
 
-PlantedSubject NaiveFloat64(const SubjectInfo& info) { return {info, DrawNaively<double>}; }
+FakeSubject NaiveFloat64(const SubjectInfo& info) { return {info, DrawNaively<double>}; }
 
-PlantedSubject LosesLarge(const SubjectInfo& info, double side) {
+FakeSubject LosesLarge(const SubjectInfo& info, double side) {
   return {info, [profile = info.profile, side](const Scene& scene, const DrawOptions& options,
                                                CoverageCounts& counts) {
             Scene kept = scene;
@@ -114,17 +114,17 @@ PlantedSubject LosesLarge(const SubjectInfo& info, double side) {
               return std::fabs(v[0].x - v[1].x) >= side || std::fabs(v[1].x - v[2].x) >= side ||
                      std::fabs(v[2].x - v[0].x) >= side;
             });
-            counts = exact::Coverage(kept, profile, options);
+            counts += exact::Coverage(kept, profile, options);
           }};
 }
 
-PlantedSubject Throwing(const SubjectInfo& info) {
+FakeSubject Throwing(const SubjectInfo& info) {
   return {info, [profile = info.profile](const Scene& scene, const DrawOptions& options,
                                          CoverageCounts& counts) {
             for (const Vertex& v : scene.vertices) {
               if (v.x < -1) throw std::runtime_error("negative column");
             }
-            counts = exact::Coverage(scene, profile, options);
+            counts += exact::Coverage(scene, profile, options);
           }};
 }
 

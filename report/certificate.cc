@@ -49,15 +49,14 @@ void WriteWitness(JsonWriter& json, const Witness& witness) {
 
 void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
                          const PropertyResult& result) {
+  const Counterexample& found = *result.counterexample;
   json.Key("counterexample").BeginObject();
-  json.Key("found_as_case").Text(result.failing_case);
-  if (result.verdict) {
-    json.Key("message").Text(result.verdict->message);
-    if (result.verdict->witness) WriteWitness(json, *result.verdict->witness);
-  }
+  json.Key("found_as_case").Text(found.failing_case);
+  json.Key("message").Text(found.verdict.message);
+  if (found.verdict.witness) WriteWitness(json, *found.verdict.witness);
   json.Key("replay").Text(ReplayCommand(certificate, result));
   std::string file =
-      io::CaseToJson({*result.counterexample, result.subject, result.property, result.Drawn()});
+      io::CaseToJson({found.value, result.subject, result.property, found.verdict.drawn});
   while (file.ends_with('\n')) file.pop_back();
   json.Key("case").Value(file);
   json.EndObject();
@@ -82,7 +81,7 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
   json.Key("cases_refused").Integer(result.cases_refused);
   json.Key("not_judged").Integer(result.not_judged);
   json.Key("worst_ratio").Exact(result.worst_ratio);
-  WriteNearEdge(json, result.near_edge);
+  WriteNearEdge(json, result.NearEdge());
   if (result.counterexample) WriteCounterexample(json, certificate, result);
   json.EndObject();
 }

@@ -49,13 +49,12 @@ std::string Failure(const Page& page, const Certificate& certificate,
       fmt::format("<article>\n<h3 class=\"name\">{}</h3>\n{}{}", Breakable(NameOf(result)),
                   TextLine("why", result.clause + " (" + AuthorityText(result) + ")"),
                   TextLine("said", Said(result)));
-  if (result.verdict && result.verdict->witness) {
-    html += TextLine("why", WitnessText(*result.verdict->witness));
-  }
   if (result.counterexample) {
-    const Scene& scene = result.counterexample->scene;
+    const Counterexample& found = *result.counterexample;
+    const Scene& scene = found.value.scene;
+    if (found.verdict.witness) html += TextLine("why", WitnessText(*found.verdict.witness));
     html += TextLine(
-        "why", fmt::format("case {}, shrunk to {} in {} x {}", result.failing_case,
+        "why", fmt::format("case {}, shrunk to {} in {} x {}", found.failing_case,
                            Several(scene.triangles.size(), "triangle"), scene.width, scene.height));
   }
   const auto picture = std::ranges::find_if(

@@ -19,7 +19,7 @@
 #include "io/output.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "props/run/campaign_part.h"
+#include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
 #include "subjects/process/process.h"
 #include "tool/description.h"
@@ -38,8 +38,8 @@ namespace {
 // Whether a result of a run that was interrupted stands: subjects outside are ended by it, so that
 // only what was seen to fail, and fails again, is known.
 bool Stands(const PropertyResult& result) {
-  return result.outcome == Outcome::kViolated && result.verdict &&
-         result.verdict->outcome == Outcome::kViolated;
+  return result.outcome == Outcome::kViolated && result.counterexample &&
+         result.counterexample->verdict.outcome == Outcome::kViolated;
 }
 
 void Add(report::Certificate& whole, const report::Certificate& part) {
@@ -133,7 +133,7 @@ void Certification::Do(std::size_t part, Subject& subject) {
   mine.is_done = true;
 }
 
-props::CampaignPart Certification::RunTest(Subject& subject, const Test& test) {
+PropertyResult Certification::RunTest(Subject& subject, const Test& test) {
   const std::uint64_t total = test.world != nullptr ? test.world->cases : options_.campaign.cases;
   CaseRange cases{0, total};
   if (source_.range) cases = *source_.range;
@@ -144,7 +144,7 @@ props::CampaignPart Certification::RunTest(Subject& subject, const Test& test) {
   campaign.first_case = cases.first;
   campaign.cases = cases.end - cases.first;
   campaign.pace = &pace_;
-  return props::RunPart(subject, *test.property, campaign);
+  return props::RunCampaign(subject, *test.property, campaign);
 }
 
 // An interrupted run, and one that ended with a case, decided what no certificate rests on: how
@@ -153,18 +153,19 @@ void Certification::DoTest(Subject& subject, std::size_t k, Part& mine) {
   const Test& test = tests_[k];
   if (source_.parts.empty()) {
     const exact::TierScope scope;
-    mine.run = RunTest(subject, test);
+    mine.result = RunTest(subject, test);
     mine.tiers = scope.Counts();
+  } else {
+    mine.result = props::NothingRun(info_, *test.property, options_.campaign.seed, test.world);
+    for (const SubjectPart& part : source_.parts) {
+      mine.result += part.tests[k].result;
+      mine.tiers += part.tests[k].tiers;
+    }
+    props::Conclude(info_, *test.property, mine.result);
   }
-  for (const SubjectPart& part : source_.parts) {
-    props::Add(mine.run, part.tests[k].run);
-    mine.tiers += part.tests[k].tiers;
-  }
-  if (props::EndsTheCampaign(mine.run)) mine.tiers = {};
-  PropertyResult result =
-      props::ResultOf(subject, *test.property, options_.campaign.seed, test.world, mine.run);
+  if (mine.result.end != End::kAllRun) mine.tiers = {};
   mine.found.interrupted = Interrupted();
-  if (!mine.found.interrupted || Stands(result)) mine.found.tested.push_back(std::move(result));
+  if (!mine.found.interrupted || Stands(mine.result)) mine.found.tested.push_back(mine.result);
 }
 
 bool Certification::IsBegun() const { return std::ranges::any_of(parts_, &Part::is_begun); }
@@ -212,8 +213,7 @@ SubjectPart Certification::ToPart() const {
     part.range = CasesOf(source_.shard.value_or(Shard{}), *part.cases);
   }
   for (std::size_t k = 0; k < tests_.size(); ++k) {
-    part.tests[k].run = parts_[k].run;
-    part.tests[k].tiers = parts_[k].tiers;
+    part.tests[k] = {parts_[k].result, parts_[k].tiers};
   }
   return part;
 }
@@ -232,9 +232,9 @@ SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>
   for (const std::string& world : worlds) part.options += " --exhaustive " + ShellWord(world);
   part.worlds = worlds;
   for (const Test& test : TestsOf(worlds)) {
-    TestPart& told = part.tests.emplace_back();
-    told.property = test.property->name;
-    if (test.world != nullptr) told.world = test.world->name;
+    PropertyResult& result = part.tests.emplace_back().result;
+    result.property = test.property->name;
+    if (test.world != nullptr) result.world = test.world->name;
   }
   return part;
 }

@@ -14,6 +14,7 @@
 
 #include "core/coverage.h"
 #include "core/profile.h"
+#include "core/result.h"
 #include "core/scene.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
@@ -22,7 +23,6 @@
 #include "props/domains/worlds.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "props/run/campaign_part.h"
 #include "report/certificate.h"
 #include "report/page.h"
 #include "tool/commands.h"
@@ -128,13 +128,13 @@ class Certification {
  private:
   struct Part {
     report::Certificate found;  ///< only what this part found
-    props::CampaignPart run;    ///< of a property
+    PropertyResult result;      ///< of a property
     exact::TierCounts tiers;
     bool is_begun = false;
     bool is_done = false;
   };
 
-  props::CampaignPart RunTest(Subject& subject, const Test& test);
+  PropertyResult RunTest(Subject& subject, const Test& test);
   void DoTest(Subject& subject, std::size_t test, Part& mine);
 
   const SubjectFactory& subject_;

@@ -18,7 +18,6 @@
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/domains/worlds.h"
-#include "props/run/campaign_part.h"
 #include "report/bench_page.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
@@ -123,9 +122,10 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
   io::WriteFile(folder + "/junit.xml", report::JUnitXml(certificate));
   for (const PropertyResult& result : certificate.tested) {
     if (!result.counterexample) continue;
+    const auto& found = *result.counterexample;
     io::WriteFile(
         folder + "/" + FileStemOf(result) + ".json",
-        io::CaseToJson({*result.counterexample, result.subject, result.property, result.Drawn()}));
+        io::CaseToJson({found.value, result.subject, result.property, found.verdict.drawn}));
   }
 }
 
@@ -290,7 +290,7 @@ std::string WritePart(const std::string& output, const SubjectPart& part) {
   const std::string path = folder + "/" + PartName(part);
   io::WriteFile(path, PartToJson(part));
   const auto ended = std::ranges::count_if(part.tests, [](const TestPart& test) {
-    return test.run.end == props::End::kFailed || test.run.end == props::End::kInconclusive;
+    return test.result.end == End::kFailed || test.result.end == End::kInconclusive;
   });
   return report::CleanText(fmt::format(
              "{}: cases {}..{} of each property, {} of {} ended early: {}", part.subject,

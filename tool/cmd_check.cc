@@ -25,9 +25,9 @@
 #include "props/authority.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
 #include "props/run/property_domains.h"
-#include "props/run/tally.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/text.h"
@@ -151,8 +151,9 @@ void SaveCounterexample(const std::string& folder, const PropertyResult& result)
       fmt::format("{}/{}-{}", folder, FileNameOf(result.subject), result.property);
   std::string path = stem + ".json";
   for (int n = 2; std::filesystem::exists(path); ++n) path = fmt::format("{}-{}.json", stem, n);
-  io::WriteFile(path, io::CaseToJson({*result.counterexample, result.subject, result.property,
-                                      result.Drawn()}));
+  const auto& found = *result.counterexample;
+  io::WriteFile(
+      path, io::CaseToJson({found.value, result.subject, result.property, found.verdict.drawn}));
 }
 
 // What came of one property, and what is printed of it. Nothing of one that was not begun.
@@ -215,13 +216,14 @@ void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
   const PropertyResult& result = *share.result;
   if (WasNotAsked(result)) return;
   share.text = ResultLine(result, options.fail_on);
-  if (!result.counterexample || !result.verdict) return;
+  if (!result.counterexample) return;
+  const auto& found = *result.counterexample;
   CaseChoice choice;
   choice.subject = result.subject;
   choice.property = result.property;
   choice.profile = options.profile;
-  choice.name = result.failing_case;
-  share.text += FailureText(subject, result.property, *result.counterexample, *result.verdict,
+  choice.name = found.failing_case;
+  share.text += FailureText(subject, result.property, found.value, found.verdict,
                             CommandFor("replay", choice), /*colour=*/false);
   if (!options.save.empty()) SaveCounterexample(options.save, result);
 }

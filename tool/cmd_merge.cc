@@ -181,7 +181,7 @@ void RequireSame(const SubjectPart& part, const SubjectPart& mine) {
           "it was run with other options:" + report::CleanText(part.options),
           "merge with the same --time-limit and --memory-limit");
   const auto is_same = [](const TestPart& one, const TestPart& other) {
-    return one.property == other.property && one.world == other.world;
+    return NameOf(one.result) == NameOf(other.result);
   };
   require(std::ranges::equal(part.tests, mine.tests, is_same),
           "its properties are not those that this program has",

@@ -29,11 +29,11 @@ using report::JsonWriter;
 
 constexpr int kPartVersion = 3;
 
-constexpr std::array<std::pair<props::End, std::string_view>, 4> kEnds{
-    {{props::End::kAllRun, "all run"},
-     {props::End::kNotApplicable, "not applicable"},
-     {props::End::kFailed, "failed"},
-     {props::End::kInconclusive, "inconclusive"}}};
+constexpr std::array<std::pair<End, std::string_view>, 4> kEnds{
+    {{End::kAllRun, "all run"},
+     {End::kNotApplicable, "not applicable"},
+     {End::kFailed, "failed"},
+     {End::kInconclusive, "inconclusive"}}};
 constexpr std::array<Outcome, 3> kFoundOutcomes{Outcome::kViolated, Outcome::kInconclusive,
                                                 Outcome::kHolds};
 
@@ -89,21 +89,21 @@ auto IntegersTo(JsonWriter& json) {
   return [&json](std::string_view key, auto value) { json.Key(key).Integer(value); };
 }
 
-void WriteSums(JsonWriter& json, const props::Sums& sums) {
+void WriteSums(JsonWriter& json, const PropertyResult& sums) {
   VisitSums(sums, IntegersTo(json));
   json.Key("worst_ratio").Exact(sums.worst_ratio);
   json.Key("why_not").Text(sums.why_not);
   json.Key("why_refused").Text(sums.why_refused);
   json.Key("domains").BeginArray();
-  for (std::size_t d = 0; d < sums.drawn.size(); ++d) {
+  for (const DomainCounts& domain : sums.domains) {
     json.BeginObject();
-    json.Key("drawn").Integer(sums.drawn[d]);
-    VisitNearEdge(sums.near_edge[d], IntegersTo(json));
+    json.Key("drawn").Integer(domain.drawn);
+    VisitNearEdge(domain.near_edge, IntegersTo(json));
     json.EndObject();
   }
   json.EndArray();
   json.Key("places").BeginArray();
-  for (const props::PlaceCounts& counts : sums.places) {
+  for (const PlaceCounts& counts : sums.places) {
     json.BeginObject();
     VisitPlace(counts, IntegersTo(json));
     json.EndObject();
@@ -111,13 +111,12 @@ void WriteSums(JsonWriter& json, const props::Sums& sums) {
   json.EndArray();
 }
 
-void WriteFound(JsonWriter& json, const TestPart& test) {
-  const props::Counterexample& found = *test.run.found;
+void WriteFound(JsonWriter& json, const std::string& property, const Counterexample& found) {
   json.Key("found").BeginObject();
-  json.Key("as_case").Text(test.run.failing_case);
+  json.Key("as_case").Text(found.failing_case);
   json.Key("outcome").Text(OutcomeName(found.outcome));
   json.Key("message").Text(found.message);
-  json.Key("case").Text(io::CaseToJson({found.value, "", test.property, found.verdict.drawn}));
+  json.Key("case").Text(io::CaseToJson({found.value, "", property, found.verdict.drawn}));
   json.Key("said_outcome").Text(OutcomeName(found.verdict.outcome));
   json.Key("said").Text(found.verdict.message);
   if (found.verdict.witness) {
@@ -131,19 +130,20 @@ void WriteFound(JsonWriter& json, const TestPart& test) {
 }
 
 void WriteTest(JsonWriter& json, const TestPart& test) {
+  const PropertyResult& result = test.result;
   json.BeginObject();
-  json.Key("property").Text(test.property);
-  json.Key("world").Text(test.world);
+  json.Key("property").Text(result.property);
+  json.Key("world").Text(result.world);
   for (const auto& [end, name] : kEnds) {
-    if (end == test.run.end) json.Key("end").Text(name);
+    if (end == result.end) json.Key("end").Text(name);
   }
-  json.Key("why").Text(test.run.why);
-  json.Key("seconds").Exact(test.run.seconds);
-  WriteSums(json, test.run.sums);
+  json.Key("why").Text(result.why);
+  json.Key("seconds").Exact(result.seconds);
+  WriteSums(json, result);
   json.Key("oracle_tiers").BeginObject();
   VisitTiers(test.tiers, IntegersTo(json));
   json.EndObject();
-  if (test.run.found) WriteFound(json, test);
+  if (result.counterexample) WriteFound(json, result.property, *result.counterexample);
   json.EndObject();
 }
 
@@ -174,15 +174,15 @@ auto IntegersFrom(const JsonValue& object) {
   };
 }
 
-props::Sums SumsOf(const JsonValue& object) {
-  props::Sums sums;
+void ReadSums(const JsonValue& object, PropertyResult& sums) {
   VisitSums(sums, IntegersFrom(object));
   sums.worst_ratio = ExactOf(object.Get("worst_ratio"));
   sums.why_not = TextOf(object.Get("why_not"));
   sums.why_refused = TextOf(object.Get("why_refused"));
   for (const JsonValue domain : object.Get("domains").RequireArray()) {
-    sums.drawn.push_back(IntegerOf<std::uint64_t>(domain.Get("drawn")));
-    VisitNearEdge(sums.near_edge.emplace_back(), IntegersFrom(domain));
+    DomainCounts& counts = sums.domains.emplace_back();
+    counts.drawn = IntegerOf<std::uint64_t>(domain.Get("drawn"));
+    VisitNearEdge(counts.near_edge, IntegersFrom(domain));
   }
   const JsonValue places = object.Get("places");
   if (places.RequireArray().size() != sums.places.size()) {
@@ -190,7 +190,6 @@ props::Sums SumsOf(const JsonValue& object) {
   }
   auto counts = sums.places.begin();
   for (const JsonValue place : places.RequireArray()) VisitPlace(*counts++, IntegersFrom(place));
-  return sums;
 }
 
 Outcome OutcomeOf(const JsonValue& value) {
@@ -200,8 +199,9 @@ Outcome OutcomeOf(const JsonValue& value) {
   throw value.Error("is no outcome of a part", "write the part again");
 }
 
-props::Counterexample FoundOf(const JsonValue& object) {
-  props::Counterexample found;
+Counterexample FoundOf(const JsonValue& object) {
+  Counterexample found;
+  found.failing_case = TextOf(object.Get("as_case"));
   found.outcome = OutcomeOf(object.Get("outcome"));
   found.message = TextOf(object.Get("message"));
   const JsonValue file = object.Get("case");
@@ -219,7 +219,7 @@ props::Counterexample FoundOf(const JsonValue& object) {
   return found;
 }
 
-props::End EndOf(const JsonValue& value) {
+End EndOf(const JsonValue& value) {
   for (const auto& [end, name] : kEnds) {
     if (name == value.RequireString()) return end;
   }
@@ -228,17 +228,15 @@ props::End EndOf(const JsonValue& value) {
 
 TestPart TestOf(const JsonValue& object) {
   TestPart test;
-  test.property = TextOf(object.Get("property"));
-  test.world = TextOf(object.Get("world"));
-  test.run.end = EndOf(object.Get("end"));
-  test.run.why = TextOf(object.Get("why"));
-  test.run.seconds = ExactOf(object.Get("seconds"));
-  test.run.sums = SumsOf(object);
+  PropertyResult& result = test.result;
+  result.property = TextOf(object.Get("property"));
+  result.world = TextOf(object.Get("world"));
+  result.end = EndOf(object.Get("end"));
+  result.why = TextOf(object.Get("why"));
+  result.seconds = ExactOf(object.Get("seconds"));
+  ReadSums(object, result);
   VisitTiers(test.tiers, IntegersFrom(object.Get("oracle_tiers")));
-  if (test.run.end != props::End::kFailed) return test;
-  const JsonValue found = object.Get("found");
-  test.run.failing_case = TextOf(found.Get("as_case"));
-  test.run.found = FoundOf(found);
+  if (result.end == End::kFailed) result.counterexample = FoundOf(object.Get("found"));
   return test;
 }
 

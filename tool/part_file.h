@@ -9,18 +9,16 @@
 #include <string_view>
 #include <vector>
 
+#include "core/result.h"
 #include "exact/edge.h"
-#include "props/run/campaign_part.h"
 #include "tool/commands.h"
 #include "tool/shard.h"
 
 namespace rasterproof::tool {
 
-/// What came of one property's cases.
+/// What came of one property's cases: its name, its world, counters, end and counterexample.
 struct TestPart {
-  std::string property;
-  std::string world;  ///< empty: drawn cases
-  props::CampaignPart run;
+  PropertyResult result;
   exact::TierCounts tiers;
 };
 

@@ -96,7 +96,7 @@ TEST(CertificateTest, ACounterexampleIsACaseFileWithTheSameBits) {
   const Certificate sample = SampleCertificate();
   const json counterexample = Parsed(sample)["tested"][1]["counterexample"];
   const io::CaseFile file = io::ParseCase(counterexample["case"].dump(), "case");
-  EXPECT_EQ(file.value, *sample.tested[1].counterexample);
+  EXPECT_EQ(file.value, sample.tested[1].counterexample->value);
   EXPECT_EQ(file.property, "SharedEdgeSamplesAreCoveredOnce");
   EXPECT_EQ(counterexample["witness"]["observed"], "2");
   EXPECT_EQ(counterexample["found_as_case"], "needles:12@7");

@@ -94,7 +94,8 @@ TEST(PageTest, EverythingThatOthersNamedIsEscaped) {
   certificate.measured[0].profile = evil;
   PropertyResult& result = certificate.tested[1];
   result.property = result.clause = result.message = result.tolerance = evil;
-  result.verdict->witness->observed = result.verdict->witness->expected = evil;
+  Witness& witness = *result.counterexample->verdict.witness;
+  witness.observed = witness.expected = evil;
   certificate.replay[evil] = evil;
   for (const std::string& html : PagesOf(page)) {
     EXPECT_EQ(Count(html, "<script"), 1U);

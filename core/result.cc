@@ -52,6 +52,8 @@ PropertyResult& PropertyResult::operator+=(const PropertyResult& next) {
     places[p].refused += next.places[p].refused;
   }
   end = next.end;
+  tiers += next.tiers;
+  if (end != End::kAllRun) tiers = {};
   why = next.why;
   counterexample = next.counterexample;
   return *this;

@@ -12,6 +12,7 @@
 #include "core/authority.h"
 #include "core/case.h"
 #include "core/coverage.h"
+#include "core/tier_counts.h"
 #include "core/verdict.h"
 
 namespace rasterproof {
@@ -94,6 +95,10 @@ struct PropertyResult {
   std::uint64_t refused_within_limits = 0;  ///< of cases_refused
   std::string why_refused;                  ///< the first of those refusals
   CountsOfPlaces places{};                  ///< of cases within the limits
+
+  /// Decisions of the oracle over all cases; none if it ended with a case or sooner: how often then
+  /// depends on which cases shared calls with that one.
+  TierCounts tiers;
 
   End end = End::kAllRun;
   std::string why;                               ///< of kNotApplicable and kInconclusive

@@ -143,7 +143,7 @@ std::string CertificateToJson(const Certificate& certificate) {
   for (const SceneResult& result : certificate.measured) WriteMeasured(json, certificate, result);
   json.EndArray();
   json.Key("oracle_tiers").BeginObject();
-  for (const auto& [tier, count] : certificate.oracle_tiers) json.Key(tier).Integer(count);
+  for (const auto& [name, tier] : kTiers) json.Key(name).Integer(certificate.oracle_tiers.*tier);
   json.EndObject();
   WriteEvidence(json, "not_applicable", NotApplicable(certificate));
   json.EndObject();

@@ -10,6 +10,7 @@
 #include "core/authority.h"
 #include "core/result.h"
 #include "core/subject_info.h"
+#include "core/tier_counts.h"
 
 namespace rasterproof::report {
 
@@ -40,7 +41,7 @@ struct Certificate {
   std::vector<SceneResult> measured;
   /// Which tier of the oracle decided how often, over scenes and all properties but those whose run
   /// ended with a case.
-  std::map<std::string, std::uint64_t> oracle_tiers;
+  TierCounts oracle_tiers;
   /// The command that replays a result's counterexample, by NameOf the result. Without one the
   /// reader is told to save the counterexample's case and to replay that file.
   std::map<std::string, std::string> replay;

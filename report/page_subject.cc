@@ -202,8 +202,9 @@ std::string MeasuredTable(const Certificate& certificate) {
 
 std::string TierList(const Certificate& certificate) {
   std::vector<Evidence> tiers;
-  for (const auto& [tier, count] : certificate.oracle_tiers)
-    tiers.push_back({tier, Grouped(count)});
+  for (const auto& [name, tier] : kTiers) {
+    tiers.push_back({std::string(name), Grouped(certificate.oracle_tiers.*tier)});
+  }
   return EvidenceList("the oracle's tiers: which decided how often", tiers);
 }
 

@@ -46,6 +46,7 @@ void Add(report::Certificate& whole, const report::Certificate& part) {
   whole.tested.insert(whole.tested.end(), part.tested.begin(), part.tested.end());
   whole.measured.insert(whole.measured.end(), part.measured.begin(), part.measured.end());
   whole.replay.insert(part.replay.begin(), part.replay.end());
+  whole.oracle_tiers += part.oracle_tiers;
 }
 
 // Limits that are not the usual ones.
@@ -123,12 +124,12 @@ bool Certification::TakesLong(std::size_t part) const {
 void Certification::Do(std::size_t part, Subject& subject) {
   Part& mine = parts_[part];
   mine.is_begun = true;
-  const exact::TierScope scope;
   if (part < tests_.size()) {
     DoTest(subject, part, mine);
   } else {
+    const exact::TierScope scope;
     MeasureOne(subject, *scenes_[part - tests_.size()], mine.found);
-    mine.tiers = scope.Counts();
+    mine.found.oracle_tiers = scope.Counts();
   }
   mine.is_done = true;
 }
@@ -147,23 +148,16 @@ PropertyResult Certification::RunTest(Subject& subject, const Test& test) {
   return props::RunCampaign(subject, *test.property, campaign);
 }
 
-// An interrupted run, and one that ended with a case, decided what no certificate rests on: how
-// often depends on which cases shared calls with that one.
 void Certification::DoTest(Subject& subject, std::size_t k, Part& mine) {
   const Test& test = tests_[k];
   if (source_.parts.empty()) {
-    const exact::TierScope scope;
     mine.result = RunTest(subject, test);
-    mine.tiers = scope.Counts();
   } else {
     mine.result = props::NothingRun(info_, *test.property, options_.campaign.seed, test.world);
-    for (const SubjectPart& part : source_.parts) {
-      mine.result += part.tests[k].result;
-      mine.tiers += part.tests[k].tiers;
-    }
+    for (const SubjectPart& part : source_.parts) mine.result += part.tests[k];
     props::Conclude(info_, *test.property, mine.result);
   }
-  if (mine.result.end != End::kAllRun) mine.tiers = {};
+  mine.found.oracle_tiers = mine.result.tiers;
   mine.found.interrupted = Interrupted();
   if (!mine.found.interrupted || Stands(mine.result)) mine.found.tested.push_back(mine.result);
 }
@@ -181,11 +175,9 @@ report::Certificate Certification::Result() const {
   certificate.seed = options_.campaign.seed;
   certificate.fail_on = options_.fail_on;
   certificate.proved = ProvedOf(info_);
-  exact::TierCounts tiers;
   const auto add = [&](const Part& part) {
     certificate.interrupted = certificate.interrupted || part.found.interrupted || !part.is_done;
     Add(certificate, part.found);
-    tiers += part.tiers;
   };
   const auto scenes = parts_.begin() + static_cast<std::ptrdiff_t>(tests_.size());
   std::for_each(parts_.begin(), scenes, add);
@@ -195,10 +187,6 @@ report::Certificate Certification::Result() const {
     certificate.contract_thin = evidence.thin;
   }
   std::for_each(scenes, parts_.end(), add);
-  certificate.oracle_tiers = {{"filter", tiers.filter},
-                              {"stable", tiers.stable},
-                              {"exact", tiers.exact},
-                              {"symbolic", tiers.symbolic}};
   return certificate;
 }
 
@@ -212,9 +200,7 @@ SubjectPart Certification::ToPart() const {
     part.cases = options_.campaign.cases;
     part.range = CasesOf(source_.shard.value_or(Shard{}), *part.cases);
   }
-  for (std::size_t k = 0; k < tests_.size(); ++k) {
-    part.tests[k] = {parts_[k].result, parts_[k].tiers};
-  }
+  for (std::size_t k = 0; k < tests_.size(); ++k) part.tests[k] = parts_[k].result;
   return part;
 }
 
@@ -232,7 +218,7 @@ SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>
   for (const std::string& world : worlds) part.options += " --exhaustive " + ShellWord(world);
   part.worlds = worlds;
   for (const Test& test : TestsOf(worlds)) {
-    PropertyResult& result = part.tests.emplace_back().result;
+    PropertyResult& result = part.tests.emplace_back();
     result.property = test.property->name;
     if (test.world != nullptr) result.world = test.world->name;
   }

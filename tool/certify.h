@@ -18,7 +18,7 @@
 #include "core/scene.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "exact/edge.h"
+#include "core/tier_counts.h"
 #include "io/scene_set.h"
 #include "props/domains/worlds.h"
 #include "props/property.h"
@@ -58,7 +58,7 @@ class MeasuredScene {
   struct Known {
     Profile profile;
     CoverageCounts counts;
-    exact::TierCounts tiers;
+    TierCounts tiers;
   };
 
   std::string name_;
@@ -129,7 +129,6 @@ class Certification {
   struct Part {
     report::Certificate found;  ///< only what this part found
     PropertyResult result;      ///< of a property
-    exact::TierCounts tiers;
     bool is_begun = false;
     bool is_done = false;
   };

@@ -289,8 +289,8 @@ std::string WritePart(const std::string& output, const SubjectPart& part) {
   io::MakeFolder(folder);
   const std::string path = folder + "/" + PartName(part);
   io::WriteFile(path, PartToJson(part));
-  const auto ended = std::ranges::count_if(part.tests, [](const TestPart& test) {
-    return test.result.end == End::kFailed || test.result.end == End::kInconclusive;
+  const auto ended = std::ranges::count_if(part.tests, [](const PropertyResult& test) {
+    return test.end == End::kFailed || test.end == End::kInconclusive;
   });
   return report::CleanText(fmt::format(
              "{}: cases {}..{} of each property, {} of {} ended early: {}", part.subject,

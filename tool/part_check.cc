@@ -151,7 +151,7 @@ class TestCheck {
 }  // namespace
 
 void RequireSound(const SubjectPart& part, const SubjectInfo& info) {
-  for (const TestPart& test : part.tests) TestCheck(part, test.result, info).All();
+  for (const PropertyResult& test : part.tests) TestCheck(part, test, info).All();
 }
 
 }  // namespace rasterproof::tool

@@ -129,8 +129,7 @@ void WriteFound(JsonWriter& json, const std::string& property, const Counterexam
   json.EndObject();
 }
 
-void WriteTest(JsonWriter& json, const TestPart& test) {
-  const PropertyResult& result = test.result;
+void WriteTest(JsonWriter& json, const PropertyResult& result) {
   json.BeginObject();
   json.Key("property").Text(result.property);
   json.Key("world").Text(result.world);
@@ -141,7 +140,7 @@ void WriteTest(JsonWriter& json, const TestPart& test) {
   json.Key("seconds").Exact(result.seconds);
   WriteSums(json, result);
   json.Key("oracle_tiers").BeginObject();
-  VisitTiers(test.tiers, IntegersTo(json));
+  VisitTiers(result.tiers, IntegersTo(json));
   json.EndObject();
   if (result.counterexample) WriteFound(json, result.property, *result.counterexample);
   json.EndObject();
@@ -226,18 +225,17 @@ End EndOf(const JsonValue& value) {
   throw value.Error("is no end of a part", "write the part again");
 }
 
-TestPart TestOf(const JsonValue& object) {
-  TestPart test;
-  PropertyResult& result = test.result;
+PropertyResult TestOf(const JsonValue& object) {
+  PropertyResult result;
   result.property = TextOf(object.Get("property"));
   result.world = TextOf(object.Get("world"));
   result.end = EndOf(object.Get("end"));
   result.why = TextOf(object.Get("why"));
   result.seconds = ExactOf(object.Get("seconds"));
   ReadSums(object, result);
-  VisitTiers(test.tiers, IntegersFrom(object.Get("oracle_tiers")));
+  VisitTiers(result.tiers, IntegersFrom(object.Get("oracle_tiers")));
   if (result.end == End::kFailed) result.counterexample = FoundOf(object.Get("found"));
-  return test;
+  return result;
 }
 
 void RequirePart(const JsonValue& root) {
@@ -303,7 +301,7 @@ void WriteContent(JsonWriter& json, const SubjectPart& part) {
   }
   if (part.cases) json.Key("cases").Integer(*part.cases);
   json.Key("tests").BeginArray();
-  for (const TestPart& test : part.tests) WriteTest(json, test);
+  for (const PropertyResult& test : part.tests) WriteTest(json, test);
   json.EndArray();
 }
 

@@ -10,17 +10,10 @@
 #include <vector>
 
 #include "core/result.h"
-#include "exact/edge.h"
 #include "tool/commands.h"
 #include "tool/shard.h"
 
 namespace rasterproof::tool {
-
-/// What came of one property's cases: its name, its world, counters, end and counterexample.
-struct TestPart {
-  PropertyResult result;
-  exact::TierCounts tiers;
-};
 
 struct SubjectPart {
   std::string file;  ///< where it was read
@@ -34,7 +27,8 @@ struct SubjectPart {
   CaseRange range;                     ///< of drawn cases
   std::optional<Shard> shard;          ///< nothing: --cases A..B
   std::optional<std::uint64_t> cases;  ///< of the campaign, where that is known: with a shard
-  std::vector<TestPart> tests;
+  /// Of each property and world: the names, counters, end and counterexample alone.
+  std::vector<PropertyResult> tests;
   std::string digest;  ///< as read: of all that it was written with
 };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "exact/edge.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
 #include "props/domains/worlds.h"
@@ -65,7 +66,9 @@ class Campaign {
 
   PropertyResult Run() {
     const auto start = budget_.Now();
+    const exact::TierScope scope;
     RunBlocks();
+    if (result_.end == End::kAllRun) result_.tiers = scope.Counts();
     result_.seconds = budget_.Since(start);
     Conclude(subject_.Info(), property_, result_);
     return std::move(result_);

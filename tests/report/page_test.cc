@@ -89,7 +89,6 @@ TEST(PageTest, EverythingThatOthersNamedIsEscaped) {
   certificate.environment = {{evil, evil}};
   certificate.proved = {{evil, evil}};
   certificate.tested.back().world = evil;
-  certificate.oracle_tiers = {{evil, 1}};
   certificate.measured[0].scene = evil;
   certificate.measured[0].profile = evil;
   PropertyResult& result = certificate.tested[1];

@@ -76,7 +76,7 @@ Certificate SampleCertificate() {
   exhausted.domains.clear();
   certificate.tested.push_back(exhausted);
   certificate.measured = {OnScene("real", 5)};
-  certificate.oracle_tiers = {{"filter", 900}, {"exact", 3}};
+  certificate.oracle_tiers = {.filter = 900, .exact = 3};
   return certificate;
 }
 

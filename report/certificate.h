@@ -14,7 +14,7 @@
 
 namespace rasterproof::report {
 
-/// A statement with the evidence behind it. The four words are never mixed.
+/// A statement with its evidence. The four words are never mixed.
 struct Evidence {
   std::string statement;
   std::string by;  ///< proof script, enumeration with its N, command

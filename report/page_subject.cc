@@ -208,7 +208,7 @@ std::string TierList(const Certificate& certificate) {
   return EvidenceList("the oracle's tiers: which decided how often", tiers);
 }
 
-// Where the same stands for programs to read.
+// The files that say the same to programs.
 std::string Files(const Certificate& certificate) {
   if (certificate.folder.empty()) return {};
   return "<p><a href=\"certificate.json\">certificate.json</a>, "

@@ -42,8 +42,8 @@ class MeasuredScene {
   const std::string& name() const { return name_; }
   bool real() const { return real_; }
   const Scene& scene() const { return scene_; }
-  /// The command that draws this scene, with "--mode barycentrics --output ..." or the like behind
-  /// it.
+  /// The command that draws this scene, to be followed by "--mode barycentrics --output ..." or
+  /// the like.
   std::string CommandOf(const std::string& verb) const;
   /// The command that shows where the subject differs on this scene.
   std::string CommandThatShows(const std::string& subject) const;

@@ -78,7 +78,7 @@ void DoAll(const std::vector<SubjectFactory>& subjects, std::deque<Certification
 }
 
 // Certifies the subjects; the order of the result is theirs. Those that an interrupt kept from
-// being begun are left out; so is the one that met `failure`, and those behind it.
+// being begun are left out; so is the one that met `failure`, and those after it.
 std::vector<report::Certificate> CertifyAll(const std::vector<SubjectFactory>& subjects,
                                             const CertifyOptions& options, const Source& source,
                                             MeasuredScenes& scenes, Progress& progress,
@@ -99,7 +99,7 @@ std::string FileStemOf(const PropertyResult& result) {
   return result.world.empty() ? result.property : result.property + "-" + result.world;
 }
 
-// Every subject has a folder, and every counterexample there a case file; the certificate tells
+// Every subject has a folder, and every counterexample there a case file; the certificate says
 // where, and how to run it again.
 void NameFiles(const std::string& output, report::Certificate& certificate) {
   const std::string& subject = certificate.subject.name;
@@ -204,7 +204,7 @@ std::string SummaryLine(const report::Certificate& certificate) {
   return report::CleanText(line) + "\n";
 }
 
-// What holds with reservations, and the scenes that were not drawn: told where they can be read.
+// Says where to read of results with reservations and of scenes that were not drawn.
 std::string Remarks(const report::Certificate& certificate) {
   std::string text;
   const auto add = [&](const std::string& line) { text += "  " + report::CleanText(line) + "\n"; };

@@ -104,7 +104,7 @@ class Campaign {
     }
   }
 
-  // A slow subject may be stopped behind any case, a small one first.
+  // A slow subject may be stopped after any case: it gets the small ones first.
   bool GoOneByOne() const {
     return !is_outside_ || property_.is_about_sequence || pace_.is_slow || pace_.hangs;
   }

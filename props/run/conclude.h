@@ -13,8 +13,8 @@
 
 namespace rasterproof::props {
 
-/// Of the cases that would have put the property to the test, at most so many may be refused:
-/// beyond that, what holds was hardly asked. Scenes beyond the profile's limits don't count: who
+/// The largest share of the cases that would have put the property to the test which a subject may
+/// refuse: beyond it, the property was hardly asked. Scenes beyond the profile's limits don't count: who
 /// states a limit may refuse what lies beyond it.
 inline constexpr double kMostRefusedShare = 0.5;
 

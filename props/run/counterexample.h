@@ -18,9 +18,9 @@
 
 namespace rasterproof::props {
 
-/// So many evaluations may hang while a case is shrunk.
+/// The evaluations that may hang while a case is shrunk.
 inline constexpr int kMostHangs = 8;
-/// While one that hung is shrunk, they may take so many time limits in all (Pace).
+/// The time limits (Pace) that they may take in all while a case that hung is shrunk.
 inline constexpr double kMostHangLimits = 2;
 
 /// What a failing case comes to when it is run once more, alone.

@@ -5,15 +5,6 @@
 
 namespace rasterproof {
 
-NearEdgeCounts& NearEdgeCounts::operator+=(const NearEdgeCounts& more) {
-  samples += more.samples;
-  on_edge += more.on_edge;
-  within_1 += more.within_1;
-  within_16 += more.within_16;
-  within_256 += more.within_256;
-  return *this;
-}
-
 void PropertyResult::AddCase(const Verdict& verdict) {
   ++cases;
   if (verdict.exercised != 0) ++cases_exercised;
@@ -30,26 +21,17 @@ void PropertyResult::AddCase(const Verdict& verdict) {
 PropertyResult& PropertyResult::operator+=(const PropertyResult& next) {
   seconds += next.seconds;
   if (end != End::kAllRun) return *this;
-  cases += next.cases;
-  cases_exercised += next.cases_exercised;
-  exercised += next.exercised;
-  cases_refused += next.cases_refused;
-  not_judged += next.not_judged;
+  if (not_applicable == 0) why_not = next.why_not;
+  if (refused_within_limits == 0) why_refused = next.why_refused;
+  AddCounters(kCaseCounters, next, *this);
   worst_ratio = std::max(worst_ratio, next.worst_ratio);
-  positive_fronts += next.positive_fronts;
-  negative_fronts += next.negative_fronts;
   domains.resize(std::max(domains.size(), next.domains.size()));
   for (std::size_t d = 0; d < next.domains.size(); ++d) {
     domains[d].drawn += next.domains[d].drawn;
     domains[d].near_edge += next.domains[d].near_edge;
   }
-  if (not_applicable == 0) why_not = next.why_not;
-  not_applicable += next.not_applicable;
-  if (refused_within_limits == 0) why_refused = next.why_refused;
-  refused_within_limits += next.refused_within_limits;
   for (std::size_t p = 0; p < places.size(); ++p) {
-    places[p].asked += next.places[p].asked;
-    places[p].refused += next.places[p].refused;
+    AddCounters(kPlaceCounters, next.places[p], places[p]);
   }
   end = next.end;
   tiers += next.tiers;

@@ -11,33 +11,16 @@
 
 #include "core/authority.h"
 #include "core/case.h"
+#include "core/counters.h"
 #include "core/coverage.h"
-#include "core/tier_counts.h"
 #include "core/verdict.h"
 
 namespace rasterproof {
-
-/// How near to edges the samples of a run lay, measured on the lattice in use.
-struct NearEdgeCounts {
-  std::uint64_t samples = 0;  ///< (edge, sample) pairs looked at
-  std::uint64_t on_edge = 0;
-  std::uint64_t within_1 = 0;  ///< not on the edge, within 1 ulp (or subpixel step) of it
-  std::uint64_t within_16 = 0;
-  std::uint64_t within_256 = 0;
-
-  NearEdgeCounts& operator+=(const NearEdgeCounts& more);
-};
 
 /// The cases drawn from one domain.
 struct DomainCounts {
   std::uint64_t drawn = 0;
   NearEdgeCounts near_edge;
-};
-
-/// Cases that put a property to the test, or would have if they had not been refused.
-struct PlaceCounts {
-  std::uint64_t asked = 0;
-  std::uint64_t refused = 0;
 };
 
 /// The kinds of places where rasterizers differ; props/run/case_places.h names them.
@@ -120,6 +103,18 @@ struct PropertyResult {
   /// Of all domains.
   NearEdgeCounts NearEdge() const;
 };
+
+/// The counters of its cases that just add up.
+inline constexpr Counters<PropertyResult, 9> kCaseCounters{
+    {{"cases", &PropertyResult::cases},
+     {"cases_exercised", &PropertyResult::cases_exercised},
+     {"exercised", &PropertyResult::exercised},
+     {"cases_refused", &PropertyResult::cases_refused},
+     {"not_judged", &PropertyResult::not_judged},
+     {"positive_fronts", &PropertyResult::positive_fronts},
+     {"negative_fronts", &PropertyResult::negative_fronts},
+     {"not_applicable", &PropertyResult::not_applicable},
+     {"refused_within_limits", &PropertyResult::refused_within_limits}}};
 
 /// Returns the property and its world, if any: "CoverageEqualsTheModel on triangles-7x7".
 inline std::string NameOf(const PropertyResult& result) {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/counters.h"
 #include "core/tie_rule.h"
-#include "core/tier_counts.h"
 #include "core/vertex.h"
 #include "exact/rational.h"
 

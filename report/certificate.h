@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "core/authority.h"
+#include "core/counters.h"
 #include "core/result.h"
 #include "core/subject_info.h"
-#include "core/tier_counts.h"
+#include "core/verdict.h"
+#include "report/json_writer.h"
 
 namespace rasterproof::report {
 
@@ -83,6 +85,9 @@ std::vector<Evidence> NotApplicable(const Certificate& certificate);
 /// cases, M of which put it to the test".
 std::vector<Evidence> Exhausted(const Certificate& certificate);
 
+/// How often each tier of the oracle decided.
+std::map<std::string, std::uint64_t> TiersByName(const Certificate& certificate);
+
 /// What an outcome does not speak for: cases that the subject refused (unless the result's own
 /// message says it), samples that were not judged. Empty if there are none.
 std::string Reservations(const PropertyResult& result);
@@ -92,6 +97,9 @@ std::string Said(const PropertyResult& result);
 
 /// The command that replays the counterexample of a result.
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result);
+
+/// Writes the member "witness", as certificates and parts of campaigns have it.
+void WriteWitness(JsonWriter& json, const Witness& witness);
 
 /// JSON as docs/certificate.schema.json describes; counterexamples inline as case files. No times:
 /// a campaign bounded by cases gives the same bytes however long it took.

@@ -202,8 +202,8 @@ std::string MeasuredTable(const Certificate& certificate) {
 
 std::string TierList(const Certificate& certificate) {
   std::vector<Evidence> tiers;
-  for (const auto& [name, tier] : kTiers) {
-    tiers.push_back({std::string(name), Grouped(certificate.oracle_tiers.*tier)});
+  for (const auto& [name, count] : TiersByName(certificate)) {
+    tiers.push_back({name, Grouped(count)});
   }
   return EvidenceList("the oracle's tiers: which decided how often", tiers);
 }

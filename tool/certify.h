@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "core/counters.h"
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "core/tier_counts.h"
 #include "io/scene_set.h"
 #include "props/domains/worlds.h"
 #include "props/property.h"

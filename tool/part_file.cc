@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/counters.h"
 #include "core/error.h"
 #include "core/result.h"
 #include "core/scene.h"
@@ -19,6 +20,7 @@
 #include "io/json_document.h"
 #include "io/number_text.h"
 #include "io/output.h"
+#include "report/certificate.h"
 #include "report/json_writer.h"
 
 namespace rasterproof::tool {
@@ -37,60 +39,10 @@ constexpr std::array<std::pair<End, std::string_view>, 4> kEnds{
 constexpr std::array<Outcome, 3> kFoundOutcomes{Outcome::kViolated, Outcome::kInconclusive,
                                                 Outcome::kHolds};
 
-// The numbers of both directions, in one order.
-template <class Counts, class Visit>
-void VisitSums(Counts& sums, const Visit& visit) {
-  visit("cases", sums.cases);
-  visit("cases_exercised", sums.cases_exercised);
-  visit("exercised", sums.exercised);
-  visit("cases_refused", sums.cases_refused);
-  visit("not_judged", sums.not_judged);
-  visit("positive_fronts", sums.positive_fronts);
-  visit("negative_fronts", sums.negative_fronts);
-  visit("not_applicable", sums.not_applicable);
-  visit("refused_within_limits", sums.refused_within_limits);
-}
-
-template <class Counts, class Visit>
-void VisitNearEdge(Counts& counts, const Visit& visit) {
-  visit("samples", counts.samples);
-  visit("on_edge", counts.on_edge);
-  visit("within_1", counts.within_1);
-  visit("within_16", counts.within_16);
-  visit("within_256", counts.within_256);
-}
-
-template <class Counts, class Visit>
-void VisitPlace(Counts& counts, const Visit& visit) {
-  visit("asked", counts.asked);
-  visit("refused", counts.refused);
-}
-
-template <class Counts, class Visit>
-void VisitTiers(Counts& tiers, const Visit& visit) {
-  visit("filter", tiers.filter);
-  visit("stable", tiers.stable);
-  visit("exact", tiers.exact);
-  visit("symbolic", tiers.symbolic);
-}
-
-template <class Counts, class Visit>
-void VisitWitness(Counts& witness, const Visit& visit) {
-  visit("triangle", witness.triangle);
-  visit("edge", witness.edge);
-  visit("x", witness.x);
-  visit("y", witness.y);
-  visit("sample", witness.sample);
-}
-
 // Writing.
 
-auto IntegersTo(JsonWriter& json) {
-  return [&json](std::string_view key, auto value) { json.Key(key).Integer(value); };
-}
-
 void WriteSums(JsonWriter& json, const PropertyResult& sums) {
-  VisitSums(sums, IntegersTo(json));
+  json.Members(kCaseCounters, sums);
   json.Key("worst_ratio").Exact(sums.worst_ratio);
   json.Key("why_not").Text(sums.why_not);
   json.Key("why_refused").Text(sums.why_refused);
@@ -98,14 +50,14 @@ void WriteSums(JsonWriter& json, const PropertyResult& sums) {
   for (const DomainCounts& domain : sums.domains) {
     json.BeginObject();
     json.Key("drawn").Integer(domain.drawn);
-    VisitNearEdge(domain.near_edge, IntegersTo(json));
+    json.Members(kNearEdgeCounters, domain.near_edge);
     json.EndObject();
   }
   json.EndArray();
   json.Key("places").BeginArray();
   for (const PlaceCounts& counts : sums.places) {
     json.BeginObject();
-    VisitPlace(counts, IntegersTo(json));
+    json.Members(kPlaceCounters, counts);
     json.EndObject();
   }
   json.EndArray();
@@ -119,13 +71,7 @@ void WriteFound(JsonWriter& json, const std::string& property, const Counterexam
   json.Key("case").Text(io::CaseToJson({found.value, "", property, found.verdict.drawn}));
   json.Key("said_outcome").Text(OutcomeName(found.verdict.outcome));
   json.Key("said").Text(found.verdict.message);
-  if (found.verdict.witness) {
-    json.Key("witness").BeginObject();
-    VisitWitness(*found.verdict.witness, IntegersTo(json));
-    json.Key("observed").Text(found.verdict.witness->observed);
-    json.Key("expected").Text(found.verdict.witness->expected);
-    json.EndObject();
-  }
+  if (found.verdict.witness) report::WriteWitness(json, *found.verdict.witness);
   json.EndObject();
 }
 
@@ -139,9 +85,7 @@ void WriteTest(JsonWriter& json, const PropertyResult& result) {
   json.Key("why").Text(result.why);
   json.Key("seconds").Exact(result.seconds);
   WriteSums(json, result);
-  json.Key("oracle_tiers").BeginObject();
-  VisitTiers(result.tiers, IntegersTo(json));
-  json.EndObject();
+  json.Key("oracle_tiers").BeginObject().Members(kTiers, result.tiers).EndObject();
   if (result.counterexample) WriteFound(json, result.property, *result.counterexample);
   json.EndObject();
 }
@@ -167,28 +111,29 @@ double ExactOf(const JsonValue& value) {
   return number.value;
 }
 
-auto IntegersFrom(const JsonValue& object) {
-  return [&object](std::string_view key, auto& value) {
-    value = IntegerOf<std::remove_reference_t<decltype(value)>>(object.Get(key));
-  };
+template <class T, std::size_t kCount>
+void Read(const Counters<T, kCount>& counters, const JsonValue& object, T& to) {
+  for (const auto& [name, counter] : counters) {
+    to.*counter = IntegerOf<std::uint64_t>(object.Get(name));
+  }
 }
 
 void ReadSums(const JsonValue& object, PropertyResult& sums) {
-  VisitSums(sums, IntegersFrom(object));
+  Read(kCaseCounters, object, sums);
   sums.worst_ratio = ExactOf(object.Get("worst_ratio"));
   sums.why_not = TextOf(object.Get("why_not"));
   sums.why_refused = TextOf(object.Get("why_refused"));
   for (const JsonValue domain : object.Get("domains").RequireArray()) {
     DomainCounts& counts = sums.domains.emplace_back();
     counts.drawn = IntegerOf<std::uint64_t>(domain.Get("drawn"));
-    VisitNearEdge(counts.near_edge, IntegersFrom(domain));
+    Read(kNearEdgeCounters, domain, counts.near_edge);
   }
   const JsonValue places = object.Get("places");
   if (places.RequireArray().size() != sums.places.size()) {
     throw places.Error("has no entry for every place, or more", "write the part again");
   }
   auto counts = sums.places.begin();
-  for (const JsonValue place : places.RequireArray()) VisitPlace(*counts++, IntegersFrom(place));
+  for (const JsonValue place : places.RequireArray()) Read(kPlaceCounters, place, *counts++);
 }
 
 Outcome OutcomeOf(const JsonValue& value) {
@@ -211,7 +156,11 @@ Counterexample FoundOf(const JsonValue& object) {
   found.verdict.message = TextOf(object.Get("said"));
   if (const std::optional<JsonValue> there = object.Find("witness")) {
     Witness& witness = found.verdict.witness.emplace();
-    VisitWitness(witness, IntegersFrom(*there));
+    witness.triangle = IntegerOf<int>(there->Get("triangle"));
+    witness.edge = IntegerOf<int>(there->Get("edge"));
+    witness.x = IntegerOf<int>(there->Get("x"));
+    witness.y = IntegerOf<int>(there->Get("y"));
+    witness.sample = IntegerOf<int>(there->Get("sample"));
     witness.observed = TextOf(there->Get("observed"));
     witness.expected = TextOf(there->Get("expected"));
   }
@@ -233,7 +182,7 @@ PropertyResult TestOf(const JsonValue& object) {
   result.why = TextOf(object.Get("why"));
   result.seconds = ExactOf(object.Get("seconds"));
   ReadSums(object, result);
-  VisitTiers(result.tiers, IntegersFrom(object.Get("oracle_tiers")));
+  Read(kTiers, object.Get("oracle_tiers"), result.tiers);
   if (result.end == End::kFailed) result.counterexample = FoundOf(object.Get("found"));
   return result;
 }

@@ -21,7 +21,6 @@
 #include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "props/authority.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/conclude.h"
@@ -266,9 +265,8 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
                 const Case& c, const CheckOptions& options, Share& share) {
   const std::string& name = subject.Info().name;
   const Verdict verdict = props::RunCase(subject, property, c);
-  PropertyResult& result = share.result.emplace();
-  result.property = property.name;
-  props::SetGrounds(props::AuthorityOf(property, subject.Info().profile), result);
+  PropertyResult& result =
+      share.result.emplace(props::NothingRun(subject.Info(), property, options.campaign.seed));
   result.outcome = verdict.outcome;
   result.AddCase(verdict);
   result.message = verdict.message;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/clauses/clauses.h"
 #include "core/profile.h"
 #include "props/authority.h"
 #include "props/domains/domain.h"
@@ -141,7 +142,9 @@ PropertyResult NothingRun(const SubjectInfo& info, const Property& property, std
   result.property = property.name;
   result.subject = info.name;
   result.clause = property.clause;
-  SetGrounds(AuthorityOf(property, info.profile), result);
+  const Grounds grounds = AuthorityOf(property, info.profile);
+  result.authority = grounds.authority;
+  for (const Clause* clause : grounds.clauses) result.required_by.emplace_back(clause->id);
   result.tolerance = property.tolerance;
   result.seed = seed;
   if (world == nullptr) {

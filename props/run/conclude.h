@@ -13,9 +13,9 @@
 
 namespace rasterproof::props {
 
-/// The largest share of the cases that would have put the property to the test which a subject may
-/// refuse: beyond it, the property was hardly asked. Scenes beyond the profile's limits don't count: who
-/// states a limit may refuse what lies beyond it.
+/// The most that a subject may refuse, as a share of the cases that would have put the property to
+/// the test: beyond it, the property was hardly asked. Scenes beyond the profile's limits don't
+/// count: who states a limit may refuse them.
 inline constexpr double kMostRefusedShare = 0.5;
 
 /// The result before any case: the property's words, and a count for each domain of DomainsFor;

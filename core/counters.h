@@ -30,10 +30,11 @@ struct TierCounts {
 
   friend bool operator==(const TierCounts&, const TierCounts&) = default;
 };
-inline constexpr Counters<TierCounts, 4> kTiers{{{"filter", &TierCounts::filter},
-                                                 {"stable", &TierCounts::stable},
-                                                 {"exact", &TierCounts::exact},
-                                                 {"symbolic", &TierCounts::symbolic}}};
+inline constexpr auto kTiers =
+    std::to_array<Counter<TierCounts>>({{"filter", &TierCounts::filter},
+                                        {"stable", &TierCounts::stable},
+                                        {"exact", &TierCounts::exact},
+                                        {"symbolic", &TierCounts::symbolic}});
 
 inline TierCounts& operator+=(TierCounts& sum, const TierCounts& more) {
   AddCounters(kTiers, more, sum);
@@ -48,12 +49,12 @@ struct NearEdgeCounts {
   std::uint64_t within_16 = 0;
   std::uint64_t within_256 = 0;
 };
-inline constexpr Counters<NearEdgeCounts, 5> kNearEdgeCounters{
-    {{"samples", &NearEdgeCounts::samples},
-     {"on_edge", &NearEdgeCounts::on_edge},
-     {"within_1", &NearEdgeCounts::within_1},
-     {"within_16", &NearEdgeCounts::within_16},
-     {"within_256", &NearEdgeCounts::within_256}}};
+inline constexpr auto kNearEdgeCounters =
+    std::to_array<Counter<NearEdgeCounts>>({{"samples", &NearEdgeCounts::samples},
+                                            {"on_edge", &NearEdgeCounts::on_edge},
+                                            {"within_1", &NearEdgeCounts::within_1},
+                                            {"within_16", &NearEdgeCounts::within_16},
+                                            {"within_256", &NearEdgeCounts::within_256}});
 
 inline NearEdgeCounts& operator+=(NearEdgeCounts& sum, const NearEdgeCounts& more) {
   AddCounters(kNearEdgeCounters, more, sum);
@@ -65,8 +66,8 @@ struct PlaceCounts {
   std::uint64_t asked = 0;
   std::uint64_t refused = 0;
 };
-inline constexpr Counters<PlaceCounts, 2> kPlaceCounters{
-    {{"asked", &PlaceCounts::asked}, {"refused", &PlaceCounts::refused}}};
+inline constexpr auto kPlaceCounters = std::to_array<Counter<PlaceCounts>>(
+    {{"asked", &PlaceCounts::asked}, {"refused", &PlaceCounts::refused}});
 
 }  // namespace rasterproof
 

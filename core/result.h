@@ -105,7 +105,7 @@ struct PropertyResult {
 };
 
 /// The counters of its cases that just add up.
-inline constexpr Counters<PropertyResult, 9> kCaseCounters{
+inline constexpr auto kCaseCounters = std::to_array<Counter<PropertyResult>>(
     {{"cases", &PropertyResult::cases},
      {"cases_exercised", &PropertyResult::cases_exercised},
      {"exercised", &PropertyResult::exercised},
@@ -114,7 +114,7 @@ inline constexpr Counters<PropertyResult, 9> kCaseCounters{
      {"positive_fronts", &PropertyResult::positive_fronts},
      {"negative_fronts", &PropertyResult::negative_fronts},
      {"not_applicable", &PropertyResult::not_applicable},
-     {"refused_within_limits", &PropertyResult::refused_within_limits}}};
+     {"refused_within_limits", &PropertyResult::refused_within_limits}});
 
 /// Returns the property and its world, if any: "CoverageEqualsTheModel on triangles-7x7".
 inline std::string NameOf(const PropertyResult& result) {

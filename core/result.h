@@ -2,66 +2,119 @@
 #ifndef RASTERPROOF_CORE_RESULT_H_
 #define RASTERPROOF_CORE_RESULT_H_
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/authority.h"
 #include "core/case.h"
+#include "core/counters.h"
 #include "core/coverage.h"
 #include "core/verdict.h"
 
 namespace rasterproof {
 
-/// How near to edges the samples of a run lay, measured on the lattice in use.
-struct NearEdgeCounts {
-  std::uint64_t samples = 0;  ///< (edge, sample) pairs looked at
-  std::uint64_t on_edge = 0;
-  std::uint64_t within_1 = 0;  ///< not on the edge, within 1 ulp (or subpixel step) of it
-  std::uint64_t within_16 = 0;
-  std::uint64_t within_256 = 0;
+/// The cases drawn from one domain.
+struct DomainCounts {
+  std::uint64_t drawn = 0;
+  NearEdgeCounts near_edge;
 };
 
-/// Sums over the cases of one property.
-struct Counts {
-  std::uint64_t cases = 0;            ///< cases run
-  std::uint64_t cases_exercised = 0;  ///< cases that exercised the property
-  std::uint64_t exercised = 0;        ///< times the property was exercised
-  std::uint64_t cases_refused = 0;    ///< cases that the subject refused
-  std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
-  double worst_ratio = 0;             ///< largest error / bound
+/// The kinds of places where rasterizers differ; props/run/case_places.h names them.
+inline constexpr std::size_t kKindsOfPlaces = 7;
+using CountsOfPlaces = std::array<PlaceCounts, kKindsOfPlaces>;
 
-  /// Adds a case with this verdict.
-  void AddCase(const Verdict& verdict);
-  /// Adds the counts of other cases.
-  void Add(const Counts& more);
+/// How the run of a property over its cases ended.
+enum class End : std::uint8_t {
+  kAllRun,         ///< with its last case
+  kNotApplicable,  ///< before its first case
+  kFailed,         ///< with a case that failed
+  kInconclusive,   ///< with a case that could not be judged
+  kTimeUp,         ///< sooner: its time was up
+  kInterrupted     ///< sooner: it was stopped
+};
+
+/// A case that failed, shrunk, and what came of it when it was run once more.
+struct Counterexample {
+  Case value;
+  Verdict verdict;  ///< violated; the first answer where there are two
+  Outcome outcome = Outcome::kViolated;
+  std::string message;
+  std::uint64_t evaluations = 0;  ///< that shrinking took
+  /// Name of the case before it was shrunk, "near-edge:17@1"; "" if it has none.
+  std::string failing_case = {};
 };
 
 /// One property on one subject over a campaign of k cases of a seed, which reports call "tested".
-struct PropertyResult : Counts {
+///
+/// Counters, end and counterexample are what a run, or one shard of it, saw; outcome and message
+/// follow from them (props/run/conclude.h).
+struct PropertyResult {
   std::string property;
   std::string subject;
   std::string clause;                             ///< the sentence it enforces, with its source
   Authority authority = Authority::kStatedModel;  ///< who requires it, by the subject's profile
   std::vector<std::string> required_by;           ///< ids of clauses, if clauses require it
   std::string tolerance;                          ///< the named bound, or "none: exact"
-  Outcome outcome = Outcome::kNotExercised;
   std::string world;              ///< the small world that it ran over; empty: random cases
   std::uint64_t world_cases = 0;  ///< cases of the world
-  NearEdgeCounts near_edge;
   std::uint64_t seed = 0;
+
+  std::uint64_t cases = 0;            ///< cases run, the one that it ended with included
+  std::uint64_t cases_exercised = 0;  ///< cases that exercised the property
+  std::uint64_t exercised = 0;        ///< times the property was exercised
+  std::uint64_t cases_refused = 0;    ///< cases that the subject refused
+  std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
+  double worst_ratio = 0;             ///< largest error / bound
+  // Cases in which the subject showed the side of this area as the front, where either is legal.
+  std::uint64_t positive_fronts = 0;
+  std::uint64_t negative_fronts = 0;
+  std::vector<DomainCounts> domains;        ///< none of a world
+  std::uint64_t not_applicable = 0;         ///< cases that the property did not apply to
+  std::string why_not;                      ///< the first reason
+  std::uint64_t refused_within_limits = 0;  ///< of cases_refused
+  std::string why_refused;                  ///< the first of those refusals
+  CountsOfPlaces places{};                  ///< of cases within the limits
+
+  /// Decisions of the oracle over all cases; none if it ended with a case or sooner: how often then
+  /// depends on which cases shared calls with that one.
+  TierCounts tiers;
+
+  End end = End::kAllRun;
+  std::string why;                               ///< of kNotApplicable and kInconclusive
+  std::optional<Counterexample> counterexample;  ///< of kFailed: the first
   double seconds = 0;
+
+  Outcome outcome = Outcome::kNotExercised;
   std::string message;
-  /// The first counterexample, shrunk, with its verdict.
-  std::optional<Case> counterexample;
-  std::optional<Verdict> verdict;
-  /// The scene that was drawn for it, if the property changed the case's scene.
-  std::shared_ptr<const DrawnScene> Drawn() const { return verdict ? verdict->drawn : nullptr; }
-  /// Name of the case that failed first, before it was shrunk, "near-edge:17@1"; "" if it has none.
-  std::string failing_case;
+
+  /// Adds what the verdict of a case says to the counters; the case itself props/run/conclude.h
+  /// looks at.
+  void AddCase(const Verdict& verdict);
+  /// Adds the result over the cases that follow. The sum is the result over both, if what the
+  /// subject draws depends on nothing but the scene, and no limit of time was met. To one that did
+  /// not end with its last case only seconds are added. Outcome and message stay: conclude again.
+  ///
+  /// Domain:     of the same property, subject, world and domains; or this one has no domains yet.
+  PropertyResult& operator+=(const PropertyResult& next);
+  /// Of all domains.
+  NearEdgeCounts NearEdge() const;
 };
+
+/// The counters of its cases that just add up.
+inline constexpr auto kCaseCounters = std::to_array<Counter<PropertyResult>>(
+    {{"cases", &PropertyResult::cases},
+     {"cases_exercised", &PropertyResult::cases_exercised},
+     {"exercised", &PropertyResult::exercised},
+     {"cases_refused", &PropertyResult::cases_refused},
+     {"not_judged", &PropertyResult::not_judged},
+     {"positive_fronts", &PropertyResult::positive_fronts},
+     {"negative_fronts", &PropertyResult::negative_fronts},
+     {"not_applicable", &PropertyResult::not_applicable},
+     {"refused_within_limits", &PropertyResult::refused_within_limits}});
 
 /// Returns the property and its world, if any: "CoverageEqualsTheModel on triangles-7x7".
 inline std::string NameOf(const PropertyResult& result) {

@@ -25,14 +25,6 @@ std::string_view DeciderName(Decider decider) {
   return "";
 }
 
-TierCounts& TierCounts::operator+=(const TierCounts& more) {
-  filter += more.filter;
-  stable += more.stable;
-  exact += more.exact;
-  symbolic += more.symbolic;
-  return *this;
-}
-
 TierScope::TierScope() : start_(ThreadTiers()) {}
 
 TierCounts TierScope::Counts() const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/counters.h"
 #include "core/tie_rule.h"
 #include "core/vertex.h"
 #include "exact/rational.h"
@@ -18,18 +19,6 @@ enum class Decider : std::uint8_t {
   kCgal       ///< CGAL's kernels
 };
 std::string_view DeciderName(Decider decider);
-
-/// How often each tier of the fast path decided.
-struct TierCounts {
-  std::uint64_t filter = 0;  ///< branch-free floating-point filter
-  std::uint64_t stable =
-      0;  ///< comparison of two products, and of their rounding errors where they round alike
-  std::uint64_t exact = 0;     ///< wide integers or rationals
-  std::uint64_t symbolic = 0;  ///< E == 0: the tie rule's shift decided
-
-  TierCounts& operator+=(const TierCounts& more);
-  friend bool operator==(const TierCounts&, const TierCounts&) = default;
-};
 
 /// Counts the decisions of the fast path in this thread while the scope lives. Scopes may nest: an
 /// outer scope counts the decisions in its inner scopes too.

@@ -34,7 +34,7 @@ class Closing {
       const double ratio = LargestErrorOverBound(slot);
       if (ratio > 0) std::fprintf(stderr, "check %zu: largest error / bound %.4f\n", slot, ratio);
     }
-    const exact::TierCounts counts = scope_.Counts();
+    const TierCounts counts = scope_.Counts();
     const std::uint64_t signs = counts.filter + counts.stable + counts.exact + counts.symbolic;
     std::fprintf(stderr, "%s exact signs\n", std::to_string(signs).c_str());
   }

@@ -76,10 +76,4 @@ Grounds AuthorityOf(const Property& property, const Profile& profile) {
   return {is_stated ? Authority::kStatedModel : Authority::kQuality, {}};
 }
 
-void SetGrounds(const Grounds& grounds, PropertyResult& result) {
-  result.authority = grounds.authority;
-  result.required_by.clear();
-  for (const Clause* clause : grounds.clauses) result.required_by.emplace_back(clause->id);
-}
-
 }  // namespace rasterproof::props

@@ -7,7 +7,6 @@
 #include "core/authority.h"
 #include "core/clauses/clauses.h"
 #include "core/profile.h"
-#include "core/result.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -25,9 +24,6 @@ struct Grounds {
 ///               leaves one model; or if the property is judged by bounds that the subject states.
 /// kQuality      otherwise: the specification, or the profile, leaves it open.
 Grounds AuthorityOf(const Property& property, const Profile& profile);
-
-/// Writes them into a result.
-void SetGrounds(const Grounds& grounds, PropertyResult& result);
 
 }  // namespace rasterproof::props
 

@@ -25,39 +25,16 @@ void WriteSubject(JsonWriter& json, const Certificate& certificate) {
   json.EndObject();
 }
 
-void WriteNearEdge(JsonWriter& json, const NearEdgeCounts& counts) {
-  json.Key("near_edge").BeginObject();
-  json.Key("samples").Integer(counts.samples);
-  json.Key("on_edge").Integer(counts.on_edge);
-  json.Key("within_1").Integer(counts.within_1);
-  json.Key("within_16").Integer(counts.within_16);
-  json.Key("within_256").Integer(counts.within_256);
-  json.EndObject();
-}
-
-void WriteWitness(JsonWriter& json, const Witness& witness) {
-  json.Key("witness").BeginObject();
-  json.Key("triangle").Integer(witness.triangle);
-  json.Key("edge").Integer(witness.edge);
-  json.Key("x").Integer(witness.x);
-  json.Key("y").Integer(witness.y);
-  json.Key("sample").Integer(witness.sample);
-  json.Key("observed").Text(witness.observed);
-  json.Key("expected").Text(witness.expected);
-  json.EndObject();
-}
-
 void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
                          const PropertyResult& result) {
+  const Counterexample& found = *result.counterexample;
   json.Key("counterexample").BeginObject();
-  json.Key("found_as_case").Text(result.failing_case);
-  if (result.verdict) {
-    json.Key("message").Text(result.verdict->message);
-    if (result.verdict->witness) WriteWitness(json, *result.verdict->witness);
-  }
+  json.Key("found_as_case").Text(found.failing_case);
+  json.Key("message").Text(found.verdict.message);
+  if (found.verdict.witness) WriteWitness(json, *found.verdict.witness);
   json.Key("replay").Text(ReplayCommand(certificate, result));
   std::string file =
-      io::CaseToJson({*result.counterexample, result.subject, result.property, result.Drawn()});
+      io::CaseToJson({found.value, result.subject, result.property, found.verdict.drawn});
   while (file.ends_with('\n')) file.pop_back();
   json.Key("case").Value(file);
   json.EndObject();
@@ -82,7 +59,7 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
   json.Key("cases_refused").Integer(result.cases_refused);
   json.Key("not_judged").Integer(result.not_judged);
   json.Key("worst_ratio").Exact(result.worst_ratio);
-  WriteNearEdge(json, result.near_edge);
+  json.Key("near_edge").BeginObject().Members(kNearEdgeCounters, result.NearEdge()).EndObject();
   if (result.counterexample) WriteCounterexample(json, certificate, result);
   json.EndObject();
 }
@@ -108,6 +85,18 @@ void WriteMeasured(JsonWriter& json, const Certificate& certificate, const Scene
 }
 
 }  // namespace
+
+void WriteWitness(JsonWriter& json, const Witness& witness) {
+  json.Key("witness").BeginObject();
+  json.Key("triangle").Integer(witness.triangle);
+  json.Key("edge").Integer(witness.edge);
+  json.Key("x").Integer(witness.x);
+  json.Key("y").Integer(witness.y);
+  json.Key("sample").Integer(witness.sample);
+  json.Key("observed").Text(witness.observed);
+  json.Key("expected").Text(witness.expected);
+  json.EndObject();
+}
 
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result) {
   const auto found = certificate.replay.find(NameOf(result));
@@ -144,7 +133,7 @@ std::string CertificateToJson(const Certificate& certificate) {
   for (const SceneResult& result : certificate.measured) WriteMeasured(json, certificate, result);
   json.EndArray();
   json.Key("oracle_tiers").BeginObject();
-  for (const auto& [tier, count] : certificate.oracle_tiers) json.Key(tier).Integer(count);
+  for (const auto& [name, count] : TiersByName(certificate)) json.Key(name).Integer(count);
   json.EndObject();
   WriteEvidence(json, "not_applicable", NotApplicable(certificate));
   json.EndObject();

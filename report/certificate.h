@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "core/authority.h"
+#include "core/counters.h"
 #include "core/result.h"
 #include "core/subject_info.h"
+#include "core/verdict.h"
+#include "report/json_writer.h"
 
 namespace rasterproof::report {
 
-/// A statement with the evidence behind it. The four words are never mixed.
+/// A statement with its evidence. The four words are never mixed.
 struct Evidence {
   std::string statement;
   std::string by;  ///< proof script, enumeration with its N, command
@@ -40,7 +43,7 @@ struct Certificate {
   std::vector<SceneResult> measured;
   /// Which tier of the oracle decided how often, over scenes and all properties but those whose run
   /// ended with a case.
-  std::map<std::string, std::uint64_t> oracle_tiers;
+  TierCounts oracle_tiers;
   /// The command that replays a result's counterexample, by NameOf the result. Without one the
   /// reader is told to save the counterexample's case and to replay that file.
   std::map<std::string, std::string> replay;
@@ -82,6 +85,9 @@ std::vector<Evidence> NotApplicable(const Certificate& certificate);
 /// cases, M of which put it to the test".
 std::vector<Evidence> Exhausted(const Certificate& certificate);
 
+/// How often each tier of the oracle decided.
+std::map<std::string, std::uint64_t> TiersByName(const Certificate& certificate);
+
 /// What an outcome does not speak for: cases that the subject refused (unless the result's own
 /// message says it), samples that were not judged. Empty if there are none.
 std::string Reservations(const PropertyResult& result);
@@ -91,6 +97,9 @@ std::string Said(const PropertyResult& result);
 
 /// The command that replays the counterexample of a result.
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result);
+
+/// Writes the member "witness", as certificates and parts of campaigns have it.
+void WriteWitness(JsonWriter& json, const Witness& witness);
 
 /// JSON as docs/certificate.schema.json describes; counterexamples inline as case files. No times:
 /// a campaign bounded by cases gives the same bytes however long it took.

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/counters.h"
+
 namespace rasterproof::report {
 
 /// A JSON text under construction, one member or item a line unless it is asked for as one line.
@@ -36,6 +38,12 @@ class JsonWriter {
   JsonWriter& Rounded(double value);
   /// A double as a decimal number as short as reads back to it; a string where JSON has no number.
   JsonWriter& Shortest(double value);
+  /// A member for each counter.
+  template <class T, std::size_t kCount>
+  JsonWriter& Members(const Counters<T, kCount>& counters, const T& from) {
+    for (const auto& [name, counter] : counters) Key(name).Integer(from.*counter);
+    return *this;
+  }
   /// JSON text as it is.
   JsonWriter& Value(std::string_view json);
 

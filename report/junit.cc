@@ -72,8 +72,8 @@ void AppendProperty(pugi::xml_node suite, const Certificate& certificate,
         break;
       }
       std::string text = result.clause + "\n" + AuthorityText(result) + "\n" + said + "\n";
-      if (result.verdict && result.verdict->witness) {
-        const Witness& w = *result.verdict->witness;
+      if (result.counterexample && result.counterexample->verdict.witness) {
+        const Witness& w = *result.counterexample->verdict.witness;
         text += fmt::format(
             "triangle {}, edge {}, pixel ({}, {}), sample {}: observed {}, "
             "expected {}\n",

@@ -109,6 +109,12 @@ std::vector<Evidence> Exhausted(const Certificate& certificate) {
   return list;
 }
 
+std::map<std::string, std::uint64_t> TiersByName(const Certificate& certificate) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const auto& [name, tier] : kTiers) counts.emplace(name, certificate.oracle_tiers.*tier);
+  return counts;
+}
+
 std::string Reservations(const PropertyResult& result) {
   std::string text;
   const std::string refused =

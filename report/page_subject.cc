@@ -49,13 +49,12 @@ std::string Failure(const Page& page, const Certificate& certificate,
       fmt::format("<article>\n<h3 class=\"name\">{}</h3>\n{}{}", Breakable(NameOf(result)),
                   TextLine("why", result.clause + " (" + AuthorityText(result) + ")"),
                   TextLine("said", Said(result)));
-  if (result.verdict && result.verdict->witness) {
-    html += TextLine("why", WitnessText(*result.verdict->witness));
-  }
   if (result.counterexample) {
-    const Scene& scene = result.counterexample->scene;
+    const Counterexample& found = *result.counterexample;
+    const Scene& scene = found.value.scene;
+    if (found.verdict.witness) html += TextLine("why", WitnessText(*found.verdict.witness));
     html += TextLine(
-        "why", fmt::format("case {}, shrunk to {} in {} x {}", result.failing_case,
+        "why", fmt::format("case {}, shrunk to {} in {} x {}", found.failing_case,
                            Several(scene.triangles.size(), "triangle"), scene.width, scene.height));
   }
   const auto picture = std::ranges::find_if(
@@ -203,12 +202,13 @@ std::string MeasuredTable(const Certificate& certificate) {
 
 std::string TierList(const Certificate& certificate) {
   std::vector<Evidence> tiers;
-  for (const auto& [tier, count] : certificate.oracle_tiers)
-    tiers.push_back({tier, Grouped(count)});
+  for (const auto& [name, count] : TiersByName(certificate)) {
+    tiers.push_back({name, Grouped(count)});
+  }
   return EvidenceList("the oracle's tiers: which decided how often", tiers);
 }
 
-// Where the same stands for programs to read.
+// The files that say the same to programs.
 std::string Files(const Certificate& certificate) {
   if (certificate.folder.empty()) return {};
   return "<p><a href=\"certificate.json\">certificate.json</a>, "

@@ -120,13 +120,7 @@ std::string RowOf(const std::string& property, PropertyRow& row) {
 
 NearEdgeCounts Sum(const Certificate& certificate) {
   NearEdgeCounts sum;
-  for (const PropertyResult& result : certificate.tested) {
-    sum.samples += result.near_edge.samples;
-    sum.on_edge += result.near_edge.on_edge;
-    sum.within_1 += result.near_edge.within_1;
-    sum.within_16 += result.near_edge.within_16;
-    sum.within_256 += result.near_edge.within_256;
-  }
+  for (const PropertyResult& result : certificate.tested) sum += result.NearEdge();
   return sum;
 }
 

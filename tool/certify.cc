@@ -19,7 +19,7 @@
 #include "io/output.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "props/run/campaign_part.h"
+#include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
 #include "subjects/process/process.h"
 #include "tool/description.h"
@@ -38,14 +38,15 @@ namespace {
 // Whether a result of a run that was interrupted stands: subjects outside are ended by it, so that
 // only what was seen to fail, and fails again, is known.
 bool Stands(const PropertyResult& result) {
-  return result.outcome == Outcome::kViolated && result.verdict &&
-         result.verdict->outcome == Outcome::kViolated;
+  return result.outcome == Outcome::kViolated && result.counterexample &&
+         result.counterexample->verdict.outcome == Outcome::kViolated;
 }
 
 void Add(report::Certificate& whole, const report::Certificate& part) {
   whole.tested.insert(whole.tested.end(), part.tested.begin(), part.tested.end());
   whole.measured.insert(whole.measured.end(), part.measured.begin(), part.measured.end());
   whole.replay.insert(part.replay.begin(), part.replay.end());
+  whole.oracle_tiers += part.oracle_tiers;
 }
 
 // Limits that are not the usual ones.
@@ -123,17 +124,17 @@ bool Certification::TakesLong(std::size_t part) const {
 void Certification::Do(std::size_t part, Subject& subject) {
   Part& mine = parts_[part];
   mine.is_begun = true;
-  const exact::TierScope scope;
   if (part < tests_.size()) {
     DoTest(subject, part, mine);
   } else {
+    const exact::TierScope scope;
     MeasureOne(subject, *scenes_[part - tests_.size()], mine.found, scene_pace_);
-    mine.tiers = scope.Counts();
+    mine.found.oracle_tiers = scope.Counts();
   }
   mine.is_done = true;
 }
 
-props::CampaignPart Certification::RunTest(Subject& subject, const Test& test) {
+PropertyResult Certification::RunTest(Subject& subject, const Test& test) {
   const std::uint64_t total = test.world != nullptr ? test.world->cases : options_.campaign.cases;
   CaseRange cases{0, total};
   if (source_.range) cases = *source_.range;
@@ -144,27 +145,21 @@ props::CampaignPart Certification::RunTest(Subject& subject, const Test& test) {
   campaign.first_case = cases.first;
   campaign.cases = cases.end - cases.first;
   campaign.pace = &pace_;
-  return props::RunPart(subject, *test.property, campaign);
+  return props::RunCampaign(subject, *test.property, campaign);
 }
 
-// An interrupted run, and one that ended with a case, decided what no certificate rests on: how
-// often depends on which cases shared calls with that one.
 void Certification::DoTest(Subject& subject, std::size_t k, Part& mine) {
   const Test& test = tests_[k];
   if (source_.parts.empty()) {
-    const exact::TierScope scope;
-    mine.run = RunTest(subject, test);
-    mine.tiers = scope.Counts();
+    mine.result = RunTest(subject, test);
+  } else {
+    mine.result = props::NothingRun(info_, *test.property, options_.campaign.seed, test.world);
+    for (const SubjectPart& part : source_.parts) mine.result += part.tests[k];
+    props::Conclude(info_, *test.property, mine.result);
   }
-  for (const SubjectPart& part : source_.parts) {
-    props::Add(mine.run, part.tests[k].run);
-    mine.tiers += part.tests[k].tiers;
-  }
-  if (props::EndsTheCampaign(mine.run)) mine.tiers = {};
-  PropertyResult result =
-      props::ResultOf(subject, *test.property, options_.campaign.seed, test.world, mine.run);
+  mine.found.oracle_tiers = mine.result.tiers;
   mine.found.interrupted = Interrupted();
-  if (!mine.found.interrupted || Stands(result)) mine.found.tested.push_back(std::move(result));
+  if (!mine.found.interrupted || Stands(mine.result)) mine.found.tested.push_back(mine.result);
 }
 
 bool Certification::IsBegun() const { return std::ranges::any_of(parts_, &Part::is_begun); }
@@ -180,11 +175,9 @@ report::Certificate Certification::Result() const {
   certificate.seed = options_.campaign.seed;
   certificate.fail_on = options_.fail_on;
   certificate.proved = ProvedOf(info_);
-  exact::TierCounts tiers;
   const auto add = [&](const Part& part) {
     certificate.interrupted = certificate.interrupted || part.found.interrupted || !part.is_done;
     Add(certificate, part.found);
-    tiers += part.tiers;
   };
   const auto scenes = parts_.begin() + static_cast<std::ptrdiff_t>(tests_.size());
   std::for_each(parts_.begin(), scenes, add);
@@ -194,10 +187,6 @@ report::Certificate Certification::Result() const {
     certificate.contract_thin = evidence.thin;
   }
   std::for_each(scenes, parts_.end(), add);
-  certificate.oracle_tiers = {{"filter", tiers.filter},
-                              {"stable", tiers.stable},
-                              {"exact", tiers.exact},
-                              {"symbolic", tiers.symbolic}};
   return certificate;
 }
 
@@ -211,10 +200,7 @@ SubjectPart Certification::ToPart() const {
     part.cases = options_.campaign.cases;
     part.range = CasesOf(source_.shard.value_or(Shard{}), *part.cases);
   }
-  for (std::size_t k = 0; k < tests_.size(); ++k) {
-    part.tests[k].run = parts_[k].run;
-    part.tests[k].tiers = parts_[k].tiers;
-  }
+  for (std::size_t k = 0; k < tests_.size(); ++k) part.tests[k] = parts_[k].result;
   return part;
 }
 
@@ -232,9 +218,9 @@ SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>
   for (const std::string& world : worlds) part.options += " --exhaustive " + ShellWord(world);
   part.worlds = worlds;
   for (const Test& test : TestsOf(worlds)) {
-    TestPart& told = part.tests.emplace_back();
-    told.property = test.property->name;
-    if (test.world != nullptr) told.world = test.world->name;
+    PropertyResult& result = part.tests.emplace_back();
+    result.property = test.property->name;
+    if (test.world != nullptr) result.world = test.world->name;
   }
   return part;
 }

@@ -12,17 +12,17 @@
 #include <string>
 #include <vector>
 
+#include "core/counters.h"
 #include "core/coverage.h"
 #include "core/profile.h"
+#include "core/result.h"
 #include "core/scene.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "exact/edge.h"
 #include "io/scene_set.h"
 #include "props/domains/worlds.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "props/run/campaign_part.h"
 #include "report/certificate.h"
 #include "report/page.h"
 #include "tool/commands.h"
@@ -42,8 +42,8 @@ class MeasuredScene {
   const std::string& name() const { return name_; }
   bool real() const { return real_; }
   const Scene& scene() const { return scene_; }
-  /// The command that draws this scene, with "--mode barycentrics --output ..." or the like behind
-  /// it.
+  /// The command that draws this scene, to be followed by "--mode barycentrics --output ..." or
+  /// the like.
   std::string CommandOf(const std::string& verb) const;
   /// The command that shows where the subject differs on this scene.
   std::string CommandThatShows(const std::string& subject) const;
@@ -58,7 +58,7 @@ class MeasuredScene {
   struct Known {
     Profile profile;
     CoverageCounts counts;
-    exact::TierCounts tiers;
+    TierCounts tiers;
   };
 
   std::string name_;
@@ -130,13 +130,12 @@ class Certification {
  private:
   struct Part {
     report::Certificate found;  ///< only what this part found
-    props::CampaignPart run;    ///< of a property
-    exact::TierCounts tiers;
+    PropertyResult result;      ///< of a property
     bool is_begun = false;
     bool is_done = false;
   };
 
-  props::CampaignPart RunTest(Subject& subject, const Test& test);
+  PropertyResult RunTest(Subject& subject, const Test& test);
   void DoTest(Subject& subject, std::size_t test, Part& mine);
 
   const SubjectFactory& subject_;

@@ -103,16 +103,16 @@ std::optional<report::Picture> PictureOf(const report::Certificate& certificate,
 // The first counterexample that has a place to show.
 std::optional<report::Picture> PictureOfCase(const report::Certificate& certificate) {
   for (const PropertyResult& result : certificate.tested) {
-    if (result.outcome != Outcome::kViolated || !result.counterexample || !result.verdict) continue;
-    const std::optional<Witness>& witness = result.verdict->witness;
-    if (!result.verdict->compared && !(witness && (witness->x >= 0 || witness->triangle >= 0))) {
+    if (result.outcome != Outcome::kViolated || !result.counterexample) continue;
+    Verdict verdict = result.counterexample->verdict;
+    const std::optional<Witness>& witness = verdict.witness;
+    if (!verdict.compared && !(witness && (witness->x >= 0 || witness->triangle >= 0))) {
       continue;  // a breakdown
     }
-    Verdict verdict = *result.verdict;
-    verdict.message = fmt::format("{}: {}: {}", certificate.subject.name, NameOf(result),
-                                  result.verdict->message);
+    verdict.message =
+        fmt::format("{}: {}: {}", certificate.subject.name, NameOf(result), verdict.message);
     std::optional<report::Picture> picture =
-        Explained(certificate, *result.counterexample, verdict,
+        Explained(certificate, result.counterexample->value, verdict,
                   report::ReplayCommand(certificate, result), result.property);
     if (picture) return picture;
   }

@@ -19,10 +19,10 @@
 #include "io/scene_set.h"
 #include "legal/joint.h"
 #include "model/snap_scene.h"
-#include "props/authority.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/gate.h"
 #include "props/property.h"
+#include "props/run/conclude.h"
 #include "tool/certify.h"
 #include "tool/interrupt.h"
 #include "tool/legality.h"
@@ -152,12 +152,8 @@ SceneResult Measure(const SubjectInfo& info, MeasuredScene& measured, const Prof
 // The property's result on one scene, of which nothing is said yet.
 PropertyResult ResultOn(const MeasuredScene& measured, const SubjectInfo& info,
                         const props::Property& property) {
-  PropertyResult result;
+  PropertyResult result = props::NothingRun(info, property, /*seed=*/0);
   result.property = fmt::format("{} on {}", property.name, measured.name());
-  result.subject = info.name;
-  result.clause = property.clause;
-  props::SetGrounds(props::AuthorityOf(property, info.profile), result);
-  result.tolerance = property.tolerance;
   result.cases = 1;
   return result;
 }

@@ -119,7 +119,7 @@ Verdict Shrink(const ReplayOptions& options, LoadedCase& loaded) {
     if (evaluations == 0) progress.Stage("shrink", campaign.shrink_budget);
     progress.Done(evaluations);
   };
-  props::Counterexample shrunk =
+  Counterexample shrunk =
       props::ShrinkFailing(*loaded.subject, PropertyOf(loaded), loaded.value, campaign);
   if (shrunk.outcome == Outcome::kInconclusive) {
     progress.Say(shrunk.message);

@@ -17,7 +17,6 @@
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/domains/worlds.h"
-#include "props/run/campaign_part.h"
 #include "report/bench_json.h"
 #include "report/bench_page.h"
 #include "report/certificate.h"
@@ -80,7 +79,7 @@ void DoAll(const std::vector<SubjectFactory>& subjects, std::deque<Certification
 }
 
 // Certifies the subjects; the order of the result is theirs. Those that an interrupt kept from
-// being begun are left out; so is the one that met `failure`, and those behind it.
+// being begun are left out; so is the one that met `failure`, and those after it.
 std::vector<report::Certificate> CertifyAll(const std::vector<SubjectFactory>& subjects,
                                             const CertifyOptions& options, const Source& source,
                                             MeasuredScenes& scenes, Progress& progress,
@@ -101,7 +100,7 @@ std::string FileStemOf(const PropertyResult& result) {
   return result.world.empty() ? result.property : result.property + "-" + result.world;
 }
 
-// Every subject has a folder, and every counterexample there a case file; the certificate tells
+// Every subject has a folder, and every counterexample there a case file; the certificate says
 // where, and how to run it again.
 void NameFiles(const std::string& output, report::Certificate& certificate) {
   const std::string& subject = certificate.subject.name;
@@ -124,9 +123,10 @@ void WriteCertificate(const std::string& output, const report::Certificate& cert
   io::WriteFile(folder + "/junit.xml", report::JUnitXml(certificate));
   for (const PropertyResult& result : certificate.tested) {
     if (!result.counterexample) continue;
+    const auto& found = *result.counterexample;
     io::WriteFile(
         folder + "/" + FileStemOf(result) + ".json",
-        io::CaseToJson({*result.counterexample, result.subject, result.property, result.Drawn()}));
+        io::CaseToJson({found.value, result.subject, result.property, found.verdict.drawn}));
   }
 }
 
@@ -220,7 +220,7 @@ std::string SummaryLine(const report::Certificate& certificate) {
   return report::CleanText(line) + "\n";
 }
 
-// What holds with reservations, and the scenes that were not drawn: told where they can be read.
+// Says where to read of results with reservations and of scenes that were not drawn.
 std::string Remarks(const report::Certificate& certificate) {
   std::string text;
   const auto add = [&](const std::string& line) { text += "  " + report::CleanText(line) + "\n"; };
@@ -305,8 +305,8 @@ std::string WritePart(const std::string& output, const SubjectPart& part) {
   io::MakeFolder(folder);
   const std::string path = folder + "/" + PartName(part);
   io::WriteFile(path, PartToJson(part));
-  const auto ended = std::ranges::count_if(part.tests, [](const TestPart& test) {
-    return test.run.end == props::End::kFailed || test.run.end == props::End::kInconclusive;
+  const auto ended = std::ranges::count_if(part.tests, [](const PropertyResult& test) {
+    return test.end == End::kFailed || test.end == End::kInconclusive;
   });
   return report::CleanText(fmt::format(
              "{}: cases {}..{} of each property, {} of {} ended early: {}", part.subject,

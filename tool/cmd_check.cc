@@ -1,6 +1,5 @@
 // rasterproof check: the properties, on generated cases, given scenes or cases by their names.
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -22,12 +21,11 @@
 #include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "props/authority.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
 #include "props/run/property_domains.h"
-#include "props/run/tally.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/text.h"
@@ -48,51 +46,59 @@ namespace {
 
 using Properties = std::vector<const props::Property*>;
 
-// What a whole run comes to: one violation outweighs all, then a property that could not be judged;
-// nothing exercised is no pass.
-class Tally {
- public:
-  explicit Tally(FailOn fail_on) : fail_on_(fail_on) {}
-
-  void Count(const PropertyResult& result) {
-    if (IsLackOfQuality(result, fail_on_)) {
-      ++quality_;
-    } else {
-      ++counts_[static_cast<std::size_t>(result.outcome)];
-    }
-    cases_ += result.cases;
-  }
-  void CountInconclusive() { ++counts_[static_cast<std::size_t>(Outcome::kInconclusive)]; }
-  std::uint64_t Of(Outcome outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
-  int ExitStatus() const {
-    if (Of(Outcome::kViolated) != 0) return kExitViolated;
-    if (Of(Outcome::kInconclusive) != 0 || RefusesTooMuch()) return kExitInconclusive;
-    return Of(Outcome::kHolds) + quality_ != 0 ? kExitHolds : kExitInconclusive;
-  }
-  std::string Line(const std::string& subject) const {
-    std::string line = fmt::format("{}: {} hold, {} violated, {} not exercised, {} not applicable",
-                                   subject, Of(Outcome::kHolds), Of(Outcome::kViolated),
-                                   Of(Outcome::kNotExercised), Of(Outcome::kNotApplicable));
-    for (const Outcome outcome : {Outcome::kRefused, Outcome::kInconclusive}) {
-      if (Of(outcome) != 0) line += fmt::format(", {} {}", Of(outcome), OutcomeName(outcome));
-    }
-    if (quality_ != 0) line += fmt::format(", {} short of quality", quality_);
-    return line + fmt::format("; {} cases\n", cases_);
-  }
-
- private:
-  // Of properties on given scenes. A campaign has counted the refusals of its cases itself.
-  bool RefusesTooMuch() const {
-    const auto refused = static_cast<double>(Of(Outcome::kRefused));
-    const auto holds = static_cast<double>(Of(Outcome::kHolds));
-    return refused > props::kMostRefusedShare * (refused + holds);
-  }
-
-  FailOn fail_on_;
-  std::array<std::uint64_t, 6> counts_{};  // by Outcome
-  std::uint64_t quality_ = 0;              // violations that fail nothing
-  std::uint64_t cases_ = 0;
+// The results of one subject, and what is printed of them.
+struct Report {
+  FailOn fail_on = FailOn::kStated;
+  Profile profile;
+  std::string text = {};
+  std::vector<PropertyResult> results = {};
+  bool is_contract_untested = false;
 };
+
+// Violations that fail nothing are none.
+std::uint64_t CountOf(const Report& found, Outcome outcome) {
+  const auto count = std::ranges::count_if(found.results, [&](const PropertyResult& result) {
+    return result.outcome == outcome && !IsLackOfQuality(result, found.fail_on);
+  });
+  const bool one_more = outcome == Outcome::kInconclusive && found.is_contract_untested;
+  return static_cast<std::uint64_t>(count) + (one_more ? 1 : 0);
+}
+
+std::uint64_t QualityOf(const Report& found) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(
+      found.results,
+      [&](const PropertyResult& result) { return IsLackOfQuality(result, found.fail_on); }));
+}
+
+// Of properties on given scenes. A campaign has counted the refusals of its cases itself.
+bool RefusesTooMuch(const Report& found) {
+  const auto refused = static_cast<double>(CountOf(found, Outcome::kRefused));
+  const auto holds = static_cast<double>(CountOf(found, Outcome::kHolds));
+  return refused > props::kMostRefusedShare * (refused + holds);
+}
+
+// One violation outweighs all, then a property that could not be judged; nothing exercised is no
+// pass.
+int StatusOf(const Report& found) {
+  if (CountOf(found, Outcome::kViolated) != 0) return kExitViolated;
+  if (CountOf(found, Outcome::kInconclusive) != 0 || RefusesTooMuch(found))
+    return kExitInconclusive;
+  return CountOf(found, Outcome::kHolds) + QualityOf(found) != 0 ? kExitHolds : kExitInconclusive;
+}
+
+std::string LastLine(const Report& found, const std::string& subject) {
+  const auto of = [&found](Outcome outcome) { return CountOf(found, outcome); };
+  std::string line = fmt::format("{}: {} hold, {} violated, {} not exercised, {} not applicable",
+                                 subject, of(Outcome::kHolds), of(Outcome::kViolated),
+                                 of(Outcome::kNotExercised), of(Outcome::kNotApplicable));
+  for (const Outcome outcome : {Outcome::kRefused, Outcome::kInconclusive}) {
+    if (of(outcome) != 0) line += fmt::format(", {} {}", of(outcome), OutcomeName(outcome));
+  }
+  if (const auto quality = QualityOf(found)) line += fmt::format(", {} short of quality", quality);
+  std::uint64_t cases = 0;
+  for (const PropertyResult& result : found.results) cases += result.cases;
+  return line + fmt::format("; {} cases\n", cases);
+}
 
 // What was not asked of a subject: one line for each reason, with the properties that share it.
 class NotAsked {
@@ -144,18 +150,19 @@ std::string ResultLine(const PropertyResult& result, FailOn fail_on) {
   return line + "; " + report::AuthorityText(result) + "\n";
 }
 
-// Leaves what was saved before: once mended, it is what is asked first.
+// Keeps the files saved before: the next run asks them first.
 void SaveCounterexample(const std::string& folder, const PropertyResult& result) {
   io::MakeFolder(folder);
   const std::string stem =
       fmt::format("{}/{}-{}", folder, FileNameOf(result.subject), result.property);
   std::string path = stem + ".json";
   for (int n = 2; std::filesystem::exists(path); ++n) path = fmt::format("{}-{}.json", stem, n);
-  io::WriteFile(path, io::CaseToJson({*result.counterexample, result.subject, result.property,
-                                      result.Drawn()}));
+  const auto& found = *result.counterexample;
+  io::WriteFile(
+      path, io::CaseToJson({found.value, result.subject, result.property, found.verdict.drawn}));
 }
 
-// What came of one property, and what is printed of it. Nothing of one that was not begun.
+// The result of one property, and its printed text. Neither of one that was not begun.
 struct Share {
   std::optional<PropertyResult> result;
   std::string text;
@@ -177,7 +184,7 @@ std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, cons
       if (!Interrupted()) ask(worker, *properties[k], shares[k]);
       shares[k].is_whole = true;
     });
-  } catch (...) {  // thrown again once what was found is told
+  } catch (...) {  // thrown again once the results so far are printed
     error = std::current_exception();
     const auto failed = std::ranges::find(shares, false, &Share::is_whole);
     shares.erase(std::next(failed), shares.end());
@@ -185,7 +192,7 @@ std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, cons
   return shares;
 }
 
-// One property on generated cases, its progress told.
+// One property on generated cases; shows its progress.
 PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
                         const props::Property& property, const CheckOptions& options,
                         Progress& progress, std::size_t worker, props::Pace& pace) {
@@ -210,68 +217,56 @@ bool WasNotAsked(const PropertyResult& result) {
   return result.outcome == Outcome::kNotApplicable && !result.counterexample;
 }
 
-// What came of a property on generated cases, as it is printed.
+// Prints the result of a property on generated cases.
 void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
   const PropertyResult& result = *share.result;
   if (WasNotAsked(result)) return;
   share.text = ResultLine(result, options.fail_on);
-  if (!result.counterexample || !result.verdict) return;
+  if (!result.counterexample) return;
+  const auto& found = *result.counterexample;
   CaseChoice choice;
   choice.subject = result.subject;
   choice.property = result.property;
   choice.profile = options.profile;
-  choice.name = result.failing_case;
-  share.text += FailureText(subject, result.property, *result.counterexample, *result.verdict,
+  choice.name = found.failing_case;
+  share.text += FailureText(subject, result.property, found.value, found.verdict,
                             CommandFor("replay", choice), /*colour=*/false);
   if (!options.save.empty()) SaveCounterexample(options.save, result);
 }
 
 // A run in which no property of the contract was put to the test is no pass, whatever else holds.
-std::string ContractText(const SubjectInfo& subject, std::span<const PropertyResult> results,
-                         Tally& tally) {
-  const props::ContractEvidence evidence = props::EvidenceOfContract(subject, results);
-  if (evidence.is_exercised && evidence.thin.empty()) return "";
-  if (evidence.is_exercised) {
-    return fmt::format("{:<16} {:<10} {}\n", OutcomeName(Outcome::kHolds), subject.name,
-                       evidence.thin);
+void AddContract(const SubjectInfo& subject, Report& found) {
+  const props::ContractEvidence evidence = props::EvidenceOfContract(subject, found.results);
+  if (!evidence.is_exercised) {
+    found.is_contract_untested = true;
+    found.text += fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
+                              OutcomeName(Outcome::kInconclusive), subject.name, evidence.why);
+  } else if (!evidence.thin.empty()) {
+    found.text += fmt::format("{:<16} {:<10} {}\n", OutcomeName(Outcome::kHolds), subject.name,
+                              evidence.thin);
   }
-  tally.CountInconclusive();
-  return fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
-                     OutcomeName(Outcome::kInconclusive), subject.name, evidence.why);
 }
 
-// What is printed of the shares, in their order; what was found goes to `results`.
-std::string TextOf(const std::vector<Share>& shares, const std::string& subject,
-                   const std::string& of, std::vector<PropertyResult>& results, Tally& tally) {
-  std::string text;
+// Adds the shares, in their order.
+void Add(const std::vector<Share>& shares, const std::string& subject, const std::string& of,
+         Report& found) {
   NotAsked not_asked;
   for (const Share& share : shares) {
     if (!share.result) continue;  // an interrupt kept it from being begun
-    const PropertyResult& result = results.emplace_back(*share.result);
-    tally.Count(result);
-    text += share.text;
+    const PropertyResult& result = found.results.emplace_back(*share.result);
+    found.text += share.text;
     if (WasNotAsked(result)) not_asked.Add(result.message, result.property);
   }
-  return text + not_asked.Lines(subject, of);
+  found.text += not_asked.Lines(subject, of);
 }
-
-// What came of one subject: what is printed, and what it comes to.
-struct Report {
-  explicit Report(FailOn fail_on) : tally(fail_on) {}
-
-  std::string text;
-  Profile profile;
-  Tally tally;
-};
 
 // One property on one given case.
 void AskOfGiven(Subject& subject, const props::Property& property, const GivenCase& given,
                 const Case& c, const CheckOptions& options, Share& share) {
   const std::string& name = subject.Info().name;
   const Verdict verdict = props::RunCase(subject, property, c);
-  PropertyResult& result = share.result.emplace();
-  result.property = property.name;
-  props::SetGrounds(props::AuthorityOf(property, subject.Info().profile), result);
+  PropertyResult& result =
+      share.result.emplace(props::NothingRun(subject.Info(), property, options.campaign.seed));
   result.outcome = verdict.outcome;
   result.AddCase(verdict);
   result.message = verdict.message;
@@ -319,17 +314,12 @@ void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedChe
         TellOf(own, options, share);
       },
       error);
-  std::vector<PropertyResult> results;
-  found.text += TextOf(shares, subject.name(), "", results, found.tally);
+  Add(shares, subject.name(), "", found);
   if (error) std::rethrow_exception(error);
-  if (asked.is_whole_catalogue && !Interrupted()) {
-    found.text += ContractText(crew.Of(0).Info(), results, found.tally);
-  }
 }
 
 void CheckGiven(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,
                 const CheckOptions& options, Progress& progress, Report& found) {
-  std::vector<PropertyResult> results;
   for (const GivenCase& given : asked.cases) {
     const Case c = CaseFor(crew.Of(0), given);
     std::exception_ptr error;
@@ -342,17 +332,14 @@ void CheckGiven(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& 
           progress.Stage("", 0, worker);
         },
         error);
-    found.text += TextOf(shares, subject.name(), given.place + ": ", results, found.tally);
+    Add(shares, subject.name(), given.place + ": ", found);
     if (error) std::rethrow_exception(error);
-  }
-  if (asked.is_whole_catalogue && !Interrupted()) {
-    found.text += ContractText(crew.Of(0).Info(), results, found.tally);
   }
 }
 
 // What finds out more about a subject of the user's own that does not draw as it states.
-std::string Hint(const std::string& subject, const Tally& tally, const std::string& profile) {
-  if (tally.Of(Outcome::kViolated) == 0 || !IsOutside(subject)) return "";
+std::string Hint(const std::string& subject, const Report& found, const std::string& profile) {
+  if (CountOf(found, Outcome::kViolated) == 0 || !IsOutside(subject)) return "";
   CaseChoice choice;
   choice.subject = subject;
   choice.profile = profile;
@@ -364,8 +351,7 @@ Report Check(const SubjectFactory& subject, const ResolvedCheck& asked,
              const CheckOptions& options) {
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
   NotePreset(crew.Of(0).Info().profile);
-  Report found(options.fail_on);
-  found.profile = crew.Of(0).Info().profile;
+  Report found{options.fail_on, crew.Of(0).Info().profile};
   try {
     Progress progress(crew.size());
     if (asked.cases.empty()) {
@@ -373,6 +359,7 @@ Report Check(const SubjectFactory& subject, const ResolvedCheck& asked,
     } else {
       CheckGiven(crew, subject, asked, options, progress, found);
     }
+    if (asked.is_whole_catalogue && !Interrupted()) AddContract(crew.Of(0).Info(), found);
   } catch (...) {
     io::WriteStandardOutput(found.text);
     throw;
@@ -392,9 +379,9 @@ int RunCheck(const CheckOptions& options) {
     if (Interrupted()) break;
     const Report found = Check(subject, asked, options);
     io::WriteStandardOutput(found.text + report::AssumptionLines(found.profile) +
-                            found.tally.Line(subject.name()) +
-                            Hint(subject.name(), found.tally, options.profile));
-    status = WorseStatus(status, found.tally.ExitStatus());
+                            LastLine(found, subject.name()) +
+                            Hint(subject.name(), found, options.profile));
+    status = WorseStatus(status, StatusOf(found));
   }
   if (!Interrupted()) return status;
   io::WriteStandardOutput("interrupted: this is what was found so far\n");

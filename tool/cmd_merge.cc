@@ -180,8 +180,8 @@ void RequireSame(const SubjectPart& part, const SubjectPart& mine) {
   require(part.options == mine.options,
           "it was run with other options:" + report::CleanText(part.options),
           "merge with the same --time-limit and --memory-limit");
-  const auto is_same = [](const TestPart& one, const TestPart& other) {
-    return one.property == other.property && one.world == other.world;
+  const auto is_same = [](const PropertyResult& one, const PropertyResult& other) {
+    return NameOf(one) == NameOf(other);
   };
   require(std::ranges::equal(part.tests, mine.tests, is_same),
           "its properties are not those that this program has",

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/counters.h"
 #include "core/error.h"
 #include "core/result.h"
 #include "core/scene.h"
@@ -19,6 +20,7 @@
 #include "io/json_document.h"
 #include "io/number_text.h"
 #include "io/output.h"
+#include "report/certificate.h"
 #include "report/json_writer.h"
 
 namespace rasterproof::tool {
@@ -29,121 +31,62 @@ using report::JsonWriter;
 
 constexpr int kPartVersion = 3;
 
-constexpr std::array<std::pair<props::End, std::string_view>, 4> kEnds{
-    {{props::End::kAllRun, "all run"},
-     {props::End::kNotApplicable, "not applicable"},
-     {props::End::kFailed, "failed"},
-     {props::End::kInconclusive, "inconclusive"}}};
+constexpr std::array<std::pair<End, std::string_view>, 4> kEnds{
+    {{End::kAllRun, "all run"},
+     {End::kNotApplicable, "not applicable"},
+     {End::kFailed, "failed"},
+     {End::kInconclusive, "inconclusive"}}};
 constexpr std::array<Outcome, 3> kFoundOutcomes{Outcome::kViolated, Outcome::kInconclusive,
                                                 Outcome::kHolds};
 
-// The numbers of both directions, in one order.
-template <class Counts, class Visit>
-void VisitSums(Counts& sums, const Visit& visit) {
-  visit("cases", sums.cases);
-  visit("cases_exercised", sums.cases_exercised);
-  visit("exercised", sums.exercised);
-  visit("cases_refused", sums.cases_refused);
-  visit("not_judged", sums.not_judged);
-  visit("positive_fronts", sums.positive_fronts);
-  visit("negative_fronts", sums.negative_fronts);
-  visit("not_applicable", sums.not_applicable);
-  visit("refused_within_limits", sums.refused_within_limits);
-}
-
-template <class Counts, class Visit>
-void VisitNearEdge(Counts& counts, const Visit& visit) {
-  visit("samples", counts.samples);
-  visit("on_edge", counts.on_edge);
-  visit("within_1", counts.within_1);
-  visit("within_16", counts.within_16);
-  visit("within_256", counts.within_256);
-}
-
-template <class Counts, class Visit>
-void VisitPlace(Counts& counts, const Visit& visit) {
-  visit("asked", counts.asked);
-  visit("refused", counts.refused);
-}
-
-template <class Counts, class Visit>
-void VisitTiers(Counts& tiers, const Visit& visit) {
-  visit("filter", tiers.filter);
-  visit("stable", tiers.stable);
-  visit("exact", tiers.exact);
-  visit("symbolic", tiers.symbolic);
-}
-
-template <class Counts, class Visit>
-void VisitWitness(Counts& witness, const Visit& visit) {
-  visit("triangle", witness.triangle);
-  visit("edge", witness.edge);
-  visit("x", witness.x);
-  visit("y", witness.y);
-  visit("sample", witness.sample);
-}
-
 // Writing.
 
-auto IntegersTo(JsonWriter& json) {
-  return [&json](std::string_view key, auto value) { json.Key(key).Integer(value); };
-}
-
-void WriteSums(JsonWriter& json, const props::Sums& sums) {
-  VisitSums(sums, IntegersTo(json));
+void WriteSums(JsonWriter& json, const PropertyResult& sums) {
+  json.Members(kCaseCounters, sums);
   json.Key("worst_ratio").Exact(sums.worst_ratio);
   json.Key("why_not").Text(sums.why_not);
   json.Key("why_refused").Text(sums.why_refused);
   json.Key("domains").BeginArray();
-  for (std::size_t d = 0; d < sums.drawn.size(); ++d) {
+  for (const DomainCounts& domain : sums.domains) {
     json.BeginObject();
-    json.Key("drawn").Integer(sums.drawn[d]);
-    VisitNearEdge(sums.near_edge[d], IntegersTo(json));
+    json.Key("drawn").Integer(domain.drawn);
+    json.Members(kNearEdgeCounters, domain.near_edge);
     json.EndObject();
   }
   json.EndArray();
   json.Key("places").BeginArray();
-  for (const props::PlaceCounts& counts : sums.places) {
+  for (const PlaceCounts& counts : sums.places) {
     json.BeginObject();
-    VisitPlace(counts, IntegersTo(json));
+    json.Members(kPlaceCounters, counts);
     json.EndObject();
   }
   json.EndArray();
 }
 
-void WriteFound(JsonWriter& json, const TestPart& test) {
-  const props::Counterexample& found = *test.run.found;
+void WriteFound(JsonWriter& json, const std::string& property, const Counterexample& found) {
   json.Key("found").BeginObject();
-  json.Key("as_case").Text(test.run.failing_case);
+  json.Key("as_case").Text(found.failing_case);
   json.Key("outcome").Text(OutcomeName(found.outcome));
   json.Key("message").Text(found.message);
-  json.Key("case").Text(io::CaseToJson({found.value, "", test.property, found.verdict.drawn}));
+  json.Key("case").Text(io::CaseToJson({found.value, "", property, found.verdict.drawn}));
   json.Key("said_outcome").Text(OutcomeName(found.verdict.outcome));
   json.Key("said").Text(found.verdict.message);
-  if (found.verdict.witness) {
-    json.Key("witness").BeginObject();
-    VisitWitness(*found.verdict.witness, IntegersTo(json));
-    json.Key("observed").Text(found.verdict.witness->observed);
-    json.Key("expected").Text(found.verdict.witness->expected);
-    json.EndObject();
-  }
+  if (found.verdict.witness) report::WriteWitness(json, *found.verdict.witness);
   json.EndObject();
 }
 
-void WriteTest(JsonWriter& json, const TestPart& test) {
+void WriteTest(JsonWriter& json, const PropertyResult& result) {
   json.BeginObject();
-  json.Key("property").Text(test.property);
-  json.Key("world").Text(test.world);
+  json.Key("property").Text(result.property);
+  json.Key("world").Text(result.world);
   for (const auto& [end, name] : kEnds) {
-    if (end == test.run.end) json.Key("end").Text(name);
+    if (end == result.end) json.Key("end").Text(name);
   }
-  json.Key("why").Text(test.run.why);
-  json.Key("seconds").Exact(test.run.seconds);
-  WriteSums(json, test.run.sums);
-  json.Key("oracle_tiers").BeginObject();
-  VisitTiers(test.tiers, IntegersTo(json));
-  json.EndObject();
-  if (test.run.found) WriteFound(json, test);
+  json.Key("why").Text(result.why);
+  json.Key("seconds").Exact(result.seconds);
+  WriteSums(json, result);
+  json.Key("oracle_tiers").BeginObject().Members(kTiers, result.tiers).EndObject();
+  if (result.counterexample) WriteFound(json, result.property, *result.counterexample);
   json.EndObject();
 }
 
@@ -168,29 +111,29 @@ double ExactOf(const JsonValue& value) {
   return number.value;
 }
 
-auto IntegersFrom(const JsonValue& object) {
-  return [&object](std::string_view key, auto& value) {
-    value = IntegerOf<std::remove_reference_t<decltype(value)>>(object.Get(key));
-  };
+template <class T, std::size_t kCount>
+void Read(const Counters<T, kCount>& counters, const JsonValue& object, T& to) {
+  for (const auto& [name, counter] : counters) {
+    to.*counter = IntegerOf<std::uint64_t>(object.Get(name));
+  }
 }
 
-props::Sums SumsOf(const JsonValue& object) {
-  props::Sums sums;
-  VisitSums(sums, IntegersFrom(object));
+void ReadSums(const JsonValue& object, PropertyResult& sums) {
+  Read(kCaseCounters, object, sums);
   sums.worst_ratio = ExactOf(object.Get("worst_ratio"));
   sums.why_not = TextOf(object.Get("why_not"));
   sums.why_refused = TextOf(object.Get("why_refused"));
   for (const JsonValue domain : object.Get("domains").RequireArray()) {
-    sums.drawn.push_back(IntegerOf<std::uint64_t>(domain.Get("drawn")));
-    VisitNearEdge(sums.near_edge.emplace_back(), IntegersFrom(domain));
+    DomainCounts& counts = sums.domains.emplace_back();
+    counts.drawn = IntegerOf<std::uint64_t>(domain.Get("drawn"));
+    Read(kNearEdgeCounters, domain, counts.near_edge);
   }
   const JsonValue places = object.Get("places");
   if (places.RequireArray().size() != sums.places.size()) {
     throw places.Error("has no entry for every place, or more", "write the part again");
   }
   auto counts = sums.places.begin();
-  for (const JsonValue place : places.RequireArray()) VisitPlace(*counts++, IntegersFrom(place));
-  return sums;
+  for (const JsonValue place : places.RequireArray()) Read(kPlaceCounters, place, *counts++);
 }
 
 Outcome OutcomeOf(const JsonValue& value) {
@@ -200,8 +143,9 @@ Outcome OutcomeOf(const JsonValue& value) {
   throw value.Error("is no outcome of a part", "write the part again");
 }
 
-props::Counterexample FoundOf(const JsonValue& object) {
-  props::Counterexample found;
+Counterexample FoundOf(const JsonValue& object) {
+  Counterexample found;
+  found.failing_case = TextOf(object.Get("as_case"));
   found.outcome = OutcomeOf(object.Get("outcome"));
   found.message = TextOf(object.Get("message"));
   const JsonValue file = object.Get("case");
@@ -212,34 +156,35 @@ props::Counterexample FoundOf(const JsonValue& object) {
   found.verdict.message = TextOf(object.Get("said"));
   if (const std::optional<JsonValue> there = object.Find("witness")) {
     Witness& witness = found.verdict.witness.emplace();
-    VisitWitness(witness, IntegersFrom(*there));
+    witness.triangle = IntegerOf<int>(there->Get("triangle"));
+    witness.edge = IntegerOf<int>(there->Get("edge"));
+    witness.x = IntegerOf<int>(there->Get("x"));
+    witness.y = IntegerOf<int>(there->Get("y"));
+    witness.sample = IntegerOf<int>(there->Get("sample"));
     witness.observed = TextOf(there->Get("observed"));
     witness.expected = TextOf(there->Get("expected"));
   }
   return found;
 }
 
-props::End EndOf(const JsonValue& value) {
+End EndOf(const JsonValue& value) {
   for (const auto& [end, name] : kEnds) {
     if (name == value.RequireString()) return end;
   }
   throw value.Error("is no end of a part", "write the part again");
 }
 
-TestPart TestOf(const JsonValue& object) {
-  TestPart test;
-  test.property = TextOf(object.Get("property"));
-  test.world = TextOf(object.Get("world"));
-  test.run.end = EndOf(object.Get("end"));
-  test.run.why = TextOf(object.Get("why"));
-  test.run.seconds = ExactOf(object.Get("seconds"));
-  test.run.sums = SumsOf(object);
-  VisitTiers(test.tiers, IntegersFrom(object.Get("oracle_tiers")));
-  if (test.run.end != props::End::kFailed) return test;
-  const JsonValue found = object.Get("found");
-  test.run.failing_case = TextOf(found.Get("as_case"));
-  test.run.found = FoundOf(found);
-  return test;
+PropertyResult TestOf(const JsonValue& object) {
+  PropertyResult result;
+  result.property = TextOf(object.Get("property"));
+  result.world = TextOf(object.Get("world"));
+  result.end = EndOf(object.Get("end"));
+  result.why = TextOf(object.Get("why"));
+  result.seconds = ExactOf(object.Get("seconds"));
+  ReadSums(object, result);
+  Read(kTiers, object.Get("oracle_tiers"), result.tiers);
+  if (result.end == End::kFailed) result.counterexample = FoundOf(object.Get("found"));
+  return result;
 }
 
 void RequirePart(const JsonValue& root) {
@@ -305,7 +250,7 @@ void WriteContent(JsonWriter& json, const SubjectPart& part) {
   }
   if (part.cases) json.Key("cases").Integer(*part.cases);
   json.Key("tests").BeginArray();
-  for (const TestPart& test : part.tests) WriteTest(json, test);
+  for (const PropertyResult& test : part.tests) WriteTest(json, test);
   json.EndArray();
 }
 

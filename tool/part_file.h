@@ -9,20 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/edge.h"
-#include "props/run/campaign_part.h"
+#include "core/result.h"
 #include "tool/commands.h"
 #include "tool/shard.h"
 
 namespace rasterproof::tool {
-
-/// What came of one property's cases.
-struct TestPart {
-  std::string property;
-  std::string world;  ///< empty: drawn cases
-  props::CampaignPart run;
-  exact::TierCounts tiers;
-};
 
 struct SubjectPart {
   std::string file;  ///< where it was read
@@ -36,7 +27,8 @@ struct SubjectPart {
   CaseRange range;                     ///< of drawn cases
   std::optional<Shard> shard;          ///< nothing: --cases A..B
   std::optional<std::uint64_t> cases;  ///< of the campaign, where that is known: with a shard
-  std::vector<TestPart> tests;
+  /// Of each property and world: the names, counters, end and counterexample alone.
+  std::vector<PropertyResult> tests;
   std::string digest;  ///< as read: of all that it was written with
 };
 

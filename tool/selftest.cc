@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -28,9 +29,8 @@ double Median(std::vector<double> values) {
 
 // What the counterexample says, without the numbers that a reader of the table can't use.
 std::string SeenText(const PropertyResult& violation) {
-  const Witness* witness =
-      violation.verdict && violation.verdict->witness ? &*violation.verdict->witness : nullptr;
-  if (witness == nullptr || witness->observed.empty()) return violation.message;
+  const std::optional<Witness>& witness = violation.counterexample->verdict.witness;
+  if (!witness || witness->observed.empty()) return violation.message;
   std::string text = fmt::format("{}; expected {}", witness->observed, witness->expected);
   std::ranges::replace(text, '|', '/');
   constexpr std::size_t kLongest = 90;
@@ -48,7 +48,7 @@ std::string KillRow(const HuntResult& result) {
                        result.hunt.cases);
   }
   const PropertyResult& violation = *result.hunt.violation;
-  const Scene& scene = violation.counterexample->scene;
+  const Scene& scene = violation.counterexample->value.scene;
   return fmt::format("| {} | {}{} | {} | {} | {} in {}x{} | {} |\n", name, change, source,
                      violation.property, result.hunt.cases, scene.triangles.size(), scene.width,
                      scene.height, SeenText(violation));
@@ -65,7 +65,7 @@ std::string MutantFigures(const std::vector<HuntResult>& results, std::string_vi
     if (result.mutant.legal || !counts(result.mutant)) continue;
     ++mutants;
     if (!result.hunt.violation) continue;
-    const Scene& scene = result.hunt.violation->counterexample->scene;
+    const Scene& scene = result.hunt.violation->counterexample->value.scene;
     cases.push_back(static_cast<double>(result.hunt.cases));
     triangles.push_back(static_cast<double>(scene.triangles.size()));
     widths.push_back(scene.width);
@@ -170,9 +170,9 @@ std::string SelftestJson(const std::vector<HuntResult>& results) {
     json.Key("violated").Bool(result.hunt.violation.has_value());
     if (result.hunt.violation) {
       const PropertyResult& violation = *result.hunt.violation;
-      const Scene& scene = violation.counterexample->scene;
+      const Scene& scene = violation.counterexample->value.scene;
       json.Key("property").Text(violation.property);
-      json.Key("case").Text(violation.failing_case);
+      json.Key("case").Text(violation.counterexample->failing_case);
       json.Key("triangles").Integer(scene.triangles.size());
       json.Key("width").Integer(scene.width).Key("height").Integer(scene.height);
       json.Key("message").Text(violation.message);

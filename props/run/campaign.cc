@@ -3,24 +3,23 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "exact/edge.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
 #include "props/domains/worlds.h"
 #include "props/judging/gate.h"
 #include "props/run/budget.h"
-#include "props/run/campaign_part.h"
+#include "props/run/conclude.h"
 #include "props/run/counterexample.h"
 #include "props/run/description.h"
 #include "props/run/look_ahead.h"
 #include "props/run/property_domains.h"
-#include "props/run/tally.h"
 #include "props/run/trial.h"
 
 namespace rasterproof::props {
@@ -60,57 +59,59 @@ class Campaign {
         pace_(options.pace != nullptr ? *options.pace : own_pace_),
         is_outside_(subject.SharesCalls()),
         budget_(subject, options_),
-        tally_(subject, property, options.seed, options.world) {
+        domains_(DomainsFor(subject.Info(), property)),
+        result_(NothingRun(subject.Info(), property, options.seed, options.world)) {
     options_.pace = &pace_;
   }
 
-  CampaignPart Run() {
+  PropertyResult Run() {
     const auto start = budget_.Now();
-    CampaignPart part = RunBlocks();
-    part.sums = tally_.sums();
-    part.seconds = budget_.Since(start);
-    return part;
+    const exact::TierScope scope;
+    RunBlocks();
+    if (result_.end == End::kAllRun) result_.tiers = scope.Counts();
+    result_.seconds = budget_.Since(start);
+    Conclude(subject_.Info(), property_, result_);
+    return std::move(result_);
   }
 
  private:
-  static CampaignPart Ended(End end, std::string why = {}) {
-    CampaignPart part;
-    part.end = end;
-    part.why = std::move(why);
-    return part;
+  void EndWith(End end, std::string why = {}) {
+    result_.end = end;
+    result_.why = std::move(why);
   }
 
-  CampaignPart RunBlocks() {
-    if (const auto why = DoesNotApply(property_.gate, AsJudged(DescriptionOf(subject_)))) {
-      return Ended(End::kNotApplicable, *why);
+  std::string WhyNotApplicable() const {
+    const auto why = DoesNotApply(property_.gate, AsJudged(DescriptionOf(subject_)));
+    if (why) return *why;
+    return options_.world == nullptr ? "" : WhyNotGiven(*options_.world, subject_.Info());
+  }
+
+  void RunBlocks() {
+    if (std::string why = WhyNotApplicable(); !why.empty()) {
+      return EndWith(End::kNotApplicable, std::move(why));
     }
-    if (options_.world != nullptr) {
-      const std::string why = WhyNotGiven(*options_.world, subject_.Info());
-      if (!why.empty()) return Ended(End::kNotApplicable, why);
-    } else if (tally_.domains().empty()) {
-      return Ended(End::kAllRun);
-    }
+    if (options_.world == nullptr && domains_.empty()) return;
     for (std::uint64_t done = 0; done < options_.cases;) {
       const Block block = DrawBlock(done);
       done += block.cases.size();
       const std::size_t together = GoOneByOne() ? 1 : block.cases.size();
       for (std::size_t first = 0; first < block.cases.size(); first += together) {
-        if (budget_.IsStopped()) return Ended(End::kInterrupted);
-        if (budget_.IsUp()) return Ended(End::kTimeUp);
-        if (auto end = RunTogether(block, first, together)) return *std::move(end);
+        if (budget_.IsStopped()) return EndWith(End::kInterrupted);
+        if (budget_.IsUp()) return EndWith(End::kTimeUp);
+        RunTogether(block, first, together);
+        if (result_.end != End::kAllRun) return;
       }
     }
-    return Ended(End::kAllRun);
   }
 
-  // A slow subject may be stopped behind any case, a small one first.
+  // A slow subject may be stopped after any case: it gets the small ones first.
   bool GoOneByOne() const {
     return !is_outside_ || property_.is_about_sequence || pace_.is_slow || pace_.hangs;
   }
 
   CaseName NameOf(std::uint64_t index) const {
     if (options_.world != nullptr) return NameOfCase(*options_.world, index);
-    return NameOfCase(tally_.domains(), FirstIndex(property_.name), options_.seed, index);
+    return NameOfCase(domains_, FirstIndex(property_.name), options_.seed, index);
   }
 
   Block DrawBlock(std::uint64_t done) const {
@@ -134,9 +135,8 @@ class Campaign {
     return block;
   }
 
-  // How the run ends if it does with these cases.
-  std::optional<CampaignPart> RunTogether(const Block& block, std::size_t first,
-                                          std::size_t count) {
+  // Ends the run if it ends with one of these cases.
+  void RunTogether(const Block& block, std::size_t first, std::size_t count) {
     const std::span<const Case> cases(block.cases.data() + first, count);
     const auto began = budget_.Now();
     if (pace_.hangs && options_.time_limit > 0) {
@@ -151,21 +151,20 @@ class Campaign {
       const bool no_answer = trial.verdict.outcome == Outcome::kInconclusive;
       // What breaks down as the run is stopped may have been stopped with it.
       if ((no_answer || IsBreakdown(trial.stop)) && budget_.IsStopped())
-        return Ended(End::kInterrupted);
+        return EndWith(End::kInterrupted);
       // The case does not count: it is the run's time that was up, not the subject's.
-      if (trial.stop == Stop::kDeadline && budget_.IsUp()) return Ended(End::kTimeUp);
+      if (trial.stop == Stop::kDeadline && budget_.IsUp()) return EndWith(End::kTimeUp);
       const std::uint64_t index = block.indices[first + k];
-      tally_.AddCase(index, cases[k], trial.verdict);
+      AddCase(index, cases[k], trial.verdict, result_);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
       if (trial.verdict.outcome == Outcome::kViolated) {
         return Failed({cases, k, trial});
       }
-      if (options_.progress && tally_.cases() % kCasesPerProgress == 0) {
-        options_.progress(tally_.cases());
+      if (options_.progress && result_.cases % kCasesPerProgress == 0) {
+        options_.progress(result_.cases);
       }
     }
-    if (trials.size() < cases.size()) return Ended(End::kInterrupted);
-    return std::nullopt;
+    if (trials.size() < cases.size()) EndWith(End::kInterrupted);
   }
 
   std::vector<Trial> TryAll(std::span<const Case> cases) {
@@ -173,25 +172,25 @@ class Campaign {
     return TryTogether(subject_, property_, cases, options_.stop);
   }
 
-  CampaignPart TooSlow(const Case& c, const Verdict& verdict) {
+  void TooSlow(const Case& c, const Verdict& verdict) {
     if (is_outside_) pace_.is_slow = true;
     const std::string why =
         pace_.hangs ? "no answer within the short time that a case gets since another property saw "
                       "the subject hang"
                     : verdict.message;
     ++pace_.silent;
-    return Ended(End::kInconclusive, c.origin + ": " + why);
+    EndWith(End::kInconclusive, c.origin + ": " + why);
   }
 
-  CampaignPart Failed(const Failure& failure) {
+  void Failed(const Failure& failure) {
     if (failure.trial.stop == Stop::kHung) {
       pace_.hangs = true;
       ++pace_.silent;
     }
-    CampaignPart part = Ended(End::kFailed);
-    part.found = Investigate(subject_, property_, failure, options_, budget_);
-    part.failing_case = failure.company[failure.at].origin;
-    return part;
+    EndWith(End::kFailed);
+    Counterexample& found = result_.counterexample.emplace(
+        Investigate(subject_, property_, failure, options_, budget_));
+    found.failing_case = failure.company[failure.at].origin;
   }
 
   Subject& subject_;
@@ -201,7 +200,8 @@ class Campaign {
   Pace& pace_;
   bool is_outside_;
   Budget budget_;
-  Tally tally_;
+  std::vector<const Domain*> domains_;
+  PropertyResult result_;
 };
 
 }  // namespace
@@ -232,11 +232,6 @@ Verdict RunCase(Subject& subject, const Property& property, const Case& c) {
 
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options) {
-  return ResultOf(subject, property, options.seed, options.world,
-                  RunPart(subject, property, options));
-}
-
-CampaignPart RunPart(Subject& subject, const Property& property, const CampaignOptions& options) {
   return Campaign(subject, property, options).Run();
 }
 

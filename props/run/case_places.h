@@ -6,7 +6,6 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 #include "core/case.h"
@@ -25,12 +24,12 @@ enum class CasePlace : std::uint8_t {
 };
 
 /// Their words, in the order of CasePlace: they complete "cases with ...".
-inline constexpr std::array<std::string_view, 7> kCasePlaces{
+inline constexpr std::array<std::string_view, kKindsOfPlaces> kCasePlaces{
     "a sample on a horizontal edge", "a sample on a vertical edge", "a sample on a slanted edge",
     "a sample on a shared edge",     "a vertex on a sample",        "a triangle of zero area",
     "a triangle off the target"};
 
-using CasePlaces = std::bitset<kCasePlaces.size()>;
+using CasePlaces = std::bitset<kKindsOfPlaces>;
 
 constexpr std::size_t IndexOf(CasePlace place) { return static_cast<std::size_t>(place); }
 
@@ -45,24 +44,9 @@ struct CaseEvidence {
 /// In clip space without a snap vertices and areas are taken from quotients in long double.
 CaseEvidence EvidenceOfCase(const Case& c);
 
-/// Cases that put a property to the test, or would have if they had not been refused.
-struct PlaceCounts {
-  std::uint64_t asked = 0;
-  std::uint64_t refused = 0;
-};
-
-/// One of each place.
-using CountsOfPlaces = std::array<PlaceCounts, kCasePlaces.size()>;
-
 /// Of fewer cases at a place it says nothing that all were refused: a subject that refuses any half
 /// of all cases refuses 16 given ones once in 65,536 times.
 inline constexpr std::uint64_t kFewestCasesAtAPlace = 16;
-
-void Add(CountsOfPlaces& counts, const CountsOfPlaces& more);
-
-/// The places whose cases were all refused, at least kFewestCasesAtAPlace of each, with their
-/// numbers: "all 31 cases with a sample on a horizontal edge". Empty: there is none.
-std::string RefusedThroughout(const CountsOfPlaces& counts);
 
 }  // namespace rasterproof::props
 

@@ -99,8 +99,9 @@ std::string WhyThin(Contract contract, std::span<const PropertyResult> results) 
   for (const PropertyResult& result : results) {
     if (!IsOf(contract, result) || result.exercised == 0) continue;
     if (!result.world.empty()) return "";
-    is_counted = is_counted || result.near_edge.samples != 0;
-    ties += result.near_edge.on_edge;
+    const NearEdgeCounts near_edge = result.NearEdge();
+    is_counted = is_counted || near_edge.samples != 0;
+    ties += near_edge.on_edge;
   }
   if (!StatesOwners(contract) || !is_counted || ties >= kFewestTies) return "";
   return "thin: " + std::to_string(ties) + " samples on an edge put the contract " +

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include "core/case.h"
+#include "core/result.h"
 #include "core/subject.h"
 #include "core/verdict.h"
 #include "props/property.h"
@@ -18,19 +18,10 @@
 
 namespace rasterproof::props {
 
-/// So many evaluations may hang while a case is shrunk.
+/// The evaluations that may hang while a case is shrunk.
 inline constexpr int kMostHangs = 8;
-/// While one that hung is shrunk, they may take so many time limits in all (Pace).
+/// The time limits (Pace) that they may take in all while a case that hung is shrunk.
 inline constexpr double kMostHangLimits = 2;
-
-/// What failed, and what is said of it.
-struct Counterexample {
-  Case value;
-  Verdict verdict;  ///< violated; the first answer where there are two
-  Outcome outcome = Outcome::kViolated;
-  std::string message;
-  std::uint64_t evaluations = 0;  ///< that shrinking took
-};
 
 /// What a failing case comes to when it is run once more, alone.
 ///

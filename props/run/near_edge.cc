@@ -226,12 +226,4 @@ CaseEvidence EvidenceOfCase(const Case& c) { return Counter(c).Count(); }
 
 NearEdgeCounts CountNearEdges(const Case& c) { return EvidenceOfCase(c).near_edge; }
 
-void Add(NearEdgeCounts& counts, const NearEdgeCounts& more) {
-  counts.samples += more.samples;
-  counts.on_edge += more.on_edge;
-  counts.within_1 += more.within_1;
-  counts.within_16 += more.within_16;
-  counts.within_256 += more.within_256;
-}
-
 }  // namespace rasterproof::props

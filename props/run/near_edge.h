@@ -21,9 +21,6 @@ namespace rasterproof::props {
 ///             sample within the estimate's error.
 NearEdgeCounts CountNearEdges(const Case& c);
 
-/// Adds `more` to `counts`.
-void Add(NearEdgeCounts& counts, const NearEdgeCounts& more);
-
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_RUN_NEAR_EDGE_H_

@@ -89,12 +89,12 @@ TEST(RasterizerSubject, AddsToWhatItsTargetHolds) {
   }
 }
 
-TEST(Counts, OfTwoRunsAddUpToThoseOfOne) {
+TEST(PropertyResult, OfTwoRunsAddUpToThatOfOne) {
   Verdict wrong = Verdict::Violated(5, "", {});
   wrong.not_judged = 2;
-  Counts both;
-  Counts first;
-  Counts second;
+  PropertyResult both;
+  PropertyResult first;
+  PropertyResult second;
   for (const Verdict& verdict : {Verdict::Held(3, 0.5), Verdict::Refused("odd")}) {
     first.AddCase(verdict);
     both.AddCase(verdict);
@@ -103,15 +103,22 @@ TEST(Counts, OfTwoRunsAddUpToThoseOfOne) {
     second.AddCase(verdict);
     both.AddCase(verdict);
   }
-  first.Add(second);
-  for (const Counts& counts : {first, both}) {
-    EXPECT_EQ(counts.cases, 4U);
-    EXPECT_EQ(counts.cases_exercised, 2U);
-    EXPECT_EQ(counts.exercised, 8U);
-    EXPECT_EQ(counts.cases_refused, 1U);
-    EXPECT_EQ(counts.not_judged, 2U);
-    EXPECT_EQ(counts.worst_ratio, 0.5);
+  second.end = End::kFailed;
+  second.counterexample.emplace().message = "the first";
+  second.seconds = 1;
+  first += second;
+  for (const PropertyResult& result : {first, both}) {
+    EXPECT_EQ(result.cases, 4U);
+    EXPECT_EQ(result.cases_exercised, 2U);
+    EXPECT_EQ(result.exercised, 8U);
+    EXPECT_EQ(result.cases_refused, 1U);
+    EXPECT_EQ(result.not_judged, 2U);
+    EXPECT_EQ(result.worst_ratio, 0.5);
   }
+  first += second;  // nothing counts after a failure
+  EXPECT_EQ(first.cases, 4U);
+  EXPECT_EQ(first.seconds, 2);
+  EXPECT_EQ(first.counterexample->message, "the first");
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
 #include "props/run/case_places.h"
+#include "props/run/conclude.h"
 #include "props/run/property_domains.h"
-#include "props/run/tally.h"
 #include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
@@ -44,8 +44,8 @@ TEST(Campaign, HoldsForASoundSubjectAndSaysWhatItDid) {
   EXPECT_EQ(result.cases, 120U);
   EXPECT_EQ(result.cases_exercised, 120U);
   EXPECT_GT(result.exercised, 120U);
-  EXPECT_GT(result.near_edge.on_edge, 0U);
-  EXPECT_GT(result.near_edge.within_1, 0U);
+  EXPECT_GT(result.NearEdge().on_edge, 0U);
+  EXPECT_GT(result.NearEdge().within_1, 0U);
   EXPECT_FALSE(result.counterexample.has_value());
 }
 
@@ -84,23 +84,23 @@ TEST(Campaign, FindsAndShrinksEveryPlantedBug) {
   for (FoundWithin& planted : AllPlantedBugs()) {
     const PropertyResult result = Campaign(planted.subject, planted.cases);
     ASSERT_EQ(result.outcome, Outcome::kViolated) << planted.bug;
-    RecordProperty(std::string("case of ") + std::string(planted.bug), result.failing_case);
     ASSERT_TRUE(result.counterexample.has_value());
-    ASSERT_TRUE(result.verdict.has_value());
-    EXPECT_EQ(result.verdict->outcome, Outcome::kViolated) << planted.bug;
-    EXPECT_EQ(result.counterexample->scene.triangles.size(), 1U) << planted.bug;
-    EXPECT_LE(result.counterexample->scene.vertices.size(), 3U) << planted.bug;
+    const Counterexample& found = *result.counterexample;
+    RecordProperty(std::string("case of ") + std::string(planted.bug), found.failing_case);
+    EXPECT_EQ(found.verdict.outcome, Outcome::kViolated) << planted.bug;
+    EXPECT_EQ(found.value.scene.triangles.size(), 1U) << planted.bug;
+    EXPECT_LE(found.value.scene.vertices.size(), 3U) << planted.bug;
     EXPECT_FALSE(result.message.empty());
     // The case that failed comes again from its name alone, and fails again.
-    const Case again = DrawCase(planted.subject.Info(), ParseCaseName(result.failing_case));
+    const Case again = DrawCase(planted.subject.Info(), ParseCaseName(found.failing_case));
     EXPECT_EQ(RunCase(planted.subject, ModelProperty(kCampaignDomains), again).outcome,
               Outcome::kViolated)
         << planted.bug;
-    EXPECT_EQ(again.origin, result.counterexample->origin);
-    EXPECT_EQ(again.origin, result.failing_case);
+    EXPECT_EQ(again.origin, found.value.origin);
+    EXPECT_EQ(again.origin, found.failing_case);
     const Case last = DrawCase(planted.subject.Info(), ModelProperty(kCampaignDomains),
                                kDefaultSeed, result.cases - 1);
-    EXPECT_EQ(last.origin, result.failing_case);
+    EXPECT_EQ(last.origin, found.failing_case);
   }
 }
 
@@ -108,16 +108,16 @@ TEST(Campaign, IsTheSameEveryTimeAndInShards) {
   auto subject = testing::Inclusive(RealInfo());
   const PropertyResult once = Campaign(subject, 100);
   const PropertyResult twice = Campaign(subject, 100);
-  EXPECT_EQ(once.failing_case, twice.failing_case);
-  EXPECT_EQ(*once.counterexample, *twice.counterexample);
+  EXPECT_EQ(once.counterexample->failing_case, twice.counterexample->failing_case);
+  EXPECT_EQ(once.counterexample->value, twice.counterexample->value);
   EXPECT_EQ(once.exercised, twice.exercised);
   CampaignOptions shard;
   shard.first_case = once.cases - 1;
   shard.cases = 1;
   const PropertyResult alone = RunCampaign(subject, ModelProperty(kCampaignDomains), shard);
   EXPECT_EQ(alone.outcome, Outcome::kViolated);
-  EXPECT_EQ(alone.failing_case, once.failing_case);
-  EXPECT_EQ(*alone.counterexample, *once.counterexample);
+  EXPECT_EQ(alone.counterexample->failing_case, once.counterexample->failing_case);
+  EXPECT_EQ(alone.counterexample->value, once.counterexample->value);
 }
 
 TEST(Campaign, DrawsCaseIFromDomainIModuloTheirNumberByPhiloxOfItsNumberAndIndex) {
@@ -184,22 +184,39 @@ TEST(Campaign, BlamesOnceOnTheSmallestCase) {
   EXPECT_EQ(blamings, 1);
 }
 
+// A run whose cases the test gives.
+class GivenRun {
+ public:
+  explicit GivenRun(Property property)
+      : property_(std::move(property)), result_(NothingRun(RealInfo(), property_, 1)) {}
+
+  void Add(const Case& c, const Verdict& verdict) { AddCase(0, c, verdict, result_); }
+  void operator+=(const GivenRun& next) { result_ += next.result_; }
+  const PropertyResult& Concluded() {
+    Conclude(RealInfo(), property_, result_);
+    return result_;
+  }
+
+ private:
+  Property property_;
+  PropertyResult result_;
+};
+
 TEST(Campaign, WithADeadNearEdgeDomainIsNoPass) {
-  auto subject = testing::Sound(RealInfo());
   constexpr std::array<std::string_view, 1> kNearEdge{"near-edge"};
-  Tally tally(subject, ModelProperty(kNearEdge), 1);
+  GivenRun run(ModelProperty(kNearEdge));
   Case far;  // its edges pass no sample within a quarter of a pixel
   far.scene.width = far.scene.height = 4;
   far.scene.vertices = {{0.25, -99}, {0.25, 99}, {-99, 0}};
   far.scene.triangles = {{0, 1, 2}};
-  for (int i = 0; i < 3; ++i) tally.AddCase(0, far, Verdict::Held(1));
-  EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);  // three cases say nothing
-  tally.AddCase(0, far, Verdict::Held(1));
-  EXPECT_EQ(tally.Concluded().outcome, Outcome::kNotExercised);
-  EXPECT_NE(tally.Concluded().message.find("near-edge"), std::string::npos);
+  for (int i = 0; i < 3; ++i) run.Add(far, Verdict::Held(1));
+  EXPECT_EQ(run.Concluded().outcome, Outcome::kHolds);  // three cases say nothing
+  run.Add(far, Verdict::Held(1));
+  EXPECT_EQ(run.Concluded().outcome, Outcome::kNotExercised);
+  EXPECT_NE(run.Concluded().message.find("near-edge"), std::string::npos);
   far.scene.vertices[0].x = far.scene.vertices[1].x = 0.5;
-  tally.AddCase(0, far, Verdict::Held(1));
-  EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);
+  run.Add(far, Verdict::Held(1));
+  EXPECT_EQ(run.Concluded().outcome, Outcome::kHolds);
 }
 
 Case HalfOnSamples() {
@@ -234,25 +251,23 @@ TEST(CasePlaces, AreSeenInTheScene) {
 }
 
 TEST(CasePlaces, ThatWereRefusedThroughoutAreInconclusive) {
-  auto subject = testing::Sound(RealInfo());
-  Tally tally(subject, ModelProperty(kCampaignDomains), 1);
+  GivenRun run(ModelProperty(kCampaignDomains));
   Case elsewhere = HalfOnSamples();
   for (Vertex& v : elsewhere.scene.vertices) v.y += 0.125;
-  for (int i = 0; i < 100; ++i) tally.AddCase(0, elsewhere, Verdict::Held(1));
+  for (int i = 0; i < 100; ++i) run.Add(elsewhere, Verdict::Held(1));
   for (std::uint64_t i = 1; i < kFewestCasesAtAPlace; ++i) {
-    tally.AddCase(0, HalfOnSamples(), Verdict::Refused("odd"));
+    run.Add(HalfOnSamples(), Verdict::Refused("odd"));
   }
-  EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);  // few
-  Tally behind(subject, ModelProperty(kCampaignDomains), 1);
-  behind.AddCase(0, HalfOnSamples(), Verdict::Refused("odd"));
-  tally.AddSums(behind.sums());
-  EXPECT_EQ(tally.Concluded().outcome, Outcome::kInconclusive);
-  EXPECT_NE(
-      tally.Concluded().message.find("refuses all 16 cases with a sample on a horizontal edge"),
-      std::string::npos)
-      << tally.Concluded().message;
-  tally.AddCase(0, HalfOnSamples(), Verdict::Held(1));
-  EXPECT_EQ(tally.Concluded().outcome, Outcome::kHolds);  // one of them was drawn
+  EXPECT_EQ(run.Concluded().outcome, Outcome::kHolds);  // few
+  GivenRun next(ModelProperty(kCampaignDomains));
+  next.Add(HalfOnSamples(), Verdict::Refused("odd"));
+  run += next;
+  EXPECT_EQ(run.Concluded().outcome, Outcome::kInconclusive);
+  EXPECT_NE(run.Concluded().message.find("refuses all 16 cases with a sample on a horizontal edge"),
+            std::string::npos)
+      << run.Concluded().message;
+  run.Add(HalfOnSamples(), Verdict::Held(1));
+  EXPECT_EQ(run.Concluded().outcome, Outcome::kHolds);  // one of them was drawn
 }
 
 TEST(Campaign, LeavesOutDomainsThatTheSubjectCannotTakeAndSaysSo) {

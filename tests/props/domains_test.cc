@@ -242,7 +242,7 @@ Shares NearEdgeShares(const Domain& domain, const SubjectInfo& info, int cases) 
   Shares shares;
   for (int i = 0; i < cases; ++i) {
     const NearEdgeCounts counts = CountNearEdges(Draw(domain, info, static_cast<std::uint64_t>(i)));
-    Add(shares.counts, counts);
+    shares.counts += counts;
     shares.cases_near += counts.on_edge + counts.within_256 != 0 ? 1 : 0;
   }
   return shares;

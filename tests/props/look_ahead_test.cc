@@ -125,7 +125,7 @@ TEST(Batches, ThatChangeWhatIsDrawnAreAFinding) {
   EXPECT_EQ(result.outcome, Outcome::kViolated);
   const Case ninth =
       DrawCase(outside.Info(), *FindProperty("CoverageEqualsTheModel"), kDefaultSeed, 8);
-  EXPECT_EQ(result.failing_case, ninth.origin);
+  EXPECT_EQ(result.counterexample->failing_case, ninth.origin);
   EXPECT_NE(result.message.find("alone the case does not fail"), std::string::npos)
       << result.message;
 }

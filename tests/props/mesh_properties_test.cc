@@ -126,8 +126,7 @@ void ExpectSoundHoldsAndCrackedIsFound(const SubjectInfo& info) {
     if (info.profile.contract == Contract::kWatertight && info.profile.snap.IsNone()) {
       FakeSubject displaced = Displaced(info);
       const PropertyResult other = Campaign(displaced, property, 400);
-      EXPECT_EQ(other.outcome, Outcome::kHolds)
-          << property << ": " << other.message << ", " << other.failing_case;
+      EXPECT_EQ(other.outcome, Outcome::kHolds) << property << ": " << other.message;
     }
     FakeSubject cracked = Cracked(info);
     found = found || Campaign(cracked, property, 400).outcome == Outcome::kViolated;
@@ -411,13 +410,14 @@ TEST(ContractEvidence, IsThinBelowTheFewestTies) {
   PropertyResult result;
   result.property = "CoverageEqualsTheModel";
   result.cases = result.exercised = result.cases_exercised = 9;
-  result.near_edge.samples = 100;
-  result.near_edge.on_edge = kFewestTies - 1;
+  NearEdgeCounts& near_edge = result.domains.emplace_back().near_edge;
+  near_edge.samples = 100;
+  near_edge.on_edge = kFewestTies - 1;
   EXPECT_EQ(EvidenceOfContract(info, {&result, 1}).thin,
             "thin: 31 samples on an edge put the contract sample-exact to the test, fewer than 32");
-  result.near_edge.on_edge = kFewestTies;
+  near_edge.on_edge = kFewestTies;
   EXPECT_EQ(EvidenceOfContract(info, {&result, 1}).thin, "");
-  result.near_edge.on_edge = 0;
+  near_edge.on_edge = 0;
   result.property = "CoverageKeepsToItsSideOfTheModel";
   info.profile.contract = Contract::kAtMostModel;
   EXPECT_EQ(EvidenceOfContract(info, {&result, 1}).thin, "") << "it states no owners";

@@ -44,11 +44,11 @@ TEST(AFragmentThatIsNoNumber, IsAFindingWithItsWitness) {
           {&barycentrics, "FragmentBarycentricsStayWithinTheirError"}}) {
       const PropertyResult result = RunCampaign(*subject, *FindProperty(name), {.cases = 40});
       ASSERT_EQ(result.outcome, Outcome::kViolated) << name;
-      EXPECT_FALSE(result.verdict->witness->observed.empty()) << name;
+      EXPECT_FALSE(result.counterexample->verdict.witness->observed.empty()) << name;
     }
     const PropertyResult result = RunCampaign(depths, hull, {.cases = 40});
     const std::string_view word = std::isnan(no_number) ? "nan" : "inf";
-    EXPECT_NE(result.verdict->witness->observed.find(word), std::string::npos);
+    EXPECT_NE(result.counterexample->verdict.witness->observed.find(word), std::string::npos);
   }
 }
 

@@ -30,14 +30,14 @@ TEST(OwnTransform, IsJudgedByItsOperations) {
     const auto result =
         Campaign("legal:transform-" + std::string(variant), "CoverageEqualsTheModel", 400);
     EXPECT_EQ(result.outcome, Outcome::kHolds) << variant << ": " << result.message;
-    EXPECT_GT(result.near_edge.on_edge, 0U) << variant;
+    EXPECT_GT(result.NearEdge().on_edge, 0U) << variant;
   }
 }
 
 TEST(OwnTransform, AnotherRoundingIsFoundAndShrunk) {
   const auto result = Campaign("mutant:transform-reciprocal", "CoverageEqualsTheModel", 1000);
   ASSERT_EQ(result.outcome, Outcome::kViolated);
-  const Scene& scene = result.counterexample->scene;
+  const Scene& scene = result.counterexample->value.scene;
   EXPECT_TRUE(scene.clip_space);
   EXPECT_EQ(scene.triangles.size(), 1U);
 }
@@ -63,7 +63,7 @@ TEST(OwnTransform, TilesOfAMapThatPlaceFromTheirOwnOriginAreFound) {
     const auto result =
         Campaign("mutant:map-tile-" + std::string(bug), "TilesDrawnApartEqualTheWhole", 4000);
     ASSERT_EQ(result.outcome, Outcome::kViolated) << bug;
-    EXPECT_FALSE(result.counterexample->scene.clip_space);
+    EXPECT_FALSE(result.counterexample->value.scene.clip_space);
   }
 }
 

@@ -15,9 +15,9 @@
 
 #include "core/ulp.h"
 #include "props/domains/bit_source.h"
+#include "props/run/conclude.h"
 #include "props/run/counterexample.h"
 #include "props/run/property_domains.h"
-#include "props/run/tally.h"
 #include "props/shrink/cost.h"
 #include "props/shrink/passes.h"
 #include "props/shrink/shrink.h"
@@ -81,16 +81,19 @@ std::vector<double> SimplerFloats(double x) {
 class Run {
  public:
   Run(Subject& subject, const Property& property, std::uint64_t seed, std::uint64_t budget)
-      : subject_(subject), property_(property), tally_(subject, property, seed), budget_(budget) {}
+      : subject_(subject),
+        property_(property),
+        domains_(DomainsFor(subject.Info(), property)),
+        result_(NothingRun(subject.Info(), property, seed)),
+        budget_(budget) {}
 
   bool Holds(const Case& c) {
     if (minimal_ && tried_++ >= budget_) return true;
     if (!could_not_judge_.empty()) return true;
     const Verdict verdict = RunCase(subject_, property_, c);
     if (!minimal_) {
-      const auto& domains = tally_.domains();
-      const auto domain = std::ranges::find(domains, c.scene.name, &Domain::name);
-      tally_.AddCase(static_cast<std::size_t>(domain - domains.begin()), c, verdict);
+      const auto domain = std::ranges::find(domains_, c.scene.name, &Domain::name);
+      AddCase(static_cast<std::size_t>(domain - domains_.begin()), c, verdict, result_);
     }
     if (verdict.outcome == Outcome::kInconclusive && !minimal_) could_not_judge_ = verdict.message;
     if (verdict.outcome != Outcome::kViolated) return true;
@@ -99,18 +102,25 @@ class Run {
     return false;
   }
 
-  bool HasDomains() const { return !tally_.domains().empty(); }
+  bool HasDomains() const { return !domains_.empty(); }
 
-  PropertyResult Result() const {
-    if (!could_not_judge_.empty()) return tally_.Inconclusive(could_not_judge_);
-    if (!minimal_) return tally_.Concluded();
-    return tally_.Failed(RunOnceMore(subject_, property_, *minimal_, seen_), "");
+  PropertyResult Result() {
+    result_.why = could_not_judge_;
+    if (!could_not_judge_.empty()) {
+      result_.end = End::kInconclusive;
+    } else if (minimal_) {
+      result_.end = End::kFailed;
+      result_.counterexample = RunOnceMore(subject_, property_, *minimal_, seen_);
+    }
+    Conclude(subject_.Info(), property_, result_);
+    return result_;
   }
 
  private:
   Subject& subject_;
   const Property& property_;
-  Tally tally_;
+  std::vector<const Domain*> domains_;
+  PropertyResult result_;
   std::uint64_t budget_;
   std::uint64_t tried_ = 0;
   std::optional<Case> minimal_;

@@ -26,7 +26,7 @@ TEST(RapidCheck, HoldsForASoundSubject) {
       CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 1, 60);
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
   EXPECT_EQ(result.cases, 60U);
-  EXPECT_GT(result.near_edge.on_edge, 0U);
+  EXPECT_GT(result.NearEdge().on_edge, 0U);
 }
 
 TEST(RapidCheck, FindsAndShrinksWhatTheCampaignFinds) {
@@ -35,10 +35,11 @@ TEST(RapidCheck, FindsAndShrinksWhatTheCampaignFinds) {
         CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 1, cases);
     ASSERT_EQ(result.outcome, Outcome::kViolated);
     ASSERT_TRUE(result.counterexample.has_value());
-    EXPECT_EQ(result.verdict->outcome, Outcome::kViolated);
-    EXPECT_EQ(result.counterexample->scene.triangles.size(), 1U);
-    EXPECT_LE(result.counterexample->scene.vertices.size(), 3U);
-    EXPECT_EQ(result.counterexample->scene.width * result.counterexample->scene.height, 1);
+    EXPECT_EQ(result.counterexample->verdict.outcome, Outcome::kViolated);
+    EXPECT_EQ(result.counterexample->value.scene.triangles.size(), 1U);
+    EXPECT_LE(result.counterexample->value.scene.vertices.size(), 3U);
+    EXPECT_EQ(result.counterexample->value.scene.width * result.counterexample->value.scene.height,
+              1);
     const PropertyResult campaign =
         RunCampaign(subject, ModelProperty(kRapidCheckDomains), {.cases = cases, .progress = {}});
     EXPECT_EQ(campaign.outcome, Outcome::kViolated);
@@ -58,8 +59,8 @@ TEST(RapidCheck, TakesItsCasesFromTheSeedAloneNotFromTheEnvironment) {
       CheckWithRapidCheck(subject, ModelProperty(kRapidCheckDomains), 5, 60);
   unsetenv("RC_PARAMS");
   EXPECT_EQ(once.cases, twice.cases);
-  EXPECT_EQ(once.failing_case, "");  // what RapidCheck draws has no name
-  EXPECT_EQ(*once.counterexample, *twice.counterexample);
+  EXPECT_EQ(once.counterexample->failing_case, "");  // what RapidCheck draws has no name
+  EXPECT_EQ(once.counterexample->value, twice.counterexample->value);
 }
 
 TEST(RapidCheck, StopsShrinkingAtItsBudget) {

@@ -19,7 +19,6 @@
 #include "props/judging/redraw.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
-#include "props/run/tally.h"
 #include "props/run/trial.h"
 #include "tests/props/faulty_subjects.h"
 
@@ -207,8 +206,8 @@ TEST(Refusals, AreNoFailureOfASmallerCase) {
   };
   const PropertyResult result = RunInside(draw, {.cases = 120});
   ASSERT_EQ(result.outcome, Outcome::kViolated);
-  EXPECT_EQ(result.counterexample->scene.width, 3);
-  EXPECT_EQ(result.verdict->outcome, Outcome::kViolated);
+  EXPECT_EQ(result.counterexample->value.scene.width, 3);
+  EXPECT_EQ(result.counterexample->verdict.outcome, Outcome::kViolated);
 }
 
 TEST(Refusals, OfWhatCantBePutAreNotApplicable) {
@@ -234,8 +233,8 @@ TEST(AnAnswerThatChanges, IsInconclusiveWithBothAnswers) {
   EXPECT_TRUE(Says(result.message, "first violated: coverage differs")) << result.message;
   EXPECT_TRUE(Says(result.message, "at pixel (0, 0) observed front ")) << result.message;
   EXPECT_TRUE(Says(result.message, "; then holds")) << result.message;
-  ASSERT_TRUE(result.counterexample && result.verdict);
-  EXPECT_EQ(result.verdict->outcome, Outcome::kViolated);
+  ASSERT_TRUE(result.counterexample);
+  EXPECT_EQ(result.counterexample->verdict.outcome, Outcome::kViolated);
 }
 
 TEST(AnAnswerThatChanges, IsOneInABatchThatNoBatchRepeats) {
@@ -246,7 +245,7 @@ TEST(AnAnswerThatChanges, IsOneInABatchThatNoBatchRepeats) {
   };
   const PropertyResult result = RunOutside(wrong_once, {.cases = 64});
   EXPECT_EQ(result.outcome, Outcome::kInconclusive) << result.message;
-  EXPECT_EQ(result.failing_case, "uniform-subpixel:4140001@1");
+  EXPECT_EQ(result.counterexample->failing_case, "uniform-subpixel:4140001@1");
 }
 
 TEST(AnAnswerThatChanges, IsViolatedIfTheCaseThatFailedFirstFailsAgain) {
@@ -261,7 +260,7 @@ TEST(AnAnswerThatChanges, IsViolatedIfTheCaseThatFailedFirstFailsAgain) {
   const PropertyResult result = RunInside(draw, {.cases = 1});
   EXPECT_EQ(result.outcome, Outcome::kViolated) << result.message;
   EXPECT_TRUE(Says(result.message, "smaller cases fail only sometimes")) << result.message;
-  EXPECT_EQ(result.counterexample->scene, SomeCase().scene);
+  EXPECT_EQ(result.counterexample->value.scene, SomeCase().scene);
 }
 
 TEST(AnAnswerThatChanges, ViolatesThePropertyThatEqualDrawsAreEqual) {

@@ -144,7 +144,7 @@ TEST(AHang, IsShrunkWithFewTimeLimitsAndEndsItsProperty) {
   ASSERT_EQ(result.outcome, Outcome::kViolated) << result.message;
   EXPECT_TRUE(Says(result.message, "it gave no answer within 100 s")) << result.message;
   EXPECT_TRUE(Says(result.message, "smaller cases without an answer")) << result.message;
-  EXPECT_EQ(result.verdict->outcome, Outcome::kViolated);
+  EXPECT_EQ(result.counterexample->verdict.outcome, Outcome::kViolated);
   EXPECT_LE(hanging.hangs, 1 + kMostHangs);
   EXPECT_LE(result.seconds, (11 + kMostHangLimits + 0.2) * Hanging::kLimit);
   EXPECT_TRUE(pace.hangs);

@@ -124,7 +124,7 @@ TEST(Worlds, ShowABugOfASingleCase) {
       });
   const PropertyResult result = Exhaust(bug, "triangles-7x7", "CoverageEqualsTheModel");
   EXPECT_EQ(result.outcome, Outcome::kViolated) << result.message;
-  EXPECT_EQ(result.failing_case, "triangles-7x7:77777@0");
+  EXPECT_EQ(result.counterexample->failing_case, "triangles-7x7:77777@0");
   EXPECT_EQ(result.cases, kNumber + 1);
   EXPECT_FALSE(IsExhausted(result));
 

@@ -96,7 +96,7 @@ TEST(CertificateTest, ACounterexampleIsACaseFileWithTheSameBits) {
   const Certificate sample = SampleCertificate();
   const json counterexample = Parsed(sample)["tested"][1]["counterexample"];
   const io::CaseFile file = io::ParseCase(counterexample["case"].dump(), "case");
-  EXPECT_EQ(file.value, *sample.tested[1].counterexample);
+  EXPECT_EQ(file.value, sample.tested[1].counterexample->value);
   EXPECT_EQ(file.property, "SharedEdgeSamplesAreCoveredOnce");
   EXPECT_EQ(counterexample["witness"]["observed"], "2");
   EXPECT_EQ(counterexample["found_as_case"], "needles:12@7");
@@ -199,9 +199,9 @@ TEST(VerdictTest, SaysWhatItDoesNotSpeakFor) {
   result.not_judged = 7;
   result.message = "seen";
   EXPECT_EQ(Said(result), result.message + "; " + Reservations(result));
-  PropertyResult told = result;
-  told.message = "holds where it did not refuse: exercised in 2 of 120 cases, 118 refused";
-  EXPECT_TRUE(Reservations(told).starts_with("7 samples not judged")) << "and said once";
+  PropertyResult said = result;
+  said.message = "holds where it did not refuse: exercised in 2 of 120 cases, 118 refused";
+  EXPECT_TRUE(Reservations(said).starts_with("7 samples not judged")) << "and said once";
   Certificate certificate;
   certificate.tested = {result};
   const json tested = Parsed(certificate)["tested"][0];

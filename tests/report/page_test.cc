@@ -89,12 +89,12 @@ TEST(PageTest, EverythingThatOthersNamedIsEscaped) {
   certificate.environment = {{evil, evil}};
   certificate.proved = {{evil, evil}};
   certificate.tested.back().world = evil;
-  certificate.oracle_tiers = {{evil, 1}};
   certificate.measured[0].scene = evil;
   certificate.measured[0].profile = evil;
   PropertyResult& result = certificate.tested[1];
   result.property = result.clause = result.message = result.tolerance = evil;
-  result.verdict->witness->observed = result.verdict->witness->expected = evil;
+  Witness& witness = *result.counterexample->verdict.witness;
+  witness.observed = witness.expected = evil;
   certificate.replay[evil] = evil;
   for (const std::string& html : PagesOf(page)) {
     EXPECT_EQ(Count(html, "<script"), 1U);

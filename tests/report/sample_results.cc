@@ -38,7 +38,7 @@ PropertyResult SampleProperty(const std::string& name, Outcome outcome) {
   result.outcome = outcome;
   result.seed = 0xFFFFFFFFFFFFFFFFU;
   result.cases = 1000;
-  result.near_edge = {1000, 100, 200, 300, 400};
+  result.domains = {{1000, {1000, 100, 200, 300, 400}}};
   result.seconds = 1.5;
   if (outcome == Outcome::kHolds) {
     result.cases_exercised = 998;
@@ -49,9 +49,10 @@ PropertyResult SampleProperty(const std::string& name, Outcome outcome) {
   if (outcome == Outcome::kNotExercised) result.message = "no sample lay on an edge";
   if (outcome == Outcome::kViolated) {
     result.message = "sample covered twice";
-    result.counterexample = OneTriangle();
-    result.verdict = Verdict::Violated(3, "sample covered twice", {0, 1, 2, 3, 0, "2", "1"});
-    result.failing_case = "needles:12@7";
+    Counterexample& found = result.counterexample.emplace();
+    found.value = OneTriangle();
+    found.verdict = Verdict::Violated(3, "sample covered twice", {0, 1, 2, 3, 0, "2", "1"});
+    found.failing_case = "needles:12@7";
   }
   return result;
 }
@@ -72,10 +73,10 @@ Certificate SampleCertificate() {
   PropertyResult exhausted = SampleProperty("CoverageEqualsTheModel", Outcome::kHolds);
   exhausted.world = "triangles-3x3";
   exhausted.world_cases = exhausted.cases;
-  exhausted.near_edge = {};
+  exhausted.domains.clear();
   certificate.tested.push_back(exhausted);
   certificate.measured = {OnScene("real", 5)};
-  certificate.oracle_tiers = {{"filter", 900}, {"exact", 3}};
+  certificate.oracle_tiers = {.filter = 900, .exact = 3};
   return certificate;
 }
 

@@ -155,7 +155,7 @@ TEST(Hunt, CountsTheCasesOfEveryPropertyAndEndsWithTheFirstViolation) {
   ASSERT_TRUE(hunt.violation.has_value());
   EXPECT_GT(reported, 0U);
   EXPECT_LT(hunt.cases, 100U * 50);
-  EXPECT_LE(hunt.violation->counterexample->scene.triangles.size(), 2U);
+  EXPECT_LE(hunt.violation->counterexample->value.scene.triangles.size(), 2U);
 }
 
 TEST(Selftest, SaysWhatSurvivesAndWhatIsNotLegal) {

@@ -1,0 +1,186 @@
+#include "props/run/conclude.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/clauses/clauses.h"
+#include "core/profile.h"
+#include "props/authority.h"
+#include "props/domains/domain.h"
+#include "props/run/case_places.h"
+#include "props/run/own_transform.h"
+#include "props/run/property_domains.h"
+
+namespace rasterproof::props {
+namespace {
+
+// A near-edge recipe misses in about 1 case of 100 at worst (targets of one pixel, grids as coarse
+// as pixels): four misses and no hit are no accident (10^-8), fewer say nothing.
+constexpr std::uint64_t kFewestCasesToJudge = 4;
+
+void AddSentence(std::string& message, const std::string& sentence) {
+  if (sentence.empty()) return;
+  if (!message.empty()) message += "; ";
+  message += sentence;
+}
+
+// "exercised in 2 of 120 cases, 118 refused"
+std::string SoFar(const PropertyResult& result) {
+  std::string text = "exercised in " + std::to_string(result.cases_exercised) + " of " +
+                     std::to_string(result.cases) + " cases";
+  if (result.cases_refused != 0) text += ", " + std::to_string(result.cases_refused) + " refused";
+  return text;
+}
+
+// "all 31 cases with a sample on a horizontal edge": places whose cases were all refused.
+std::string RefusedThroughout(const CountsOfPlaces& counts) {
+  std::string text;
+  for (std::size_t p = 0; p < counts.size(); ++p) {
+    if (counts[p].asked < kFewestCasesAtAPlace || counts[p].refused < counts[p].asked) continue;
+    text += text.empty() ? "" : ", ";
+    text +=
+        "all " + std::to_string(counts[p].refused) + " cases with " + std::string(kCasePlaces[p]);
+  }
+  return text;
+}
+
+// What the subject refuses, if that is too much for a pass.
+std::string RefusedText(const PropertyResult& result) {
+  const auto refused = static_cast<double>(result.refused_within_limits);
+  const auto asked = static_cast<double>(result.refused_within_limits + result.cases_exercised);
+  return refused > kMostRefusedShare * asked ? "too much" : RefusedThroughout(result.places);
+}
+
+bool ChangesItsFront(const PropertyResult& result) {
+  return result.positive_fronts != 0 && result.negative_fronts != 0;
+}
+
+// Which side is the front, where that is left to the subject; else empty.
+std::string FrontText(const PropertyResult& result) {
+  if (ChangesItsFront(result)) {
+    return "the subject changes its answer: the same triangle, of positive area, is front in " +
+           std::to_string(result.positive_fronts) + " cases and back in " +
+           std::to_string(result.negative_fronts);
+  }
+  if (result.negative_fronts != 0) return "front is the side of negative area, for all triangles";
+  return result.positive_fronts == 0 ? "" : "front is the side of positive area, for all triangles";
+}
+
+std::string DeadDomains(const SubjectInfo& info, const Property& property,
+                        const PropertyResult& result) {
+  if (result.domains.empty()) return "";
+  const std::vector<const Domain*> domains = DomainsFor(info, property);
+  std::string dead;
+  for (std::size_t d = 0; d < domains.size(); ++d) {
+    const auto& [drawn, near_edge] = result.domains[d];
+    if (!domains[d]->near_edge || drawn < kFewestCasesToJudge) continue;
+    if (near_edge.on_edge + near_edge.within_256 != 0) continue;
+    dead += dead.empty() ? "no sample on or near an edge in near-edge domain " : ", ";
+    dead += domains[d]->name;
+  }
+  return dead;
+}
+
+struct Conclusion {
+  Outcome outcome = Outcome::kHolds;
+  std::string message = {};
+};
+
+// Of a run in which nothing was violated, and no case lacks a verdict.
+Conclusion OfCounters(const SubjectInfo& info, const Property& property,
+                      const PropertyResult& result) {
+  if (result.not_applicable == result.cases && (result.cases != 0 || result.domains.empty())) {
+    return {Outcome::kNotApplicable, result.why_not};
+  }
+  if (const std::string refused = RefusedText(result); !refused.empty()) {
+    return {Outcome::kInconclusive, "the subject refuses " + refused + ": " + SoFar(result) +
+                                        "; the first refusal: " + result.why_refused};
+  }
+  if (ChangesItsFront(result)) return {Outcome::kInconclusive, FrontText(result)};
+  const std::string dead = DeadDomains(info, property, result);
+  Conclusion said;
+  if (result.exercised == 0 || !dead.empty()) {
+    said.outcome = Outcome::kNotExercised;
+    if (result.exercised == 0) said.message = "no case put the property to the test";
+    AddSentence(said.message, dead);
+    return said;
+  }
+  if (result.cases_refused != 0) said.message = "holds where it did not refuse: " + SoFar(result);
+  AddSentence(said.message, FrontText(result));
+  return said;
+}
+
+Conclusion ByEnd(const SubjectInfo& info, const Property& property, const PropertyResult& result) {
+  const auto cut_short = [&result](std::string why) -> Conclusion {
+    AddSentence(why, "nothing violated so far, " + SoFar(result));
+    return {Outcome::kInconclusive, why};
+  };
+  switch (result.end) {
+    case End::kAllRun:
+    case End::kTimeUp:
+      break;
+    case End::kNotApplicable:
+      return {Outcome::kNotApplicable, result.why};
+    case End::kFailed:
+      return {result.counterexample->outcome, result.counterexample->message};
+    case End::kInconclusive:
+      return cut_short(result.why);
+    case End::kInterrupted:
+      return cut_short("interrupted");
+  }
+  return OfCounters(info, property, result);
+}
+
+}  // namespace
+
+PropertyResult NothingRun(const SubjectInfo& info, const Property& property, std::uint64_t seed,
+                          const World* world) {
+  PropertyResult result;
+  result.property = property.name;
+  result.subject = info.name;
+  result.clause = property.clause;
+  const Grounds grounds = AuthorityOf(property, info.profile);
+  result.authority = grounds.authority;
+  for (const Clause* clause : grounds.clauses) result.required_by.emplace_back(clause->id);
+  result.tolerance = property.tolerance;
+  result.seed = seed;
+  if (world == nullptr) {
+    result.domains.resize(DomainsFor(info, property).size());
+  } else {
+    result.world = world->name;
+    result.world_cases = world->cases;
+  }
+  return result;
+}
+
+void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict, PropertyResult& result) {
+  result.AddCase(verdict);
+  const CaseEvidence evidence = EvidenceOfCase(SeenCase(c));
+  if (!result.domains.empty()) {
+    DomainCounts& domain = result.domains[number % result.domains.size()];
+    ++domain.drawn;
+    domain.near_edge += evidence.near_edge;
+  }
+  const bool is_refused = verdict.outcome == Outcome::kRefused && WithinLimits(c.scene, c.profile);
+  if (is_refused && result.refused_within_limits++ == 0) result.why_refused = verdict.message;
+  if (!is_refused && verdict.exercised == 0) return;
+  for (std::size_t p = 0; p < result.places.size(); ++p) {
+    if (!evidence.places[p]) continue;
+    ++result.places[p].asked;
+    if (is_refused) ++result.places[p].refused;
+  }
+}
+
+void Conclude(const SubjectInfo& info, const Property& property, PropertyResult& result) {
+  auto [outcome, message] = ByEnd(info, property, result);
+  if (result.world.empty() && result.end != End::kNotApplicable) {
+    AddSentence(message, LeftOutDomains(info, property));
+  }
+  result.outcome = outcome;
+  result.message = message;
+}
+
+}  // namespace rasterproof::props

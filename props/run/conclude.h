@@ -1,0 +1,42 @@
+// The result of a run: begun, counted case by case, concluded; whatever engine the cases come from.
+#ifndef RASTERPROOF_PROPS_RUN_CONCLUDE_H_
+#define RASTERPROOF_PROPS_RUN_CONCLUDE_H_
+
+#include <cstdint>
+
+#include "core/case.h"
+#include "core/result.h"
+#include "core/subject_info.h"
+#include "core/verdict.h"
+#include "props/domains/worlds.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+
+/// The most that a subject may refuse, as a share of the cases that would have put the property to
+/// the test: beyond it, the property was hardly asked. Scenes beyond the profile's limits don't
+/// count: who states a limit may refuse them.
+inline constexpr double kMostRefusedShare = 0.5;
+
+/// The result before any case: the property's words, and a count for each domain of DomainsFor;
+/// none of a world.
+PropertyResult NothingRun(const SubjectInfo& info, const Property& property, std::uint64_t seed,
+                          const World* world = nullptr);
+
+/// Adds case `number` of the run to what NothingRun began: it is one of domain
+/// number % result.domains.size(), or of the world. Of a world no samples near edges are counted:
+/// it has them by construction.
+void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict, PropertyResult& result);
+
+/// Sets outcome and message by the counters and the end, as often as they change. Domains that the
+/// subject can't take are named last in the message.
+///
+/// A run that ended in time is no pass if nothing was exercised, if a near-edge domain gave nothing
+/// near an edge, if the subject refused too much, or if it took one side for the front in some
+/// cases and the other side in others.
+/// Domain:     a result of the subject and the property, as NothingRun begins it.
+void Conclude(const SubjectInfo& info, const Property& property, PropertyResult& result);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_RUN_CONCLUDE_H_

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/float_mode.h"
+
 namespace rasterproof {
 
 enum class Cull : std::uint8_t { kNone, kFront, kBack };
@@ -26,6 +28,8 @@ struct DrawOptions {
   int tile = 0;
   /// Threads that share the triangles or tiles; 0: the subject's own choice.
   int threads = 1;
+  /// The mode of the thread that draws, as its caller left it.
+  FloatMode float_mode = FloatMode::kUsual;
 
   friend bool operator==(const DrawOptions&, const DrawOptions&) = default;
 };

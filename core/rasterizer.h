@@ -135,6 +135,7 @@ class RasterizerSubject final : public Subject {
     for (const DrawJob& job : jobs) resolved.push_back(Resolved(job));
     std::vector<DrawOutcome> outcomes(1);
     outcomes.front().end = EndOf([&] {
+      const WithinFloatMode mode(jobs.front().options.float_mode);
       std::vector<Drawing> drawings = rasterizer_.ShowMany(resolved);
       if (drawings.size() != jobs.size()) {
         BreakDown("it drew " + std::to_string(drawings.size()) + " of " +

@@ -1,10 +1,13 @@
 #include "core/subject.h"
 
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/evaluators.h"
+#include "core/float_mode.h"
 
 namespace rasterproof {
 
@@ -42,12 +45,14 @@ std::vector<DrawOutcome> Subject::DrawMany(std::span<const DrawJob> jobs) {
   for (const DrawJob& job : jobs) {
     DrawOutcome& outcome = outcomes.emplace_back();
     outcome.end = EndOf([&] {
+      const WithinFloatMode mode(job.options.float_mode);
       if (job.onto == nullptr) {
         outcome.drawing = Show(job);
       } else {
         outcome.drawing.counts = *job.onto;
         Draw(SceneOf(job), job.options, outcome.drawing.counts);
       }
+      if (const std::string complaint = mode.Complaint(); !complaint.empty()) BreakDown(complaint);
     });
     if (EndsTheCall(outcome.end.stop)) break;
   }

@@ -74,6 +74,9 @@ struct SubjectInfo {
   bool takes_clip = false;
   /// True if DrawOptions::threads is obeyed: then equal coverage from any number is a property.
   bool takes_threads = false;
+  /// True if DrawOptions::float_mode is set around its draws: not of a program, whose mode is its
+  /// own.
+  bool takes_float_modes = true;
   /// Whether the other members of DrawOptions are obeyed.
   bool takes_tiles = true;
   bool takes_scissor = true;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/float_environment.h"
 #include "reference/bands.h"
 #include "reference/box.h"
 
@@ -25,6 +26,9 @@ void Rasterize(const Scene& scene, const Method& method, const RasterOptions& op
                CoverageCounts& counts) {
   RequireTakes(scene, method);
   RequireShape(scene, counts);
+  // A method that states exact results keeps to it in whatever mode its caller left.
+  std::optional<FloatEnvironment> sane;
+  if (method.info.states_exact) sane.emplace();
   if (method.whole != nullptr && method.whole(scene, options, counts)) return;
   const Stages& stage = method.stages;
   const PixelRect target = TargetOf(scene);

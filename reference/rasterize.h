@@ -16,6 +16,8 @@ void RequireTakes(const Scene& scene, const Method& method);
 ///
 /// Domain:     a scene that Takes(method.info, scene); counts of the scene's size, with one sample
 ///             a pixel: no method draws more.
+/// Properties: the caller's rounding mode and the like change nothing of a method that states exact
+///             results; of others they do.
 /// Error:      InputError if the scene or the counts are others.
 void Rasterize(const Scene& scene, const Method& method, const RasterOptions& options,
                CoverageCounts& counts);

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "core/float_environment.h"
 #include "core/vertex.h"
 #include "reference/box.h"
 
@@ -41,6 +43,10 @@ bool KernelsPay(const Scene& scene) {
 
 void DrawByKernel(kernels::KernelMethod method, const Scene& scene, const DrawOptions& options,
                   CoverageCounts& counts) {
+  std::optional<FloatEnvironment> sane;  // for what states exact results
+  if (method == kernels::KernelMethod::kExact || method == kernels::KernelMethod::kFixedTiles) {
+    sane.emplace();
+  }
   std::vector<kernels::KernelVertex> vertices;
   vertices.reserve(scene.vertices.size());
   for (const Vertex& v : scene.vertices) {

@@ -38,6 +38,7 @@ using Program = subjects::ProcessSubject::Program;
 // neither, whatever it is called.
 SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo info, Program program) {
   info.states_exact = false;
+  info.takes_float_modes = program == Program::kOurs;
   info.proofs.clear();
   return [command = std::move(command), info = std::move(info),
           program]() -> std::unique_ptr<Subject> {

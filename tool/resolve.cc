@@ -14,6 +14,7 @@
 
 #include "core/clauses/clauses.h"
 #include "core/error.h"
+#include "core/float_environment.h"
 #include "core/profile_keys.h"
 #include "core/quoted.h"
 #include "core/renamed.h"
@@ -54,6 +55,7 @@ class OracleSubject final : public Subject {
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    const FloatEnvironment sane;
     counts += exact::Coverage(scene, info_.profile, options, decider_);
   }
 

@@ -65,6 +65,10 @@ Wanted WantedBy(Shows shows) {
     case Shows::kThreads:
       return {[](const D& d) { return d.info.takes_threads; }, "the subject draws in one thread",
               "the subject takes a number of threads"};
+    case Shows::kFloatModes:
+      return {[](const D& d) { return d.info.takes_float_modes; },
+              "the subject is a program, whose floating-point mode is its own",
+              "the subject is called in the caller's floating-point mode"};
     case Shows::kScissor:
       return {[](const D& d) { return d.info.takes_scissor; }, "the subject takes no scissor",
               "the subject takes a scissor"};

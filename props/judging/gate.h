@@ -39,6 +39,7 @@ enum class Shows : std::uint8_t {
   kPrimitiveIds,
   kTiles,
   kThreads,
+  kFloatModes,
   kScissor,
   kCulling,
   kBatches,

@@ -71,23 +71,6 @@ Check CheckAgainstBase(
   return check;
 }
 
-Checks CompareOption(const PlacedCase& c, int DrawOptions::* option, int base,
-                     std::initializer_list<int> others, std::string (*whose)(int value)) {
-  DrawOptions options = WholeTarget(c);
-  options.*option = base;
-  Checks asked;
-  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
-  for (const int value : others) {
-    options.*option = value;
-    asked.checks.push_back(CheckAgainstBase(
-        WholeCallOf(c.scene, c.profile, options),
-        [&c, value, whose](const CoverageCounts& observed, const CoverageCounts& drawn) {
-          return SameCounts(observed, drawn, DecisionsOf(c), whose(value));
-        }));
-  }
-  return asked;
-}
-
 Checks CompareVariations(const PlacedCase& c, const std::vector<Variation>& variations,
                          const OpenByCall& open) {
   Checks asked;

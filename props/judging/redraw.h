@@ -13,6 +13,7 @@
 #include "core/coverage.h"
 #include "core/question.h"
 #include "core/verdict.h"
+#include "props/judging/gate.h"
 #include "props/judging/open_by_call.h"
 #include "props/placed_case.h"
 #include "props/property.h"
@@ -35,13 +36,6 @@ Check BaseDraw(DrawQuestion question);
 Check CheckAgainstBase(
     DrawQuestion question,
     std::function<Verdict(const CoverageCounts& observed, const CoverageCounts& base)> judge);
-
-/// Asks for the case, culling and scissor off, with a drawing option at `base` and at each of the
-/// others, and holds if the option leaves no trace. `whose` completes "coverage differs from ...".
-///
-/// Domain:     a case that outlives what is returned.
-Checks CompareOption(const PlacedCase& c, int DrawOptions::* option, int base,
-                     std::initializer_list<int> others, std::string (*whose)(int value));
 
 /// Another scene that should cover what the case covers.
 struct Variation {
@@ -86,6 +80,28 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
 ///
 /// Domain:     a case and a description that outlive what is returned.
 Checks CompareWithTheModel(const PlacedCase& c, const Description& subject);
+
+/// Asks for the case, culling and scissor off, with a drawing option at `base` and at each of the
+/// others, and holds if the option leaves no trace. `whose` completes "coverage differs from ...".
+///
+/// Domain:     a case that outlives what is returned.
+template <class Option>
+Checks CompareOption(const PlacedCase& c, Option DrawOptions::* option, Option base,
+                     const std::vector<Option>& others, std::string (*whose)(Option value)) {
+  DrawOptions options = WholeTarget(c);
+  options.*option = base;
+  Checks asked;
+  asked.checks.push_back(BaseDraw(WholeCallOf(c.scene, c.profile, options)));
+  for (const Option value : others) {
+    options.*option = value;
+    asked.checks.push_back(CheckAgainstBase(
+        WholeCallOf(c.scene, c.profile, options),
+        [&c, value, whose](const CoverageCounts& observed, const CoverageCounts& drawn) {
+          return SameCounts(observed, drawn, DecisionsOf(c), whose(value));
+        }));
+  }
+  return asked;
+}
 
 }  // namespace rasterproof::props
 

@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/float_environment.h"
 #include "reference/kernels/kernel.h"
 #include "reference/kernels/kernel_table.h"
-#include "reference/library/float_environment.h"
 
 namespace rasterproof {
 namespace {

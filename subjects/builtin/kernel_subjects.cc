@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/float_environment.h"
 #include "reference/plan.h"
 #include "reference/whole_scene.h"
 
@@ -77,6 +78,7 @@ class PlannedSubject final : public Subject {
   const SubjectInfo& OwnInfo() const override { return info_; }
 
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    const FloatEnvironment sane;
     const reference::Plan plan = reference::MakePlan(scene, info_.profile, options, {});
     plan.draw(scene, info_.profile, options, counts);
   }

@@ -296,8 +296,9 @@ class PluginSubject final : public Subject {
     }
     PluginScene given(job, VerticesOf(job), std::move(indices_));
     PluginTarget target(job, info_, needs_all_);
-    const std::int32_t refused =
-        InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
+    const std::int32_t refused = InLibrary(job.options.float_mode, [&] {
+      return plugin_.draw(state_, &given.view(), &target.view());
+    });
     indices_ = given.TakeIndices();
     Drawing drawing = target.Drawn();
     RequireDrawn(refused);
@@ -313,7 +314,8 @@ class PluginSubject final : public Subject {
       const PluginTarget target(job, info_, needs_all_);
       std::int32_t refused = 0;
       const DrawTime one = Timed([&] {
-        refused = InLibrary([&] { return plugin_.draw(state_, &given.view(), &target.view()); });
+        refused = InLibrary(FloatMode::kUsual,
+                            [&] { return plugin_.draw(state_, &given.view(), &target.view()); });
       });
       RequireDrawn(refused);
       sum.seconds += one.seconds;
@@ -339,7 +341,7 @@ class PluginSubject final : public Subject {
       scene_views.push_back(&given.emplace_back(job, VerticesOf(job)).view());
       target_views.push_back(&targets.emplace_back(job, info_, needs_all_).view());
     }
-    const std::int32_t refused = InLibrary([&] {
+    const std::int32_t refused = InLibrary(jobs.front().options.float_mode, [&] {
       return plugin_.draw_many(state_, scene_views.data(), target_views.data(), jobs.size());
     });
     if (refused != 0) return Subject::DrawMany(jobs);
@@ -364,9 +366,12 @@ class PluginSubject final : public Subject {
     return vertices_;
   }
   template <class Call>
-  std::int32_t InLibrary(const Call& call) {
+  std::int32_t InLibrary(FloatMode float_mode, const Call& call) {
     const LibraryEnvironment::Within library(environment_);
-    return call();
+    const WithinFloatMode mode(float_mode);
+    const std::int32_t refused = call();
+    if (const std::string complaint = mode.Complaint(); !complaint.empty()) BreakDown(complaint);
+    return refused;
   }
   void RequireDrawn(std::int32_t refused) const {
     if (refused == 0) return;

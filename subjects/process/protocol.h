@@ -3,7 +3,7 @@
 //
 // A request is a line, then a line for each vertex and each triangle:
 //     draw ID WIDTH HEIGHT SAMPLES window|clip VERTICES TRIANGLES [cull=front|back]
-//          [scissor=X0,Y0,X1,Y1] [tile=N] [threads=N] [wants=...] [repeats=N]
+//          [scissor=X0,Y0,X1,Y1] [tile=N] [threads=N] [float=MODE] [wants=...] [repeats=N]
 //     X Y Z W
 //     I J K
 // Coordinates are decimal numbers that a reader of doubles reads back exactly (floats too, then
@@ -23,6 +23,8 @@
 //                after each index come W0 W1 W2 alone, or DEPTH alone. centroids among them, for a
 //                program that shows them: C0 C1 C2, the barycentrics at the fragment's centroid,
 //                come last. No request without that word asks for them.
+// Only a host of a library is sent float=MODE (core/float_mode.h), the mode in which it calls it.
+//
 // The first request of a call has its own vertices. A program's answers to requests of version 1
 // are the same in version 2.
 //

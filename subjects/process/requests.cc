@@ -62,6 +62,10 @@ void AddOptions(TextWriter& text, const DrawOptions& options, const SubjectInfo&
     text.Add(" threads=");
     text.AddNumber(options.threads);
   }
+  if (options.float_mode != FloatMode::kUsual) {
+    text.Add(" float=");
+    text.Add(FloatModeName(options.float_mode));
+  }
 }
 
 // Numbers separated by blanks, ending with a newline.
@@ -186,14 +190,16 @@ void ParseOption(std::string_view word, const std::string& where, DrawJob& job) 
     options.tile = Number<int>(value, where);
   } else if (key == "threads") {
     options.threads = Number<int>(value, where);
+  } else if (key == "float" && FindFloatMode(value)) {
+    options.float_mode = *FindFloatMode(value);
   } else if (key == "wants" && !value.empty()) {
     job.wants = ParseWants(value, where);
   } else if (key == "repeats") {
     job.repeats = Number<int>(value, where);
     if (job.repeats < 1 || job.repeats > kMostRepeats) Malformed(where, "1 to 2^20 repeats");
   } else {
-    Malformed(where,
-              "cull=, scissor=, tile=, threads=, wants= or repeats=, not " + std::string(word));
+    Malformed(where, "cull=, scissor=, tile=, threads=, float=, wants= or repeats=, not " +
+                         std::string(word));
   }
 }
 

@@ -13,8 +13,8 @@
 #include <tuple>
 #include <vector>
 
+#include "core/float_environment.h"
 #include "kit/rasterize.h"
-#include "reference/library/float_environment.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
 

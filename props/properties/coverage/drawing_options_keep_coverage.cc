@@ -24,7 +24,7 @@ extern constinit const Property kThreadCountKeepsCoverage{
              .judges_clipped = true},
     .ask =
         [](const PlacedCase& c, const Description&) {
-          return CompareOption(c, &DrawOptions::threads, 1, {2, 3, 8}, [](int threads) {
+          return CompareOption<int>(c, &DrawOptions::threads, 1, {2, 3, 8}, [](int threads) {
             return "one thread's with " + std::to_string(threads) + " threads";
           });
         },
@@ -46,7 +46,7 @@ extern constinit const Property kTileSizeKeepsCoverage{
     // One pixel, an odd size that fits no target, usual ones, and one larger than most targets.
     .ask =
         [](const PlacedCase& c, const Description&) {
-          return CompareOption(c, &DrawOptions::tile, 0, {1, 5, 8, 64}, [](int tile) {
+          return CompareOption<int>(c, &DrawOptions::tile, 0, {1, 5, 8, 64}, [](int tile) {
             return "the subject's own with tiles of " + std::to_string(tile) + " pixels";
           });
         },

@@ -1,6 +1,6 @@
 // The thread's floating-point environment, and a sane one for a while.
-#ifndef RASTERPROOF_REFERENCE_LIBRARY_FLOAT_ENVIRONMENT_H_
-#define RASTERPROOF_REFERENCE_LIBRARY_FLOAT_ENVIRONMENT_H_
+#ifndef RASTERPROOF_CORE_FLOAT_ENVIRONMENT_H_
+#define RASTERPROOF_CORE_FLOAT_ENVIRONMENT_H_
 
 #include <array>
 #include <cfenv>
@@ -61,4 +61,4 @@ class FloatEnvironment {
 
 }  // namespace rasterproof
 
-#endif  // RASTERPROOF_REFERENCE_LIBRARY_FLOAT_ENVIRONMENT_H_
+#endif  // RASTERPROOF_CORE_FLOAT_ENVIRONMENT_H_

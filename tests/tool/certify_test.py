@@ -465,21 +465,6 @@ class Pages(Certify):
         self.assertEqual([name for name in names if name.endswith(".part")], [])
 
 
-class Hangs(Certify):
-    def test_scenes_after_one_that_hangs_get_a_short_time(self):
-        program = os.path.join(self.folder, "hangs.py")
-        with open(program, "w", encoding="utf-8") as file:
-            file.write("import sys, signal\nsys.stdin.readline()\nsignal.pause()\n")
-        names = ("ties", "duplicates", "fan", "needles")
-        self.run_certify("--exec", f"{sys.executable} {program}", "--time-limit", "0.1", "--cases",
-                         "1", "--scenes", self.scenes(*names))  # fmt: skip
-        (certificate,) = self.certificates()
-        self.assertEqual(certificate["verdict"], "violated")
-        told = [scene["message"] for scene in certificate["measured"]]
-        self.assertEqual(len([text for text in told if "the subject failed: it hangs" in text]), 1)
-        self.assertGreater(len([text for text in told if "the short time that a scene" in text]), 0)
-
-
 class Interrupts(Certify):
     def test_an_interrupted_run_writes_what_it_knows_and_says_so(self):
         fifo = os.path.join(self.folder, "asked")

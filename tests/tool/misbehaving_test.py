@@ -2,6 +2,8 @@
 
 usage: misbehaving_test.py PROGRAM SOURCES PLUGINS
 """
+import glob
+import json
 import os
 import select
 import signal
@@ -315,6 +317,19 @@ class Start(unittest.TestCase):
     def test_a_closed_standard_output_is_told(self):
         self.check("sound", 2, "standard output", preexec_fn=lambda: os.close(1))
 
+    def test_scenes_after_one_that_hangs_get_a_short_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = Run([PROGRAM, "certify", "--exec", f"{PYTHON} {SUBJECT} sleeps", *LIMIT,
+                       "--scenes", "scenes/quick.json", "--cases", "1",
+                       "--out", folder])  # fmt: skip
+            status, text = run.end()
+            self.assertEqual(status, 1, text)
+            (path,) = glob.glob(os.path.join(folder, "*", "certificate.json"))
+            with open(path) as file:
+                said = "\n".join(scene["message"] for scene in json.load(file)["measured"])
+        self.assertEqual(said.count("it hangs: alone, on a fresh"), 1, said)
+        self.assertIn("the short time that a scene gets", said)
+
     def test_what_nobody_can_be_told_ends_nothing(self):
         with open("/dev/full", "wb") as full:
             run = Run([PROGRAM, "check", "--property", DEGENERATE, "--cases", "1", "--seed",
@@ -325,4 +340,4 @@ class Start(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=0)
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=0)

@@ -34,6 +34,7 @@
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
+#include "tool/float_modes.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
@@ -372,6 +373,7 @@ Report Check(const SubjectFactory& subject, const ResolvedCheck& asked,
 int RunCheck(const CheckOptions& options) {
   RequireHonestEnvironment();
   if (options.catalogue) return CheckCatalogue(options);
+  if (!options.float_modes.empty()) return CheckFloatModes(options);
   const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   int status = kExitHolds;

@@ -42,28 +42,6 @@ void AddSubjects(CLI::App* app, std::vector<std::string>& subjects, const std::s
   AddOutside(app, [&subjects](const std::string& name) { subjects.push_back(name); });
 }
 
-void AddSeed(CLI::App* app, std::uint64_t& seed, const std::string& of = "generators") {
-  app->add_option_function<std::string>(
-         "--seed", [&seed](const std::string& text) { seed = ParseSeed(text); },
-         "Seed of the " + of + ", or 'random' (the one taken is printed)")
-      ->default_str("1");
-}
-
-void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::string& of) {
-  app->add_option("--seconds", campaign.seconds, "Most seconds a " + of + " (0: no limit)")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-}
-
-void AddCampaign(CLI::App* app, props::CampaignOptions& campaign,
-                 const std::string& of = "property") {
-  AddSeed(app, campaign.seed);
-  app->add_option("--cases", campaign.cases, "Cases a " + of)
-      ->check(Positive())
-      ->capture_default_str();
-  AddSeconds(app, campaign, of);
-}
-
 void AddCount(CLI::App* app, const std::string& option, const std::string& help, int most,
               const std::function<void(int)>& take, int usual) {
   const auto parse = [=](const std::string& text) { take(ParseCount(option, text, most)); };
@@ -91,15 +69,6 @@ void AddCase(CLI::App* app, CaseChoice& choice) {
   app->add_option("--case", choice.name, std::string(kCaseHelp));
   app->add_flag("--fuzz-input", choice.is_fuzz_input,
                 "The file is a fuzz input, though it looks like text");
-}
-
-void AddPipe(CLI::App* app, PipeOptions& options) {
-  app->add_option("--property", options.property, "Property to put to the test")
-      ->capture_default_str();
-  app->add_option("--description", options.description,
-                  "File that says what the program states (docs/subjects.md)");
-  app->add_option("--profile", options.profile, "Judge by this profile, not by the description's");
-  AddCampaign(app, options.campaign);
 }
 
 // For verbs that say what they know so far when they are interrupted. Any other one ends at once,
@@ -162,6 +131,16 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("--save", options.save,
                    "Folder for shrunk counterexamples; those already there are replayed first");
   AddCampaign(verb, options.campaign);
+  CLI::Option* const fp_env =
+      verb->add_option(
+              "--fp-env", options.float_modes,
+              "How often coverage depends on the caller's floating-point mode, in place of "
+              "properties: some of ftz, daz, up, down, zero, trap")
+          ->delimiter(',')
+          ->allow_extra_args(false);
+  for (CLI::Option* other :
+       {properties, catalogue, verb->get_option("scenes"), verb->get_option("--case")})
+    fp_env->excludes(other);
   AddJobs(verb, options.jobs, "Properties");
   AddFailOn(verb, options.fail_on);
   AddCount(
@@ -366,25 +345,6 @@ void AddDoctor(CLI::App& app, Run& run) {
   CLI::App* verb =
       app.add_subcommand("doctor", "Say whether this machine and build can be trusted to judge");
   verb->callback([&run] { run = [] { return RunDoctor(); }; });
-}
-
-void AddPipeVerb(CLI::App& app, Run& run) {
-  static PipeOptions options;
-  static HostOptions host;
-  CLI::App* verb = app.add_subcommand(
-      "pipe", "Test a program on a pipe that you lay: pipe ask | PROGRAM | pipe judge");
-  verb->require_subcommand(1);
-  CLI::App* ask = verb->add_subcommand("ask", "Requests to draw, for a program's standard input");
-  AddPipe(ask, options);
-  ask->callback([&run] { run = [] { return RunAsk(options); }; });
-  CLI::App* judge =
-      verb->add_subcommand("judge", "Judge on standard input the answers to what ask asked");
-  AddPipe(judge, options);
-  judge->callback([&run] { run = [] { return RunJudge(options); }; });
-  CLI::App* answer = verb->add_subcommand("answer", "Answer requests by a plugin");
-  answer->add_option("subject", host.subject, "plugin:PATH")->required();
-  answer->add_flag("--describe", host.describe, "Say only what it states");
-  answer->callback([&run] { run = [] { return HostSubject(host.subject, host.describe); }; });
 }
 
 // A standard file that the caller closed would give its number to the next file that is opened.

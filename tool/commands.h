@@ -79,8 +79,9 @@ struct CheckOptions {
   std::string save;  ///< folder for counterexamples; those there are asked first
   int jobs = 1;      ///< properties at once
   FailOn fail_on = FailOn::kStated;
-  bool catalogue = false;             ///< families of stiff cases, not properties
-  std::vector<std::string> families;  ///< these alone; empty: all
+  bool catalogue = false;                ///< families of stiff cases, not properties
+  std::vector<std::string> families;     ///< these alone; empty: all
+  std::vector<std::string> float_modes;  ///< what --fp-env names, not properties
 };
 int RunCheck(const CheckOptions& options);
 
@@ -222,11 +223,6 @@ struct PipeOptions {
 };
 int RunAsk(const PipeOptions& options);
 int RunJudge(const PipeOptions& options);
-
-struct HostOptions {
-  std::string subject;
-  bool describe = false;
-};
 
 struct SelftestOptions {
   std::vector<std::string> only;  ///< names; empty: every mutant and legal variant

@@ -18,6 +18,7 @@
 #include "subjects/process/serve.h"
 #include "tool/commands.h"
 #include "tool/description.h"
+#include "tool/other_threads.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -48,14 +49,20 @@ SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo info, Prog
 
 // This program once more, as the host of a library or an own type: what they break, they break
 // there.
-SubjectMaker Hosted(const std::string& name) {
+SubjectMaker Hosted(const std::string& name, const FloatModeOfHost& float_mode) {
   const std::string text = subjects::OutputOf({ThisProgram(), "pipe", "answer", name, "--describe"},
                                               name, OutsideLimits());
   SubjectInfo info = ParseDescription(text, name).info;
   info.summary = info.name + (info.summary.empty() ? "" : ": ") + info.summary;
   info.name = name;
   info.protocol = subjects::kProtocol;
-  return InAProcess({ThisProgram(), "pipe", "answer", name}, info, Program::kOurs);
+  std::vector<std::string> command{ThisProgram(), "pipe", "answer", name};
+  if (float_mode.where != FloatModeOfHost::Where::kNowhere) {
+    const bool is_workers = float_mode.where == FloatModeOfHost::Where::kInOtherThreads;
+    command.insert(command.end(), {is_workers ? "--fp-env-of-workers" : "--fp-env",
+                                   std::string(FloatModeName(float_mode.mode))});
+  }
+  return InAProcess(std::move(command), info, Program::kOurs);
 }
 
 // A program that is not there is the caller's to mend, and told before anything is run. The shell
@@ -102,6 +109,21 @@ subjects::LoadedPlugin MakeHere(const std::string& name) {
   return {std::move(subject), profile};
 }
 
+// A subject whose own threads are in the mode, those of them that were started by an earlier call.
+class BesideOtherThreads final : public Subject {
+ public:
+  BesideOtherThreads(Subject& subject, FloatMode mode) : subject_(subject), mode_(mode) {}
+  const SubjectInfo& OwnInfo() const override { return subject_.Info(); }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    SetModeOfOtherThreads(mode_);
+    return subject_.DrawMany(jobs);
+  }
+
+ private:
+  Subject& subject_;
+  FloatMode mode_;
+};
+
 // Standard output for the answers alone: everything else that is printed there goes to standard
 // error from here on.
 int TakeStandardOutput() {
@@ -145,7 +167,7 @@ bool IsOutside(std::string_view name) {
 }
 
 SubjectMaker ResolveOutside(const std::string& name) {
-  if (name.starts_with(kPluginPrefix) || OwnMakers().contains(name)) return Hosted(name);
+  if (name.starts_with(kPluginPrefix) || OwnMakers().contains(name)) return Hosted(name, {});
   if (name.starts_with(kExecPrefix)) {
     ProgramDescription description = PlainDescription();
     description.command = name.substr(kExecPrefix.size());
@@ -157,17 +179,33 @@ SubjectMaker ResolveOutside(const std::string& name) {
   return {};
 }
 
-int HostSubject(const std::string& name, bool describe) {
+std::unique_ptr<Subject> MakeInHost(const std::string& name, const FloatModeOfHost& float_mode) {
+  return Hosted(name, float_mode)();
+}
+
+int HostSubject(const HostOptions& options) {
   const int answers = TakeStandardOutput();
-  const subjects::LoadedPlugin here = MakeHere(name);
-  if (describe) {
+  const FloatModeOfHost& float_mode = options.float_mode;
+  const bool is_from_the_start = float_mode.where == FloatModeOfHost::Where::kFromTheStart;
+  const subjects::LoadedPlugin here = [&] {
+    // A library keeps the mode that it finds here as its own.
+    const WithinFloatMode mode(is_from_the_start ? float_mode.mode : FloatMode::kUsual);
+    return MakeHere(options.subject);
+  }();
+  if (options.describe) {
     SubjectInfo info = here.subject->Info();
     info.takes_repeats = true;  // whatever it draws: Serve does it
     SayAll(answers, DescriptionText(info, here.profile));
     return kExitHolds;
   }
   std::ios::sync_with_stdio(false);  // character by character otherwise
-  subjects::Serve(*here.subject, std::cin, [&](const std::string& text) { SayAll(answers, text); });
+  const auto say = [&](const std::string& text) { SayAll(answers, text); };
+  if (float_mode.where == FloatModeOfHost::Where::kInOtherThreads) {
+    BesideOtherThreads beside(*here.subject, float_mode.mode);
+    subjects::Serve(beside, std::cin, say);
+  } else {
+    subjects::Serve(*here.subject, std::cin, say);
+  }
   return kExitHolds;
 }
 

@@ -2,12 +2,14 @@
 #ifndef RASTERPROOF_TOOL_OUTSIDE_H_
 #define RASTERPROOF_TOOL_OUTSIDE_H_
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/float_mode.h"
 #include "core/subject.h"
 #include "subjects/process/process.h"
 
@@ -45,10 +47,32 @@ using SubjectMaker = std::function<std::unique_ptr<Subject>()>;
 /// Error:      InputError if the library or the file is not what it should be.
 SubjectMaker ResolveOutside(const std::string& name);
 
+/// The floating-point mode that a host sets beside what requests ask for.
+struct FloatModeOfHost {
+  enum class Where : std::uint8_t {
+    kNowhere,
+    kFromTheStart,   ///< before it loads the library, and from then on
+    kInOtherThreads  ///< before each call, in all threads but the one that calls
+  };
+  FloatMode mode = FloatMode::kUsual;
+  Where where = Where::kNowhere;
+};
+
+struct HostOptions {
+  std::string subject;
+  bool describe = false;
+  FloatModeOfHost float_mode;
+};
+
 /// What `rasterproof pipe answer NAME` does: loads the library or makes the own type here, and
 /// describes it or answers requests on standard input. What the subject itself prints goes to
 /// standard error.
-int HostSubject(const std::string& name, bool describe);
+int HostSubject(const HostOptions& options);
+
+/// The library or own type of that name, hosted in a floating-point mode.
+///
+/// Domain:     IsOutside(name), and no program.
+std::unique_ptr<Subject> MakeInHost(const std::string& name, const FloatModeOfHost& float_mode);
 
 }  // namespace rasterproof::tool
 

@@ -1,4 +1,4 @@
-// Options of the verbs that take one scene.
+// Options that verbs share, those of the verbs that take one scene, and of pipe.
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -7,6 +7,7 @@
 
 #include "tool/commands.h"
 #include "tool/outside.h"
+#include "tool/typed_number.h"
 #include "tool/verb_options.h"
 
 namespace rasterproof::tool {
@@ -47,6 +48,27 @@ void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& ad
          "GiB of address space that it may have (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->default_str("4");
+}
+
+void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::string& of) {
+  app->add_option("--seconds", campaign.seconds, "Most seconds a " + of + " (0: no limit)")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+void AddSeed(CLI::App* app, std::uint64_t& seed, const std::string& of) {
+  app->add_option_function<std::string>(
+         "--seed", [&seed](const std::string& text) { seed = ParseSeed(text); },
+         "Seed of the " + of + ", or 'random' (the one taken is printed)")
+      ->default_str("1");
+}
+
+void AddCampaign(CLI::App* app, props::CampaignOptions& campaign, const std::string& of) {
+  AddSeed(app, campaign.seed);
+  app->add_option("--cases", campaign.cases, "Cases a " + of)
+      ->check(Positive())
+      ->capture_default_str();
+  AddSeconds(app, campaign, of);
 }
 
 void AddSubject(CLI::App* app, std::string& subject, const std::string& help) {
@@ -166,6 +188,55 @@ void AddSceneVerbs(CLI::App& app, Run& run) {
   AddCoverage(app, run);
   AddLegal(app, run);
   AddPlan(app, run);
+}
+
+namespace {
+
+void AddPipe(CLI::App* app, PipeOptions& options) {
+  app->add_option("--property", options.property, "Property to put to the test")
+      ->capture_default_str();
+  app->add_option("--description", options.description,
+                  "File that says what the program states (docs/subjects.md)");
+  app->add_option("--profile", options.profile, "Judge by this profile, not by the description's");
+  AddCampaign(app, options.campaign);
+}
+
+void AddFloatMode(CLI::App* app, const std::string& option, FloatModeOfHost::Where where,
+                  const std::string& help, FloatModeOfHost& float_mode) {
+  app->add_option_function<std::string>(
+         option,
+         [where, &float_mode](const std::string& name) {
+           float_mode = {FindFloatMode(name).value_or(FloatMode::kUsual), where};
+         },
+         help)
+      ->check(
+          CLI::IsMember(std::vector<std::string>{kFloatModeNames.begin(), kFloatModeNames.end()}));
+}
+
+}  // namespace
+
+void AddPipeVerb(CLI::App& app, Run& run) {
+  static PipeOptions options;
+  static HostOptions host;
+  CLI::App* verb = app.add_subcommand(
+      "pipe", "Test a program on a pipe that you lay: pipe ask | PROGRAM | pipe judge");
+  verb->require_subcommand(1);
+  CLI::App* ask = verb->add_subcommand("ask", "Requests to draw, for a program's standard input");
+  AddPipe(ask, options);
+  ask->callback([&run] { run = [] { return RunAsk(options); }; });
+  CLI::App* judge =
+      verb->add_subcommand("judge", "Judge on standard input the answers to what ask asked");
+  AddPipe(judge, options);
+  judge->callback([&run] { run = [] { return RunJudge(options); }; });
+  CLI::App* answer = verb->add_subcommand("answer", "Answer requests by a plugin");
+  answer->add_option("subject", host.subject, "plugin:PATH")->required();
+  answer->add_flag("--describe", host.describe, "Say only what it states");
+  AddFloatMode(answer, "--fp-env", FloatModeOfHost::Where::kFromTheStart,
+               "Floating-point mode in which the plugin is loaded and called", host.float_mode);
+  AddFloatMode(answer, "--fp-env-of-workers", FloatModeOfHost::Where::kInOtherThreads,
+               "Floating-point mode of the plugin's own threads, before each call",
+               host.float_mode);
+  answer->callback([&run] { run = [] { return HostSubject(host); }; });
 }
 
 }  // namespace rasterproof::tool

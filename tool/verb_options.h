@@ -3,10 +3,12 @@
 #ifndef RASTERPROOF_TOOL_VERB_OPTIONS_H_
 #define RASTERPROOF_TOOL_VERB_OPTIONS_H_
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
 #include "CLI/CLI.hpp"
+#include "props/run/campaign.h"
 
 namespace rasterproof::tool {
 
@@ -21,6 +23,19 @@ void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& ad
 
 /// Adds --subject, --plugin and --exec.
 void AddSubject(CLI::App* app, std::string& subject, const std::string& help = "Subject");
+
+/// Adds --seed.
+void AddSeed(CLI::App* app, std::uint64_t& seed, const std::string& of = "generators");
+
+/// Adds --seconds.
+void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::string& of);
+
+/// Adds --seed, --cases and --seconds.
+void AddCampaign(CLI::App* app, props::CampaignOptions& campaign,
+                 const std::string& of = "property");
+
+/// Adds pipe ask, judge and answer.
+void AddPipeVerb(CLI::App& app, Run& run);
 
 /// Adds the verbs that take one scene: coverage, legal, plan.
 void AddSceneVerbs(CLI::App& app, Run& run);

@@ -67,8 +67,8 @@ Wanted WantedBy(Shows shows) {
               "the subject takes a number of threads"};
     case Shows::kFloatModes:
       return {[](const D& d) { return d.info.takes_float_modes; },
-              "the subject is a program, whose floating-point mode is its own",
-              "the subject is called in the caller's floating-point mode"};
+              "the caller can not set the floating-point mode of the subject",
+              "the subject draws in the floating-point mode of its caller"};
     case Shows::kScissor:
       return {[](const D& d) { return d.info.takes_scissor; }, "the subject takes no scissor",
               "the subject takes a scissor"};

@@ -28,6 +28,8 @@ struct Mutant {
   std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
                FreeStages, SquareStages, CentroidStages, ClippingStages>
       stages;
+  /// Whether it is drawn in other floating-point modes, where only its bug shows.
+  bool takes_float_modes = false;
 };
 
 /// Eight subpixel bits and four samples a pixel, on a rotated grid.
@@ -57,6 +59,7 @@ std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
 std::vector<Mutant> FacingMutants();      // facing, under the legal sets of APIs
 std::vector<Mutant> SampleMutants();      // several samples a pixel
 std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
+std::vector<Mutant> ModeMutants();        // the caller's floating-point mode
 std::vector<Mutant> FragmentMutants();    // whose barycentrics, and what is asked for alone
 /// Written after the generators and the properties were frozen.
 std::vector<Mutant> LateMutants();

@@ -35,7 +35,8 @@ std::vector<Row> MakeRows() {
         mutants::ScanlineMutants,  mutants::MapMutants,      mutants::ShownValueMutants,
         mutants::ContractMutants,  mutants::FreeMutants,     mutants::SquareMutants,
         mutants::SetMutants,       mutants::FacingMutants,   mutants::SampleMutants,
-        mutants::CentroidMutants,  mutants::FragmentMutants, mutants::WidthMutants}) {
+        mutants::CentroidMutants,  mutants::FragmentMutants, mutants::WidthMutants,
+        mutants::ModeMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);
@@ -99,7 +100,12 @@ bool IsMutant(std::string_view name) {
 
 std::unique_ptr<Subject> MakeMutant(std::string_view name) {
   for (const Row& row : Rows()) {
-    if (row.info.name == name) return std::visit(Maker{row.info}, row.planted.stages);
+    if (row.info.name != name) continue;
+    std::unique_ptr<Subject> subject = std::visit(Maker{row.info}, row.planted.stages);
+    SubjectInfo info = subject->Info();
+    info.takes_float_modes = row.planted.takes_float_modes;
+    subject->JudgeAs(std::move(info));
+    return subject;
   }
   return nullptr;
 }

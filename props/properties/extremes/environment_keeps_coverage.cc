@@ -18,9 +18,9 @@ namespace rasterproof::props {
 namespace {
 
 constexpr auto kDomains = std::to_array<std::string_view>(
-    {"near-edge", "hardest-vertex", "uniform-subpixel", "shared-edge", "snap-ties", "subnormal",
-     "underflowing-products", "largest-and-smallest", "product-overflow", "grids", "perspective",
-     "mixed-w"});
+    {"near-edge", "edges-through-samples", "hardest-vertex", "uniform-subpixel", "shared-edge",
+     "snap-ties", "subnormal", "underflowing-products", "largest-and-smallest", "product-overflow",
+     "grids", "degenerate", "perspective", "mixed-w"});
 
 std::string Whose(FloatMode mode) {
   return "that in the usual floating-point mode with the caller's mode '" +

@@ -1,0 +1,20 @@
+// What `check --fp-env` does.
+#ifndef RASTERPROOF_TOOL_FLOAT_MODES_H_
+#define RASTERPROOF_TOOL_FLOAT_MODES_H_
+
+#include "tool/commands.h"
+
+namespace rasterproof::tool {
+
+/// Prints for each subject how often its coverage depends on each mode, set in each of the ways
+/// that reach it, and saves the first case of each that does.
+///
+/// Returns:    the exit status: violated if a subject that states exact coverage draws another one
+///             in some mode, or any with --fail-on quality; inconclusive if no case could be
+///             touched.
+/// Error:      InputError for a program on a pipe, whose mode is its own.
+int CheckFloatModes(const CheckOptions& options);
+
+}  // namespace rasterproof::tool
+
+#endif  // RASTERPROOF_TOOL_FLOAT_MODES_H_

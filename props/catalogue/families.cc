@@ -21,7 +21,8 @@ constexpr auto kNearEdges = std::to_array<std::string_view>(
     {"vertices-on-samples", "axis-aligned", "edges-through-samples", "near-edge", "hardest-sample",
      "hardest-vertex", "ulp-extremes", "rounded-differences", "least-areas", "rows-and-columns",
      "long-rows"});
-constexpr auto kThin = std::to_array<std::string_view>({"needles", "caps", "far-slivers"});
+constexpr auto kThin =
+    std::to_array<std::string_view>({"needles", "caps", "far-slivers", "diagonal-needles"});
 constexpr auto kMagnitudes = std::to_array<std::string_view>(
     {"offset-cancellation", "subnormal", "product-overflow", "underflowing-products",
      "largest-and-smallest", "mixed-magnitude", "coordinate-limits", "range-ends", "far-sides",
@@ -34,7 +35,7 @@ constexpr auto kNothing = std::to_array<std::string_view>(
     {"degenerate", "signed-zeros", "non-finite", "non-finite-depths"});
 constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "covering-fans", "subdivisions",
-     "t-junctions", "closed-mesh", "near-rectangles"});
+     "t-junctions", "closed-mesh", "near-rectangles", "tilted-grids"});
 constexpr auto kCalls =
     std::to_array<std::string_view>({"target-sizes", "target-size-ends", "near-repeats",
                                      "sparse-indices", "many-triangles", "crowds"});

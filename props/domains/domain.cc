@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 74;
+constexpr std::uint16_t kNextNumber = 76;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -367,6 +367,17 @@ constexpr std::array kDomains{
            .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
            .mesh = true,
            .draw = EverySize},
+    Domain{.number = 74,
+           .name = "tilted-grids",
+           .summary = "grids turned by Pythagorean angles, exactly or rounded, and by small ones",
+           .near_edge = true,
+           .mesh = true,
+           .draw = TiltedGrids},
+    Domain{.number = 75,
+           .name = "diagonal-needles",
+           .summary = "needles a step wide along the diagonals of samples",
+           .near_edge = true,
+           .draw = DiagonalNeedles},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

@@ -113,6 +113,10 @@ Case MixedW(BitSource& bits, const SubjectInfo& info);
 Case OneVertexBehind(BitSource& bits, const SubjectInfo& info);
 Case HardestRays(BitSource& bits, const SubjectInfo& info);
 
+// recipes_tilted.cc
+Case TiltedGrids(BitSource& bits, const SubjectInfo& info);
+Case DiagonalNeedles(BitSource& bits, const SubjectInfo& info);
+
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_DOMAINS_RECIPES_H_

@@ -1,0 +1,101 @@
+// Domains of meshes that other programs make, of tilted edges and of tiles: each has what it is
+// for. Least numbers are about half of what was measured.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/tie_rule.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "model/snap.h"
+#include "props/domains/bit_source.h"
+#include "props/domains/domain.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+using testing::RealInfo;
+using testing::SnappedInfo;
+
+constexpr std::uint64_t kConstructedCases = 200;
+
+Case DrawConstructed(std::string_view domain, const SubjectInfo& info, std::uint64_t index) {
+  PhiloxSource bits(1, index);
+  return FindDomain(domain)->draw(bits, info);
+}
+
+std::array<Point2, 3> PlacesOf(const Scene& scene, const Triangle& t) {
+  const auto v = Corners(scene, t);
+  return {WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
+}
+
+// Samples of the target strictly between the ends of ab and exactly on it.
+int SamplesOn(const Case& c, Point2 a, Point2 b) {
+  int on = 0;
+  for (int place = 0; place < c.scene.width * c.scene.height; ++place) {
+    const Point2 p = c.profile.pattern.At(place % c.scene.width, place / c.scene.width);
+    const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+    const double from_b = (p.x - b.x) * (a.x - b.x) + (p.y - b.y) * (a.y - b.y);
+    on += along > 0 && from_b > 0 && exact::EdgeSign(a, b, p) == 0 ? 1 : 0;
+  }
+  return on;
+}
+
+TEST(TiltedGrids, HaveSharedEdgesThroughSamplesThatAreNeitherLevelNorDiagonal) {
+  for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
+    int cases = 0;
+    for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+      const Case c = DrawConstructed("tilted-grids", info, i);
+      std::map<std::pair<std::int32_t, std::int32_t>, int> uses;
+      bool has_hit = false;
+      for (const Triangle& t : c.scene.triangles) {
+        const auto v = PlacesOf(c.scene, t);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::size_t next = (k + 1) % 3;
+          if (++uses[std::minmax({t[k], t[next]})] != 2) continue;
+          if (std::fabs(v[next].x - v[k].x) == std::fabs(v[next].y - v[k].y)) continue;
+          if (v[next].x == v[k].x || v[next].y == v[k].y) continue;
+          has_hit = has_hit || SamplesOn(c, v[k], v[next]) > 0;
+        }
+      }
+      cases += has_hit ? 1 : 0;
+    }
+    EXPECT_GT(cases, 23);
+  }
+}
+
+TEST(DiagonalNeedles, AreAStepWideAndCoverSamples) {
+  for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
+    int covering = 0;
+    int thin = 0;
+    for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+      const Case c = DrawConstructed("diagonal-needles", info, i);
+      for (const Triangle& t : c.scene.triangles) {
+        const auto v = PlacesOf(c.scene, t);
+        const double twice_area =
+            (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);
+        const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+        const double length = right - left;
+        thin += twice_area != 0 && std::fabs(twice_area) <= length * 0x1p-8 ? 1 : 0;
+      }
+      const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+      bool covers = false;
+      for (std::size_t s = 0; s < counts.size(); ++s) covers = covers || counts.Count(s) != 0;
+      covering += covers ? 1 : 0;
+    }
+    EXPECT_GT(thin, 350);
+    EXPECT_GT(covering, 78);
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -38,7 +38,7 @@ constexpr auto kMeshes = std::to_array<std::string_view>(
      "t-junctions", "closed-mesh", "near-rectangles", "tilted-grids"});
 constexpr auto kCalls =
     std::to_array<std::string_view>({"target-sizes", "target-size-ends", "near-repeats",
-                                     "sparse-indices", "many-triangles", "crowds"});
+                                     "sparse-indices", "many-triangles", "crowds", "tile-borders"});
 constexpr auto kPixelSides =
     std::to_array<std::string_view>({"square-grid-lines", "square-crossings", "square-interiors"});
 constexpr auto kClip = std::to_array<std::string_view>(
@@ -72,7 +72,7 @@ constexpr auto kGroups = std::to_array<Group>({
      kMeshes},
     {{"calls and targets",
       "What a triangle covers depends neither on its neighbours in the call nor on the target's "
-      "size."},
+      "size or tiles."},
      kCalls},
     {{"pixel sides", "Corners and edges on the sides of pixels decide no sample but their own."},
      kPixelSides},

@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 76;
+constexpr std::uint16_t kNextNumber = 77;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -378,6 +378,10 @@ constexpr std::array kDomains{
            .summary = "needles a step wide along the diagonals of samples",
            .near_edge = true,
            .draw = DiagonalNeedles},
+    Domain{.number = 76,
+           .name = "tile-borders",
+           .summary = "edges on multiples of 4 to 64 pixels and beside, boxes a pixel thick",
+           .draw = TileBorders},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

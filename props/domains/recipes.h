@@ -117,6 +117,9 @@ Case HardestRays(BitSource& bits, const SubjectInfo& info);
 Case TiltedGrids(BitSource& bits, const SubjectInfo& info);
 Case DiagonalNeedles(BitSource& bits, const SubjectInfo& info);
 
+// recipes_tiles.cc
+Case TileBorders(BitSource& bits, const SubjectInfo& info);
+
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_DOMAINS_RECIPES_H_

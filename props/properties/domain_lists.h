@@ -95,6 +95,10 @@ inline constexpr auto kCoverage = std::to_array<std::string_view>({"near-edge",
                                                                    "rows-and-columns",
                                                                    "far-sides"});
 
+// The same, and edges on the borders of tiles.
+inline constexpr auto kAcrossTiles =
+    Both(kCoverage, std::to_array<std::string_view>({"tile-borders"}));
+
 // What a single draw can get wrong, what only the model can tell, and enough samples to find what
 // goes wrong once in a million.
 inline constexpr auto kModelCoverage = Both(
@@ -106,7 +110,7 @@ inline constexpr auto kModelCoverage = Both(
                                                 "accumulator-ends",     "underflowing-products",
                                                 "near-rectangles",      "non-finite-depths",
                                                 "every-size",           "tilted-grids",
-                                                "diagonal-needles"}));
+                                                "diagonal-needles",     "tile-borders"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(

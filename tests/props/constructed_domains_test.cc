@@ -97,5 +97,27 @@ TEST(DiagonalNeedles, AreAStepWideAndCoverSamples) {
   }
 }
 
+TEST(TileBorders, AreMetWhateverTheSizeOfTheTile) {
+  std::array<int, 5> on{};
+  int thin = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed("tile-borders", SnappedInfo(8), i);
+    for (std::size_t k = 0; k < on.size(); ++k) {
+      const double tile = std::ldexp(4.0, static_cast<int>(k));
+      for (const Vertex& v : c.scene.vertices) {
+        on[k] += v.x != 0 && std::remainder(v.x, tile) == 0 ? 1 : 0;
+      }
+    }
+    for (const Triangle& t : c.scene.triangles) {
+      const auto v = PlacesOf(c.scene, t);
+      const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+      const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+      thin += std::fabs(right - left) == 1 || std::fabs(bottom - top) == 1 ? 1 : 0;
+    }
+  }
+  for (const int vertices : on) EXPECT_GT(vertices, 80);
+  EXPECT_GT(thin, 107);
+}
+
 }  // namespace
 }  // namespace rasterproof::props

@@ -205,6 +205,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {73, "off-grid-fragments", 0x5f0ae0e14b9bfa22},
     {74, "tilted-grids", 0x75c54053ab381a27},
     {75, "diagonal-needles", 0x861ed94f01c9779},
+    {76, "tile-borders", 0x68ed867fed5683a4},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

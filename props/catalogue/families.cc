@@ -30,12 +30,13 @@ constexpr auto kMagnitudes = std::to_array<std::string_view>(
      "accumulator-ends"});
 constexpr auto kSnapping = std::to_array<std::string_view>(
     {"snap-ties", "deciding-snap-ties", "shared-snap-ties", "off-grid-moves", "off-grid-fragments",
-     "folds", "closed-folds"});
+     "folds", "closed-folds", "equal-after-snap"});
 constexpr auto kNothing = std::to_array<std::string_view>(
     {"degenerate", "signed-zeros", "non-finite", "non-finite-depths"});
 constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "covering-fans", "subdivisions",
-     "t-junctions", "closed-mesh", "near-rectangles", "tilted-grids"});
+     "t-junctions", "closed-mesh", "near-rectangles", "tilted-grids", "rounded-arrangements",
+     "earcut-meshes"});
 constexpr auto kCalls =
     std::to_array<std::string_view>({"target-sizes", "target-size-ends", "near-repeats",
                                      "sparse-indices", "many-triangles", "crowds", "tile-borders"});
@@ -68,7 +69,8 @@ constexpr auto kGroups = std::to_array<Group>({
       "are drawn as without it."},
      kNothing},
     {{"meshes",
-      "Every sample inside is covered exactly once, at hubs too; what is closed cancels."},
+      "Every sample inside is covered exactly once, at hubs too; what is closed cancels. Where "
+      "triangles are inverted, front minus back does so."},
      kMeshes},
     {{"calls and targets",
       "What a triangle covers depends neither on its neighbours in the call nor on the target's "

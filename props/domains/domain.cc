@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 77;
+constexpr std::uint16_t kNextNumber = 80;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -382,6 +382,21 @@ constexpr std::array kDomains{
            .name = "tile-borders",
            .summary = "edges on multiples of 4 to 64 pixels and beside, boxes a pixel thick",
            .draw = TileBorders},
+    Domain{.number = 77,
+           .name = "rounded-arrangements",
+           .summary = "lines whose crossings are rounded: flat and inverted triangles in a mesh",
+           .mesh = true,
+           .draw = RoundedArrangements},
+    Domain{.number = 78,
+           .name = "equal-after-snap",
+           .summary = "grids of vertices that only the snap makes equal or collinear",
+           .mesh = true,
+           .draw = EqualAfterSnap},
+    Domain{.number = 79,
+           .name = "earcut-meshes",
+           .summary = "polygons cut into ears, their holes joined by bridges of repeated vertices",
+           .mesh = true,
+           .draw = EarcutMeshes},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

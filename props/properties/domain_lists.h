@@ -110,7 +110,9 @@ inline constexpr auto kModelCoverage = Both(
                                                 "accumulator-ends",     "underflowing-products",
                                                 "near-rectangles",      "non-finite-depths",
                                                 "every-size",           "tilted-grids",
-                                                "diagonal-needles",     "tile-borders"}));
+                                                "diagonal-needles",     "tile-borders",
+                                                "rounded-arrangements", "equal-after-snap",
+                                                "earcut-meshes"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -129,7 +131,7 @@ inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"c
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
 inline constexpr auto kMeshesAnySpace =
     Both(kMeshes, std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye",
-                                                   "far-sides", "tilted-grids"}));
+                                                   "far-sides", "tilted-grids", "earcut-meshes"}));
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
@@ -154,11 +156,14 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "many-triangles",
                                                                   "crowds",
                                                                   "far-sides",
-                                                                  "every-size"});
+                                                                  "every-size",
+                                                                  "rounded-arrangements",
+                                                                  "equal-after-snap",
+                                                                  "earcut-meshes"});
 
 // Closed surfaces.
 inline constexpr auto kClosed =
-    std::to_array<std::string_view>({"closed-mesh", "closed-folds"});
+    std::to_array<std::string_view>({"closed-mesh", "closed-folds", "rounded-arrangements"});
 
 // Closed surfaces around the eye or beside it.
 inline constexpr auto kClosedClip =

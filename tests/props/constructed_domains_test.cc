@@ -119,5 +119,126 @@ TEST(TileBorders, AreMetWhateverTheSizeOfTheTile) {
   EXPECT_GT(thin, 107);
 }
 
+TEST(RoundedArrangements, HaveFlatAndInvertedTrianglesAndEachEdgeOnceEachWay) {
+  for (const SubjectInfo& info : {RealInfo(), RealInfo(Precision::kFloat64), SnappedInfo(8)}) {
+    int flat = 0;
+    int inverted = 0;
+    int closed = 0;
+    for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+      const Case c = DrawConstructed("rounded-arrangements", info, i);
+      std::array<int, 3> facings{};
+      std::map<std::pair<Point2, Point2>, int, decltype([](const auto& p, const auto& q) {
+                 const auto key = [](const auto& e) {
+                   return std::array{e.first.x, e.first.y, e.second.x, e.second.y};
+                 };
+                 return key(p) < key(q);
+               })>
+          edges;
+      for (const Triangle& t : c.scene.triangles) {
+        const auto v = PlacesOf(c.scene, t);
+        ++facings[static_cast<std::size_t>(exact::Facing(v) + 1)];
+        for (std::size_t k = 0; k < 3; ++k) {
+          ++edges[{v[k], v[(k + 1) % 3]}];
+          --edges[{v[(k + 1) % 3], v[k]}];
+        }
+      }
+      const bool is_closed =
+          std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 0; });
+      closed += is_closed ? 1 : 0;
+      flat += facings[1] != 0 ? 1 : 0;
+      inverted += !is_closed && facings[0] != 0 && facings[2] != 0 ? 1 : 0;
+      const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+      for (std::size_t s = 0; s < counts.size(); ++s) {
+        ASSERT_EQ(std::abs(counts.Signed(s)), is_closed ? 0 : 1) << i;
+      }
+    }
+    EXPECT_GT(flat, 80);
+    EXPECT_GT(inverted, 19);
+    EXPECT_GT(closed, 50);
+  }
+}
+
+TEST(EqualAfterSnap, DifferAsGiven) {
+  const SubjectInfo info = SnappedInfo(8);
+  int equal = 0;
+  int collinear = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed("equal-after-snap", info, i);
+    bool has_equal = false;
+    bool has_collinear = false;
+    for (const Triangle& t : c.scene.triangles) {
+      const auto given = PlacesOf(c.scene, t);
+      std::array<Point2, 3> v = given;
+      for (Point2& p : v) {
+        p = {SnapCoordinate(p.x, info.profile.snap), SnapCoordinate(p.y, info.profile.snap)};
+      }
+      if (exact::Facing(given) == 0 || exact::Facing(v) != 0) continue;
+      const bool equals = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+      has_equal = has_equal || equals;
+      has_collinear = has_collinear || !equals;
+    }
+    equal += has_equal ? 1 : 0;
+    collinear += has_collinear ? 1 : 0;
+  }
+  EXPECT_GT(equal, 93);
+  EXPECT_GT(collinear, 77);
+}
+
+TEST(EqualAfterSnap, IsAStepApartWhereNothingIsSnapped) {
+  int apart = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed("equal-after-snap", RealInfo(), i);
+    bool found = false;
+    for (const Triangle& t : c.scene.triangles) {
+      const auto v = PlacesOf(c.scene, t);
+      const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+      found = found || std::nextafterf(static_cast<float>(left), 1e9F) == right;
+    }
+    apart += found ? 1 : 0;
+  }
+  EXPECT_GT(apart, 79);
+}
+
+double TwiceArea(const std::vector<Point2>& ring) {
+  double sum = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point2 a = ring[k];
+    const Point2 b = ring[(k + 1) % ring.size()];
+    sum += a.x * b.y - a.y * b.x;
+  }
+  return std::fabs(sum);
+}
+
+TEST(EarcutMeshes, RepeatVerticesHaveFlatEarsAndCoverAllButTheHoles) {
+  int cases = 0;
+  int complete = 0;
+  int flat = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed("earcut-meshes", SnappedInfo(8), i);
+    // Else the vertices are no longer those of the outline.
+    if (c.scene.vertices.size() == 3 * c.scene.triangles.size()) continue;
+    ++cases;
+    std::vector<Point2> outline;
+    std::set<std::pair<double, double>> places;
+    for (const Vertex& v : c.scene.vertices) {
+      outline.push_back(WindowPoint(v));
+      places.insert({v.x, v.y});
+    }
+    EXPECT_LT(places.size(), outline.size()) << i;
+    double covered = 0;
+    bool has_flat = false;
+    for (const Triangle& t : c.scene.triangles) {
+      const auto v = PlacesOf(c.scene, t);
+      covered += TwiceArea({v[0], v[1], v[2]});
+      has_flat = has_flat || exact::Facing(v) == 0;
+    }
+    complete += covered == TwiceArea(outline) ? 1 : 0;
+    flat += has_flat ? 1 : 0;
+  }
+  EXPECT_GT(cases, 86);
+  EXPECT_GT(flat, 38);
+  EXPECT_GE(complete, cases * 9 / 10);  // no ear is left in the others
+}
+
 }  // namespace
 }  // namespace rasterproof::props

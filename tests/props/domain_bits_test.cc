@@ -206,6 +206,9 @@ constexpr auto kGolden = std::to_array<Golden>({
     {74, "tilted-grids", 0x75c54053ab381a27},
     {75, "diagonal-needles", 0x861ed94f01c9779},
     {76, "tile-borders", 0x68ed867fed5683a4},
+    {77, "rounded-arrangements", 0x6474fca426d57fe3},
+    {78, "equal-after-snap", 0xe1c418da1cbc6224},
+    {79, "earcut-meshes", 0xa66c9628c808f0f4},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

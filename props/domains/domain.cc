@@ -123,7 +123,7 @@ constexpr std::array kDomains{
     Domain{.number = 22,
            .name = "deciding-snap-ties",
            .summary = "vertices at or beside ties of the snap that decide who owns a sample",
-           .in_a_round = 2,
+           .in_a_round = 3,
            // What a transform rounds otherwise by an ulp shows there, and hardly elsewhere.
            .in_a_round_behind_transforms = 8,
            .draw = DecidingSnapTies},

@@ -182,7 +182,8 @@ class FiguresTest(unittest.TestCase):
             said = lists.read_text(encoding="utf-8") + nightly
             self.assertTrue(re.search(rf"\b{re.escape(name)}\b", said),
                             f"nothing runs {path.relative_to(ROOT)}: name it in "
-                            f"{lists.relative_to(ROOT)}, in a rasterproof_test or an add_test")  # fmt: skip
+                            f"{lists.relative_to(ROOT)}, in a rasterproof_test or an "
+                            "add_test")  # fmt: skip
 
     def test_limits_are_those_of_the_code(self):
         header = read("props/judging/as_shown.h")

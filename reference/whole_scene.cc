@@ -43,10 +43,8 @@ bool KernelsPay(const Scene& scene) {
 
 void DrawByKernel(kernels::KernelMethod method, const Scene& scene, const DrawOptions& options,
                   CoverageCounts& counts) {
-  std::optional<FloatEnvironment> sane;  // for what states exact results
-  if (method == kernels::KernelMethod::kExact || method == kernels::KernelMethod::kFixedTiles) {
-    sane.emplace();
-  }
+  std::optional<FloatEnvironment> sane;  // its vertices are rounded to the grid
+  if (method == kernels::KernelMethod::kFixedTiles) sane.emplace();
   std::vector<kernels::KernelVertex> vertices;
   vertices.reserve(scene.vertices.size());
   for (const Vertex& v : scene.vertices) {

@@ -1,4 +1,8 @@
 // The certificate: what was proved, exhausted, tested and measured about one subject.
+//
+// Certificate is the record. OverallOf() makes the one verdict of it that JSON, JUnit, page,
+// summary and exit status share; CertificateToJson() and JUnitXml() write it. For the report page,
+// see page.h; for several runs that are parts of one campaign, tool/part_file.h.
 #ifndef RASTERPROOF_REPORT_CERTIFICATE_H_
 #define RASTERPROOF_REPORT_CERTIFICATE_H_
 
@@ -16,10 +20,11 @@
 
 namespace rasterproof::report {
 
-/// A statement with its evidence. The four words are never mixed.
+/// A statement and its evidence. Each list of a certificate holds evidence of one kind: what was
+/// proved is never listed with what was only tested.
 struct Evidence {
   std::string statement;
-  std::string by;  ///< proof script, enumeration with its N, command
+  std::string by;  ///< a proof script, "all N of N cases", or the reason why it was not asked
 };
 
 struct Certificate {
@@ -28,89 +33,95 @@ struct Certificate {
   std::string command;                             ///< the command line that issued it
   std::map<std::string, std::string> environment;  ///< compiler, flags, rounding, subnormals, ...
   std::uint64_t seed = 0;
-  FailOn fail_on = FailOn::kStated;  ///< whether a lack of quality counts as a violation
-  bool interrupted = false;  ///< someone ended the run early: not all that was asked was done
-  /// What kept every property of the subject's contract from being put to the test; empty if
-  /// nothing did. Properties that hold beside the contract are no evidence for it.
+  FailOn fail_on = FailOn::kStated;  ///< which violations fail the run
+  bool interrupted = false;          ///< the run was ended before all was done
+  /// Why no property of the subject's contract was put to the test; empty if one was. Other
+  /// properties that hold are no evidence for the contract.
   std::string contract_untested;
-  /// How little of it was, where that is little; empty else.
+  /// How little of the contract was put to the test; empty if it was enough.
   std::string contract_thin;
-  /// Statements about the subject's arithmetic; `by` names the script by its hash, and where it was
-  /// run or that it was not.
+  /// Statements about the subject's arithmetic. `by` has the hash of the proof script, and where
+  /// the script was run, or that it was not.
   std::vector<Evidence> proved;
   std::vector<PropertyResult> tested;
-  /// On real scenes, against the subject's own profile and real geometry.
+  /// The drawings of real scenes, compared with the subject's own profile and with real geometry.
   std::vector<SceneResult> measured;
-  /// Which tier of the oracle decided how often, over scenes and all properties but those whose run
-  /// ended with a case.
+  /// How often each tier of the oracle decided, summed over scenes and properties. A property whose
+  /// run ended at a case is not in the sum.
   TierCounts oracle_tiers;
-  /// The command that replays a result's counterexample, by NameOf the result. Without one the
-  /// reader is told to save the counterexample's case and to replay that file.
+  /// The command that replays a result's counterexample, by NameOf() the result. Read it with
+  /// ReplayCommand(), which also serves results without an entry.
   std::map<std::string, std::string> replay;
-  /// Where its files lie, as a path from the report page: one name. Empty: it has none.
+  /// The name of the folder of its files, beside the report page. Empty if it has none.
   std::string folder;
 };
 
-/// Why a wrong sample of this measurement would be no violation: the scene was not drawn, or lies
-/// beyond what the profile states, or the profile leaves more than one result legal, or it is not
-/// the subject's own.
+/// Returns why a wrong sample of this measurement is no violation, or an empty string if it is one.
 ///
-/// Returns:    empty if the subject's profile answers for every sample: the measurement is judged.
-///             Everything else is observed, never judged.
+/// A measurement is judged if the subject's profile answers for every sample of it. Otherwise it is
+/// observed only: the scene was not drawn, it lies beyond what the profile states, the profile
+/// leaves more than one result legal, or the measurement is against another profile than the
+/// subject's own.
 std::string WhyNotJudged(const Certificate& certificate, const SceneResult& result);
+/// Returns whether WhyNotJudged() is empty.
 bool IsJudged(const Certificate& certificate, const SceneResult& result);
 
-/// What a certificate comes to.
+/// The verdict of a whole certificate.
 struct Overall {
   Outcome outcome = Outcome::kInconclusive;  ///< kHolds, kViolated or kInconclusive
-  std::string reason;                        ///< one line; empty if it just holds
+  std::string reason;                        ///< one line; may be empty if it holds
 };
 
-/// The one place that decides it; JSON, JUnit, page, summary and exit status all read it.
+/// Returns the verdict of the certificate, the first of these that applies:
 ///
-/// Returns:    kViolated if a property is, one of quality only where fail_on says so, or a judged
-///             scene has a wrong sample; else kInconclusive
-///             if the run was interrupted, a property could not be judged, or nothing of the
-///             contract was exercised, by no property and on no judged scene; else kHolds.
+/// kViolated      a property is violated, or a judged scene has a wrong sample. A property that
+///                nobody but quality asks for counts if `fail_on` says so.
+/// kInconclusive  the run was interrupted, a property could not be judged, or nothing put the
+///                contract to the test: no property, and no judged scene.
+/// kHolds         otherwise.
 Overall OverallOf(const Certificate& certificate);
 
-/// "holds", "violated" or "inconclusive".
+/// Returns the word of OverallOf(): "holds", "violated" or "inconclusive".
 std::string OverallVerdict(const Certificate& certificate);
 
-/// What was not asked of the subject, with the reason, each once: properties and scenes that say so
-/// of themselves.
+/// Returns the properties and scenes that do not apply to the subject, each once, with the reason.
 std::vector<Evidence> NotApplicable(const Certificate& certificate);
 
-/// What holds in every case of a world: "CoverageEqualsTheModel on triangles-7x7", by "all N of N
-/// cases, M of which put it to the test".
+/// Returns the properties that hold in every case of a world: "CoverageEqualsTheModel on
+/// triangles-7x7", by "all N of N cases, M of which put it to the test".
 std::vector<Evidence> Exhausted(const Certificate& certificate);
 
-/// How often each tier of the oracle decided.
+/// Returns the members of `oracle_tiers` by their names.
 std::map<std::string, std::uint64_t> TiersByName(const Certificate& certificate);
 
-/// What an outcome does not speak for: cases that the subject refused (unless the result's own
-/// message says it), samples that were not judged. Empty if there are none.
+/// Returns what the result's outcome does not cover: the cases that the subject refused, unless the
+/// result's message names them, and the samples that were not judged. Empty if there are none.
 std::string Reservations(const PropertyResult& result);
 
-/// The result's message, and its reservations.
+/// Returns the result's message followed by its Reservations().
 std::string Said(const PropertyResult& result);
 
-/// The command that replays the counterexample of a result.
+/// Returns the command that replays the counterexample of a result. If `replay` has none, it tells
+/// the reader to save the counterexample's case and to replay that file.
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result);
 
-/// Writes the member "witness", as certificates and parts of campaigns have it.
+/// Writes the member "witness" in the form that certificates and parts of campaigns share.
 void WriteWitness(JsonWriter& json, const Witness& witness);
 
-/// JSON as docs/certificate.schema.json describes; counterexamples inline as case files. No times:
-/// a campaign bounded by cases gives the same bytes however long it took.
+/// Returns the certificate as JSON, in the form of docs/certificate.schema.json. Counterexamples
+/// are in it as case files. It has no times, so that a campaign bounded by cases gives the same
+/// bytes however long it took: for those, see TimesToJson().
 std::string CertificateToJson(const Certificate& certificate);
 
-/// The seconds that each property and each scene took, as JSON; of a campaign in parts their sum.
+/// Returns the seconds that each property and each scene took, as JSON. For a campaign in parts
+/// these are the sums over the parts.
 std::string TimesToJson(const Certificate& certificate);
 
-/// JUnit XML: one test case per property and per scene against the subject's own profile; what is
-/// neither good nor bad is skipped, with the reason. If the certificate is inconclusive that is an
-/// error of its own, since a file with nothing but skipped tests counts as green.
+/// Returns the certificate as JUnit XML, with a test case for each property and for each scene that
+/// was measured against the subject's own profile.
+///
+/// Results that are neither good nor bad are skipped tests, with the reason. A build server takes a
+/// file of skipped tests for green, so an inconclusive certificate has a test case more, an error.
 std::string JUnitXml(const Certificate& certificate);
 
 }  // namespace rasterproof::report

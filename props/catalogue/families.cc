@@ -21,7 +21,8 @@ constexpr auto kNearEdges = std::to_array<std::string_view>(
     {"vertices-on-samples", "axis-aligned", "edges-through-samples", "near-edge", "hardest-sample",
      "hardest-vertex", "ulp-extremes", "rounded-differences", "least-areas", "rows-and-columns",
      "long-rows"});
-constexpr auto kThin = std::to_array<std::string_view>({"needles", "caps", "far-slivers"});
+constexpr auto kThin =
+    std::to_array<std::string_view>({"needles", "caps", "far-slivers", "diagonal-needles"});
 constexpr auto kMagnitudes = std::to_array<std::string_view>(
     {"offset-cancellation", "subnormal", "product-overflow", "underflowing-products",
      "largest-and-smallest", "mixed-magnitude", "coordinate-limits", "range-ends", "far-sides",
@@ -29,15 +30,16 @@ constexpr auto kMagnitudes = std::to_array<std::string_view>(
      "accumulator-ends"});
 constexpr auto kSnapping = std::to_array<std::string_view>(
     {"snap-ties", "deciding-snap-ties", "shared-snap-ties", "off-grid-moves", "off-grid-fragments",
-     "folds", "closed-folds"});
+     "folds", "closed-folds", "equal-after-snap"});
 constexpr auto kNothing = std::to_array<std::string_view>(
     {"degenerate", "signed-zeros", "non-finite", "non-finite-depths"});
 constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "covering-fans", "subdivisions",
-     "t-junctions", "closed-mesh", "near-rectangles"});
+     "t-junctions", "closed-mesh", "near-rectangles", "tilted-grids", "rounded-arrangements",
+     "earcut-meshes"});
 constexpr auto kCalls =
     std::to_array<std::string_view>({"target-sizes", "target-size-ends", "near-repeats",
-                                     "sparse-indices", "many-triangles", "crowds"});
+                                     "sparse-indices", "many-triangles", "crowds", "tile-borders"});
 constexpr auto kPixelSides =
     std::to_array<std::string_view>({"square-grid-lines", "square-crossings", "square-interiors"});
 constexpr auto kClip = std::to_array<std::string_view>(
@@ -67,11 +69,12 @@ constexpr auto kGroups = std::to_array<Group>({
       "are drawn as without it."},
      kNothing},
     {{"meshes",
-      "Every sample inside is covered exactly once, at hubs too; what is closed cancels."},
+      "Every sample inside is covered exactly once, at hubs too; what is closed cancels. Where "
+      "triangles are inverted, front minus back does so."},
      kMeshes},
     {{"calls and targets",
       "What a triangle covers depends neither on its neighbours in the call nor on the target's "
-      "size."},
+      "size or tiles."},
      kCalls},
     {{"pixel sides", "Corners and edges on the sides of pixels decide no sample but their own."},
      kPixelSides},

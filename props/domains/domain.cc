@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 74;
+constexpr std::uint16_t kNextNumber = 80;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -123,7 +123,7 @@ constexpr std::array kDomains{
     Domain{.number = 22,
            .name = "deciding-snap-ties",
            .summary = "vertices at or beside ties of the snap that decide who owns a sample",
-           .in_a_round = 2,
+           .in_a_round = 3,
            // What a transform rounds otherwise by an ulp shows there, and hardly elsewhere.
            .in_a_round_behind_transforms = 8,
            .draw = DecidingSnapTies},
@@ -367,6 +367,36 @@ constexpr std::array kDomains{
            .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
            .mesh = true,
            .draw = EverySize},
+    Domain{.number = 74,
+           .name = "tilted-grids",
+           .summary = "grids turned by Pythagorean angles, exactly or rounded, and by small ones",
+           .near_edge = true,
+           .mesh = true,
+           .draw = TiltedGrids},
+    Domain{.number = 75,
+           .name = "diagonal-needles",
+           .summary = "needles a step wide along the diagonals of samples",
+           .near_edge = true,
+           .draw = DiagonalNeedles},
+    Domain{.number = 76,
+           .name = "tile-borders",
+           .summary = "edges on multiples of 4 to 64 pixels and beside, boxes a pixel thick",
+           .draw = TileBorders},
+    Domain{.number = 77,
+           .name = "rounded-arrangements",
+           .summary = "lines whose crossings are rounded: flat and inverted triangles in a mesh",
+           .mesh = true,
+           .draw = RoundedArrangements},
+    Domain{.number = 78,
+           .name = "equal-after-snap",
+           .summary = "grids of vertices that only the snap makes equal or collinear",
+           .mesh = true,
+           .draw = EqualAfterSnap},
+    Domain{.number = 79,
+           .name = "earcut-meshes",
+           .summary = "polygons cut into ears, their holes joined by bridges of repeated vertices",
+           .mesh = true,
+           .draw = EarcutMeshes},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

@@ -72,6 +72,19 @@ void PlanarMesh::SplitOneSide(std::size_t t, std::size_t edge, Point2 p) {
   triangles.push_back({v[edge], index, v[(edge + 2) % 3]});
 }
 
+void PlanarMesh::AddCells(BitSource& bits, int columns, int rows) {
+  const int across = columns + 1;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const int a = j * across + i;
+      const int b = a + 1, c = a + across, d = c + 1;
+      const bool falling = bits.Chance(128);
+      triangles.push_back(falling ? Triangle{a, d, b} : Triangle{a, c, b});
+      triangles.push_back(falling ? Triangle{a, c, d} : Triangle{b, c, d});
+    }
+  }
+}
+
 bool PlanarMesh::IsFacingOneWay() const {
   const int facing = triangles.empty() ? 0 : FacingOf(*this, triangles.front());
   return facing != 0 && std::ranges::all_of(triangles, [&](const Triangle& t) {

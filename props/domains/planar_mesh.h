@@ -26,6 +26,9 @@ struct PlanarMesh {
   /// Splits edge `edge` (opposite its vertex `edge`) of triangle t at p, and leaves the neighbour
   /// across that edge as it is: a T-junction, with a gap or an overlap if p is not on the edge.
   void SplitOneSide(std::size_t t, std::size_t edge, Point2 p);
+  /// Adds two triangles for each cell of a grid whose nodes are the vertices, row by row; their
+  /// diagonal goes either way. Draws a choice a cell.
+  void AddCells(BitSource& bits, int columns, int rows);
   /// Whether every triangle has the same facing as the first, and none has zero area.
   bool IsFacingOneWay() const;
   void AddTo(CaseBuilder& builder) const;

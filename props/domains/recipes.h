@@ -113,6 +113,18 @@ Case MixedW(BitSource& bits, const SubjectInfo& info);
 Case OneVertexBehind(BitSource& bits, const SubjectInfo& info);
 Case HardestRays(BitSource& bits, const SubjectInfo& info);
 
+// recipes_tilted.cc
+Case TiltedGrids(BitSource& bits, const SubjectInfo& info);
+Case DiagonalNeedles(BitSource& bits, const SubjectInfo& info);
+
+// recipes_tiles.cc
+Case TileBorders(BitSource& bits, const SubjectInfo& info);
+
+// recipes_constructed.cc: meshes as other programs make them.
+Case RoundedArrangements(BitSource& bits, const SubjectInfo& info);
+Case EqualAfterSnap(BitSource& bits, const SubjectInfo& info);
+Case EarcutMeshes(BitSource& bits, const SubjectInfo& info);
+
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_DOMAINS_RECIPES_H_

@@ -68,15 +68,7 @@ PlanarMesh MakeGrid(CaseBuilder& builder, const GridShape& shape, double jitter)
           builder, {x + builder.Uniform(-moved, moved), y + builder.Uniform(-moved, moved)}));
     }
   }
-  for (int j = 0; j < shape.rows; ++j) {
-    for (int i = 0; i < shape.columns; ++i) {
-      const int a = j * across + i;
-      const int b = a + 1, c = a + across, d = c + 1;
-      const bool falling = builder.bits().Chance(128);
-      mesh.triangles.push_back(falling ? Triangle{a, d, b} : Triangle{a, c, b});
-      mesh.triangles.push_back(falling ? Triangle{a, c, d} : Triangle{b, c, d});
-    }
-  }
+  mesh.AddCells(builder.bits(), shape.columns, shape.rows);
   return mesh;
 }
 

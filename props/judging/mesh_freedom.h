@@ -1,5 +1,8 @@
-// The samples of a mesh that legal choices leave open: those that are not judged, and those that
-// may be covered more than once.
+// What a profile leaves open about the samples of a mesh.
+//
+// Properties of meshes want each inner sample covered exactly once. OpenParts names the samples
+// where that is not stated, so that they are not judged; SharedTies those that may be covered more
+// than once. For single triangles, see facing_freedom.h.
 #ifndef RASTERPROOF_PROPS_JUDGING_MESH_FREEDOM_H_
 #define RASTERPROOF_PROPS_JUDGING_MESH_FREEDOM_H_
 
@@ -14,17 +17,21 @@
 
 namespace rasterproof::props {
 
-/// Whether every triangle may have the samples on its edges: edge_samples may be shared, or the tie
-/// rule is inclusive.
+/// Returns whether several triangles may cover a sample on an edge that they share: the profile
+/// says `edge_samples` may be shared, or its tie rule is inclusive.
 bool SharesTies(const Profile& profile);
 
-/// The samples that more than one triangle of a mesh may cover: those on its edges, where the
-/// profile lets every triangle have them; near its edges, where those may lie elsewhere.
+/// The samples that more than one triangle of a mesh may cover. There are none unless SharesTies().
+/// Otherwise they are the samples on the mesh's edges; if the profile leaves the places of vertices
+/// free, all samples near its edges.
 class SharedTies {
  public:
   explicit SharedTies(const PlacedCase& c);
 
-  /// Whether the sample may be covered this often. `index`: in counts of the case's target.
+  /// Returns whether the sample at `at` may be covered `count` times, where `count` is more than a
+  /// mesh without shared samples would have. A count that is not more needs no permission.
+  ///
+  /// Shape:      `index` is that of the sample in counts of the case's target.
   bool Allow(std::uint32_t count, std::size_t index, Point2 at) const {
     return most_.size() != 0 ? count <= most_.Count(index) : edges_.IsNear(at);
   }
@@ -34,15 +41,19 @@ class SharedTies {
   Outline edges_;
 };
 
-/// A mesh's outline, and its triangles that a legal choice can turn.
+/// The parts of a mesh where a legal choice may decide what is covered: its outline, triangles that
+/// can turn over, and edges that clipping can move.
 class OpenParts {
  public:
-  /// `spares_outline`: another property judges the samples next to the outline.
+  /// `spares_outline`: the samples next to the outline count as open even if the profile has one
+  /// model. Use it where another property judges these samples.
   OpenParts(const PlacedCase& c, bool spares_outline);
 
-  /// Whether triangles face opposite ways, in some legal model.
+  /// Returns whether two triangles face opposite ways. Triangles that can turn over do not count:
+  /// see CanTurnAt().
   bool IsFolded() const { return is_folded_; }
-  /// Around the eye: triangles in a plane with it are not judged.
+  /// Returns whether a mesh around the eye has a triangle whose plane holds the eye. Such a mesh is
+  /// not judged unless the profile has one model. Always false of other meshes.
   bool IsFlat() const { return is_flat_; }
   bool IsBesideTheOutline(Point2 p) const { return outline_.IsNear(p); }
   bool CanTurnAt(Point2 p) const { return open_.CanCover(p) || thin_.AreNear(p); }

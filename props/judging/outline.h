@@ -1,4 +1,9 @@
-// The neighbourhood of a mesh's outline, where what it covers is not always stated.
+// The neighbourhood of a mesh's outline, where a profile may not state which samples are covered.
+//
+// Properties of meshes use Outline to leave these samples alone. Inside the outline the mesh must
+// be covered whatever the subject did to its edges; beside the outline that depends on where
+// exactly the subject's edges lie. For triangles that can turn over inside a mesh, see
+// free_choices.h.
 #ifndef RASTERPROOF_PROPS_JUDGING_OUTLINE_H_
 #define RASTERPROOF_PROPS_JUDGING_OUTLINE_H_
 
@@ -11,37 +16,44 @@
 
 namespace rasterproof::props {
 
-// How far from the outline a sample must be where the outline is not judged. Edge values of float32
-// displace an edge by at most a few 2^-24 of the largest coordinate (docs/mathematics.md, forward
-// bounds): 2^-18 of it is generous. A watertight subject may also have moved its vertices by
-// snapping them to a grid of its own: a pixel on each axis is generous for that.
+// A sample is near an edge if it is within a margin, the sum of what may have displaced the edge.
+// Edge values in float32 displace it by at most a few 2^-24 of the largest coordinate
+// (docs/mathematics.md, forward bounds): 2^-18 of that coordinate is generous. A watertight subject
+// may also have snapped vertices to a grid that it does not state: a pixel on each axis is
+// generous.
 inline constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
 inline constexpr double kOutlineMargin = 0x1p-10;
 inline constexpr double kMovedOutlineMargin = 1;
 // A sample whose place in its pixel is not stated lies at most a diagonal from any other place.
 inline constexpr double kSampleMargin = 1.4142135623730952;
 
-/// How far a sample may lie from where the profile's pattern has it.
+/// Returns how far, in pixels, a sample may lie from the place that the profile's pattern gives it:
+/// 0 if the profile states that samples lie there.
 inline double SampleReach(const Profile& profile) {
   return profile.sample_positions == SamplePositions::kStated ? 0 : kSampleMargin;
 }
 
-/// The samples beside some edges of a mesh: those of its boundary, or all.
+/// The samples near some edges of a mesh: those of its boundary, or all of them. Choose by how far
+/// the subject may have moved the edges.
 class Outline {
  public:
-  /// No outline: nothing is near.
+  /// Makes an empty outline: no sample is near it.
   Outline() = default;
-  /// The boundary of what the canonical model draws; in clip space as given.
+  /// The boundary of the mesh where the canonical model places it; in clip space, where it is
+  /// given. For a subject that draws by this model. Otherwise use OfMoved().
   explicit Outline(const PlacedCase& c);
-  /// The subject may have moved the boundary, by choosing other grid points than the canonical
-  /// ones, by snapping its vertices to a grid of its own or by clipping it: by so many pixels, or
-  /// by one if that is more. Edges cancel only if they are one in every legal model.
-  /// Where the profile's tie_ownership states an owner on shared edges alone, vertices count as
-  /// well; where it states none, all edges do.
+  /// The boundary of a mesh that the subject may have moved by up to `most_moved` pixels, or one
+  /// pixel if that is more: it chose other grid points than the canonical ones, snapped to another
+  /// grid, or clipped. Two edges cancel only if they are the same in every legal model.
+  ///
+  /// The profile's `tie_ownership` can make it wider. If samples have an owner on shared edges
+  /// only, the neighbourhood of each vertex belongs to it too. If nothing is stated of owners, this
+  /// is OfAllEdges().
   static Outline OfMoved(const PlacedCase& c, double most_moved);
-  /// The same of every edge of every triangle.
+  /// Like OfMoved(), with every edge of every triangle with finite vertices, and no vertices.
   static Outline OfAllEdges(const PlacedCase& c, double most_moved);
 
+  /// Returns whether the sample at `p` is within the margin of an edge or vertex of the outline.
   bool IsNear(Point2 p) const;
   bool IsEmpty() const { return edges_.empty() && vertices_.empty(); }
 
@@ -61,7 +73,7 @@ class Outline {
 
   std::vector<SeenEdge> edges_;
   std::vector<SeenVertex> vertices_;
-  double largest_ = 0;  ///< window coordinate
+  double largest_ = 0;  ///< the largest |coordinate| of the scene
 };
 
 }  // namespace rasterproof::props

@@ -1,4 +1,9 @@
-// Drawing a case, or a variation of it, and comparing the counts.
+// The two halves of most coverage properties: asking for draws of a case, and comparing their
+// counts.
+//
+// CountsOf() and WholeCallOf() make one question each; Compare...() make all checks of a property
+// of a common form. To compare primitive ids, see primitive_ids.h; to compare with what any legal
+// model counts, legal_counts.h.
 #ifndef RASTERPROOF_PROPS_JUDGING_REDRAW_H_
 #define RASTERPROOF_PROPS_JUDGING_REDRAW_H_
 
@@ -20,69 +25,79 @@
 
 namespace rasterproof::props {
 
-/// Asks for the counts of a scene, from zero, by facing: what properties about counts compare with
-/// an oracle.
+/// Returns the question for the counts of a scene, by facing, on a target of zeros. Properties
+/// compare its answer with the oracle's counts. A subject that shows less is asked for parts of the
+/// scene, in several calls. To see what one call shows, use WholeCallOf().
 DrawQuestion CountsOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
-/// The same of triangle t alone, of a scene that several draws share.
+/// Returns the same question about triangle t alone. Several questions can share the scene, so that
+/// a large mesh is not copied for each of its triangles.
 DrawQuestion CountsOfOne(const std::shared_ptr<const Scene>& scene, std::size_t t,
                          const Profile& profile, const DrawOptions& options);
-/// Asks for the coverage and the ids that one call shows of a scene: what properties compare draws
-/// by. Made of parts, a mesh would be the same triangles alone in whatever order.
+/// Returns the question for the coverage and the primitive ids that one call with the whole scene
+/// shows. Properties that compare draws with each other use it: if the answer were made of parts,
+/// each part would be one triangle alone, whatever the order of the triangles.
 DrawQuestion WholeCallOf(const Scene& scene, const Profile& profile, const DrawOptions& options);
 
-/// A draw that later checks compare with: nothing is judged. Its drawing is number 0 of the case.
+/// Returns a check that asks for a draw and judges nothing. It must be the first check of the case:
+/// its drawing is then number 0, which CheckAgainstBase() compares with.
 Check BaseDraw(DrawQuestion question);
-/// Asks for a draw, and judges it against the base draw.
+/// Returns a check that asks for a draw and judges its counts beside those of BaseDraw().
 Check CheckAgainstBase(
     DrawQuestion question,
     std::function<Verdict(const CoverageCounts& observed, const CoverageCounts& base)> judge);
 
-/// Another scene that should cover what the case covers.
+/// Another scene that must cover the same samples as the case, equally often.
 struct Variation {
   Scene scene;
   std::string property;  ///< completes "coverage differs from ..."
 };
 
-/// Asks for the case and its variations, culling and scissor off, each in one call, and holds if
-/// what they show is the same but where calls may differ.
+/// Returns checks that each variation covers what the case covers. Each scene is drawn in one call,
+/// without culling and scissor. At the samples of `open`, where two calls may differ, nothing is
+/// compared. To compare another option of the same scene, use CompareOption().
 ///
 /// Domain:     a case that outlives what is returned.
 Checks CompareVariations(const PlacedCase& c, const std::vector<Variation>& variations,
                          const OpenByCall& open = {});
 
-/// Whether a target of this size is one that subjects are asked for, and the profile places
-/// vertices on it as on the case's own: a profile can state another model for other sizes.
+/// Returns whether the case can be drawn on a target of this size without changing its model: the
+/// size is one that subjects are asked for, and the profile states the same model for it as for the
+/// case's target. (A profile can state a model of its own for some sizes: `by_target_size`.)
 bool HasTheModelOf(const PlacedCase& c, int width, int height);
 
-/// How many samples of the target lie in the bounding boxes of the case's finite triangles, or a
-/// step of its grid beside them: the number of inside-or-outside decisions that a draw puts to the
-/// test. Clip space: every sample for each finite triangle.
+/// Returns the number of inside-or-outside decisions that a draw of the case puts to the test. Each
+/// finite triangle adds the samples of the target in its bounding box, grown by a step of the grid;
+/// in clip space it adds every sample.
 std::uint64_t DecisionsOf(const PlacedCase& c);
 
-/// What the canonical model of the case's profile counts under another tie rule.
+/// Returns the counts of the case's canonical model with its tie rule replaced by `rule`.
 CoverageCounts CoverageUnder(const PlacedCase& c, const TieRule& rule, const DrawOptions& options);
 
-/// The counts within the rectangle, and zero elsewhere.
+/// Returns the counts within the rectangle, and zero elsewhere.
 CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole);
 
-/// The verdict, with the draw that failed, if one did.
+/// Returns the verdict; if it is a violation, it names `draw` as the draw that failed.
 Verdict OfDraw(std::size_t draw, Verdict verdict);
 
-/// Holds if the counts are equal; else violated, with the first sample that differs.
-///
-/// `property` completes the sentence of the message: "coverage differs from ...".
+/// Returns the verdict that the two counts are equal at every sample, front and back. A violation
+/// names the first sample that differs. `property` completes the message "coverage differs from
+/// ...".
 Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                    std::uint64_t exercised, const std::string& property);
 
-/// Asks for the case as its options say. Holds if the counts are those of the profile's canonical
-/// model, or what is left of them where the profile allows edge_samples; of a mesh that is judged
-/// as it is shown, if what is covered is what the model covers.
+/// Returns checks that the case, drawn with its own options, has the counts of the profile's
+/// canonical model.
+///
+/// There are two exceptions. If the profile lets triangles share `edge_samples`, a count may lie
+/// anywhere between the one of the tie rule and the one of the inclusive rule. If a mesh is judged
+/// as it is shown (as_shown.h), only whether a sample is covered is compared, not how often.
 ///
 /// Domain:     a case and a description that outlive what is returned.
 Checks CompareWithTheModel(const PlacedCase& c, const Description& subject);
 
-/// Asks for the case, culling and scissor off, with a drawing option at `base` and at each of the
-/// others, and holds if the option leaves no trace. `whose` completes "coverage differs from ...".
+/// Returns checks that a drawing option changes no count. The case is drawn with the option at
+/// `base`, then with each of the other values, always without culling and scissor. `whose`
+/// completes the message "coverage differs from ...".
 ///
 /// Domain:     a case that outlives what is returned.
 template <class Option>

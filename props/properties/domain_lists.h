@@ -95,15 +95,24 @@ inline constexpr auto kCoverage = std::to_array<std::string_view>({"near-edge",
                                                                    "rows-and-columns",
                                                                    "far-sides"});
 
-// The same, what only the model can tell, and enough samples to find what goes wrong once in a
-// million.
-inline constexpr auto kModelCoverage =
-    Both(kCoverage,
-         std::to_array<std::string_view>(
-             {"deciding-snap-ties", "full-coverage", "wrapped-coordinates", "primitive-extent-ends",
-              "target-size-ends", "guard-band-ends", "near-repeats", "sparse-indices",
-              "many-triangles", "crowds", "accumulator-ends", "underflowing-products",
-              "near-rectangles", "non-finite-depths", "every-size"}));
+// The same, and edges on the borders of tiles.
+inline constexpr auto kAcrossTiles =
+    Both(kCoverage, std::to_array<std::string_view>({"tile-borders"}));
+
+// What a single draw can get wrong, what only the model can tell, and enough samples to find what
+// goes wrong once in a million.
+inline constexpr auto kModelCoverage = Both(
+    kCoverage, std::to_array<std::string_view>({"deciding-snap-ties",   "full-coverage",
+                                                "wrapped-coordinates",  "primitive-extent-ends",
+                                                "target-size-ends",     "guard-band-ends",
+                                                "near-repeats",         "sparse-indices",
+                                                "many-triangles",       "crowds",
+                                                "accumulator-ends",     "underflowing-products",
+                                                "near-rectangles",      "non-finite-depths",
+                                                "every-size",           "tilted-grids",
+                                                "diagonal-needles",     "tile-borders",
+                                                "rounded-arrangements", "equal-after-snap",
+                                                "earcut-meshes"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -121,8 +130,8 @@ inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"c
 
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
 inline constexpr auto kMeshesAnySpace =
-    Both(kMeshes,
-         std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides"}));
+    Both(kMeshes, std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye",
+                                                   "far-sides", "tilted-grids", "earcut-meshes"}));
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
@@ -147,10 +156,14 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "many-triangles",
                                                                   "crowds",
                                                                   "far-sides",
-                                                                  "every-size"});
+                                                                  "every-size",
+                                                                  "rounded-arrangements",
+                                                                  "equal-after-snap",
+                                                                  "earcut-meshes"});
 
 // Closed surfaces.
-inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh", "closed-folds"});
+inline constexpr auto kClosed =
+    std::to_array<std::string_view>({"closed-mesh", "closed-folds", "rounded-arrangements"});
 
 // Closed surfaces around the eye or beside it.
 inline constexpr auto kClosedClip =

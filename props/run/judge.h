@@ -1,4 +1,8 @@
-// Judging a case, check by check.
+// Judges one property on one case, check by check.
+//
+// CaseJudge draws nothing until Blame(): its caller puts Next() to the subject and hands the
+// answers to Take(), so that the draws of many cases can share calls. To run one case on one
+// subject, use TryCase() (trial.h), or RunCase() (campaign.h), which also blames a triangle.
 #ifndef RASTERPROOF_PROPS_RUN_JUDGE_H_
 #define RASTERPROOF_PROPS_RUN_JUDGE_H_
 
@@ -22,15 +26,18 @@
 
 namespace rasterproof::props {
 
-/// Where a fault of ours is met: in a property on a case, or on one of many.
+/// Returns the words for the place of a fault of rasterproof itself: the property and the case. Of
+/// several cases, it names the first and says how many come after it.
 ///
 /// Domain:     at least one case.
 std::string PlaceOfFault(const Property& property, std::span<const Case> cases);
 
-/// Works out what properties and the oracle do: whatever they throw is a fault of ours. What the
-/// oracle does not decide is told by the gate, before it is asked.
+/// Returns work(). Run code of properties and of the oracle in it: whatever they throw is a fault
+/// of rasterproof itself, and becomes a JudgingFault. The exception is SubjectDoesNotRun, which
+/// passes. Cases that the oracle does not decide are no fault; the gate excludes them before they
+/// come here.
 ///
-/// Error:      JudgingFault, which names the place. SubjectDoesNotRun.
+/// Error:      JudgingFault, with `place` before what was thrown; SubjectDoesNotRun.
 template <class Work>
 auto WorkedOut(const std::string& place, const Work& work) {
   try {
@@ -44,11 +51,13 @@ auto WorkedOut(const std::string& place, const Work& work) {
   }
 }
 
-/// A case that is being judged. Its checks are judged in order, up to the first violated one or the
-/// first whose answers end early; what they exercised adds up.
+/// The judgement of a property on one case, while it is under way. Checks are judged in order. It
+/// is done after the last one, or earlier: after the first violation, or the first check whose
+/// answers break off. The result sums what the judged checks exercised.
 class CaseJudge {
  public:
-  /// Asks the property's checks of the case.
+  /// Places the case and makes the property's checks for it. It may be done at once, because the
+  /// gate refuses the case or the property has no checks for it: Result() says why.
   ///
   /// Domain:     a property that asks, and a description; both outlive this.
   /// Error:      JudgingFault.
@@ -57,25 +66,27 @@ class CaseJudge {
   CaseJudge& operator=(const CaseJudge&) = delete;
 
   bool IsDone() const { return trial_.has_value(); }
-  /// The next check.
+  /// Returns the questions of the next check, for the subject.
   ///
   /// Domain:     not done.
   Request Next() const;
-  /// Judges the next check.
+  /// Judges the next check by the answers to Next().
   ///
   /// Error:      JudgingFault.
   void Take(Answers answers);
-  /// What came of it.
+  /// Returns the verdict, and what led to it. To learn which triangle causes a violation, call
+  /// Blame() first.
   ///
   /// Domain:     done.
   const Trial& Result() const { return *trial_; }
 
-  /// Finds out who is to blame for the violation that was found, and writes it into the verdict.
+  /// Writes into the verdict which triangle causes the violation. This draws with the subject
+  /// again.
   ///
   /// Domain:     done.
   void Blame(Subject& subject);
 
-  /// Every check, in order: what is asked if none is violated.
+  /// Returns all checks, in order, judged or not.
   const std::vector<Check>& AllChecks() const { return checks_.checks; }
   const PlacedCase& Placed() const { return placed_; }
 
@@ -85,7 +96,7 @@ class CaseJudge {
   void StopBy(const Answers& answers);
 
   const Property& property_;
-  std::string place_;  ///< of a fault of ours
+  std::string place_;  ///< PlaceOfFault() of the case
   Description subject_;
   PlacedCase placed_;
   Checks checks_;

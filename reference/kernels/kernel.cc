@@ -11,12 +11,14 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/error.h"
+#include "core/float_environment.h"
 #include "reference/kernels/kernel_table.h"
 
 namespace rasterproof::reference::kernels {
@@ -202,6 +204,8 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
   if (surface.width() != scene.width || surface.height() != scene.height) {
     throw InputError("surface", "its size is not the scene's", "make one of the scene's size");
   }
+  std::optional<FloatEnvironment> sane;  // the guesses' errors are those of rounding to nearest
+  if (method == KernelMethod::kExact) sane.emplace();
   // A strip more than the width has, and rows for a tile that begins in the last one.
   const std::size_t strip_height = Up(static_cast<std::size_t>(scene.height), 8) + 8;
   const std::size_t strips = Up(static_cast<std::size_t>(scene.width), 32) / 32 + 1;

@@ -120,6 +120,7 @@ class Surface {
 };
 
 /// Draws the scene onto what the surface holds already. Allocates nothing but kMaskRows' tiles.
+/// kExact draws the same in whatever floating-point mode its caller left.
 ///
 /// Domain:     a target of SupportedTargets(); Draws(method, surface.sink()); a surface of the
 ///             scene's size. InputError otherwise.

@@ -49,7 +49,9 @@ TEST(ProfileKeys, AreTheTableOfTheDocument) {
   }
   std::ifstream file("docs/subjects.md");
   const std::string document{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(document.find(table + '\n'), std::string::npos) << "the table should be\n" << table;
+  EXPECT_NE(document.find(table + '\n'), std::string::npos)
+      << "make this the table of docs/subjects.md, \"What a profile can say\":\n"
+      << table;
 }
 
 }  // namespace

@@ -203,6 +203,12 @@ constexpr auto kGolden = std::to_array<Golden>({
     {71, "every-size", 0x20f9aaa81e80e3b6},
     {72, "off-grid-moves", 0xdd9e7a71873f94e},
     {73, "off-grid-fragments", 0x5f0ae0e14b9bfa22},
+    {74, "tilted-grids", 0x75c54053ab381a27},
+    {75, "diagonal-needles", 0x861ed94f01c9779},
+    {76, "tile-borders", 0x68ed867fed5683a4},
+    {77, "rounded-arrangements", 0x6474fca426d57fe3},
+    {78, "equal-after-snap", 0xe1c418da1cbc6224},
+    {79, "earcut-meshes", 0xa66c9628c808f0f4},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;
@@ -217,8 +223,10 @@ TEST(DomainBits, OfANumberAreTheSameForGoodAndUnderEveryCompiler) {
   for (const Domain& domain : Domains()) {
     const std::uint64_t hash = HashOf(domain);
     const auto golden = std::ranges::find(kGolden, domain.number, &Golden::number);
-    ASSERT_NE(golden, kGolden.end())
-        << "a new domain, or a new number of one: add " << LineOf(domain, hash);
+    if (golden == kGolden.end()) {
+      ADD_FAILURE() << "a new domain, or a new number of one: add " << LineOf(domain, hash);
+      continue;
+    }
     EXPECT_EQ(golden->name, domain.name) << "number " << domain.number << " is " << golden->name
                                          << "'s for good: give " << domain.name << " a new one";
     EXPECT_EQ(golden->hash, hash)

@@ -162,6 +162,29 @@ class FiguresTest(unittest.TestCase):
             row.split("|")[1] for row in table.split("\n\n")[0].splitlines()[2:]))  # fmt: skip
         self.assertEqual(sorted(named), sorted(targets))
 
+    def test_every_verb_is_in_the_table_of_commands(self):
+        tables, _, _ = read("docs/commands.md").partition("\n```")
+        named = {name for cell in re.findall(r"^\| (.*?) \|", tables, re.M)
+                 for name in re.findall(r"`(\w+)", cell)}  # fmt: skip
+        for path in sorted((ROOT / "tool").glob("*.cc")):
+            for verb in re.findall(r'app\.add_subcommand\(\s*"(\w+)"', path.read_text("utf-8")):
+                self.assertIn(verb, named,
+                              f"the verb of {path.name} has no row in a table of docs/commands.md: "
+                              "add one with what it does")  # fmt: skip
+
+    def test_every_test_is_run(self):
+        nightly = read("scripts/test_more")
+        for path in sorted((ROOT / "tests").rglob("*_test.*")):
+            if path.suffix not in (".cc", ".py"):
+                continue
+            lists = path.parent / "CMakeLists.txt"
+            name = path.stem if path.parent.name == "scripts" else path.name
+            said = lists.read_text(encoding="utf-8") + nightly
+            self.assertTrue(re.search(rf"\b{re.escape(name)}\b", said),
+                            f"nothing runs {path.relative_to(ROOT)}: name it in "
+                            f"{lists.relative_to(ROOT)}, in a rasterproof_test or an "
+                            "add_test")  # fmt: skip
+
     def test_limits_are_those_of_the_code(self):
         header = read("props/judging/as_shown.h")
         triangles = re.search(r"kMostCallsByTriangle = (\d+);", header)[1]

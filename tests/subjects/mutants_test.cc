@@ -215,8 +215,9 @@ TEST(ConformanceBaseline, IsCountedOverAllMutants) {
   const std::string of = "Of " + std::to_string(mutants) + " bugs of coverage";
   const std::string find =
       "find " + std::to_string(by_cts) + " and " + std::to_string(by_piglit) + ";";
-  EXPECT_NE(readme.find(of), std::string::npos) << of;
-  EXPECT_NE(readme.find(find), std::string::npos) << find;
+  constexpr const char* kSay = "README.md and docs/selftest.md should say: ";
+  EXPECT_NE(readme.find(of), std::string::npos) << kSay << of;
+  EXPECT_NE(readme.find(find), std::string::npos) << kSay << find;
 }
 
 }  // namespace

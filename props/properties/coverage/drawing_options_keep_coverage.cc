@@ -38,7 +38,7 @@ extern constinit const Property kTileSizeKeepsCoverage{
         "How a rasterizer walks its target is not observable: D3D11.3 functional "
         "specification 3.4.2.1 (top-left rule) decides by the sample's position alone.",
     .tolerance = kExact,
-    .domains = kCoverage,
+    .domains = kAcrossTiles,
     .gate = {.space = Space::kEither,
              .shows = Shows::kTiles,
              .any_model = true,

@@ -1,0 +1,244 @@
+// Domains of meshes that other programs make, of tilted edges and of tiles: each has what it is
+// for. Least numbers are about half of what was measured.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/tie_rule.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "model/snap.h"
+#include "props/domains/bit_source.h"
+#include "props/domains/domain.h"
+#include "tests/props/planted_subjects.h"
+
+namespace rasterproof::props {
+namespace {
+
+using testing::RealInfo;
+using testing::SnappedInfo;
+
+constexpr std::uint64_t kConstructedCases = 200;
+
+Case DrawConstructed(std::string_view domain, const SubjectInfo& info, std::uint64_t index) {
+  PhiloxSource bits(1, index);
+  return FindDomain(domain)->draw(bits, info);
+}
+
+std::array<Point2, 3> PlacesOf(const Scene& scene, const Triangle& t) {
+  const auto v = Corners(scene, t);
+  return {WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
+}
+
+// Samples of the target strictly between the ends of ab and exactly on it.
+int SamplesOn(const Case& c, Point2 a, Point2 b) {
+  int on = 0;
+  for (int place = 0; place < c.scene.width * c.scene.height; ++place) {
+    const Point2 p = c.profile.pattern.At(place % c.scene.width, place / c.scene.width);
+    const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+    const double from_b = (p.x - b.x) * (a.x - b.x) + (p.y - b.y) * (a.y - b.y);
+    on += along > 0 && from_b > 0 && exact::EdgeSign(a, b, p) == 0 ? 1 : 0;
+  }
+  return on;
+}
+
+TEST(TiltedGrids, HaveSharedEdgesThroughSamplesThatAreNeitherLevelNorDiagonal) {
+  for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
+    int cases = 0;
+    for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+      const Case c = DrawConstructed("tilted-grids", info, i);
+      std::map<std::pair<std::int32_t, std::int32_t>, int> uses;
+      bool has_hit = false;
+      for (const Triangle& t : c.scene.triangles) {
+        const auto v = PlacesOf(c.scene, t);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::size_t next = (k + 1) % 3;
+          if (++uses[std::minmax({t[k], t[next]})] != 2) continue;
+          if (std::fabs(v[next].x - v[k].x) == std::fabs(v[next].y - v[k].y)) continue;
+          if (v[next].x == v[k].x || v[next].y == v[k].y) continue;
+          has_hit = has_hit || SamplesOn(c, v[k], v[next]) > 0;
+        }
+      }
+      cases += has_hit ? 1 : 0;
+    }
+    EXPECT_GT(cases, 23);
+  }
+}
+
+TEST(DiagonalNeedles, AreAStepWideAndCoverSamples) {
+  for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
+    int covering = 0;
+    int thin = 0;
+    for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+      const Case c = DrawConstructed("diagonal-needles", info, i);
+      for (const Triangle& t : c.scene.triangles) {
+        const auto v = PlacesOf(c.scene, t);
+        const double twice_area =
+            (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);
+        const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+        const double length = right - left;
+        thin += twice_area != 0 && std::fabs(twice_area) <= length * 0x1p-8 ? 1 : 0;
+      }
+      const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+      bool covers = false;
+      for (std::size_t s = 0; s < counts.size(); ++s) covers = covers || counts.Count(s) != 0;
+      covering += covers ? 1 : 0;
+    }
+    EXPECT_GT(thin, 350);
+    EXPECT_GT(covering, 78);
+  }
+}
+
+TEST(TileBorders, AreMetWhateverTheSizeOfTheTile) {
+  std::array<int, 5> on{};
+  int thin = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed("tile-borders", SnappedInfo(8), i);
+    for (std::size_t k = 0; k < on.size(); ++k) {
+      const double tile = std::ldexp(4.0, static_cast<int>(k));
+      for (const Vertex& v : c.scene.vertices) {
+        on[k] += v.x != 0 && std::remainder(v.x, tile) == 0 ? 1 : 0;
+      }
+    }
+    for (const Triangle& t : c.scene.triangles) {
+      const auto v = PlacesOf(c.scene, t);
+      const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+      const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+      thin += std::fabs(right - left) == 1 || std::fabs(bottom - top) == 1 ? 1 : 0;
+    }
+  }
+  for (const int vertices : on) EXPECT_GT(vertices, 80);
+  EXPECT_GT(thin, 107);
+}
+
+TEST(RoundedArrangements, HaveFlatAndInvertedTrianglesAndEachEdgeOnceEachWay) {
+  for (const SubjectInfo& info : {RealInfo(), RealInfo(Precision::kFloat64), SnappedInfo(8)}) {
+    int flat = 0;
+    int inverted = 0;
+    int closed = 0;
+    for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+      const Case c = DrawConstructed("rounded-arrangements", info, i);
+      std::array<int, 3> facings{};
+      std::map<std::pair<Point2, Point2>, int, decltype([](const auto& p, const auto& q) {
+                 const auto key = [](const auto& e) {
+                   return std::array{e.first.x, e.first.y, e.second.x, e.second.y};
+                 };
+                 return key(p) < key(q);
+               })>
+          edges;
+      for (const Triangle& t : c.scene.triangles) {
+        const auto v = PlacesOf(c.scene, t);
+        ++facings[static_cast<std::size_t>(exact::Facing(v) + 1)];
+        for (std::size_t k = 0; k < 3; ++k) {
+          ++edges[{v[k], v[(k + 1) % 3]}];
+          --edges[{v[(k + 1) % 3], v[k]}];
+        }
+      }
+      const bool is_closed =
+          std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 0; });
+      closed += is_closed ? 1 : 0;
+      flat += facings[1] != 0 ? 1 : 0;
+      inverted += !is_closed && facings[0] != 0 && facings[2] != 0 ? 1 : 0;
+      const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+      for (std::size_t s = 0; s < counts.size(); ++s) {
+        ASSERT_EQ(std::abs(counts.Signed(s)), is_closed ? 0 : 1) << i;
+      }
+    }
+    EXPECT_GT(flat, 80);
+    EXPECT_GT(inverted, 19);
+    EXPECT_GT(closed, 50);
+  }
+}
+
+TEST(EqualAfterSnap, DifferAsGiven) {
+  const SubjectInfo info = SnappedInfo(8);
+  int equal = 0;
+  int collinear = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed("equal-after-snap", info, i);
+    bool has_equal = false;
+    bool has_collinear = false;
+    for (const Triangle& t : c.scene.triangles) {
+      const auto given = PlacesOf(c.scene, t);
+      std::array<Point2, 3> v = given;
+      for (Point2& p : v) {
+        p = {SnapCoordinate(p.x, info.profile.snap), SnapCoordinate(p.y, info.profile.snap)};
+      }
+      if (exact::Facing(given) == 0 || exact::Facing(v) != 0) continue;
+      const bool equals = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+      has_equal = has_equal || equals;
+      has_collinear = has_collinear || !equals;
+    }
+    equal += has_equal ? 1 : 0;
+    collinear += has_collinear ? 1 : 0;
+  }
+  EXPECT_GT(equal, 93);
+  EXPECT_GT(collinear, 77);
+}
+
+TEST(EqualAfterSnap, IsAStepApartWhereNothingIsSnapped) {
+  int apart = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed("equal-after-snap", RealInfo(), i);
+    bool found = false;
+    for (const Triangle& t : c.scene.triangles) {
+      const auto v = PlacesOf(c.scene, t);
+      const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+      found = found || std::nextafterf(static_cast<float>(left), 1e9F) == right;
+    }
+    apart += found ? 1 : 0;
+  }
+  EXPECT_GT(apart, 79);
+}
+
+double TwiceArea(const std::vector<Point2>& ring) {
+  double sum = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point2 a = ring[k];
+    const Point2 b = ring[(k + 1) % ring.size()];
+    sum += a.x * b.y - a.y * b.x;
+  }
+  return std::fabs(sum);
+}
+
+TEST(EarcutMeshes, RepeatVerticesHaveFlatEarsAndCoverAllButTheHoles) {
+  int cases = 0;
+  int complete = 0;
+  int flat = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed("earcut-meshes", SnappedInfo(8), i);
+    // Else the vertices are no longer those of the outline.
+    if (c.scene.vertices.size() == 3 * c.scene.triangles.size()) continue;
+    ++cases;
+    std::vector<Point2> outline;
+    std::set<std::pair<double, double>> places;
+    for (const Vertex& v : c.scene.vertices) {
+      outline.push_back(WindowPoint(v));
+      places.insert({v.x, v.y});
+    }
+    EXPECT_LT(places.size(), outline.size()) << i;
+    double covered = 0;
+    bool has_flat = false;
+    for (const Triangle& t : c.scene.triangles) {
+      const auto v = PlacesOf(c.scene, t);
+      covered += TwiceArea({v[0], v[1], v[2]});
+      has_flat = has_flat || exact::Facing(v) == 0;
+    }
+    complete += covered == TwiceArea(outline) ? 1 : 0;
+    flat += has_flat ? 1 : 0;
+  }
+  EXPECT_GT(cases, 86);
+  EXPECT_GT(flat, 38);
+  EXPECT_GE(complete, cases * 9 / 10);  // no ear is left in the others
+}
+
+}  // namespace
+}  // namespace rasterproof::props

@@ -57,6 +57,9 @@ bool HasEqualVertices(const Points& v) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Point2& a = v[i];
     const Point2& b = v[(i + 1) % 3];
+    constexpr double kMost = 0x1p100;  // no difference overflows
+    if (std::fabs(a.x) > kMost || std::fabs(a.y) > kMost) continue;
+    if (std::fabs(b.x) > kMost || std::fabs(b.y) > kMost) continue;
     const float dx = static_cast<float>(b.x) - static_cast<float>(a.x);
     const float dy = static_cast<float>(b.y) - static_cast<float>(a.y);
     if (dx == 0 && dy == 0) return true;

@@ -66,8 +66,9 @@ class FloatModes(unittest.TestCase):
             self.assertTrue(sentence.startswith("unchanged"), own)
 
     def test_a_library_that_leaves_another_mode_is_told(self):
-        done = check("--plugin", os.path.join(PLUGINS, "buggy_ROUNDS.so"), modes="down")
-        self.assertIn("did not restore it", self.rows(done)["down", "call"])
+        rows = self.rows(check(*plugin("LEFT"), modes="up,down"))
+        self.assertIn("did not restore it", rows["down", "call"])
+        self.assertTrue(rows["up", "call"].startswith("unchanged"), "it leaves that very mode")
 
     def test_the_first_case_is_saved(self):
         with tempfile.TemporaryDirectory() as folder:

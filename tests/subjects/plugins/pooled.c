@@ -1,6 +1,6 @@
 /* Edge functions in float32, in the calling thread, or with POOLED in a thread that was started by
  * the first draw: which floating-point mode reaches them. MODE_OF_ITS_OWN: the same, but each draw
- * sets the usual mode and restores the caller's. */
+ * sets the usual mode and restores the caller's, or with LEAVES_A_MODE another one. */
 #include <fenv.h>
 #include <pthread.h>
 #include <stddef.h>
@@ -55,6 +55,7 @@ static void* work(void* nothing) {
     has_work = 0;
     pthread_cond_broadcast(&changed);
   }
+  return NULL;
 }
 
 static void draw_in_its_place(void) {
@@ -72,7 +73,11 @@ static void draw_in_its_place(void) {
   fegetenv(&callers);
   fesetenv(FE_DFL_ENV);
   draw_all();
+#if defined(LEAVES_A_MODE)
+  fesetround(FE_UPWARD);
+#else
   fesetenv(&callers);
+#endif
 }
 #else
 static void draw_in_its_place(void) { draw_all(); }

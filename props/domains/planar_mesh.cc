@@ -26,6 +26,19 @@ std::int32_t PlanarMesh::AddVertex(Point2 p) {
   return static_cast<std::int32_t>(vertices.size() - 1);
 }
 
+void PlanarMesh::AddQuads(BitSource& bits, int columns, int rows) {
+  const int across = columns + 1;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const int a = j * across + i;
+      const int b = a + 1, c = a + across, d = c + 1;
+      const bool falling = bits.Chance(128);
+      triangles.push_back(falling ? Triangle{a, d, b} : Triangle{a, c, b});
+      triangles.push_back(falling ? Triangle{a, c, d} : Triangle{b, c, d});
+    }
+  }
+}
+
 std::array<int, 3> PlanarMesh::Sides(std::size_t t, Point2 p) const {
   const Triangle& v = triangles[t];
   const int facing = FacingOf(*this, v);

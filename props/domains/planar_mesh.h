@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/vertex.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
 
 namespace rasterproof::props {
@@ -20,6 +21,9 @@ struct PlanarMesh {
   std::vector<Triangle> triangles;
 
   std::int32_t AddVertex(Point2 p);
+  /// Adds the triangles of a grid, whose vertices are there row by row: each quad is cut along one
+  /// of its diagonals.
+  void AddQuads(BitSource& bits, int columns, int rows);
   /// Splits the triangles that contain p, in their inside (three parts) or on an edge (two parts of
   /// each side). Does nothing if p is a vertex or outside.
   void Insert(Point2 p);

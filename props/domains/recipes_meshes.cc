@@ -57,9 +57,8 @@ GridShape DrawGridShape(CaseBuilder& builder, int columns, int rows) {
 // spacing / 4 no triangle folds. Rounding to a coarse lattice can still fold one: see the caller.
 PlanarMesh MakeGrid(CaseBuilder& builder, const GridShape& shape, double jitter) {
   PlanarMesh mesh;
-  const int across = shape.columns + 1;
   for (int j = 0; j <= shape.rows; ++j) {
-    for (int i = 0; i < across; ++i) {
+    for (int i = 0; i <= shape.columns; ++i) {
       const bool pinned = i == shape.sample_column && j == shape.sample_row;
       const double moved = pinned || builder.bits().Chance(64) ? 0 : jitter;
       const double x = shape.sample.x + (i - shape.sample_column) * shape.spacing;
@@ -68,15 +67,7 @@ PlanarMesh MakeGrid(CaseBuilder& builder, const GridShape& shape, double jitter)
           builder, {x + builder.Uniform(-moved, moved), y + builder.Uniform(-moved, moved)}));
     }
   }
-  for (int j = 0; j < shape.rows; ++j) {
-    for (int i = 0; i < shape.columns; ++i) {
-      const int a = j * across + i;
-      const int b = a + 1, c = a + across, d = c + 1;
-      const bool falling = builder.bits().Chance(128);
-      mesh.triangles.push_back(falling ? Triangle{a, d, b} : Triangle{a, c, b});
-      mesh.triangles.push_back(falling ? Triangle{a, c, d} : Triangle{b, c, d});
-    }
-  }
+  mesh.AddQuads(builder.bits(), shape.columns, shape.rows);
   return mesh;
 }
 

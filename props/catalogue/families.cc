@@ -42,7 +42,7 @@ constexpr auto kPixelSides =
     std::to_array<std::string_view>({"square-grid-lines", "square-crossings", "square-interiors"});
 constexpr auto kClip = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "closed-around-eye", "one-vertex-behind", "hardest-rays",
-     "perspective-meshes", "meshes-around-eye"});
+     "perspective-meshes", "meshes-around-eye", "cameras"});
 
 constexpr auto kGroups = std::to_array<Group>({
     {{"ordinary", "It covers the samples that exact geometry covers."}, kOrdinary},

@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 74;
+constexpr std::uint16_t kNextNumber = 81;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -367,6 +367,12 @@ constexpr std::array kDomains{
            .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
            .mesh = true,
            .draw = EverySize},
+    Domain{.number = 80,
+           .name = "cameras",
+           .summary = "grids seen by cameras: float matrices, any depth range, 20 to 179 degrees",
+           .clip = true,
+           .mesh = true,
+           .draw = Cameras},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

@@ -113,6 +113,9 @@ Case MixedW(BitSource& bits, const SubjectInfo& info);
 Case OneVertexBehind(BitSource& bits, const SubjectInfo& info);
 Case HardestRays(BitSource& bits, const SubjectInfo& info);
 
+// recipes_engines.cc
+Case Cameras(BitSource& bits, const SubjectInfo& info);
+
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_DOMAINS_RECIPES_H_

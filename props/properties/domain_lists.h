@@ -121,8 +121,8 @@ inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"c
 
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
 inline constexpr auto kMeshesAnySpace =
-    Both(kMeshes,
-         std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides"}));
+    Both(kMeshes, std::to_array<std::string_view>(
+                      {"perspective-meshes", "meshes-around-eye", "far-sides", "cameras"}));
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
@@ -147,7 +147,8 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "many-triangles",
                                                                   "crowds",
                                                                   "far-sides",
-                                                                  "every-size"});
+                                                                  "every-size",
+                                                                  "cameras"});
 
 // Closed surfaces.
 inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh", "closed-folds"});
@@ -160,13 +161,13 @@ inline constexpr auto kClosedClip =
 inline constexpr auto kClipSpace = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "one-vertex-behind", "hardest-rays", "closed-around-eye",
      "near-edge", "edges-through-samples", "hardest-vertex", "vertices-on-samples", "axis-aligned",
-     "needles", "grids", "mixed-magnitude"});
+     "needles", "grids", "mixed-magnitude", "cameras"});
 
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(
     {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye",
      "covering-fans", "every-size", "guard-band-ends", "folds", "perspective-meshes",
-     "meshes-around-eye"});
+     "meshes-around-eye", "cameras"});
 
 // Vertices that a tolerance lets snap either way, meshes first.
 inline constexpr auto kFreeSnaps = std::to_array<std::string_view>(

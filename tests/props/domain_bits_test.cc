@@ -203,6 +203,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {71, "every-size", 0x20f9aaa81e80e3b6},
     {72, "off-grid-moves", 0xdd9e7a71873f94e},
     {73, "off-grid-fragments", 0x5f0ae0e14b9bfa22},
+    {80, "cameras", 0x261bb691300ae61d},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

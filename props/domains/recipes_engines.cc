@@ -1,0 +1,178 @@
+// Meshes as engines place them: through cameras and viewports in floating point, frame after frame.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "props/domains/case_builder.h"
+#include "props/domains/lines.h"
+#include "props/domains/planar_mesh.h"
+#include "props/domains/recipes.h"
+
+namespace rasterproof::props {
+namespace engines {
+
+using Place3 = std::array<double, 3>;
+using Row = std::array<double, 4>;
+
+Row Sum(double s, const Row& a, double t, const Row& b) {
+  return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2], s * a[3] + t * b[3]};
+}
+
+// A camera anywhere in a world, and the matrix by which a vertex shader in the scene's precision
+// multiplies.
+class Camera {
+ public:
+  explicit Camera(CaseBuilder& builder)
+      : builder_(builder), is_orthographic_(builder.bits().Chance(48)) {
+    TurnAndMove();
+    DrawFrustum();
+    const Row& w = is_orthographic_ ? kOne : axes_[2];
+    const std::array<Row, 4> exact{Sum(focal_.x, axes_[0], shift_.x, w),
+                                   Sum(focal_.y, axes_[1], shift_.y, w), DrawDepthRow(), w};
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) matrix_[i][j] = Rounded(exact[i][j]);
+    }
+  }
+
+  // How far apart in the world two places at that depth are that a pixel is between.
+  double PixelAt(double depth) const {
+    return 2 * (is_orthographic_ ? 1 : depth) / (focal_.y * builder_.height());
+  }
+  // The place of the world that is seen there at that depth.
+  Place3 Seen(Point2 at, double depth) const {
+    const double w = is_orthographic_ ? 1 : depth;
+    const double right = w * (2 * at.x / builder_.width() - 1 - shift_.x) / focal_.x;
+    const double up = w * (1 - 2 * at.y / builder_.height() - shift_.y) / focal_.y;
+    Place3 place{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      place[i] = eye_[i] + right * axes_[0][i] + up * axes_[1][i] + depth * axes_[2][i];
+    }
+    return place;
+  }
+  // The vertex shader, then the viewport without its division.
+  void Add(const Place3& place) {
+    std::array<double, 4> clip{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Row& m = matrix_[i];
+      double sum = Rounded(m[0] * place[0]);
+      sum = Rounded(sum + Rounded(m[1] * place[1]));
+      sum = Rounded(sum + Rounded(m[2] * place[2]));
+      clip[i] = Rounded(sum + m[3]);
+    }
+    const double half_width = builder_.width() / 2.0;
+    const double half_height = builder_.height() / 2.0;
+    builder_.AddRaw({Rounded(clip[0] * half_width) + Rounded(clip[3] * half_width),
+                     Rounded(clip[3] * half_height) - Rounded(clip[1] * half_height), clip[2],
+                     clip[3]});
+  }
+  double Rounded(double x) const { return builder_.lattice().RoundToFloat(x); }
+
+ private:
+  static constexpr Row kOne{0, 0, 0, 1};
+
+  // Half of the eyes are at the origin, as where an engine draws relative to the camera.
+  void TurnAndMove() {
+    const double yaw = builder_.Uniform(-1, 1) * std::numbers::pi;
+    const double pitch = builder_.Uniform(-0.45, 0.45) * std::numbers::pi;
+    const Place3 forward{std::cos(pitch) * std::sin(yaw), std::sin(pitch),
+                         -std::cos(pitch) * std::cos(yaw)};
+    const Place3 right{std::cos(yaw), 0, std::sin(yaw)};
+    const Place3 up{-std::sin(pitch) * std::sin(yaw), std::cos(pitch),
+                    std::sin(pitch) * std::cos(yaw)};
+    if (builder_.bits().Chance(128)) {
+      for (double& x : eye_) x = Rounded(builder_.LogUniform(-2, 10));
+    }
+    axes_ = {FromEye(right), FromEye(up), FromEye(forward)};
+  }
+  Row FromEye(const Place3& axis) const {
+    const double moved = axis[0] * eye_[0] + axis[1] * eye_[1] + axis[2] * eye_[2];
+    return {axis[0], axis[1], axis[2], -moved};
+  }
+  // A cascade of shadows takes in 2 to 2^17 units; a field of view is of 20 to 179 degrees.
+  void DrawFrustum() {
+    const double degrees =
+        builder_.bits().Chance(64) ? builder_.Uniform(120, 179) : builder_.Uniform(20, 110);
+    const double scale = std::fabs(builder_.LogUniform(-16, 0));
+    const double focal = is_orthographic_ ? scale : 1 / std::tan(degrees / 360 * std::numbers::pi);
+    focal_ = {focal * builder_.height() / builder_.width(), focal};
+    const std::int64_t kind = builder_.bits().Int(0, 2);
+    if (kind == 1) {  // jitter within a pixel, sixteenths as most sequences have them
+      const auto sixteenths = static_cast<double>(builder_.bits().Int(-8, 8));
+      shift_ = {sixteenths / 8 / builder_.width(),
+                static_cast<double>(builder_.bits().Int(-8, 8)) / 8 / builder_.height()};
+    } else if (kind == 2) {  // one of two eyes, whose frustums meet at a distance
+      const double apart = builder_.Sign() * 0.032;
+      for (std::size_t i = 0; i < 3; ++i) eye_[i] += apart * axes_[0][i];
+      axes_[0][3] -= apart;
+      shift_.x = focal_.x * apart / builder_.Uniform(0.5, 8);
+    }
+  }
+  // Depth reversed, reversed with no far plane, up to an oblique near plane, or plain.
+  Row DrawDepthRow() {
+    const double nearest = std::fabs(builder_.LogUniform(-10, 0));
+    const double farthest = nearest * std::fabs(builder_.LogUniform(4, 16));
+    const double scale = 1 / (farthest - nearest);
+    const std::int64_t kind = builder_.bits().Int(0, 3);
+    if (kind == 0) return Sum(-nearest * scale, axes_[2], nearest * farthest * scale, kOne);
+    if (kind == 1) return Sum(0, axes_[2], nearest, kOne);
+    if (kind == 2) {
+      const double tilt = builder_.Uniform(-2, 2);
+      return Sum(1, Sum(tilt, axes_[1], scale, axes_[2]), -nearest, kOne);
+    }
+    return Sum(farthest * scale, axes_[2], -nearest * farthest * scale, kOne);
+  }
+
+  CaseBuilder& builder_;
+  bool is_orthographic_;
+  Place3 eye_{};
+  std::array<Row, 3> axes_{};  // right, up, forward: what each makes of a place of the world
+  Point2 focal_;
+  Point2 shift_;
+  std::array<Row, 4> matrix_{};
+};
+
+}  // namespace engines
+
+Case Cameras(BitSource& bits, const SubjectInfo& info) {
+  CaseBuilder builder(bits, info);
+  builder.UseClipSpace();
+  engines::Camera camera(builder);
+  // A grid on a plane of the world, as large as it likes on the target: it may pass the eye.
+  const double depth = std::fabs(builder.LogUniform(-1, 8));
+  const double pixels = std::fabs(builder.LogUniform(0, 5));
+  double cell = pixels * camera.PixelAt(depth);
+  if (bits.Chance(128)) cell = std::ldexp(1.0, std::ilogb(cell));
+  // It is modelled on multiples of its cells, or lies so that a sample is on an edge.
+  const bool is_modelled = bits.Chance(64);
+  const engines::Place3 middle = camera.Seen(builder.Sample(), depth);
+  const auto across = static_cast<std::size_t>(bits.Int(0, 2));  // the axis that it stands on
+  const auto columns = static_cast<int>(bits.Int(1, 6));
+  const auto rows = static_cast<int>(bits.Int(1, 6));
+  const auto along = static_cast<double>(bits.Int(0, 15)) / 16;
+  const std::int64_t edge = bits.Int(0, 3);  // a row's, a column's, or one of two diagonals
+  const double column = static_cast<double>(bits.Int(0, columns - 1)) + (edge == 1 ? 0 : along);
+  const double row = static_cast<double>(bits.Int(0, rows - 1)) + (edge == 0   ? 0
+                                                                   : edge == 3 ? 1 - along
+                                                                               : along);
+  PlanarMesh mesh;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      engines::Place3 place = middle;
+      place[(across + 1) % 3] += (i - column) * cell;
+      place[(across + 2) % 3] += (j - row) * cell;
+      for (double& x : place) {
+        x = camera.Rounded(is_modelled ? cell * std::nearbyint(x / cell) : x);
+      }
+      camera.Add(place);
+    }
+  }
+  mesh.AddQuads(bits, columns, rows);
+  for (const Triangle& t : mesh.triangles) builder.AddTriangle(t[0], t[1], t[2]);
+  return builder.Done(Finish::kMesh);
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,83 @@
+// The recipes of cameras, viewports, frames, cracks, soups and layers draw what they say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string_view>
+
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "props/domains/bit_source.h"
+#include "props/domains/domain.h"
+#include "tests/props/faulty_subjects.h"
+
+namespace rasterproof::props {
+namespace engine_domains {
+
+using testing::RealInfo;
+using testing::SnappedInfo;
+
+// How many of 200 cases of the domain are as `holds` says. The least numbers below are about half
+// of what was measured, so that a dead branch shows.
+int CasesThat(std::string_view domain, const SubjectInfo& info,
+              const std::function<bool(const Case&)>& holds) {
+  int cases = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    PhiloxSource bits(1, i);
+    cases += holds(FindDomain(domain)->draw(bits, info)) ? 1 : 0;
+  }
+  return cases;
+}
+
+bool HasVertex(const Case& c, bool (*is_such)(const Vertex&)) {
+  return std::ranges::any_of(c.scene.vertices, is_such);
+}
+
+bool HasPair(const Case& c, bool (*is_such)(const Vertex&, const Vertex&)) {
+  return std::ranges::any_of(c.scene.vertices, [&](const Vertex& a) {
+    return std::ranges::any_of(c.scene.vertices,
+                               [&](const Vertex& b) { return &a < &b && is_such(a, b); });
+  });
+}
+
+// The largest count of a sample.
+std::uint32_t MostOften(const Case& c) {
+  const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+  std::uint32_t most = 0;
+  for (std::size_t k = 0; k < counts.size(); ++k) most = std::max(most, counts.Count(k));
+  return most;
+}
+bool CoversSomething(const Case& c) { return MostOften(c) > 0; }
+
+SubjectInfo ClipInfo() {
+  SubjectInfo info = RealInfo();
+  info.takes_window = false;
+  info.takes_clip = true;
+  return info;
+}
+
+TEST(Cameras, SeeTheirGridsFromInFrontFromAmongThemAndFromAfar) {
+  const auto cases = [](const std::function<bool(const Case&)>& holds) {
+    return CasesThat("cameras", ClipInfo(), holds);
+  };
+  EXPECT_GE(cases(CoversSomething), 90);
+  EXPECT_GE(
+      cases([](const Case& c) { return HasVertex(c, [](const Vertex& v) { return v.w <= 0; }); }),
+      40);
+  EXPECT_GE(cases([](const Case& c) {
+              return std::ranges::all_of(c.scene.vertices,
+                                         [](const Vertex& v) { return v.w == 1; });
+            }),
+            20);
+  EXPECT_GE(cases([](const Case& c) {
+              return HasVertex(c, [](const Vertex& v) { return v.z < 0 || v.z > v.w; });
+            }),
+            70);
+}
+
+}  // namespace engine_domains
+}  // namespace rasterproof::props

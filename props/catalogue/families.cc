@@ -29,7 +29,7 @@ constexpr auto kMagnitudes = std::to_array<std::string_view>(
      "accumulator-ends"});
 constexpr auto kSnapping = std::to_array<std::string_view>(
     {"snap-ties", "deciding-snap-ties", "shared-snap-ties", "off-grid-moves", "off-grid-fragments",
-     "folds", "closed-folds"});
+     "folds", "closed-folds", "scaled-viewports"});
 constexpr auto kNothing = std::to_array<std::string_view>(
     {"degenerate", "signed-zeros", "non-finite", "non-finite-depths"});
 constexpr auto kMeshes = std::to_array<std::string_view>(

@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 81;
+constexpr std::uint16_t kNextNumber = 82;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -373,6 +373,11 @@ constexpr std::array kDomains{
            .clip = true,
            .mesh = true,
            .draw = Cameras},
+    Domain{.number = 81,
+           .name = "scaled-viewports",
+           .summary = "grids scaled by 1.25, 1.5, 1/1080 or half an odd size, and moved, in floats",
+           .mesh = true,
+           .draw = ScaledViewports},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

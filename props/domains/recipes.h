@@ -115,6 +115,7 @@ Case HardestRays(BitSource& bits, const SubjectInfo& info);
 
 // recipes_engines.cc
 Case Cameras(BitSource& bits, const SubjectInfo& info);
+Case ScaledViewports(BitSource& bits, const SubjectInfo& info);
 
 }  // namespace rasterproof::props
 

@@ -135,6 +135,68 @@ class Camera {
   std::array<Row, 4> matrix_{};
 };
 
+constexpr std::array<double, 7> kScales{1.25, 1.5, 1.0 / 1080, 1.0 / 720, 1.1, 4.0 / 3, 2.0 / 3};
+
+// A float viewport transform along one axis.
+struct Viewport {
+  double scale = 1;
+  double offset = 0;
+
+  double Window(const CaseBuilder& builder, double x) const {
+    const InputLattice& lattice = builder.lattice();
+    return lattice.RoundToFloat(lattice.RoundToFloat(x * scale) + offset);
+  }
+};
+
+// Rows of quads around the origin, in the coordinates of a source: multiples of 2^-bits. A quad is
+// at least 2 pixels wide.
+struct Source {
+  int columns = 1;
+  int rows = 1;
+  int first_column = 0;
+  int first_row = 0;
+  double spacing = 1;
+  int bits = 0;
+};
+
+Source DrawSource(CaseBuilder& builder, double scale, bool is_normalized) {
+  BitSource& bits = builder.bits();
+  Source source{.columns = static_cast<int>(bits.Int(1, 6)),
+                .rows = static_cast<int>(bits.Int(1, 6))};
+  source.first_column = static_cast<int>(-bits.Int(0, source.columns));
+  source.first_row = static_cast<int>(-bits.Int(0, source.rows));
+  source.bits = is_normalized ? 12 : static_cast<int>(bits.Int(0, 2));
+  source.spacing = OnGrid(static_cast<double>(bits.Int(4, 24)) / (2 * scale), source.bits);
+  return source;
+}
+
+PlanarMesh MakeSource(CaseBuilder& builder, const Source& source, double jitter) {
+  PlanarMesh mesh;
+  const auto place = [&](int k) {
+    const double moved = jitter * builder.Uniform(-1, 1);
+    return OnGrid((k + moved) * source.spacing, source.bits);
+  };
+  for (int j = 0; j <= source.rows; ++j) {
+    for (int i = 0; i <= source.columns; ++i) {
+      const double x = place(source.first_column + i);
+      mesh.AddVertex({x, place(source.first_row + j)});
+    }
+  }
+  mesh.AddQuads(builder.bits(), source.columns, source.rows);
+  return mesh;
+}
+
+// A place on an edge of the mesh, an end of it included.
+Point2 DrawOnEdge(CaseBuilder& builder, const PlanarMesh& mesh) {
+  BitSource& bits = builder.bits();
+  const Triangle& t = bits.OneOf(std::span<const Triangle>(mesh.triangles));
+  const Point2 a = mesh.vertices[static_cast<std::size_t>(t[0])];
+  const Point2 b = mesh.vertices[static_cast<std::size_t>(t[1])];
+  const double along =
+      bits.Chance(128) ? builder.Uniform(0, 1) : static_cast<double>(bits.Int(0, 15)) / 16;
+  return {a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
+}
+
 }  // namespace engines
 
 Case Cameras(BitSource& bits, const SubjectInfo& info) {
@@ -171,6 +233,39 @@ Case Cameras(BitSource& bits, const SubjectInfo& info) {
     }
   }
   mesh.AddQuads(bits, columns, rows);
+  for (const Triangle& t : mesh.triangles) builder.AddTriangle(t[0], t[1], t[2]);
+  return builder.Done(Finish::kMesh);
+}
+
+Case ScaledViewports(BitSource& bits, const SubjectInfo& info) {
+  CaseBuilder builder(bits, info);
+  // Beside the scales of user interfaces, half of an odd size, for normalized coordinates.
+  const Point2 half{(builder.width() | 1) / 2.0, (builder.height() | 1) / 2.0};
+  const bool is_normalized = bits.Chance(48);
+  const double drawn = bits.OneOf(std::span<const double>(engines::kScales));
+  const double scale = builder.lattice().RoundToFloat(is_normalized ? half.x : drawn);
+  const engines::Source source = engines::DrawSource(builder, scale, is_normalized);
+  PlanarMesh mesh = engines::MakeSource(builder, source, bits.Chance(128) ? 0.2 : 0);
+  // The target's middle; or what puts a sample on an edge, but for what the floats round.
+  Point2 offset = half;
+  if (bits.Chance(192)) {
+    const Point2 sample = builder.Sample();
+    const Point2 on_edge = engines::DrawOnEdge(builder, mesh);
+    offset = {sample.x - scale * on_edge.x, sample.y - scale * on_edge.y};
+  }
+  const engines::Viewport along_x{scale, builder.lattice().RoundToFloat(offset.x)};
+  const engines::Viewport along_y{scale, builder.lattice().RoundToFloat(offset.y)};
+  const auto through = [&](PlanarMesh shown) {
+    for (Point2& p : shown.vertices) {
+      p = {along_x.Window(builder, p.x), along_y.Window(builder, p.y)};
+    }
+    return shown;
+  };
+  PlanarMesh snapped = through(mesh);
+  for (Point2& p : snapped.vertices) p = OnLattice(builder, p);
+  // Without jitter a column stays a column, and no rounding puts one past the next.
+  if (!snapped.IsFacingOneWay()) mesh = engines::MakeSource(builder, source, 0);
+  for (const Point2 p : through(mesh).vertices) builder.AddRaw({p.x, p.y});
   for (const Triangle& t : mesh.triangles) builder.AddTriangle(t[0], t[1], t[2]);
   return builder.Done(Finish::kMesh);
 }

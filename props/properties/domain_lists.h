@@ -103,7 +103,7 @@ inline constexpr auto kModelCoverage =
              {"deciding-snap-ties", "full-coverage", "wrapped-coordinates", "primitive-extent-ends",
               "target-size-ends", "guard-band-ends", "near-repeats", "sparse-indices",
               "many-triangles", "crowds", "accumulator-ends", "underflowing-products",
-              "near-rectangles", "non-finite-depths", "every-size"}));
+              "near-rectangles", "non-finite-depths", "every-size", "scaled-viewports"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -114,7 +114,7 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 // Planar subdivisions.
 inline constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans",
-     "guard-band-ends", "folds", "near-rectangles", "every-size"});
+     "guard-band-ends", "folds", "near-rectangles", "every-size", "scaled-viewports"});
 
 // Calls of several triangles, and of many kinds of them.
 inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"crowds"}));

@@ -201,7 +201,8 @@ TEST(Domains, PutVerticesOnTheSubpixelGridUnlessTheyAreAboutSnapping) {
                                             "square-interiors",
                                             "underflowing-products",
                                             "off-grid-moves",
-                                            "off-grid-fragments"};
+                                            "off-grid-fragments",
+                                            "scaled-viewports"};
   for (const int bits : {0, 4, 8, 16}) {
     const SubjectInfo info = SnappedInfo(bits);
     for (const Domain& domain : Domains()) {

@@ -79,5 +79,13 @@ TEST(Cameras, SeeTheirGridsFromInFrontFromAmongThemAndFromAfar) {
             70);
 }
 
+TEST(ScaledViewports, PutVerticesBetweenAllThatSamplesAreOn) {
+  const auto is_between = [](const Vertex& v) { return std::fmod(v.x * 4096, 1) != 0; };
+  const auto lies_between = [&](const Case& c) { return HasVertex(c, is_between); };
+  EXPECT_GE(CasesThat("scaled-viewports", RealInfo(), lies_between), 65);
+  EXPECT_GE(CasesThat("scaled-viewports", SnappedInfo(8), lies_between), 65);
+  EXPECT_GE(CasesThat("scaled-viewports", RealInfo(), CoversSomething), 195);
+}
+
 }  // namespace engine_domains
 }  // namespace rasterproof::props

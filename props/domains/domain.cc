@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 82;
+constexpr std::uint16_t kNextNumber = 83;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -378,6 +378,11 @@ constexpr std::array kDomains{
            .summary = "grids scaled by 1.25, 1.5, 1/1080 or half an odd size, and moved, in floats",
            .mesh = true,
            .draw = ScaledViewports},
+    Domain{.number = 82,
+           .name = "tessellation-cracks",
+           .summary = "patches that divide their edge unequally: the oracle's count, not 1",
+           .mesh = true,
+           .draw = TessellationCracks},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

@@ -117,6 +117,9 @@ Case HardestRays(BitSource& bits, const SubjectInfo& info);
 Case Cameras(BitSource& bits, const SubjectInfo& info);
 Case ScaledViewports(BitSource& bits, const SubjectInfo& info);
 
+// recipes_soups.cc
+Case TessellationCracks(BitSource& bits, const SubjectInfo& info);
+
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_DOMAINS_RECIPES_H_

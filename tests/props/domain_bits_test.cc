@@ -205,6 +205,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {73, "off-grid-fragments", 0x5f0ae0e14b9bfa22},
     {80, "cameras", 0x261bb691300ae61d},
     {81, "scaled-viewports", 0x5ecbd54bc8e28841},
+    {82, "tessellation-cracks", 0xebf9e87df878dca5},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

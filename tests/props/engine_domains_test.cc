@@ -87,5 +87,28 @@ TEST(ScaledViewports, PutVerticesBetweenAllThatSamplesAreOn) {
   EXPECT_GE(CasesThat("scaled-viewports", RealInfo(), CoversSomething), 195);
 }
 
+// A sample that nothing covers between two of its row that something does.
+bool HasHole(const Case& c) {
+  const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+  for (int row = 0; row < c.scene.height; ++row) {
+    int changes = 0;
+    for (int x = 0; x <= c.scene.width; ++x) {
+      const bool is_covered = x < c.scene.width && counts.Count(counts.Index(x, row, 0)) != 0;
+      const bool was_covered = x > 0 && counts.Count(counts.Index(x - 1, row, 0)) != 0;
+      changes += is_covered != was_covered ? 1 : 0;
+    }
+    if (changes > 2) return true;
+  }
+  return false;
+}
+
+TEST(TessellationCracks, OpenAndOverlapTheEdgeOfTwoPatches) {
+  for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
+    EXPECT_GE(CasesThat("tessellation-cracks", info, HasHole), 9);
+    EXPECT_GE(
+        CasesThat("tessellation-cracks", info, [](const Case& c) { return MostOften(c) > 1; }), 13);
+  }
+}
+
 }  // namespace engine_domains
 }  // namespace rasterproof::props

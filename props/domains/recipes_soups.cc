@@ -1,0 +1,79 @@
+// Triangles that are no mesh, or two meshes that ought to be one: cracks, soups, coincident layers.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "props/domains/case_builder.h"
+#include "props/domains/lines.h"
+#include "props/domains/planar_mesh.h"
+#include "props/domains/recipes.h"
+
+namespace rasterproof::props {
+namespace soups {
+
+// An edge of a patch: so many parts, and how far its middle is displaced to the side.
+struct PatchEdge {
+  Segment ends;
+  std::int64_t parts = 1;
+  double bulge = 0;
+};
+
+Point2 PlaceOn(const CaseBuilder& builder, const PatchEdge& edge, std::int64_t part) {
+  const double t = static_cast<double>(part) / static_cast<double>(edge.parts);
+  const Point2 d{edge.ends.b.x - edge.ends.a.x, edge.ends.b.y - edge.ends.a.y};
+  const double off = 4 * t * (1 - t) * edge.bulge / std::hypot(d.x, d.y);
+  return OnLattice(builder,
+                   {edge.ends.a.x + t * d.x - off * d.y, edge.ends.a.y + t * d.y + off * d.x});
+}
+
+// The triangles between two edges, as a tessellator zips them.
+void AddPatch(const CaseBuilder& builder, PlanarMesh& mesh, const PatchEdge& left,
+              const PatchEdge& right) {
+  std::int64_t i = 0, j = 0;
+  std::int32_t on_left = mesh.AddVertex(PlaceOn(builder, left, 0));
+  std::int32_t on_right = mesh.AddVertex(PlaceOn(builder, right, 0));
+  while (i < left.parts || j < right.parts) {
+    if ((i + 1) * right.parts <= (j + 1) * left.parts) {
+      const std::int32_t next = mesh.AddVertex(PlaceOn(builder, left, ++i));
+      mesh.triangles.push_back({on_left, next, on_right});
+      on_left = next;
+    } else {
+      const std::int32_t next = mesh.AddVertex(PlaceOn(builder, right, ++j));
+      mesh.triangles.push_back({on_left, next, on_right});
+      on_right = next;
+    }
+  }
+}
+
+}  // namespace soups
+
+Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
+  CaseBuilder builder(bits, info);
+  // The common edge passes through a sample. Its places are rounded for either patch, and half of
+  // the time a patch displaces them by as much as its factor lets it see.
+  const Segment common = SegmentThrough(builder, builder.Sample());
+  const Point2 d{common.b.x - common.a.x, common.b.y - common.a.y};
+  const auto beside = [&](double sign) {
+    const double off = sign * builder.Uniform(3, 16) / std::hypot(d.x, d.y);
+    return Segment{{common.a.x - off * d.y, common.a.y + off * d.x},
+                   {common.b.x - off * d.y, common.b.y + off * d.x}};
+  };
+  const std::int64_t fewer = bits.Int(1, 16);
+  const std::int64_t more = fewer + bits.Int(1, 16);
+  const double bulge = bits.Chance(128) ? 0 : builder.Uniform(-2, 2);
+  const soups::PatchEdge coarse{common, fewer, bulge};
+  const soups::PatchEdge fine{common, more, bulge};
+  PlanarMesh mesh;
+  const soups::PatchEdge left{beside(-1), bits.Int(1, 8), 0};
+  soups::AddPatch(builder, mesh, coarse, left);
+  const soups::PatchEdge right{beside(+1), bits.Int(1, 8), 0};
+  soups::AddPatch(builder, mesh, right, fine);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
+}
+
+}  // namespace rasterproof::props

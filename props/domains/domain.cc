@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 83;
+constexpr std::uint16_t kNextNumber = 84;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -383,6 +383,10 @@ constexpr std::array kDomains{
            .summary = "patches that divide their edge unequally: the oracle's count, not 1",
            .mesh = true,
            .draw = TessellationCracks},
+    Domain{.number = 83,
+           .name = "soups",
+           .summary = "faces twice, crossing, of both windings, their vertices shared or repeated",
+           .draw = Soups},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

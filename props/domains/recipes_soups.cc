@@ -49,6 +49,18 @@ void AddPatch(const CaseBuilder& builder, PlanarMesh& mesh, const PatchEdge& lef
   }
 }
 
+// A corner of a soup: a vertex again, its place under another index, or a new one.
+std::int32_t DrawCorner(CaseBuilder& builder, std::vector<Point2>& places) {
+  const auto count = static_cast<std::int64_t>(places.size());
+  const std::int64_t kind = builder.bits().Int(0, 3);
+  if (count > 0 && kind < 2) return static_cast<std::int32_t>(builder.bits().Int(0, count - 1));
+  const Point2 place = count > 0 && kind == 2
+                           ? builder.bits().OneOf(std::span<const Point2>(places))
+                           : OnLattice(builder, builder.Place());
+  places.push_back(place);
+  return builder.Add(place);
+}
+
 }  // namespace soups
 
 Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
@@ -74,6 +86,26 @@ Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
   soups::AddPatch(builder, mesh, right, fine);
   mesh.AddTo(builder);
   return builder.Done(Finish::kMesh);
+}
+
+Case Soups(BitSource& bits, const SubjectInfo& info) {
+  CaseBuilder builder(bits, info);
+  std::vector<Point2> places;
+  std::vector<Triangle> faces;
+  const std::int64_t count = bits.Int(3, 24);
+  for (std::int64_t f = 0; f < count; ++f) {
+    const std::int64_t kind = bits.Int(0, 3);
+    Triangle face{};
+    if (f > 0 && kind == 0) {  // an earlier face, as it was or its back
+      face = bits.OneOf(std::span<const Triangle>(faces));
+      if (bits.Chance(128)) std::swap(face[0], face[1]);
+    } else {
+      for (std::int32_t& corner : face) corner = soups::DrawCorner(builder, places);
+    }
+    faces.push_back(face);
+    builder.AddTriangle(face[0], face[1], face[2]);
+  }
+  return builder.Done(Finish::kAnyOrder);
 }
 
 }  // namespace rasterproof::props

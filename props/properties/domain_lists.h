@@ -103,7 +103,7 @@ inline constexpr auto kModelCoverage = Both(
         {"deciding-snap-ties", "full-coverage", "wrapped-coordinates", "primitive-extent-ends",
          "target-size-ends", "guard-band-ends", "near-repeats", "sparse-indices", "many-triangles",
          "crowds", "accumulator-ends", "underflowing-products", "near-rectangles",
-         "non-finite-depths", "every-size", "scaled-viewports", "tessellation-cracks"}));
+         "non-finite-depths", "every-size", "scaled-viewports", "tessellation-cracks", "soups"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -149,7 +149,8 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "far-sides",
                                                                   "every-size",
                                                                   "cameras",
-                                                                  "tessellation-cracks"});
+                                                                  "tessellation-cracks",
+                                                                  "soups"});
 
 // Closed surfaces.
 inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh", "closed-folds"});

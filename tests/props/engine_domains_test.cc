@@ -110,5 +110,30 @@ TEST(TessellationCracks, OpenAndOverlapTheEdgeOfTwoPatches) {
   }
 }
 
+TEST(Soups, HaveFacesTwiceBothWindingsAndPlacesUnderSeveralIndices) {
+  const auto cases = [](const std::function<bool(const Case&)>& holds) {
+    return CasesThat("soups", SnappedInfo(8), holds);
+  };
+  EXPECT_GE(cases([](const Case& c) {
+              std::set<std::set<std::int32_t>> faces;
+              for (const Triangle& t : c.scene.triangles) faces.insert({t[0], t[1], t[2]});
+              return faces.size() < c.scene.triangles.size();
+            }),
+            80);
+  EXPECT_GE(cases([](const Case& c) {
+              const CoverageCounts counts = exact::Coverage(c.scene, c.profile);
+              const auto any = [](const auto& n) {
+                return std::ranges::any_of(n, std::identity{});
+              };
+              return any(counts.front) && any(counts.back);
+            }),
+            65);
+  EXPECT_GE(cases([](const Case& c) {
+              return HasPair(c, [](const Vertex& a, const Vertex& b) { return a == b; });
+            }),
+            98);
+  EXPECT_GE(cases([](const Case& c) { return MostOften(c) >= 4; }), 36);
+}
+
 }  // namespace engine_domains
 }  // namespace rasterproof::props

@@ -35,9 +35,9 @@ constexpr auto kNothing = std::to_array<std::string_view>(
 constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "covering-fans", "subdivisions",
      "t-junctions", "closed-mesh", "near-rectangles", "tessellation-cracks", "soups"});
-constexpr auto kCalls =
-    std::to_array<std::string_view>({"target-sizes", "target-size-ends", "near-repeats",
-                                     "sparse-indices", "many-triangles", "crowds"});
+constexpr auto kCalls = std::to_array<std::string_view>(
+    {"target-sizes", "target-size-ends", "near-repeats", "sparse-indices", "many-triangles",
+     "crowds", "coplanar-depths"});
 constexpr auto kPixelSides =
     std::to_array<std::string_view>({"square-grid-lines", "square-crossings", "square-interiors"});
 constexpr auto kClip = std::to_array<std::string_view>(

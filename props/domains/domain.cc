@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 84;
+constexpr std::uint16_t kNextNumber = 85;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -387,6 +387,10 @@ constexpr std::array kDomains{
            .name = "soups",
            .summary = "faces twice, crossing, of both windings, their vertices shared or repeated",
            .draw = Soups},
+    Domain{.number = 84,
+           .name = "coplanar-depths",
+           .summary = "layers of one plane or an ulp off it, their z in [0, 1] and far outside",
+           .draw = CoplanarDepths},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

@@ -120,6 +120,7 @@ Case ScaledViewports(BitSource& bits, const SubjectInfo& info);
 // recipes_soups.cc
 Case TessellationCracks(BitSource& bits, const SubjectInfo& info);
 Case Soups(BitSource& bits, const SubjectInfo& info);
+Case CoplanarDepths(BitSource& bits, const SubjectInfo& info);
 
 }  // namespace rasterproof::props
 

@@ -61,6 +61,53 @@ std::int32_t DrawCorner(CaseBuilder& builder, std::vector<Point2>& places) {
   return builder.Add(place);
 }
 
+// Depths on either side of [0, 1], and next to its ends.
+constexpr std::array<double, 12> kDepths{0,   1,           0.5,         -0.0,   -0x1p-149, -1,
+                                         2.5, 1 + 0x1p-23, 1 - 0x1p-24, 0x1p24, -1e30,     1e30};
+
+struct Layer {
+  std::array<Point2, 3> places;
+  std::array<double, 3> depths;
+};
+
+// A plane, along which depths are rounded alone.
+struct DepthPlane {
+  double at_origin = 0;
+  Point2 slope;
+
+  std::array<double, 3> At(const std::array<Point2, 3>& places) const {
+    std::array<double, 3> depths{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      depths[k] = at_origin + slope.x * places[k].x + slope.y * places[k].y;
+    }
+    return depths;
+  }
+};
+
+std::array<Point2, 3> DrawPlaces(CaseBuilder& builder) {
+  std::array<Point2, 3> places;
+  for (Point2& p : places) p = OnLattice(builder, builder.Place());
+  return places;
+}
+
+// A triangle of the plane, or an earlier one again: turned, or an ulp nearer or farther.
+Layer DrawLayer(CaseBuilder& builder, const DepthPlane& plane, const std::vector<Layer>& earlier) {
+  const std::int64_t kind = builder.bits().Int(0, 3);
+  if (earlier.empty() || kind == 0) {
+    const std::array<Point2, 3> places = DrawPlaces(builder);
+    return {places, plane.At(places)};
+  }
+  Layer again = builder.bits().OneOf(std::span<const Layer>(earlier));
+  if (kind == 1) return again;
+  if (kind == 2) {
+    std::swap(again.places[0], again.places[1]);
+    std::swap(again.depths[0], again.depths[1]);
+    return again;
+  }
+  for (double& z : again.depths) z *= 1 + builder.Sign() * 0x1p-23;
+  return again;
+}
+
 }  // namespace soups
 
 Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
@@ -104,6 +151,24 @@ Case Soups(BitSource& bits, const SubjectInfo& info) {
     }
     faces.push_back(face);
     builder.AddTriangle(face[0], face[1], face[2]);
+  }
+  return builder.Done(Finish::kAnyOrder);
+}
+
+Case CoplanarDepths(BitSource& bits, const SubjectInfo& info) {
+  CaseBuilder builder(bits, info);
+  soups::DepthPlane plane{bits.OneOf(std::span<const double>(soups::kDepths)), {}};
+  if (bits.Chance(160)) plane.slope = {builder.LogUniform(-12, 0), builder.LogUniform(-12, 0)};
+  std::vector<soups::Layer> layers;
+  const std::int64_t count = bits.Int(2, 12);
+  for (std::int64_t k = 0; k < count; ++k) {
+    layers.push_back(soups::DrawLayer(builder, plane, layers));
+    const soups::Layer& layer = layers.back();
+    std::array<std::int32_t, 3> corners{};
+    for (std::size_t v = 0; v < 3; ++v) {
+      corners[v] = builder.AddRaw({layer.places[v].x, layer.places[v].y, layer.depths[v]});
+    }
+    builder.AddTriangle(corners[0], corners[1], corners[2]);
   }
   return builder.Done(Finish::kAnyOrder);
 }

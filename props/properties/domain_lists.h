@@ -98,12 +98,12 @@ inline constexpr auto kCoverage = std::to_array<std::string_view>({"near-edge",
 // The same, what only the model can tell, and enough samples to find what goes wrong once in a
 // million.
 inline constexpr auto kModelCoverage = Both(
-    kCoverage,
-    std::to_array<std::string_view>(
-        {"deciding-snap-ties", "full-coverage", "wrapped-coordinates", "primitive-extent-ends",
-         "target-size-ends", "guard-band-ends", "near-repeats", "sparse-indices", "many-triangles",
-         "crowds", "accumulator-ends", "underflowing-products", "near-rectangles",
-         "non-finite-depths", "every-size", "scaled-viewports", "tessellation-cracks", "soups"}));
+    kCoverage, std::to_array<std::string_view>(
+                   {"deciding-snap-ties", "full-coverage", "wrapped-coordinates",
+                    "primitive-extent-ends", "target-size-ends", "guard-band-ends", "near-repeats",
+                    "sparse-indices", "many-triangles", "crowds", "accumulator-ends",
+                    "underflowing-products", "near-rectangles", "non-finite-depths", "every-size",
+                    "scaled-viewports", "tessellation-cracks", "soups", "coplanar-depths"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -150,7 +150,8 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "every-size",
                                                                   "cameras",
                                                                   "tessellation-cracks",
-                                                                  "soups"});
+                                                                  "soups",
+                                                                  "coplanar-depths"});
 
 // Closed surfaces.
 inline constexpr auto kClosed = std::to_array<std::string_view>({"closed-mesh", "closed-folds"});

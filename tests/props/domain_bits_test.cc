@@ -207,6 +207,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {81, "scaled-viewports", 0x5ecbd54bc8e28841},
     {82, "tessellation-cracks", 0xebf9e87df878dca5},
     {83, "soups", 0xcdf398c147a47290},
+    {84, "coplanar-depths", 0x369a7d4c50f53811},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

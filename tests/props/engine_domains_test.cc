@@ -135,5 +135,31 @@ TEST(Soups, HaveFacesTwiceBothWindingsAndPlacesUnderSeveralIndices) {
   EXPECT_GE(cases([](const Case& c) { return MostOften(c) >= 4; }), 36);
 }
 
+bool AreAtOnePlace(const Vertex& a, const Vertex& b) { return a.x == b.x && a.y == b.y; }
+
+TEST(CoplanarDepths, CoincideNearlyCoincideAndLeaveTheUnitInterval) {
+  const auto cases = [](const std::function<bool(const Case&)>& holds) {
+    return CasesThat("coplanar-depths", RealInfo(), holds);
+  };
+  EXPECT_GE(cases([](const Case& c) { return MostOften(c) > 1; }), 90);
+  EXPECT_GE(cases([](const Case& c) {
+              return HasVertex(c, [](const Vertex& v) { return v.z < 0 || v.z > 1; });
+            }),
+            80);
+  EXPECT_GE(cases([](const Case& c) {
+              return HasPair(c, [](const Vertex& a, const Vertex& b) {
+                return AreAtOnePlace(a, b) && a.z == b.z;
+              });
+            }),
+            80);
+  EXPECT_GE(cases([](const Case& c) {
+              return HasPair(c, [](const Vertex& a, const Vertex& b) {
+                return AreAtOnePlace(a, b) && a.z != b.z &&
+                       std::fabs(a.z - b.z) <= 0x1p-22 * std::fabs(a.z);
+              });
+            }),
+            68);
+}
+
 }  // namespace engine_domains
 }  // namespace rasterproof::props

@@ -34,7 +34,8 @@ constexpr auto kNothing = std::to_array<std::string_view>(
     {"degenerate", "signed-zeros", "non-finite", "non-finite-depths"});
 constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "covering-fans", "subdivisions",
-     "t-junctions", "closed-mesh", "near-rectangles", "tessellation-cracks", "soups"});
+     "t-junctions", "closed-mesh", "near-rectangles", "frame-sweeps", "tessellation-cracks",
+     "soups"});
 constexpr auto kCalls = std::to_array<std::string_view>(
     {"target-sizes", "target-size-ends", "near-repeats", "sparse-indices", "many-triangles",
      "crowds", "coplanar-depths"});

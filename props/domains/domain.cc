@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 85;
+constexpr std::uint16_t kNextNumber = 86;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -391,6 +391,12 @@ constexpr std::array kDomains{
            .name = "coplanar-depths",
            .summary = "layers of one plane or an ulp off it, their z in [0, 1] and far outside",
            .draw = CoplanarDepths},
+    Domain{.number = 85,
+           .name = "frame-sweeps",
+           .summary = "a fan frame after frame: 1/256 pixel on, a lattice step on, turned a little",
+           .near_edge = true,
+           .mesh = true,
+           .draw = FrameSweeps},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

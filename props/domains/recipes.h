@@ -116,6 +116,7 @@ Case HardestRays(BitSource& bits, const SubjectInfo& info);
 // recipes_engines.cc
 Case Cameras(BitSource& bits, const SubjectInfo& info);
 Case ScaledViewports(BitSource& bits, const SubjectInfo& info);
+Case FrameSweeps(BitSource& bits, const SubjectInfo& info);
 
 // recipes_soups.cc
 Case TessellationCracks(BitSource& bits, const SubjectInfo& info);

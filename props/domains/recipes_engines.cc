@@ -197,6 +197,24 @@ Point2 DrawOnEdge(CaseBuilder& builder, const PlanarMesh& mesh) {
   return {a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
 }
 
+constexpr int kFrameSide = 12;   // of a frame's part of the target
+constexpr int kFrameMiddle = 5;  // the pixel that the hub is in
+
+// A hub and its rim, from the hub. No wedge reaches half a turn, and a frame holds it wherever a
+// sweep moves it.
+std::vector<Point2> DrawFan(CaseBuilder& builder) {
+  const auto rim = static_cast<std::int32_t>(builder.bits().Int(4, 7));
+  const bool on_half_pixels = builder.bits().Chance(128);
+  std::vector<Point2> fan{{0, 0}};
+  for (std::int32_t k = 0; k < rim; ++k) {
+    const double turn = 2 * std::numbers::pi * (k + builder.Uniform(0, 0.4)) / rim;
+    const double radius = builder.Uniform(2.5, 4.5);
+    const Point2 p{radius * std::cos(turn), radius * std::sin(turn)};
+    fan.push_back(on_half_pixels ? Point2{OnGrid(p.x, 1), OnGrid(p.y, 1)} : p);
+  }
+  return fan;
+}
+
 }  // namespace engines
 
 Case Cameras(BitSource& bits, const SubjectInfo& info) {
@@ -267,6 +285,46 @@ Case ScaledViewports(BitSource& bits, const SubjectInfo& info) {
   if (!snapped.IsFacingOneWay()) mesh = engines::MakeSource(builder, source, 0);
   for (const Point2 p : through(mesh).vertices) builder.AddRaw({p.x, p.y});
   for (const Triangle& t : mesh.triangles) builder.AddTriangle(t[0], t[1], t[2]);
+  return builder.Done(Finish::kMesh);
+}
+
+Case FrameSweeps(BitSource& bits, const SubjectInfo& info) {
+  const auto frames = static_cast<int>(bits.Int(4, 12));
+  CaseBuilder builder(bits, info, frames * engines::kFrameSide, engines::kFrameSide);
+  const auto sample = static_cast<int>(bits.Int(0, builder.profile().pattern.samples() - 1));
+  const std::vector<Point2> fan = engines::DrawFan(builder);
+  const auto rim = static_cast<std::int32_t>(fan.size()) - 1;
+  const std::int64_t kind = bits.Int(0, 2);
+  auto dx = bits.Int(-2, 2);
+  const auto dy = bits.Int(-2, 2);
+  if (dx == 0 && dy == 0) dx = 1;
+  const double angle = std::ldexp(builder.Sign(), -static_cast<int>(bits.Int(7, 22)));
+  const auto still = static_cast<int>(bits.Int(0, frames - 1));  // its hub is on a sample
+  PlanarMesh mesh;
+  for (int frame = 0; frame < frames; ++frame) {
+    const int t = frame - still;
+    const Point2 hub = builder.profile().pattern.At(
+        frame * engines::kFrameSide + engines::kFrameMiddle, engines::kFrameMiddle, sample);
+    const double c = kind == 0 ? std::cos(t * angle) : 1;
+    const double s = kind == 0 ? std::sin(t * angle) : 0;
+    const double pixels = kind == 1 ? t / 256.0 : 0;
+    const std::int32_t first = static_cast<std::int32_t>(mesh.vertices.size());
+    for (const Point2 p : fan) {
+      Point2 at =
+          OnLattice(builder, {hub.x + c * p.x - s * p.y + pixels * static_cast<double>(dx),
+                              hub.y + s * p.x + c * p.y + pixels * static_cast<double>(dy)});
+      if (kind == 2) {
+        at = {builder.lattice().Move(at.x, t * dx), builder.lattice().Move(at.y, t * dy)};
+      }
+      mesh.AddVertex(OnLattice(builder, at));
+    }
+    for (std::int32_t k = 0; k < rim; ++k) {
+      mesh.triangles.push_back({first, first + 1 + k, first + 1 + (k + 1) % rim});
+    }
+  }
+  // A coarse lattice or an end of the range has folded a frame.
+  if (!mesh.IsFacingOneWay()) mesh.triangles.resize(1);
+  mesh.AddTo(builder);
   return builder.Done(Finish::kMesh);
 }
 

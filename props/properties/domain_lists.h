@@ -114,7 +114,8 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 // Planar subdivisions.
 inline constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans",
-     "guard-band-ends", "folds", "near-rectangles", "every-size", "scaled-viewports"});
+     "guard-band-ends", "folds", "near-rectangles", "every-size", "scaled-viewports",
+     "frame-sweeps"});
 
 // Calls of several triangles, and of many kinds of them.
 inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"crowds"}));

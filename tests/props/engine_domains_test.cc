@@ -161,5 +161,25 @@ TEST(CoplanarDepths, CoincideNearlyCoincideAndLeaveTheUnitInterval) {
             68);
 }
 
+TEST(FrameSweeps, MoveAMeshWithAHubOnASampleByLessThanAPixelPerFrame) {
+  const auto has_frames = [](const Case& c) { return c.scene.triangles.size() >= 16; };
+  const auto has_hub_on_sample = [](const Case& c) {
+    return HasVertex(c, [](const Vertex& v) { return std::fmod(v.x, 12) == 5.5 && v.y == 5.5; });
+  };
+  for (const SubjectInfo& info : {RealInfo(), RealInfo(Precision::kFloat64), SnappedInfo(8)}) {
+    EXPECT_EQ(CasesThat("frame-sweeps", info, has_frames), 200);
+    EXPECT_EQ(CasesThat("frame-sweeps", info, has_hub_on_sample), 200);
+  }
+  EXPECT_GE(CasesThat("frame-sweeps", SnappedInfo(0), has_frames), 100);
+  // Two hubs of three are next to their sample in all frames but one.
+  const auto hubs_move = [](const Case& c) {
+    return HasVertex(c, [](const Vertex& v) {
+      const double off = std::fabs(std::fmod(v.x, 12) - 5.5);
+      return off > 0 && off < 0.125;
+    });
+  };
+  EXPECT_GE(CasesThat("frame-sweeps", RealInfo(), hubs_move), 60);
+}
+
 }  // namespace engine_domains
 }  // namespace rasterproof::props

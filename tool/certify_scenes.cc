@@ -49,7 +49,8 @@ std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
 struct Attempt {
   std::optional<CoverageCounts> counts;
   std::optional<OneCall> call;                ///< of a profile that leaves something free
-  Outcome outcome = Outcome::kNotApplicable;  ///< of no counts; kViolated or kInconclusive are told
+  /// Without counts; kViolated and kInconclusive are reported.
+  Outcome outcome = Outcome::kNotApplicable;
   Stop stop = Stop::kNone;
   std::string reason;
   double seconds = 0;

@@ -44,8 +44,8 @@ struct Certificate {
   /// Which tier of the oracle decided how often, over scenes and all properties but those whose run
   /// ended with a case.
   TierCounts oracle_tiers;
-  /// The command that replays a result's counterexample, by NameOf the result. Without one the
-  /// reader is told to save the counterexample's case and to replay that file.
+  /// The command that replays a result's counterexample, by NameOf the result. Without one the page
+  /// asks the reader to save the counterexample's case and to replay that file.
   std::map<std::string, std::string> replay;
   /// Where its files lie, as a path from the report page: one name. Empty: it has none.
   std::string folder;
@@ -108,9 +108,9 @@ std::string CertificateToJson(const Certificate& certificate);
 /// The seconds that each property and each scene took, as JSON; of a campaign in parts their sum.
 std::string TimesToJson(const Certificate& certificate);
 
-/// JUnit XML: one test case per property and per scene against the subject's own profile; what is
-/// neither good nor bad is skipped, with the reason. If the certificate is inconclusive that is an
-/// error of its own, since a file with nothing but skipped tests counts as green.
+/// Returns JUnit XML: one test case per property and per scene against the subject's own profile.
+/// Results that are neither good nor bad are skipped, with the reason. An inconclusive certificate
+/// is a separate error, since a file with nothing but skipped tests counts as green.
 std::string JUnitXml(const Certificate& certificate);
 
 }  // namespace rasterproof::report

@@ -14,7 +14,7 @@ namespace rasterproof::props {
 // How far from the outline a sample must be where the outline is not judged. Edge values of float32
 // displace an edge by at most a few 2^-24 of the largest coordinate (docs/mathematics.md, forward
 // bounds): 2^-18 of it is generous. A watertight subject may also have moved its vertices by
-// snapping them to a grid of its own: a pixel on each axis is generous for that.
+// snapping them to its own grid: a pixel on each axis is generous for that.
 inline constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
 inline constexpr double kOutlineMargin = 0x1p-10;
 inline constexpr double kMovedOutlineMargin = 1;
@@ -34,8 +34,8 @@ class Outline {
   /// The boundary of what the canonical model draws; in clip space as given.
   explicit Outline(const PlacedCase& c);
   /// The subject may have moved the boundary, by choosing other grid points than the canonical
-  /// ones, by snapping its vertices to a grid of its own or by clipping it: by so many pixels, or
-  /// by one if that is more. Edges cancel only if they are one in every legal model.
+  /// ones, by snapping its vertices to its own grid or by clipping it: by this many pixels, or by
+  /// one if that is more. Edges cancel only if they are one in every legal model.
   /// Where the profile's tie_ownership states an owner on shared edges alone, vertices count as
   /// well; where it states none, all edges do.
   static Outline OfMoved(const PlacedCase& c, double most_moved);

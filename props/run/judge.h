@@ -27,8 +27,8 @@ namespace rasterproof::props {
 /// Domain:     at least one case.
 std::string PlaceOfFault(const Property& property, std::span<const Case> cases);
 
-/// Works out what properties and the oracle do: whatever they throw is a fault of ours. What the
-/// oracle does not decide is told by the gate, before it is asked.
+/// Runs the work of properties and the oracle: whatever they throw is a fault of ours. Cases that
+/// the oracle does not decide never get here: the gate reports them.
 ///
 /// Error:      JudgingFault, which names the place. SubjectDoesNotRun.
 template <class Work>

@@ -122,7 +122,7 @@ class AnswerLines {
   void RequireEnd() {
     if (!Peek()) return;
     throw InputError(fmt::format("standard input: line {}", number_),
-                     "it goes on behind the last answer: " + Quoted(line_, 60),
+                     "it goes on after the last answer: " + Quoted(line_, 60),
                      "give judge the same options as ask, and one answer to each request");
   }
 

@@ -241,7 +241,7 @@ class PluginEdges final : public StatedEdges {
       return plugin_.edge_steps(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &stepping,
                                 values.data());
     });
-    if (values.back() != kGuard) BreakDown("it wrote behind the values of its steps");
+    if (values.back() != kGuard) BreakDown("it wrote past the values of its steps");
     values.pop_back();
     return values;
   }

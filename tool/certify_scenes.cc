@@ -48,7 +48,7 @@ std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
 // What came of drawing a scene: counts, or why there are none.
 struct Attempt {
   std::optional<CoverageCounts> counts;
-  std::optional<OneCall> call;                ///< of a profile that leaves something free
+  std::optional<OneCall> call;  ///< of a profile that leaves something free
   /// Without counts; kViolated and kInconclusive are reported.
   Outcome outcome = Outcome::kNotApplicable;
   Stop stop = Stop::kNone;

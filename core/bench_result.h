@@ -41,7 +41,7 @@ struct BenchMethod {
   std::string name;     ///< "f32-direct", "kernel-exact", "mine.so"
   std::string summary;  ///< one line
   std::string kind;     ///< "float32", "float64", "fixed point", "exact", "yours"
-  std::string target;   ///< instruction set: "compiler" (as the compiler was told), "avx2", ...
+  std::string target;   ///< instruction set: "compiler" (the compiler's options), "avx2", ...
   std::string sink;     ///< "facing", "count8", "mask", "id", "depth"
   std::string model;    ///< name of the profile that it is held to; "real" for real geometry
   BenchClock clock = BenchClock::kThread;

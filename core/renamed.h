@@ -7,8 +7,8 @@
 
 namespace rasterproof {
 
-/// What an error message says behind an unknown word: ", which is NEW now" for one that was
-/// replaced, else nothing.
+/// Returns the text that follows an unknown word in an error message: ", which is NEW now" for a
+/// word that was replaced, else nothing.
 std::string RenamedText(std::string_view word);
 
 }  // namespace rasterproof

@@ -2,8 +2,8 @@
 //
 //     TARGET [-seconds=N] [-runs=N [-seed=S]] [FILE or FOLDER]...
 //
-// -seconds: the inputs over and over, for that long, to tell how fast the target is. -runs: so many
-// inputs of random bytes as well, the same for the same seed.
+// -seconds=N runs the inputs over and over for N seconds, to measure the target's speed. -runs=N
+// adds N inputs of random bytes, the same for the same seed.
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -20,7 +20,7 @@
 #include "fuzz/fuzz_target.h"
 #include "props/domains/bit_source.h"
 
-// A target that has options of its own takes them here.
+// A target with its own options takes them here.
 extern "C" __attribute__((weak)) int LLVMFuzzerInitialize(int* argc, char*** argv);
 
 namespace {
@@ -42,7 +42,7 @@ struct Options {
   std::vector<Input> inputs;
 };
 
-// Whether the word is the option, and a number behind it.
+// Returns whether the word is the option followed by a number.
 bool Takes(std::string_view word, std::string_view option, std::uint64_t& value) {
   if (!word.starts_with(option)) return false;
   const char* const end = word.data() + word.size();

@@ -40,7 +40,7 @@ std::uint64_t RequireRegularFile(const std::string& path) {
                    "give a readable file");
 }
 
-// What a sound mesh of so many bytes takes to be read, and a few times more.
+// Returns a few times what reading a sound mesh of this size takes.
 ChildLimits LimitsOf(std::uint64_t size) {
   return {.bytes = (std::uint64_t{512} << 20) + 64 * size, .seconds = 5 + (size >> 21)};
 }

@@ -29,7 +29,7 @@ std::string_view FirstLine(std::string_view text) {
   }
 }
 
-// Whether a line of an OBJ only says what the faces behind it are called, or look like.
+// Returns whether a line of an OBJ only names the faces that follow, or sets their looks.
 bool NamesFaces(std::string_view line) {
   constexpr std::array<std::string_view, 6> kWords{"g", "o", "s", "mg", "usemtl", "mtllib"};
   const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());

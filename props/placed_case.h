@@ -28,7 +28,7 @@ struct PlacedCase : exact::PlacedScene {
   std::string origin;
   /// Triangle k of `scene` is this one of the case as given. Nothing: all are there.
   std::optional<std::vector<std::size_t>> numbers;
-  /// What a subject with a transform of its own is given. Nothing: `scene`.
+  /// The places given to a subject with its own transform. Nothing: `scene`.
   std::optional<PlacesOfTransform> before;
 
   /// The same about another scene.

@@ -70,8 +70,8 @@ struct Property {
   bool takes_long = false;
   Gate gate = {};
   /// The checks of a case that the gate lets through, in the order in which they are judged, up to
-  /// the first violated one. The case is as the property sees it: in window space behind a
-  /// transform of the subject's own, under the model of its target's size.
+  /// the first violated one. The case is as the property sees it: in window space after the
+  /// subject's own transform if it has one, under the model of its target's size.
   Checks (*ask)(const PlacedCase&, const Description&) = nullptr;
   /// A second round: who is to blame for the violation. The first of its checks that is violated
   /// gives the witness; one that is refused is passed over. nullptr: the verdict says it.

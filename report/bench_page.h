@@ -11,7 +11,7 @@
 
 namespace rasterproof::report {
 
-/// A wrong decision as a scene of its own, beside the page.
+/// A wrong decision as a separate scene, beside the page.
 struct BenchCase {
   std::string file;  ///< as a path from the page: "bench/fan-f32-affine.json"
   Scene scene;
@@ -23,7 +23,7 @@ std::vector<BenchCase> BenchCases(const BenchResult& bench);
 /// What proved coverage costs, in a sentence. Empty if no family has a proved method.
 std::string BenchSentence(const BenchResult& bench);
 
-/// The sections. `folder` is where the page lies, as a shell would be told: commands lead there.
+/// Returns the sections. `folder` is the page's folder, as a shell word: commands lead there.
 std::string BenchSections(const BenchResult& bench, std::string_view folder);
 
 }  // namespace rasterproof::report

@@ -104,7 +104,7 @@ struct Plot {
   std::vector<Line> lines;
 
   double XOf(double value) const { return kLeftEdge + kAcross * x.At(value); }
-  // What is 0 lies in a lane of its own.
+  // Returns the row of the value; the value 0 has a separate lane.
   double YOf(double value) const {
     return value <= 0 ? kTopEdge + kDown + kZeroLane / 2 : kTopEdge + kDown * (1 - y.At(value));
   }
@@ -144,7 +144,7 @@ std::optional<Plot> PlotOf(const BenchResult& bench, std::uint32_t parameter, Me
     if (seen.IsEmpty()) continue;
     plot.y.Take(seen.low);
     plot.y.Take(seen.high);
-    // The user's own is a line of its own.
+    // The user's subject is always a separate line.
     const bool is_users = bench.methods[curve.method].is_users;
     const auto same = std::ranges::find_if(plot.lines, [&](const Line& line) {
       return !is_users && !bench.methods[line.curves[0]->method].is_users &&
@@ -264,7 +264,7 @@ std::string LinePath(const BenchResult& bench, const Plot& plot, const Line& lin
                      KindOf(bench.methods[line.curves[0]->method]), path, AllNames(bench, line));
 }
 
-// Where float32 has no more values: the vertical line behind which only others go on.
+// Draws the vertical line where float32 ends: beyond it only the other formats have values.
 std::string FloatEnd(const BenchResult& bench, const Plot& plot) {
   double end = 0;
   for (const Line& line : plot.lines) {

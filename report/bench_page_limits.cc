@@ -45,7 +45,7 @@ std::vector<CliffRow> CliffRows(const BenchResult& bench) {
   for (std::uint32_t method = 0; method < bench.methods.size(); ++method) {
     CliffRow row = RowOf(bench, method);
     if (std::ranges::all_of(row.cells, [](const auto& cell) { return cell.empty(); })) continue;
-    // The user's own stands by itself.
+    // The user's subject always has a separate row.
     const auto same = std::ranges::find_if(rows, [&](const CliffRow& other) {
       return bench.methods[method].is_users == bench.methods[other.methods[0]].is_users &&
              SaidOf(other) == SaidOf(row);

@@ -1,4 +1,4 @@
-// Error against run time: what the script draws, and what stands there without it.
+// Error against run time: the plot that the script draws, and the table shown without the script.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -40,7 +40,7 @@ std::string RaisedText(const std::string& text);
 /// Where each method ends: a row for methods that end alike, a column for each parameter, below it
 /// the commands that show the failing cases. `folder`: of the page, in commands.
 std::string CliffTable(const BenchResult& bench, std::string_view folder);
-/// A plot for each parameter and measure; curves that can't be told apart are one line.
+/// Returns a plot for each parameter and measure; indistinguishable curves are one line.
 std::string CurvePlots(const BenchResult& bench);
 std::string FingerprintPictures(const BenchResult& bench);
 /// Pictures and commands, folded by family.

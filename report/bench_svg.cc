@@ -34,7 +34,7 @@ struct Kind {
   std::string_view name;
   std::string_view colour;
 };
-// Colours of Okabe and Ito, told apart by every kind of sight.
+// Colours of Okabe and Ito, which every kind of sight distinguishes.
 constexpr std::array<Kind, 5> kKinds{{{"float32", "#0072b2"},
                                       {"float64", "#56b4e9"},
                                       {"fixed point", "#e69f00"},

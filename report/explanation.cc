@@ -139,7 +139,7 @@ class Layout {
         panel == 2 ? StateColour(pixel.state, pixel.expected) : CountColour(level);
     figure_.Rectangle(left, top, left + cell_, top + cell_, colour);
     if (cell_ < 16) return;
-    // The samples' dots keep the middle; what the pixel says stands in its corner.
+    // The samples' dots keep the middle; the pixel's text is in its corner.
     const double size = std::min(kText, cell_ / 1.8);
     const Point2 corner{left + 0.26 * cell_, top + 0.28 * cell_};
     if (panel == 2 && pixel.state != SampleState::kRight) {

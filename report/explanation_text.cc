@@ -73,7 +73,8 @@ std::string Cell(const Pixel& pixel, std::size_t panel, bool colour) {
   return Coloured(c, loud ? StateCode(pixel.state) : kDim);
 }
 
-// One row of one panel: a cell and what stands before it for each pixel, and one character more.
+// Returns one row of one panel: for each pixel a cell and the character before it, and one
+// character more.
 std::string Row(const Explanation& explanation, const PixelRect& view, int y, std::size_t panel,
                 bool colour) {
   std::string row;

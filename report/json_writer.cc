@@ -58,7 +58,7 @@ JsonWriter& JsonWriter::End(char bracket) {
   return *this;
 }
 
-// Goes to where the next key or item stands; a value after its key stays where it is.
+// Moves to the place of the next key or item; a value stays on the line of its key.
 void JsonWriter::NextLine() {
   if (after_key_) {
     after_key_ = false;

@@ -59,7 +59,7 @@ class JsonWriter {
   std::string text_;
   std::vector<bool> empty_;  // of each open container: nothing in it yet
   bool after_key_ = false;
-  std::size_t line_depth_ = 0;  // of the container that stands on one line; 0: none does
+  std::size_t line_depth_ = 0;  // of the container that is written on one line; 0: none is
 };
 
 }  // namespace rasterproof::report

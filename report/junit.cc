@@ -95,8 +95,8 @@ void AppendProperty(pugi::xml_node suite, const Certificate& certificate,
   }
 }
 
-// A scene against the subject's own profile is a test of its own: else the file could be green and
-// the verdict not.
+// Appends a scene against the subject's own profile as a separate test: otherwise the file could be
+// green and the verdict not.
 void AppendScene(pugi::xml_node suite, const Certificate& certificate, const SceneResult& result,
                  Totals& totals) {
   if (result.profile != certificate.subject.profile.name) return;

@@ -13,7 +13,7 @@
 namespace rasterproof::report {
 namespace {
 
-// The names behind the text, in lines of at most 100 columns.
+// Returns the text followed by the names, in lines of at most 100 columns.
 std::string Indented(const std::string& text, const std::vector<std::string>& names) {
   constexpr std::size_t kColumns = 98;
   std::string all;

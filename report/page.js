@@ -368,7 +368,8 @@ function caption({family, error}) {
   const pairs = error.name.startsWith("leaks") ? family.shared : family.boundary;
   const of = error.unit === "px" ? "" :
     `, of ${grouped(pairs)} pairs${family.constructed ? ", constructed: no rate" : ""}`;
-  // The rule of three: 95 % of samples of so many independent draws hold one of a rate above.
+  // The rule of three: N independent draws show an event of a rate above 3 / N with 95 %
+  // probability.
   const bound = family.random && of ?
     ` 0 of N bounds the rate by ${(3 / pairs).toPrecision(1)}.` : "";
   return `${family.name}: ${family.summary}. Up: ${error.name}${of}.${bound} ${bench.processor}.`;

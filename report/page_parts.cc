@@ -71,7 +71,7 @@ std::string ColumnKey(const std::vector<std::pair<std::string_view, std::string_
 
 std::string Command(std::string_view command) {
   if (command.empty()) return {};
-  // Each word by itself: a line ends between words, not behind the hyphens of an option.
+  // Each word is an element by itself: a line ends between words, not after an option's hyphens.
   std::string words;
   for (std::size_t at = 0; at < command.size();) {
     const std::size_t end = std::min(command.find(' ', at), command.size());

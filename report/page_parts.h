@@ -41,7 +41,7 @@ std::string Command(std::string_view command);
 /// The picture, which opens by itself, with caption and command. `above` leads from the page that
 /// shows it to the page of all subjects: "" or "../".
 std::string FigureHtml(const Picture& picture, std::string_view above);
-/// The text, with places to break a line within names: at humps, behind colons.
+/// Returns the text, with places to break a line within names: at humps, after colons.
 std::string Breakable(std::string_view name);
 /// The name, as a link to the subject's page if it has a folder.
 std::string Link(const Certificate& certificate);

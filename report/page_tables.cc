@@ -94,7 +94,7 @@ std::string SceneMatrix(const std::vector<Certificate>& certificates,
 // One property over all subjects.
 struct PropertyRow {
   std::map<Outcome, std::uint64_t> subjects;
-  std::uint64_t quality = 0;  // violated by so many, but no clause requires it of them
+  std::uint64_t quality = 0;  // subjects that violate it, but no clause requires it of them
   std::vector<const Certificate*> violated_by;
 };
 

@@ -1,4 +1,4 @@
-// The colours of every picture and page, told apart by eyes of any kind.
+// The colours of every picture and page, which eyes of any kind distinguish.
 #ifndef RASTERPROOF_REPORT_PALETTE_H_
 #define RASTERPROOF_REPORT_PALETTE_H_
 

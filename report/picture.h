@@ -45,7 +45,8 @@ std::string ExplanationToText(const Explanation& explanation, bool colour);
 std::string ExplanationToSvg(const Explanation& explanation);
 io::Image ExplanationToImage(const Explanation& explanation);
 
-/// The nearest triangle at each pixel, each in a colour of its own, paper where there is none.
+/// Paints the nearest triangle at each pixel, one colour for each triangle, paper where there is
+/// none.
 io::Image PaintFlat(const FragmentBuffers& fragments);
 /// The three vertices in vermilion, green and blue, mixed by the barycentrics; grey where they are
 /// NaN.

@@ -35,8 +35,8 @@
 namespace rasterproof::tool {
 namespace {
 
-// Whether a result of a run that was interrupted stands: subjects outside are ended by it, so that
-// only what was seen to fail, and fails again, is known.
+// Returns whether a result remains valid after an interrupt, which ends the subjects outside: only
+// failures that were seen and that repeat are known.
 bool Stands(const PropertyResult& result) {
   return result.outcome == Outcome::kViolated && result.counterexample &&
          result.counterexample->verdict.outcome == Outcome::kViolated;

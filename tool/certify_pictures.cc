@@ -62,7 +62,7 @@ std::optional<report::Picture> Explained(const report::Certificate& certificate,
   try {
     const std::unique_ptr<Subject> subject = MakeSubject(name);
     report::Explanation explanation = Explain(*subject, c, verdict, "");
-    explanation.headline.clear();  // stands above the picture, the command below it
+    explanation.headline.clear();  // the page shows it above the picture, the command below it
     if (explanation.edge_values.size() > kMostEdgeValues) {
       explanation.edge_values.resize(kMostEdgeValues);
       explanation.edge_values.emplace_back("the command below tells the others");
@@ -74,8 +74,8 @@ std::optional<report::Picture> Explained(const report::Certificate& certificate,
                            certificate.folder + "/" + file + ".svg",
                            report::ExplanationToSvg(explanation)};
   } catch (const InputError&) {
-    // It drew the scene before and refuses it now: the certificate stands, the page has one picture
-    // less.
+    // It drew the scene before and refuses it now: the certificate remains valid, and the page has
+    // one picture less.
     return std::nullopt;
   } catch (const SubjectStop&) {
     return std::nullopt;  // or it was interrupted

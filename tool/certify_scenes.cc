@@ -48,8 +48,9 @@ std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
 // What came of drawing a scene: counts, or why there are none.
 struct Attempt {
   std::optional<CoverageCounts> counts;
-  std::optional<OneCall> call;                ///< of a profile that leaves something free
-  Outcome outcome = Outcome::kNotApplicable;  ///< of no counts; kViolated or kInconclusive are told
+  std::optional<OneCall> call;  ///< of a profile that leaves something free
+  /// Without counts; kViolated and kInconclusive are reported.
+  Outcome outcome = Outcome::kNotApplicable;
   Stop stop = Stop::kNone;
   std::string reason;
   double seconds = 0;

@@ -49,7 +49,7 @@ std::string CountsToText(const CoverageCounts& counts) {
   return text;
 }
 
-// A subject without a grid of its own draws what the profile's snap leaves of the scene.
+// A subject without its own grid draws the scene as the profile snaps it.
 Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& name) {
   const TargetProfile profile(io::ReadProfile(name), scene);
   const TargetProfile own(subject.Info().profile, scene);

@@ -25,7 +25,7 @@ std::string_view FacingText(props::FacingReport facing) {
     case props::FacingReport::kNotTold:
       break;
   }
-  return "facings are not told apart";
+  return "facings are not distinguished";
 }
 
 std::string FittingText(const props::Inference& inference) {

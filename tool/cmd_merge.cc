@@ -188,7 +188,8 @@ void RequireSame(const SubjectPart& part, const SubjectPart& mine) {
           "run all parts and merge by one build of rasterproof");
 }
 
-// Last: whoever changed a number is told what is wrong with the number, where that can be seen.
+// Checks the digest, after all other checks: if a changed number is itself wrong, the error names
+// that number.
 void RequireUnchanged(const SubjectPart& part) {
   if (part.digest == DigestOf(part)) return;
   throw InputError(part.file, "its content is not what it was written with (another digest)",

@@ -122,7 +122,7 @@ class AnswerLines {
   void RequireEnd() {
     if (!Peek()) return;
     throw InputError(fmt::format("standard input: line {}", number_),
-                     "it goes on behind the last answer: " + Quoted(line_, 60),
+                     "it goes on after the last answer: " + Quoted(line_, 60),
                      "give judge the same options as ask, and one answer to each request");
   }
 
@@ -139,7 +139,7 @@ class AnswerLines {
   std::uint64_t number_ = 0;  // of the line, from 1
   bool is_held_ = false;      // the line is to be read, again or for the first time
   bool is_short_ = false;     // there was none where one was needed
-  bool is_lost_ = false;      // behind a bad answer no line began another one
+  bool is_lost_ = false;      // no line after a bad answer began another one
 };
 
 // judge's: every job is answered by what the program said, in the same order.
@@ -205,8 +205,8 @@ Answers SubmitTo(Subject& subject, const props::Request& request) {
   return std::move(props::Submit(subject, {&request, 1}).front());
 }
 
-// Of a check that ends early the rest is not drawn. Here it was asked for all the same: behind a
-// fault or a refusal the answers to it are passed over, or they were taken for those to come.
+// Passes over the remaining answers after a fault or a refusal. A check that ends early does not
+// draw the rest, but here it was already requested; its answers would be taken for later ones.
 Answers SubmitInStep(Answering& answering, Asking& asking, const props::Request& request) {
   SubmitTo(asking, request);
   const std::vector<DrawJob> asked = asking.Asked();

@@ -4,8 +4,8 @@
 
 namespace rasterproof::tool {
 
-/// The commit that was checked out, with "+" behind it if files differed; "unknown" outside of a
-/// repository. Written by cmake/commit.cmake in every build.
+/// The commit that was checked out, followed by "+" if files differed; "unknown" outside of a
+/// repository. cmake/commit.cmake writes it in every build.
 extern const char* const kCommit;
 
 }  // namespace rasterproof::tool

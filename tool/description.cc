@@ -92,7 +92,7 @@ double EdgeErrorOf(const std::string& value, const std::string& place) {
   }
 }
 
-// "12.4 signed wrap", as it stands after "fixed".
+// Reads "12.4 signed wrap", the words that follow "fixed".
 FixedInput FixedInputFrom(std::istream& words, const std::string& place) {
   const auto refused = [&](const std::string& reason) {
     return InputError(place, reason,

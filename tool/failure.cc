@@ -204,7 +204,7 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
     explanation.observed = verdict.compared->observed;
   } else {
     explanation.expected = ShownBy(subject, c.scene, exact::Coverage(c, c.options));
-    std::string failure;  // is told by the verdict; the picture then shows that nothing was drawn
+    std::string failure;  // the verdict reports it; the picture then shows that nothing was drawn
     explanation.observed = DrawUnlessItFails(subject, c.scene, c.options, failure).value_or(none);
   }
   const auto [wrong_x, wrong_y] = FirstWrongPixel(explanation.observed, explanation.expected);

@@ -32,7 +32,8 @@ std::string FailureLine(const std::string& property, const Case& c, const Verdic
 /// more than anybody reads.
 std::string SceneLine(const Case& c);
 
-/// The same of what the property made of the case, on a line of its own; empty if it is the case.
+/// Returns the same for the case that the property drew instead, as a separate line; empty if it
+/// drew the case itself.
 std::string DrawnLine(const Case& c, const Verdict& verdict);
 
 /// The line, the scene, what was drawn, the picture if there is a place to show, and the replay

@@ -5,8 +5,8 @@
 namespace rasterproof::tool {
 
 /// From here on the first SIGINT, SIGTERM or SIGHUP sets Interrupted() and kills the subjects
-/// outside; who waits for their answers gets kTooSlow. The second one ends the command at
-/// once. A signal that the caller told this command to ignore stays ignored.
+/// outside; a caller that waits for their answers gets kTooSlow. The second one ends the command at
+/// once. A signal that was ignored when the command started stays ignored.
 void CatchInterrupts();
 
 /// Whether SIGINT, SIGTERM or SIGHUP has arrived: end soon, and say what is known so far.

@@ -65,7 +65,7 @@ SubjectMaker Hosted(const std::string& name, const FloatModeOfHost& float_mode) 
   return InAProcess(std::move(command), info, Program::kOurs);
 }
 
-// A program that is not there is the caller's to mend, and told before anything is run. The shell
+// Throws if the program does not exist, before anything is run: the caller can mend that. The shell
 // looks it up, as it will to start it.
 void RequireProgram(const std::string& command, const std::string& name) {
   const std::string program = command.substr(0, command.find_first_of(" \t"));

@@ -40,9 +40,9 @@ bool IsOutside(std::string_view name);
 /// Makes a subject, as often as it is called.
 using SubjectMaker = std::function<std::unique_ptr<Subject>()>;
 
-/// What makes the subject of that name, each in a process of its own; nothing if it is none of the
-/// above. The library or the file is asked what it is here, once. Facings that it does not tell are
-/// the caller's to work out (props::DrawByFacing).
+/// Returns a maker of the subject of that name, each in its own process; nothing if the name is
+/// none of the above. The library or the file is asked here, once, what it is. If it does not
+/// report facings, the caller works them out (props::DrawByFacing).
 ///
 /// Error:      InputError if the library or the file is not what it should be.
 SubjectMaker ResolveOutside(const std::string& name);

@@ -87,7 +87,7 @@ class TestCheck {
 
   void RequireDomains() const {
     Require(result_.domains.size() == Domains(),
-            fmt::format("{} domains are told, and it draws from {}", result_.domains.size(),
+            fmt::format("{} domains are listed, and it draws from {}", result_.domains.size(),
                         Domains()));
     std::uint64_t left = result_.cases;
     for (const auto& [drawn, near_edge] : result_.domains) {

@@ -16,7 +16,7 @@ namespace rasterproof::tool {
 struct ErrorChoice {
   std::string method;
   std::string target;
-  /// Each edge is decided as if it lay at most so many pixels elsewhere: proved. NaN: no bound is.
+  /// Proved: each edge is decided as if it were at most this many pixels away. NaN: no bound holds.
   double proved = std::numeric_limits<double>::quiet_NaN();
   std::string why;         ///< what the number rests on, or why there is none
   double nanoseconds = 0;  ///< a triangle, on the family

@@ -16,8 +16,8 @@ namespace rasterproof::tool {
 /// Writes to standard error; what can't be written there is lost, and nothing else.
 void Tell(const std::string& text) noexcept;
 
-/// Says what is being done. A thread of its own repeats it, so that a long step is never silent.
-/// Of several workers it shows the one whose stage began first, and how many others there are.
+/// Says what is being done. Its own thread repeats it, so that a long step is never silent. It
+/// shows the worker whose stage began first, and how many others there are.
 class Progress {
  public:
   explicit Progress(std::size_t workers = 1);
@@ -28,7 +28,7 @@ class Progress {
   /// The worker begins a stage of `total` steps (0: unknown); without a name it does nothing.
   void Stage(const std::string& name, std::uint64_t total = 0, std::size_t worker = 0);
   void Done(std::uint64_t steps, std::size_t worker = 0);
-  /// Prints a line of its own.
+  /// Prints a separate line.
   void Say(const std::string& line);
 
  private:

@@ -67,9 +67,9 @@ class OracleSubject final : public Subject {
 // From here on the subject is judged by a profile that is not its own.
 void JudgeBy(const Profile& profile, Subject& subject) {
   SubjectInfo info = subject.Info();
-  // What it states, it states of its own profile.
+  // The subject's statements are about its own profile.
   info.states_exact = info.states_exact && SameModel(info.profile, profile);
-  // What it can be given is no matter of judgement.
+  // The judging profile does not change what the subject can be given.
   const std::optional<FixedInput> fixed = info.profile.fixed;
   info.profile = profile;
   if (!profile.fixed) info.profile.fixed = fixed;

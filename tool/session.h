@@ -68,7 +68,7 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
 void WriteOutput(const std::string& path, std::string_view content);
 
 /// The options, with what a campaign on the subject takes from the command: an interrupt ends it;
-/// one outside is stopped at its time limit, and made anew by `make`.
+/// one outside is stopped at its time limit, and made again by `make`.
 props::CampaignOptions CampaignOn(const Subject& subject, props::CampaignOptions options,
                                   SubjectMaker make = {});
 

@@ -16,7 +16,7 @@ namespace rasterproof::tool {
 ///             line and shows all that is in it.
 std::string ShellWord(std::string_view word);
 
-/// The arguments behind the program's own name, to be typed again: "rasterproof check --jobs 2".
+/// Returns the command with all its arguments, to be typed again: "rasterproof check --jobs 2".
 std::string CommandLine(int argc, char** argv);
 
 }  // namespace rasterproof::tool

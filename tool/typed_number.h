@@ -9,7 +9,7 @@ namespace rasterproof::tool {
 
 inline constexpr int kMostInABatch = 4096;
 
-/// "random" (the one taken is told), or a number that is what it says.
+/// Returns the number typed; for "random", one drawn here, which is printed.
 ///
 /// Error:      InputError.
 std::uint64_t ParseSeed(const std::string& text);

@@ -60,8 +60,8 @@ class Queue {
 
 // Keeps the calling thread to one core while it lives: the `worker`-th allowed one from `first` on.
 // A process that the worker starts runs there too: they take turns, and what wakes on one core
-// while the other sleeps on a second one costs a fifth more. Who finds no core of its own goes
-// where the system lets it.
+// while the other sleeps on a second one costs a fifth more. A worker that finds no free core runs
+// where the system puts it.
 class OnOneCore {
  public:
   OnOneCore(int first, std::size_t worker) {

@@ -30,21 +30,21 @@ constexpr auto kMagnitudes = std::to_array<std::string_view>(
      "accumulator-ends"});
 constexpr auto kSnapping = std::to_array<std::string_view>(
     {"snap-ties", "deciding-snap-ties", "shared-snap-ties", "off-grid-moves", "off-grid-fragments",
-     "folds", "closed-folds", "equal-after-snap"});
+     "folds", "closed-folds", "equal-after-snap", "scaled-viewports"});
 constexpr auto kNothing = std::to_array<std::string_view>(
     {"degenerate", "signed-zeros", "non-finite", "non-finite-depths"});
 constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "covering-fans", "subdivisions",
      "t-junctions", "closed-mesh", "near-rectangles", "tilted-grids", "rounded-arrangements",
-     "earcut-meshes"});
-constexpr auto kCalls =
-    std::to_array<std::string_view>({"target-sizes", "target-size-ends", "near-repeats",
-                                     "sparse-indices", "many-triangles", "crowds", "tile-borders"});
+     "earcut-meshes", "frame-sweeps", "tessellation-cracks", "soups"});
+constexpr auto kCalls = std::to_array<std::string_view>(
+    {"target-sizes", "target-size-ends", "near-repeats", "sparse-indices", "many-triangles",
+     "crowds", "tile-borders", "coplanar-depths"});
 constexpr auto kPixelSides =
     std::to_array<std::string_view>({"square-grid-lines", "square-crossings", "square-interiors"});
 constexpr auto kClip = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "closed-around-eye", "one-vertex-behind", "hardest-rays",
-     "perspective-meshes", "meshes-around-eye"});
+     "perspective-meshes", "meshes-around-eye", "cameras"});
 
 constexpr auto kGroups = std::to_array<Group>({
     {{"ordinary", "It covers the samples that exact geometry covers."}, kOrdinary},

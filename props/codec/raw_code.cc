@@ -50,7 +50,7 @@ class RawReader {
     }
     return count;
   }
-  // A count of things that take so many bytes each, no more than there are bytes for.
+  // Reads a count of things of `bytes_each` bytes, limited to what the remaining bytes can hold.
   std::size_t CountOf(std::size_t bytes_each) {
     const std::size_t left = (bytes_.size() - next_) / bytes_each + 1;
     return static_cast<std::size_t>(std::min<std::uint64_t>({Count(), left, kMostListed}));

@@ -40,7 +40,7 @@ class CoordinateSpeller {
     fine_ = fine;
     return HaveSameBits(SpelledCoordinate(anchor, fine, lattice_), x_);
   }
-  // An anchor at `place`; without a step a subpixel behind it may be left.
+  // Finds an anchor at `place`; if there is no step, a subpixel after the anchor may remain.
   bool FindFrom(double place, std::uint64_t fine) {
     const double halves = 2 * (place - kFirstPixel);
     const double near = std::floor(halves);

@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 80;
+constexpr std::uint16_t kNextNumber = 86;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -397,6 +397,36 @@ constexpr std::array kDomains{
            .summary = "polygons cut into ears, their holes joined by bridges of repeated vertices",
            .mesh = true,
            .draw = EarcutMeshes},
+    Domain{.number = 80,
+           .name = "cameras",
+           .summary = "grids seen by cameras: float matrices, any depth range, 20 to 179 degrees",
+           .clip = true,
+           .mesh = true,
+           .draw = Cameras},
+    Domain{.number = 81,
+           .name = "scaled-viewports",
+           .summary = "grids scaled by 1.25, 1.5, 1/1080 or half an odd size, and moved, in floats",
+           .mesh = true,
+           .draw = ScaledViewports},
+    Domain{.number = 82,
+           .name = "tessellation-cracks",
+           .summary = "patches that divide their edge unequally: the oracle's count, not 1",
+           .mesh = true,
+           .draw = TessellationCracks},
+    Domain{.number = 83,
+           .name = "soups",
+           .summary = "faces twice, crossing, of both windings, their vertices shared or repeated",
+           .draw = Soups},
+    Domain{.number = 84,
+           .name = "coplanar-depths",
+           .summary = "layers of one plane or an ulp off it, their z in [0, 1] and far outside",
+           .draw = CoplanarDepths},
+    Domain{.number = 85,
+           .name = "frame-sweeps",
+           .summary = "a fan frame after frame: 1/256 pixel on, a lattice step on, turned a little",
+           .near_edge = true,
+           .mesh = true,
+           .draw = FrameSweeps},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

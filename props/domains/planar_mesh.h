@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/vertex.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
 
 namespace rasterproof::props {

@@ -125,6 +125,16 @@ Case RoundedArrangements(BitSource& bits, const SubjectInfo& info);
 Case EqualAfterSnap(BitSource& bits, const SubjectInfo& info);
 Case EarcutMeshes(BitSource& bits, const SubjectInfo& info);
 
+// recipes_engines.cc
+Case Cameras(BitSource& bits, const SubjectInfo& info);
+Case ScaledViewports(BitSource& bits, const SubjectInfo& info);
+Case FrameSweeps(BitSource& bits, const SubjectInfo& info);
+
+// recipes_soups.cc
+Case TessellationCracks(BitSource& bits, const SubjectInfo& info);
+Case Soups(BitSource& bits, const SubjectInfo& info);
+Case CoplanarDepths(BitSource& bits, const SubjectInfo& info);
+
 }  // namespace rasterproof::props
 
 #endif  // RASTERPROOF_PROPS_DOMAINS_RECIPES_H_

@@ -57,9 +57,8 @@ GridShape DrawGridShape(CaseBuilder& builder, int columns, int rows) {
 // spacing / 4 no triangle folds. Rounding to a coarse lattice can still fold one: see the caller.
 PlanarMesh MakeGrid(CaseBuilder& builder, const GridShape& shape, double jitter) {
   PlanarMesh mesh;
-  const int across = shape.columns + 1;
   for (int j = 0; j <= shape.rows; ++j) {
-    for (int i = 0; i < across; ++i) {
+    for (int i = 0; i <= shape.columns; ++i) {
       const bool pinned = i == shape.sample_column && j == shape.sample_row;
       const double moved = pinned || builder.bits().Chance(64) ? 0 : jitter;
       const double x = shape.sample.x + (i - shape.sample_column) * shape.spacing;

@@ -93,8 +93,9 @@ void Conclude(Observer& observer, const ModelSpace& space, const Race& race, Inf
   }
 }
 
-// Facings can be told from vertices before they are snapped, or by somebody who only believes the
-// profile: then the samples alone are explained. Returns whether they are.
+// Explains the samples alone, for facings that were derived from unsnapped vertices or from a wrong
+// belief about the profile. Returns whether that ends the inference: a model explains them, or the
+// subject broke off.
 bool ConcludeWithoutFacings(Observer& observer, const ModelSpace& space,
                             const InferOptions& options, Inference& inference) {
   if (inference.facing == FacingReport::kNotTold) return false;

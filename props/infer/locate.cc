@@ -18,8 +18,8 @@ constexpr int kFinest = 256;
 constexpr int kCoarsest = 16;
 constexpr int kProbedRow = 3;
 
-// An edge that falls by one pixel in so many columns from (2, 2), as `per_pixel` says: with ox > 0
-// it covers the columns of pixel row 3 up to per_pixel (1 + oy) + 1.
+// An edge that falls by one pixel in `per_pixel` columns from (2, 2): with ox > 0 it covers the
+// columns of pixel row 3 up to per_pixel (1 + oy) + 1.
 struct ProbeSize {
   int per_pixel = kFinest;
 

@@ -14,7 +14,7 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr std::size_t kFirstPart = 64;  // experiments behind which half of the models go
+constexpr std::size_t kFirstPart = 64;  // experiments after which half of the models are dropped
 constexpr std::size_t kFewest = 256;    // models that see all experiments
 constexpr std::size_t kInACall = 16;
 // No case of the race, which counts its own from 0.

@@ -64,7 +64,7 @@ std::vector<CoverageCounts> Observer::Draw(std::span<const Scene> scenes) {
 }
 
 std::optional<Scene> Observer::Given(const Scene& scene) const {
-  // Where the subject may take a vertex, not where a grid of its own may put it.
+  // This is where the subject may take a vertex, not where its own grid may put it.
   Profile ungridded = stated_;
   ungridded.snap = {};
   Scene given = scene;

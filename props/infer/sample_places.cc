@@ -12,7 +12,7 @@ namespace rasterproof::props {
 namespace {
 
 constexpr double kFarSide = 32;  // beyond the target from every place
-constexpr int kNever = -1;       // so many steps beyond a place are not there
+constexpr int kNever = -1;       // in place of a number of steps: no edge leaves the place covered
 
 // Covers what lies beyond the edge, right of it or with greater y.
 Scene HalfPlane(int steps, bool along_y) {

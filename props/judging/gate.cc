@@ -18,7 +18,7 @@
 namespace rasterproof::props {
 namespace {
 
-// What a subject that lacks it is told, and how tables name it.
+// A requirement: the reason shown for a subject that lacks it, and its name in tables.
 struct Wanted {
   bool (*has)(const Description&);
   std::string_view why_not;

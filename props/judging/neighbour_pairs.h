@@ -57,7 +57,7 @@ class NeighbourPair {
   std::optional<VisibleEdge> shared_;
   Point2 low_, high_;  ///< of the shared edge, a pixel further; all there is in clip space
   std::vector<VisibleEdge> outer_;
-  double outer_moves_ = 0;  ///< by so many pixels, at most
+  double outer_moves_ = 0;  ///< in pixels, at most
 };
 
 }  // namespace rasterproof::props

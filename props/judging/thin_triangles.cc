@@ -143,7 +143,7 @@ ThinTriangles::ThinTriangles(const PlacedCase& c, double reach) : reach_(reach) 
     everywhere_ = everywhere_ || !places;
     if (!places) continue;
     // What passes behind the eye is drawn as the pieces that clipping leaves of it, each with
-    // corners of its own: a sliver among them may turn, however broad the whole is.
+    // separate corners: a sliver among them may turn, however broad the whole is.
     const bool is_cut = std::ranges::any_of(v, [](const Vertex& p) { return !(p.w > 0); });
     // An eighth for the corners, on both sides.
     if (is_cut || Width(*places) < 2.25 * reach) outlines_.push_back(std::move(*places));

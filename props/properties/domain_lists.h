@@ -112,7 +112,9 @@ inline constexpr auto kModelCoverage = Both(
                                                 "every-size",           "tilted-grids",
                                                 "diagonal-needles",     "tile-borders",
                                                 "rounded-arrangements", "equal-after-snap",
-                                                "earcut-meshes"}));
+                                                "earcut-meshes",        "scaled-viewports",
+                                                "tessellation-cracks",  "soups",
+                                                "coplanar-depths"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -123,15 +125,17 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 // Planar subdivisions.
 inline constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans",
-     "guard-band-ends", "folds", "near-rectangles", "every-size"});
+     "guard-band-ends", "folds", "near-rectangles", "every-size", "scaled-viewports",
+     "frame-sweeps"});
 
 // Calls of several triangles, and of many kinds of them.
 inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"crowds"}));
 
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
 inline constexpr auto kMeshesAnySpace =
-    Both(kMeshes, std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye",
-                                                   "far-sides", "tilted-grids", "earcut-meshes"}));
+    Both(kMeshes,
+         std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides",
+                                          "tilted-grids", "earcut-meshes", "cameras"}));
 
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
@@ -159,7 +163,11 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "every-size",
                                                                   "rounded-arrangements",
                                                                   "equal-after-snap",
-                                                                  "earcut-meshes"});
+                                                                  "earcut-meshes",
+                                                                  "cameras",
+                                                                  "tessellation-cracks",
+                                                                  "soups",
+                                                                  "coplanar-depths"});
 
 // Closed surfaces.
 inline constexpr auto kClosed =
@@ -173,13 +181,13 @@ inline constexpr auto kClosedClip =
 inline constexpr auto kClipSpace = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "one-vertex-behind", "hardest-rays", "closed-around-eye",
      "near-edge", "edges-through-samples", "hardest-vertex", "vertices-on-samples", "axis-aligned",
-     "needles", "grids", "mixed-magnitude"});
+     "needles", "grids", "mixed-magnitude", "cameras"});
 
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(
     {"fans", "grids", "triangulations", "shared-edge", "strips", "closed-around-eye",
      "covering-fans", "every-size", "guard-band-ends", "folds", "perspective-meshes",
-     "meshes-around-eye"});
+     "meshes-around-eye", "cameras"});
 
 // Vertices that a tolerance lets snap either way, meshes first.
 inline constexpr auto kFreeSnaps = std::to_array<std::string_view>(

@@ -27,9 +27,9 @@ class Budget {
   double Since(Clock::time_point start) const;
   bool IsUp() const { return Now() >= end_; }
   bool IsStopped() const { return options_.stop && options_.stop(); }
-  /// From here on the subject has so many seconds, or what is left of the run if that is less.
+  /// Gives the subject `seconds` from now on, or the rest of the run if that is less.
   void GiveSubject(double seconds);
-  /// From here on the subject has what is left of the run.
+  /// Gives the subject the rest of the run from now on.
   void GiveSubjectAll();
   /// Another one has what is left of the run.
   void GiveAll(Subject& other) const { other.SetDeadline(end_); }

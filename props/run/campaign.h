@@ -63,8 +63,8 @@ struct CampaignOptions {
   std::function<bool()> stop = {};
   /// Read and kept up to date, if there is one: for runs of several properties on one subject.
   Pace* pace = nullptr;
-  /// Makes the subject anew, in a process of its own: what failed is judged again by one that has
-  /// drawn nothing else, as whoever replays it will. Empty: by the subject itself.
+  /// Makes a fresh subject in its own process. A failure is judged again by one that has drawn
+  /// nothing else, as in a replay. Empty: the subject itself judges it again.
   std::function<std::unique_ptr<Subject>()> afresh = {};
   /// The clock, for tests. Empty: std::chrono::steady_clock.
   std::function<std::chrono::steady_clock::time_point()> now = {};

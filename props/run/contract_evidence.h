@@ -20,7 +20,7 @@ struct ContractEvidence {
   /// Some property of the contract was put to the test, or the contract is `none` and states
   /// nothing.
   bool is_exercised = false;
-  /// Else: a sentence that says what stands in the way, by the profile's key where it is one.
+  /// Else: a sentence that says what prevents it, by the profile's key where it is one.
   std::string why;
   /// Where it is exercised by fewer than kFewestTies samples on edges, and the contract is one that
   /// says who owns them: a sentence with the number. Empty for given cases: nobody counts theirs.

@@ -38,7 +38,8 @@ Counterexample Violated(const Case& c, const Verdict& verdict) {
   return {c, verdict, Outcome::kViolated, verdict.message, 0};
 }
 
-// The subject, made anew if it can be; if not, or if the run is stopped meanwhile, as it is.
+// Holds a fresh subject if one can be made; if not, or if the run is stopped meanwhile, the given
+// one.
 class FreshSubject {
  public:
   FreshSubject(Subject& subject, const CampaignOptions& options, const Budget& budget)

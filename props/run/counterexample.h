@@ -39,7 +39,7 @@ struct Failure {
 };
 
 /// Judges the case alone, shrinks it and runs the smallest one once more. The first and the last of
-/// these are put to a subject made anew if the options make one: what a subject remembers of other
+/// these are drawn by a fresh subject if the options make one: what a subject remembers of other
 /// draws is company as well.
 ///
 /// An evaluation gets one time limit in all, or what the pace leaves of it after a hang. That is no

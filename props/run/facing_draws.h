@@ -17,7 +17,7 @@ namespace rasterproof::props {
 /// One call's share of a draw.
 struct FacingDraw {
   DrawJob job;
-  bool is_back = false;  ///< what it covers counts as back; as it is told if the subject tells
+  bool is_back = false;  ///< its samples count as back; ignored if the subject reports facings
 };
 
 /// The parts that add up to the draw's counts by facing.
@@ -31,10 +31,10 @@ struct FacingDraw {
 std::vector<FacingDraw> FacingDraws(const DrawJob& job, CoverageKind coverage,
                                     const Profile& profile);
 
-/// A call of a subject is kept to so many samples and vertices: what is at hand of it takes memory
-/// on either side.
+/// The most samples and vertices in one call of a subject: the call's draws take memory on either
+/// side.
 inline constexpr std::size_t kMostInACall = std::size_t{1} << 20;
-/// What a job adds to that.
+/// Returns the samples and vertices that a job adds to a call.
 std::size_t SizeInACall(const DrawJob& job);
 
 /// Draws the parts in their order, in calls of kMostInACall, and adds what they drew.

@@ -60,7 +60,8 @@ class Together {
       requests.push_back(hands_[k]->Next());
     }
     if (requests.empty() || is_stopped_) return false;
-    // Fewer if the subject broke down: what lies behind is asked again, unless that ends the batch.
+    // There are fewer answers if the subject broke down: later requests are asked again, unless
+    // the breakdown ends the batch.
     const std::vector<Answers> answers = Submit(subject_, requests);
     for (std::size_t n = 0; n < answers.size() && asked[n] < end_ && !IsStopped(); ++n) {
       hands_[asked[n]]->Take(answers[n]);
@@ -88,7 +89,7 @@ class Together {
   const std::function<bool()>& stop_;
   Description description_;
   std::vector<std::unique_ptr<CaseJudge>> hands_;
-  std::size_t end_;  ///< behind the case that ends the batch
+  std::size_t end_;  ///< one past the case that ends the batch
   bool is_stopped_ = false;
 };
 

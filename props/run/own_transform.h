@@ -21,7 +21,7 @@
 
 namespace rasterproof::props {
 
-/// Returns whether the subject takes clip space, or a map, through a transform of its own.
+/// Returns whether the subject takes clip space, or a map, through its own transform.
 inline bool OwnsTransform(const SubjectInfo& info) {
   const auto& transform = info.profile.transform;
   return transform && (transform->map ? info.takes_window : info.takes_clip);

@@ -34,7 +34,7 @@ std::uint64_t FirstIndex(std::string_view property);
 /// The name of what a run over these domains (at least one) takes as its case `number`: of domain
 /// number % n, the next one from `first` on that the run has not had of it. Worked out from
 /// `number` alone, so that shards and replays agree, and different for different numbers, however
-/// often a domain stands there.
+/// often a domain is listed.
 CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t first,
                     std::uint64_t seed, std::uint64_t number);
 

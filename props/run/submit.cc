@@ -162,7 +162,7 @@ class Submission {
       const std::size_t drawn = DrawCall(first, last);
       const std::size_t end = shares_[first + (drawn == 0 ? 0 : drawn - 1)].request;
       if (first + drawn < last || EndsTheCall(answers_[end].end.stop)) {
-        // What lies behind a breakdown is not drawn: the case that caused it is judged first.
+        // Draws after a breakdown are left out: the case that caused it is judged first.
         answers_.resize(end + 1);
         break;
       }

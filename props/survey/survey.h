@@ -85,7 +85,7 @@ struct DomainSurvey {
 /// Domain:     the name of a domain; a model of contract sample-exact, with the stated coordinate
 ///             limit.
 /// Returns:    no cases if the subject takes none of the domain's scenes. A domain is given up
-///             behind four cases that end the subject or are too slow.
+///             after four cases that end the subject or are too slow.
 DomainSurvey SurveyDomain(Subject& subject, std::string_view domain, const SurveyPlan& options);
 
 }  // namespace rasterproof::props

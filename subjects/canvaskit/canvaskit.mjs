@@ -1,7 +1,7 @@
 // Skia's software rasterizer, compiled to wasm, as a subject on a pipe: docs/subjects.md says how it
 // is asked and how it answers.
 //
-//   node canvaskit.mjs paths       each triangle a path of its own, filled without antialiasing
+//   node canvaskit.mjs paths       a separate path for each triangle, filled without antialiasing
 //   node canvaskit.mjs vertices    the triangles of a scene in one drawVertices
 //   node canvaskit.mjs nothing     draws nothing: what the pipe itself costs
 import { createRequire } from 'node:module';

@@ -85,7 +85,9 @@ void GlCounter::Resize(int width, int height) {
 void GlCounter::RequireSamples() const {
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  if (samples_ > 1 && samples != samples_) throw std::runtime_error("not so many samples");
+  if (samples_ > 1 && samples != samples_) {
+    throw std::runtime_error("the framebuffer has another number of samples than requested");
+  }
 }
 
 void GlCounter::Bind() const {

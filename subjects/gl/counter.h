@@ -1,4 +1,4 @@
-// Counts triangles in OpenGL: additive blending into floats, each facing in a channel of its own.
+// Counts triangles in OpenGL: additive blending into floats, one channel for each facing.
 #ifndef RASTERPROOF_SUBJECTS_GL_COUNTER_H_
 #define RASTERPROOF_SUBJECTS_GL_COUNTER_H_
 

@@ -10,12 +10,12 @@
 
 namespace rasterproof::subjects::mutants {
 
-/// What is clipped to, and how well.
+/// How the rasterizer clips, and to what.
 struct ClippingStages {
   FixedStages base;   ///< draws what is left, and snaps all vertices, new ones too
-  double beyond = 0;  ///< the target and so many pixels around it
-  /// A planted bug: the ends of the polygon on a side of the rectangle lie so many pixels further
-  /// apart, or nearer. Two neighbours then overlap along an edge that leaves, or part.
+  double beyond = 0;  ///< clips to the target and this many pixels around it
+  /// A planted bug: the ends of the polygon on a side of the rectangle lie this many pixels further
+  /// apart, or nearer if negative. Two neighbours then overlap along an edge that leaves, or part.
   double wider = 0;
 };
 

@@ -21,8 +21,8 @@ namespace {
 constexpr std::int64_t kPixel = 256;
 constexpr std::int64_t kCoarseStep = 16;
 
-// What the options of a call said, for the stages behind them. The stages of all subjects made of
-// one row are copies: a draw stays on its thread, and other properties draw on others.
+// The options of a call, for later stages. It is thread-local because the stages of all subjects
+// made of one row are copies: a draw stays on its thread, and other properties draw on others.
 struct CallState {
   GridPoint corner;  // of the target
   int width = 0;

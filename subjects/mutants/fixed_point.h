@@ -91,7 +91,7 @@ struct FixedStages {
   std::function<std::int64_t(std::int64_t raw)> wrap = {};
   std::function<double(double x, bool along_y)> snap = {};
   std::function<void(GridPoint&)> place = {};
-  /// Whether a triangle so many steps of the grid wide and high is dropped.
+  /// Returns whether a triangle of this width and height, in steps of the grid, is dropped.
   std::function<bool(std::int64_t width, std::int64_t height)> too_large = {};
   std::function<std::int64_t(const std::array<GridPoint, 3>&)> area = {};
   bool draws_flat = false;  ///< a triangle without area covers the samples on it

@@ -25,7 +25,7 @@ struct FreeCorner {
   bool is_turned = false;          ///< the triangle, by the legal choice of its corners, or flat
 };
 
-/// What is free about the rasterizer, and how it is told.
+/// The rasterizer's free choices, and how it reports them.
 struct FreeStages {
   Profile profile;
   /// The grid that it does use, and how many steps of it a vertex may be off on each axis.

@@ -99,7 +99,7 @@ FreeStages Pixels() {
   return As(CoverageKind::kMask, WithProfileOf(Contract::kWatertight, Snap::kNone, 0, Anyhow));
 }
 
-// Half of all triangles, whatever vertex they are told from.
+// Selects half of all triangles, whichever vertex their lists start with.
 bool IsOdd(const std::array<Point2, 3>& v) {
   const double sum = v[0].x + v[1].x + v[2].x + 3 * (v[0].y + v[1].y + v[2].y);
   return std::fmod(std::floor(sum * 64), 2.0) != 0;

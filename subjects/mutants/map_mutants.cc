@@ -47,7 +47,7 @@ TransformStages ShiftedTiles(const Transform& stated, Form form) {
   return stages;
 }
 
-// Every tile places vertices from an origin of its own.
+// Places vertices relative to the tile's own origin.
 template <class Origin>
 TransformStages FromItsOwnOrigin(const Transform& stated, Form form, Origin origin) {
   TransformStages stages;

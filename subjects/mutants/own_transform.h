@@ -18,24 +18,25 @@ namespace rasterproof::subjects::mutants {
 struct TransformStages {
   Transform stated;
   std::function<Point2(const Vertex& clip, const Scene& scene)> to_window;
-  /// True if it shows fragments, of the vertices on the grid; else it tells facings.
+  /// True if it shows fragments, of the vertices on the grid; else it reports facings.
   bool shows_fragments = false;
-  /// What the interpolated depths are off.
+  /// The error of the interpolated depths.
   double depth_error = 0;
   /// Depths that differ by less are taken for one.
   double flat_depths = 0;
-  /// Of a map: it draws what a scissor leaves as a target of its own, whose first pixel is the
-  /// tile's; where a vertex lies on it. In place of `to_window`.
+  /// Returns where a vertex lies on the tile, for a map that draws what a scissor leaves as a
+  /// separate target, whose first pixel is the tile's. Replaces `to_window`.
   std::function<Point2(const Vertex& vertex, const PixelRect& tile)> to_tile = {};
 };
 
-/// What the subject says of the fragments that it shows: barycentrics and depths in double, of
+/// The stated errors of the fragments: barycentrics and depths are computed in double from
 /// integers.
 inline constexpr double kBarycentricError = 0x1p-46;
 inline constexpr double kDepthError = 0x1p-44;
 
-/// The fixed-point rasterizer behind a transform. A vertex that is not finite or not in front of
-/// the eye has no place: its triangles are not drawn. Behind a map it takes float64.
+/// Returns the fixed-point rasterizer after a transform. A vertex that is not finite or not in
+/// front of the eye has no place: its triangles are not drawn. After a map the rasterizer takes
+/// float64.
 std::unique_ptr<Subject> MakeOwnTransform(const std::string& name, const std::string& summary,
                                           TransformStages stages);
 

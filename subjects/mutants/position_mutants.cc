@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kHalfPixel = 128;
 
-// Samples that lie off by so many 1/256 pixels.
+// Moves the samples by (x, y) in 1/256 pixels.
 FixedStages SamplesOff(std::int64_t x, std::int64_t y) {
   return {.sample = [x, y](const Sample& at) { return GridPoint{at.at.x + x, at.at.y + y}; }};
 }

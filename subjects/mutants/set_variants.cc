@@ -38,7 +38,7 @@ FixedStages Unclipped(FixedStages stages) {
   return stages;
 }
 
-// On a grid of so many bits, finer than that of most.
+// Snaps to a grid of `bits` bits, finer than most use.
 FixedStages Finer(int bits, std::function<double(double)> snap) {
   FixedStages stages = Snapping("vulkan", std::move(snap));
   stages.bits = bits;

@@ -59,7 +59,7 @@ Point2 InDouble(const Vertex& v, const Scene& scene) {
 
 constexpr Transform kQuotients{};
 
-// Depths are given: no draw of its own changes them.
+// Shows fragments, with depths that are off by `depth_error`.
 TransformStages ShownAsFragments(double depth_error) {
   return {kQuotients, Quotients, true, depth_error};
 }

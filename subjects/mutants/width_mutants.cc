@@ -24,7 +24,7 @@ constexpr std::int64_t kUnit = 16;
 constexpr std::int64_t kPixel = 16;  // in units
 constexpr int kBin = 8;
 
-// Two's complement of so many bits.
+// Wraps n to two's complement of `bits` bits.
 std::int64_t Wrapped(std::int64_t n, int bits) {
   const int unused = 64 - bits;
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(n) << unused) >> unused;
@@ -73,7 +73,8 @@ FixedStages ProductsOf(int bits) {
   });
 }
 
-// From the left end of the row, in steps of so many pixels and then in single ones that are sound.
+// Steps from the left end of the row by `pixels` pixels at a time, with a step that wraps at `bits`
+// bits, and then by single pixels, which are sound.
 FixedStages StepsOf(int pixels, int bits) {
   return OnAllOfTheTarget([pixels, bits](const GridEdge& e, const Sample& at) {
     const int single = at.x % pixels;
@@ -82,7 +83,7 @@ FixedStages StepsOf(int pixels, int bits) {
   });
 }
 
-// The same places as floats up to a limit, which end a step later.
+// Takes floats up to 2048 on a grid of four bits: the places of 12.4 input, and one step more.
 FixedStages LimitedTo2048(FixedStages stages) {
   stages.profile = FixedPointProfile();
   stages.profile.snap.bits = 4;

@@ -70,8 +70,8 @@ SpareMemory& Spare() {
 
 }  // namespace
 
-// From low to high: a closed page, guard rows, the rows, each with guard columns behind it, guard
-// rows up to the end of a page, a closed page.
+// Lays out, from low to high: a closed page, guard rows, the rows, each followed by guard columns,
+// guard rows up to the end of a page, a closed page.
 GuardedCounts::GuardedCounts(std::size_t row_length, std::size_t rows, std::size_t words,
                              std::uint32_t fill)
     : words_(words),
@@ -82,7 +82,7 @@ GuardedCounts::GuardedCounts(std::size_t row_length, std::size_t rows, std::size
   const std::size_t count = (rows + 2 * kGuardRows) * stride_;
   open_bytes_ = (count * sizeof(std::uint32_t) + page - 1) / page * page;
   open_ = Spare().Take(open_bytes_);
-  // Against the closed page behind it, so that one count too far is seen at once or in a guard.
+  // The counts end at the closed page, so that one count too far is seen at once or in a guard.
   std::byte* const end = open_ + open_bytes_;
   counts_ = {reinterpret_cast<std::uint32_t*>(end - count * sizeof(std::uint32_t)), count};
   std::ranges::fill(counts_, kGuard);
@@ -112,7 +112,7 @@ std::string GuardedCounts::Found(std::size_t first, std::size_t last) const {
 }
 
 std::string GuardedCounts::Damage() const {
-  // What lies before the first row, behind each, and, behind the last, up to the end.
+  // Checks the words before the first row, after each row, and after the last row up to the end.
   std::size_t first = 0;
   for (std::size_t row = 0; row < rows_; ++row) {
     const std::size_t begin = (kGuardRows + row) * stride_;

@@ -66,9 +66,9 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   return info;
 }
 
-// A scene's vertices as the library sees them. Filled anew they lie where those before lay, unless
-// there are more: as in a program that draws from one buffer, where an address says nothing of what
-// stands there.
+// A scene's vertices as the library sees them. Fill() reuses the memory of the last scene unless it
+// needs more: as in a program that draws from one buffer, where an address says nothing of the
+// content.
 struct PluginVertices {
   void Fill(std::shared_ptr<const Scene> of, const std::optional<FixedInput>& input) {
     scene = std::move(of);
@@ -241,7 +241,7 @@ class PluginEdges final : public StatedEdges {
       return plugin_.edge_steps(state_, Pair(a).data(), Pair(b).data(), Pair(p).data(), &stepping,
                                 values.data());
     });
-    if (values.back() != kGuard) BreakDown("it wrote behind the values of its steps");
+    if (values.back() != kGuard) BreakDown("it wrote past the values of its steps");
     values.pop_back();
     return values;
   }
@@ -355,8 +355,8 @@ class PluginSubject final : public Subject {
   }
 
  private:
-  // Converted once for the jobs behind each other that share a scene; into the buffers of the scene
-  // before if no other job of the call needs them.
+  // Converts once for consecutive jobs that share a scene; into the buffers of the previous scene
+  // if no other job of the call needs them.
   std::shared_ptr<const PluginVertices> VerticesOf(const DrawJob& job) {
     if (vertices_ != nullptr && vertices_->scene == job.scene) return vertices_;
     if (vertices_ == nullptr || vertices_.use_count() != 1) {

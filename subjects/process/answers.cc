@@ -76,8 +76,7 @@ class RowReader {
   WordReader words_;
 };
 
-// Reads HEIGHT rows; take(row, index, column, columns) reads one sample, of at most so many
-// numbers, from the row.
+// Reads HEIGHT rows; take(row, index, column, columns) reads one sample from the row.
 template <class Take>
 void ReadRows(const CoverageCounts& shape, std::size_t numbers, const NextLine& next_line,
               const Take& take) {

@@ -223,8 +223,8 @@ Subject* ProcessSubject::Twin() {
   return twin_.get();
 }
 
-// All that are open in one write. The program may keep finished answers back while it works on what
-// is behind them, so who takes long is not known before each is asked alone.
+// Asks all open requests in one write. The program may keep finished answers back while it works on
+// later requests, so a slow request is found only by asking each alone.
 std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest> requests) {
   std::vector<std::vector<double>> answers;
   const auto ask = [&](std::size_t count, double seconds) {
@@ -408,8 +408,9 @@ void ProcessSubject::Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcom
   }
 }
 
-// A program answers in order: before the answer that is missing none is to blame. In a batch it may
-// be any of those behind it as well, for it may draw them all before it says anything.
+// Finds the draw that is to blame by asking each alone. A program answers in order, so no draw
+// before the missing answer is to blame. In a batch it may also be any later one, for the program
+// may draw them all before it says anything.
 void ProcessSubject::TraceAlone(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
   const std::size_t first = outcomes.size() - 1;
   const std::size_t last = info_.takes_batches ? jobs.size() - 1 : first;

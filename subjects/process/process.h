@@ -20,7 +20,7 @@
 namespace rasterproof::subjects {
 
 struct ProcessLimits {
-  double seconds = 10;                           ///< of its own time, for one answer
+  double seconds = 10;                           ///< of the program's time, for one answer
   std::uint64_t bytes = std::uint64_t{4} << 30;  ///< of address space; 0: no limit
 };
 

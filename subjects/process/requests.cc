@@ -384,7 +384,7 @@ std::optional<EdgeRequest> RequestReader::NextEdgeRequest() {
     }
   }
   if (!words.AtEnd()) {
-    Malformed(where, "edge ID AX AY BX BY PX PY, or steps with x|y +1|-1 LENGTH STEPS behind");
+    Malformed(where, "edge ID AX AY BX BY PX PY, or steps followed by x|y +1|-1 LENGTH STEPS");
   }
   return request;
 }

@@ -42,7 +42,7 @@ void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind)
   if (!fits) BreakDown("its drawing has not the shape of the target, or lacks a part");
 }
 
-// As EndOf; in a process of its own memory that runs out is the subject's fault.
+// Does what EndOf does; in its own process, a subject is also to blame if memory runs out.
 CallEnd EndHere(const std::function<void()>& call) {
   try {
     return EndOf(call);
@@ -102,8 +102,8 @@ void Serve(Subject& subject, std::istream& in, const std::function<void(const st
   for (;;) {
     if (const std::optional<EdgeRequest> request = requests.NextEdgeRequest()) {
       values += AnswerOrEnd(request->id, [&] { return ValuesOf(subject, *request); });
-      // Where more is asked already the answers go in one write, about every 10 ms: behind the one
-      // that is worked on by then. If that one hangs those before it are never said.
+      // If more requests are waiting, answers are collected and written about every 10 ms, after
+      // the answer in progress at that time. If that one hangs, those before it are never written.
       if (requests.HasMore() && Clock::now() - said < kMostKeptBack) continue;
       say(std::exchange(values, {}));
       said = Clock::now();

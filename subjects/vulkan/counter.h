@@ -1,4 +1,4 @@
-// Counts triangles in Vulkan: additive blending into floats, each facing in a channel of its own.
+// Counts triangles in Vulkan: additive blending into floats, one channel for each facing.
 #ifndef RASTERPROOF_SUBJECTS_VULKAN_COUNTER_H_
 #define RASTERPROOF_SUBJECTS_VULKAN_COUNTER_H_
 
@@ -40,8 +40,8 @@ std::optional<int> ReportedSubpixelBits(const VulkanDriver& driver);
 /// origin, a power of two to either side.
 class VulkanCounter {
  public:
-  /// Error:      throws std::runtime_error where there is no such device, or where it does not have
-  ///             so many samples at the standard locations.
+  /// Error:      throws std::runtime_error if there is no such device, or if it does not have the
+  ///             driver's number of samples at the standard locations.
   explicit VulkanCounter(const VulkanDriver& driver);
   ~VulkanCounter();
   VulkanCounter(const VulkanCounter&) = delete;

@@ -42,7 +42,7 @@ double Isqrt(Int128 n) {
   return static_cast<double>(root);
 }
 
-// Two's complement of so many bits.
+// Wraps to two's complement of `bits` bits.
 std::function<Int128(Int128)> Wrapping(int bits) {
   return [bits](Int128 x) {
     const Int128 range = Int128{1} << bits;
@@ -175,7 +175,7 @@ TEST(FindCliff, FindsDifferencesThatWrap) {
 }
 
 TEST(FindCliff, FindsCoordinatesThatWrap) {
-  // The sample lies 384 steps from 0, corners up to so many steps from it.
+  // The sample lies 384 steps from 0, corners up to that many steps from the sample.
   EXPECT_EQ(FirstFailing({.coordinate = Wrapping(16)}), 32768 - 384);
 }
 

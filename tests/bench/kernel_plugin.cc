@@ -1,5 +1,5 @@
-// The exact kernel behind the C interface: what bench tells of a plugin against what it tells of
-// the kernel that draws into the same sink.
+// The exact kernel behind the C interface, to compare bench's times of a plugin with those of the
+// kernel that draws into the same sink.
 //
 //     cmake --build build --target kernel_plugin
 //     build/rasterproof bench --plugin build/test_plugins/kernel.so --subject kernel-exact
@@ -14,7 +14,7 @@
 
 namespace {
 
-// Memory of its own, with the room behind the rows that saves a second pass over the mesh.
+// Owns its memory, with the room after the rows that saves a second pass over the mesh.
 class Counts {
  public:
   explicit Counts(const rasterproof_scene& scene)

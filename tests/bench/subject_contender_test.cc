@@ -20,7 +20,7 @@
 namespace rasterproof::bench {
 namespace {
 
-// Takes the time that it is told to, and draws nothing, or all of the target.
+// Takes the time that the test sets, and draws nothing, or all of the target.
 class Scripted final : public Subject {
  public:
   const SubjectInfo& OwnInfo() const override { return info; }

@@ -16,7 +16,7 @@
 namespace rasterproof {
 namespace {
 
-// Gives so many drawings more than it is given scenes.
+// Returns `more` drawings more than it is given scenes.
 template <int more>
 struct Miscounts {
   Drawing Show(const DrawJob& /*job*/) { return {}; }

@@ -28,7 +28,7 @@ TEST(Suggestion, NamesStandOnOneLineOrOnLinesOfEightyColumns) {
   std::istringstream lines(ListedNames(many));
   std::string line;
   std::getline(lines, line);
-  EXPECT_EQ(line, "") << "the list begins on a line of its own";
+  EXPECT_EQ(line, "") << "the list begins on a separate line";
   std::ptrdiff_t named = 0;
   while (std::getline(lines, line)) {
     EXPECT_LE(line.size(), 80U) << line;

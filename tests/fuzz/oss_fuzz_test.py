@@ -44,7 +44,7 @@ OPTIONS = {
 FEWEST_ASAN_CALLS, FEWEST_UBSAN_CALLS = 1000, 168
 MOST_ASAN_CALLS_ELSEWHERE, MOST_UBSAN_CALLS_ELSEWHERE = 0, 200
 FEWEST_EDGES = 100
-# What the image that runs targets has, and what stands in for its static libc++ here.
+# The libraries of the image that runs targets, and those that replace its static libc++ here.
 BASE = {"linux-vdso.so.1", "libc.so.6", "libm.so.6", "libpthread.so.0", "libdl.so.2", "librt.so.1",
         "libgcc_s.so.1", "libresolv.so.2", "ld-linux-x86-64.so.2"}  # fmt: skip
 STAND_INS = {"libc++.so.1", "libc++abi.so.1", "libunwind.so.1", "libstdc++.so.6"}

@@ -108,7 +108,7 @@ std::size_t RowBytes(RasterOutput output, int width) {
   return output == RasterOutput::kCounts ? pixels : 4 * pixels;
 }
 
-// How memory lies: nothing but the rows, wide rows, room behind and between.
+// The memory's layout: nothing but the rows, wide rows, room after the rows and between them.
 enum class Layout : std::uint8_t { kTight, kPadded, kRoomy };
 
 constexpr std::byte kGuard{0xa5};

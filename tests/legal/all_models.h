@@ -17,7 +17,7 @@
 
 namespace rasterproof::legal::testing {
 
-/// Targets have so many pixels on a side.
+/// The number of pixels on a side of every target.
 inline constexpr int kSide = 3;
 
 /// The vertices of a scene, where one model has them.
@@ -25,10 +25,10 @@ using Model = std::vector<Point2>;
 /// Drawings of each triangle alone: [triangle][sample].
 using Drawn = std::vector<std::vector<bool>>;
 
-/// Whether the model and the rule explain what was drawn of each triangle alone.
+/// Returns whether the model and the rule explain the drawing of each triangle alone.
 bool ExplainsAlone(const Scene& scene, const Profile& profile, const TieRule& rule,
                    const Model& model, const Drawn& drawn);
-/// Whether the model lets so many triangles cover the sample, by some owners.
+/// Returns whether the model lets `count` triangles cover the sample, for some owners.
 bool ExplainsCountAt(const Scene& scene, const Profile& profile, const TieRule& rule,
                      const Model& model, std::size_t s, std::uint32_t count);
 /// As ExplainsCountAt, for every sample.

@@ -27,7 +27,7 @@ struct NearATie {
   double window_x = 0;  ///< of the right side, without rounding
 };
 
-// `below`: so many units of 2^-24 before the tie.
+// Returns a scene whose right side lies `below` units of 2^-24 before the tie.
 NearATie RandomScene(std::mt19937_64& random, double below) {
   NearATie near;
   near.w = std::uniform_real_distribution<float>(1, 2)(random);

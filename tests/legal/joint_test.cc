@@ -88,7 +88,7 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForCounts) {
 }
 
 // Two edges pass closely by the samples (2.5, 4.5) and (3.5, 3.5) to a vertex beside
-// (17/6, 41/6), a grid point of so many bits: none of the grid points of 4 to 16 bits around it
+// (17/6, 41/6), a grid point of `bits` bits: none of the grid points of 4 to 16 bits around it
 // leaves both samples on their sides. A third lies beside (0.5, 6.5) and covers it once its ends
 // are rounded down, which no grid of 24 bits does, nor none.
 Scene PinnedScene(int bits) {
@@ -141,7 +141,7 @@ TEST(JointVerdict, NothingIsSaidBeyondTheCoordinateLimit) {
   EXPECT_FALSE(WhyNotJoint(scene, {*PresetProfile("vulkan"), scene}).has_value());
 }
 
-// A rasterizer that places vertices anew for each column of samples, legally every time.
+// A rasterizer that places vertices again for each column of samples, legally every time.
 TEST(JointVerdict, ConvictsWhatEverySampleByItselfAcquits) {
   Draws draws(20261123);
   int convicted = 0;

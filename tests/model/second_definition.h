@@ -15,7 +15,7 @@
 #include "core/transform.h"
 #include "core/vertex.h"
 
-/// As GoogleTest shows it; the operator is in a library of its own.
+/// Prints a value in GoogleTest's messages; GMP's operator is in a separate library.
 inline void PrintTo(const mpq_class& v, std::ostream* out) { *out << v.get_str(); }
 
 namespace rasterproof::second {
@@ -30,7 +30,7 @@ struct Value {
   bool IsZero() const { return kind == Kind::kFinite && number == 0; }
 };
 
-/// Its finite values are multiples of 2^least below 2^beyond with so many digits.
+/// A format whose finite values are multiples of 2^least below 2^beyond with `digits` digits.
 struct Format {
   int digits;
   int least;

@@ -1,4 +1,4 @@
-// Names of cases: one text for each, and what a name stands for is no matter of the company.
+// Names of cases: each case has one text, and stands for the same case whatever runs beside it.
 #include "props/domains/case_name.h"
 
 #include <gtest/gtest.h>

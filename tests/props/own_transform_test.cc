@@ -74,7 +74,7 @@ TEST(OwnTransform, OtherOperationsOnAMapAreFound) {
   }
 }
 
-// Recipes aim at places; behind a map they lie there, or a step of the map's coordinates beside.
+// Recipes aim at places; after a map vertices lie there, or a step of the map's coordinates beside.
 TEST(OwnTransform, CasesOfAMapHaveItsSizeAndLieWhereRecipesAim) {
   const SubjectInfo info = subjects::MakeMutant("legal:map-quarter")->Info();
   int exact = 0;

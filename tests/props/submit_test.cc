@@ -19,7 +19,7 @@ namespace {
 // As many samples as a call holds: beside such a draw there is room for no other.
 constexpr int kSide = 1024;
 
-// Draws nothing, and breaks down over a scene of so many vertices.
+// Draws nothing, and breaks down over a scene of `breaks_over` vertices.
 FakeSubject Empty(const std::size_t& breaks_over) {
   return {testing::RealInfo(), [&](const Scene& scene, const DrawOptions&, CoverageCounts&) {
             if (scene.vertices.size() == breaks_over) BreakDown("it crashed");

@@ -134,14 +134,14 @@ TEST(Worlds, ShowABugOfASingleCase) {
             Outcome::kHolds);
 }
 
-// What is cut off, and where it shows.
+// A cut of one kind of number, and the world that shows it.
 struct Cut {
   std::string_view what;
   std::string_view world;
   std::function<Scene(Scene)> cut;
 };
 
-// The scene with what a number of so many bits holds of each of these.
+// Each function below keeps the low bits of one kind of number of the scene.
 Scene CutIndices(Scene scene) {
   for (Triangle& t : scene.triangles) {
     for (std::int32_t& index : t) index &= 0xffff;

@@ -1,4 +1,4 @@
-// An independent truth for small scenes: every sample, every edge, integers of its own.
+// An independent oracle for small scenes: every sample, every edge, its own integers.
 #ifndef RASTERPROOF_TESTS_REFERENCE_BRUTE_FORCE_H_
 #define RASTERPROOF_TESTS_REFERENCE_BRUTE_FORCE_H_
 

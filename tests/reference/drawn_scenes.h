@@ -121,7 +121,7 @@ inline OwnedScene DeepScene() {
   return scene;
 }
 
-/// Scenes of every size and kind of coordinate; so many hundredths of their triangles.
+/// Returns scenes of every size and kind of coordinate, with `percent` percent of their triangles.
 inline std::vector<OwnedScene> DrawnScenes(int percent) {
   std::vector<OwnedScene> scenes;
   scenes.push_back(RandomScene(1, 1, 1, 200 * percent / 100));

@@ -98,7 +98,7 @@ inline void Incremental(const FloatEdges& edges, Covered& covered) {
       }
       inside.push_back(AllReach(e, edges.least));
     }
-    // The row ends where 32 pixels on end are outside behind some that are inside.
+    // The row ends where 32 consecutive pixels are outside after some that are inside.
     bool was_inside = false;
     for (std::size_t from = 0; from < inside.size(); from += 32) {
       const std::size_t to = std::min(from + 32, inside.size());

@@ -260,7 +260,7 @@ TEST(PlanTest, DrawsWhatTheOracleSaysAtTheSharpValues) {
     for (int n = 0; n < Cases(400); ++n) {
       std::vector<Point2> points;
       for (int k = 0; k < 3; ++k) points.push_back(LatticePoint(random, 0, 0, b.steps, b.lattice));
-      // The box's diagonal is a corner case of its own: the largest product there is.
+      // The box's diagonal is a separate corner case: the largest product there is.
       if (n % 4 == 0) {
         points[0] = {0, 0};
         points[1] = {std::ldexp(static_cast<double>(b.steps), -b.lattice),

@@ -53,8 +53,8 @@ class StepsTest(unittest.TestCase):
         self.assertIn("STALL=0", quick)
         (self.root / "quick.sh").write_text(quick, encoding="utf-8")
         script = ("set -euo pipefail\nsource ./quick.sh\n: >said\n"
-                  "until_told() { echo half way; until grep -q 'half way' said; do :; done; }\n"
-                  "step long until_told >said\n")  # fmt: skip
+                  "until_seen() { echo half way; until grep -q 'half way' said; do :; done; }\n"
+                  "step long until_seen >said\n")  # fmt: skip
         done = subprocess.run(["bash", "-c", script], cwd=self.root, timeout=60, check=False)
         said = (self.root / "said").read_text(encoding="utf-8")
         self.assertEqual(done.returncode, 0)

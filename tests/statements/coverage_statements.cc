@@ -16,8 +16,8 @@ using std::optional;
 
 Vec2 At(double x, double y) { return {Rational(x), Rational(y)}; }
 StatementTally RightOfAnUpwardEdgeIsPositive(std::uint64_t seed, int count) {
-  // "Right" told without a rotation: of two points at one height beside an upward edge, the one of
-  // greater x is the right one.
+  // This defines "right" without a rotation: of two points at one height beside an upward edge, the
+  // one of greater x is the right one.
   return Over(seed, count, [](Draws& draws) -> optional<bool> {
     const Vec2 a = draws.Point();
     const Vec2 b = draws.Point();

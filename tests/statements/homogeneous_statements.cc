@@ -60,7 +60,7 @@ StatementTally TripleProductIsTheScaledEdge(std::uint64_t seed, int count) {
     const Vec3 v1 = draws.EyePoint(false);
     const Vec2 p = draws.Point();
     const Rational triple = WithoutDivision(v0, v1, p);
-    // ... and the oracle's homogeneous value, told from V1 to V0, is its negative.
+    // ... and the oracle's homogeneous value, taken from V1 to V0, is its negative.
     const auto vertex = [](const Vec3& v) {
       return Vertex{v.x.ToDouble(), v.y.ToDouble(), 0, v.z.ToDouble()};
     };
@@ -169,8 +169,8 @@ StatementTally ProjectedEdgeLiesInTheTriangleWithTheEye(std::uint64_t seed, int 
 
 bool ProjectedEndLiesOutsideForANearVertex() { return !MeetsTheImagePlane(Eye(0, 0, 0.5)); }
 
-// Where the ray r (p, 1), r > 0, meets the triangle, told from the plane and its own barycentrics
-// in it.
+// Returns whether the ray r (p, 1), r > 0, meets the triangle, by the plane and the barycentrics of
+// the point in it.
 optional<bool> RayHits(const std::array<Vec3, 3>& v, const Vec2& p) {
   const Vec3 normal = Cross(v[1] - v[0], v[2] - v[0]);
   const Rational along = Dot(normal, OnTheImage(p));

@@ -52,7 +52,7 @@ TEST(Plugin, IsNotGivenTargetsThatNobodyTakes) {
   EXPECT_THROW(DrawOne(*loaded.subject, large), SubjectStop);
 }
 
-// A triangle that covers the target, of a scene in which another stands before it.
+// Returns a job for a triangle that covers the target, the second of its scene.
 DrawJob SecondOfTwo(Outputs wants) {
   Scene scene;
   scene.width = scene.height = 4;

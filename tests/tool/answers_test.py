@@ -63,14 +63,14 @@ class PipesLaidByHand(unittest.TestCase):
                         text = run("pipe", "judge", *chosen, data=b"".join(said_so)).stdout.decode()
                         self.assertIn(f": {held - 1} cases held, {counts}", text)
 
-    def test_more_answers_than_requests_are_told_by_their_line(self):
+    def test_more_answers_than_requests_are_reported_by_their_line(self):
         chosen = ("--property", STAYS_INSIDE, "--cases", "8")
         requests = run("pipe", "ask", *chosen).stdout
         sound = run(program=os.path.join(SOURCES, "kit/examples/program.py"), data=requests).stdout
         self.assertEqual(run("pipe", "judge", *chosen, data=sound).returncode, 0)
         done = run("pipe", "judge", *chosen, data=sound + b"counts 9999\n0 0\n")
         self.assertEqual(done.returncode, 2, done.stdout)
-        self.assertIn(f"line {sound.count(bytes([10])) + 1}: it goes on behind the last answer",
+        self.assertIn(f"line {sound.count(bytes([10])) + 1}: it goes on after the last answer",
                       done.stderr.decode())  # fmt: skip
 
     def test_a_malformed_answer_costs_its_own_case_alone(self):
@@ -102,7 +102,7 @@ class Refusals(unittest.TestCase):
         done = run("check", *arguments, "--property", DEGENERATE, "--cases", cases)
         return done.returncode, done.stdout.decode()
 
-    def test_are_told_and_what_holds_holds_where_it_did_not_refuse(self):
+    def test_are_reported_and_what_holds_holds_where_it_did_not_refuse(self):
         often = "('refused ' + number + ' odd' if int(w) % 3 == 0 else 'counts ' + number)"
         status, text = self.check("--exec", answering("row", often))
         self.assertEqual(status, 0, text)

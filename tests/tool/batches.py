@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A program that takes batches: the example, which knows of none, behind one that does."""
+"""A program that takes batches, and passes the draws on to the example, which takes none."""
 import os
 import subprocess
 import sys
@@ -9,7 +9,7 @@ EXAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../kit/ex
 with subprocess.Popen([EXAMPLE], stdin=subprocess.PIPE) as child:
     for line in sys.stdin.buffer:
         if line.startswith(b"batch"):
-            print("it was told a", line.decode(), end="", file=sys.stderr, flush=True)
+            print("it was sent a", line.decode(), end="", file=sys.stderr, flush=True)
         else:
             child.stdin.write(line)
             child.stdin.flush()

@@ -111,7 +111,7 @@ class Bench(unittest.TestCase):
         self.assertIn("buggy_CRASH.so is left out: it was killed by signal 11", done.stdout)
         self.assertIn("kernel-exact", done.stdout)
 
-    def test_a_place_that_cannot_be_written_is_told_first(self):
+    def test_a_place_that_cannot_be_written_is_reported_first(self):
         done = bench("--scene", "scenes/ties.json", "--budget", "1h", "--json", "/proc/x/y.json")
         self.assertEqual(done.returncode, 2, done.stderr)
 

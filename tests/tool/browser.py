@@ -7,7 +7,7 @@ import tempfile
 
 
 class Browser:
-    """A page in a browser of its own. Every command waits for its answer."""
+    """A page in its own browser. Every command waits for its answer."""
 
     def __init__(self, program):
         self.folder = tempfile.mkdtemp(prefix="browser-")

@@ -136,7 +136,7 @@ class Outside(Certify):
         (on_ties,) = [p for p in certificate["tested"] if p["property"].endswith(" on ties")]
         self.assertIn("killed by signal 11", on_ties["message"])
 
-    def test_a_refused_scene_is_not_applicable_and_told(self):
+    def test_a_refused_scene_is_not_applicable_and_reported(self):
         path = self.subject_file("refuses.subject", *STATEMENTS,
                                  command=f"{HERE}/refuses.py 40 {PIPED}")  # fmt: skip
         done = self.certify("--subject", path, "--cases", "8")
@@ -226,7 +226,7 @@ class Verdicts(Certify):
 
     def test_twice_gives_the_same_bytes(self):
         scenes = self.scenes("ties", "glyphs", "needles", "fan", "subnormal")
-        told = []
+        contents = []
         for _ in range(2):
             # The command line is on record: both runs write to one place.
             shutil.rmtree(self.out, ignore_errors=True)
@@ -236,10 +236,10 @@ class Verdicts(Certify):
                 for name in names:
                     path = os.path.join(folder, name)
                     files[os.path.relpath(path, self.out)] = SECONDS.sub(b"", self.read(path))
-            told.append(files)
-        self.assertEqual(sorted(told[0]), sorted(told[1]))
-        for path, content in told[0].items():
-            self.assertEqual(content, told[1][path], path)
+            contents.append(files)
+        self.assertEqual(sorted(contents[0]), sorted(contents[1]))
+        for path, content in contents[0].items():
+            self.assertEqual(content, contents[1][path], path)
         tiers = json.loads(self.read(f"{self.out}/f32-direct/certificate.json"))["oracle_tiers"]
         shutil.rmtree(self.out)
         self.run_certify("--subject", "f32-direct", "--cases", "20", "--scenes", scenes)
@@ -381,7 +381,7 @@ class Files(Certify):
             self.assertEqual(done.returncode, 1, done.stderr)
             folders += 1
             entries = self.folders()
-            self.assertEqual(len(entries), folders, "each has a folder of its own")
+            self.assertEqual(len(entries), folders, "each has its own folder")
             self.assertEqual(sorted([*entries, "report.html"]), sorted(os.listdir(self.out)))
             for entry in entries:
                 self.assertRegex(entry, r"^[A-Za-z0-9][-A-Za-z0-9_.+]{0,99}$")

@@ -57,12 +57,12 @@ class TemporaryFolder(unittest.TestCase):
 
 
 class InferTest(TemporaryFolder):
-    def test_where_no_model_fits_the_draw_that_refuted_the_last_is_told_and_replays(self):
+    def test_where_no_model_fits_the_draw_that_refuted_the_last_is_reported_and_replays(self):
         subject = ("--subject", "mutant:overflow-int16-deltas")
-        told = run("infer", *subject).stdout.decode()
-        self.assertIn("no model fits", told)
-        self.assertIn(" 0 of 307200 samples, 0 of 1200 draws wrong, where nothing is aimed", told)
-        case, _, replay = told.partition("a case that it draws in another way:\n")[2].partition(
+        text = run("infer", *subject).stdout.decode()
+        self.assertIn("no model fits", text)
+        self.assertIn(" 0 of 307200 samples, 0 of 1200 draws wrong, where nothing is aimed", text)
+        case, _, replay = text.partition("a case that it draws in another way:\n")[2].partition(
             "replay: save it as case.json, then: rasterproof ")
         self.assertEqual(run("replay", self.write(case, "case.json"), *subject).returncode, 1, case)
         self.assertEqual(replay, "replay case.json " + " ".join(subject) + "\n")
@@ -87,7 +87,7 @@ class InferTest(TemporaryFolder):
         case = self.write(json.dumps(inference["witness"]), "case.json")
         self.assertEqual(run("replay", case, "--subject", "i32-snap4").returncode, 1)
 
-    def test_a_subject_that_no_model_fits_is_told_with_the_nearest(self):
+    def test_a_subject_that_no_model_fits_is_reported_with_the_nearest(self):
         result = run("infer", "--subject", "f32-incremental", "--json", "-")
         inference = json.loads(result.stdout)
         self.assertEqual(result.returncode, 1, inference["message"])
@@ -374,9 +374,9 @@ class VerdictTest(TemporaryFolder):
     def test_each_scene_says_for_itself_what_was_not_asked(self):
         scenes = [os.path.join(SOURCES, "scenes", name) for name in ("ties.json", "fan.json")]
         lines = run("check", *scenes, "--subject", "f32-direct").stdout.decode().splitlines()
-        told = [l for l in lines if "the subject shows no fragments: " in l]
-        self.assertEqual(len(told), 2, lines)
-        for scene, line in zip(scenes, told):
+        printed = [l for l in lines if "the subject shows no fragments: " in l]
+        self.assertEqual(len(printed), 2, lines)
+        for scene, line in zip(scenes, printed):
             self.assertIn(f" {scene}: ", line)
             self.assertEqual(line.count("FragmentBarycentricsSumToOne"), 1)
 
@@ -414,7 +414,7 @@ class VerdictTest(TemporaryFolder):
         self.assertEqual(result.returncode, 1, result.stdout)
         self.assertIn(b"[-]", result.stdout)
 
-    def test_what_was_drawn_is_told_and_saved_where_it_is_not_the_case(self):
+    def test_what_was_drawn_is_reported_and_saved_where_it_is_not_the_case(self):
         folder = os.path.join(self.folder.name, "saved")
         result = run("check", "--subject", "mutant:nan-poisons", "--property",
                      "BadTrianglesPoisonNoOthers", "--save", folder)  # fmt: skip

@@ -198,8 +198,8 @@ class HostileFilesTest(unittest.TestCase):
                  self.path("out"))]:
             result = self.run_bounded(*arguments)
             self.assertNotEqual(result.returncode, 3, result.stderr)
-            told = (result.stdout + result.stderr).decode()
-            self.assertNotRegex(told, "[\x00-\x09\x0b-\x1f\x7f-\x9f]", arguments)
+            printed = (result.stdout + result.stderr).decode()
+            self.assertNotRegex(printed, "[\x00-\x09\x0b-\x1f\x7f-\x9f]", arguments)
 
     def test_a_profile_from_a_pipe_with_a_writer_is_read_once_for_all_workers(self):
         profile = self.write("profile.json", json.dumps(

@@ -102,7 +102,7 @@ class Check(unittest.TestCase):
         self.assertEqual(kept[0], kept[1])
         self.assertEqual(kept[0], kept[2])
 
-    def test_a_subject_whose_draws_depend_on_others_is_told_so_with_both_answers(self):
+    def test_a_subject_whose_draws_depend_on_others_is_reported_with_both_answers(self):
         for batch in BATCHES:
             for n in (1, 2):
                 done = run("check", *plugin("shown_EVERY_THIRD"), "--property", MODEL,
@@ -112,7 +112,7 @@ class Check(unittest.TestCase):
                 self.assertRegex(text, "depends on other scenes|is not deterministic")
                 self.assertRegex(text, "first violated: .*; then (holds|not exercised)")
 
-    def test_a_leak_between_the_scenes_of_a_call_is_told_with_both_answers(self):
+    def test_a_leak_between_the_scenes_of_a_call_is_reported_with_both_answers(self):
         text = run("check", *plugin("shown_BATCH_LEAK"), "--property", MODEL,
                    "--cases", "64").stdout.decode()  # fmt: skip
         self.assertIn("alone the case does not fail: what the subject draws depends on other "
@@ -127,7 +127,7 @@ class Check(unittest.TestCase):
                 self.assertEqual(done.stdout, b"")
                 self.assertIn(f"give an integer of 1 to {most}", done.stderr.decode())
 
-    def test_what_was_found_before_an_error_is_told(self):
+    def test_what_was_found_before_an_error_is_reported(self):
         # The folder takes no byte: the first violation that is to be saved ends the run.
         with tempfile.TemporaryDirectory() as folder:
             for n in JOBS:
@@ -148,15 +148,15 @@ class Certify(unittest.TestCase):
             done = run("certify", *arguments, "--jobs", str(n), "--out", folder,
                        "--scenes", "scenes/quick.json")  # fmt: skip
             self.assertIn(done.returncode, (0, 1), done.stderr)
-            told = {}
+            contents = {}
             for name in sorted(os.listdir(folder)):
                 path = os.path.join(folder, name, "certificate.json")
                 if not os.path.exists(path):
                     continue
                 text = content(path).replace(folder, "FOLDER")
                 text = re.sub(r'"seconds": [-+.e0-9]+', '"seconds": 0', text)
-                told[name] = re.sub(r'"command": "[^"]*"', '"command": ""', text, count=1)
-            return told
+                contents[name] = re.sub(r'"command": "[^"]*"', '"command": ""', text, count=1)
+            return contents
 
     def test_certificates_are_the_same_but_for_times(self):
         arguments = ("--subject", "spans-exact", "--subject", "textbook", "--cases", "6",

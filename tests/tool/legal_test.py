@@ -73,16 +73,16 @@ class LegalTest(unittest.TestCase):
         open_ties = self.decided("webgpu")
         self.assertIn("?", open_ties.stdout.splitlines()[1])
 
-    def test_what_is_open_is_told_with_the_edge_and_its_distance(self):
-        told = json.loads(self.decided("webgpu", "--json", "-").stdout)
-        self.assertEqual(told["rasterproof_decided"], 1)
-        self.assertGreater(told["open"], 0)
-        on_diagonal = [may for may in told["may"] if may["column"] == may["row"] == 1]
+    def test_what_is_open_is_reported_with_the_edge_and_its_distance(self):
+        printed = json.loads(self.decided("webgpu", "--json", "-").stdout)
+        self.assertEqual(printed["rasterproof_decided"], 1)
+        self.assertGreater(printed["open"], 0)
+        on_diagonal = [may for may in printed["may"] if may["column"] == may["row"] == 1]
         self.assertEqual({may["triangle"] for may in on_diagonal}, {0, 1})
         for may in on_diagonal:
             self.assertEqual(may["distance_pixels"], 0)
-        self.assertEqual(told["least"][5], 0)
-        self.assertEqual(told["most"][5], 2)
+        self.assertEqual(printed["least"][5], 0)
+        self.assertEqual(printed["most"][5], 2)
 
     def test_counts_of_a_legal_model_are_legal_and_a_lost_sample_is_not(self):
         rows = self.drawn("vulkan-canonical")
@@ -113,8 +113,8 @@ class LegalTest(unittest.TestCase):
         self.assertEqual(lost.returncode, 1)
         self.assertIn("the value of one sample contradicts every legal model", lost.stdout)
         self.assertIn("column 30 row 30: 0 of triangles", lost.stdout)
-        told = self.decided("vulkan").stderr
-        number = told.split("; ")[1].split()[0]
+        printed = self.decided("vulkan").stderr
+        number = printed.split("; ")[1].split()[0]
         self.assertIn(f"{number} samples are open", lost.stdout)
         self.assertIn("in every legal model 1 do", lost.stdout)
         with open(self.path("core.json")) as file:
@@ -160,9 +160,9 @@ class LegalTest(unittest.TestCase):
     def test_a_subject_draws_what_is_judged(self):
         drawn = run("legal", self.scene, "--subject", "i32-snap4", "--profile", "gl", "--json", "-")
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
-        told = json.loads(drawn.stdout)
-        self.assertEqual(told["verdict"], "legal")
-        self.assertIn("gl.one-position", [one["statement"] for one in told["assumed"]])
+        printed = json.loads(drawn.stdout)
+        self.assertEqual(printed["verdict"], "legal")
+        self.assertIn("gl.one-position", [one["statement"] for one in printed["assumed"]])
         twice = run("legal", self.scene, "--subject", "textbook", "--profile", "gl")
         self.assertEqual(twice.returncode, 1, twice.stdout + twice.stderr)
 

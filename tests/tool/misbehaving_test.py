@@ -92,16 +92,16 @@ class Misbehaving(unittest.TestCase):
     def test_a_sound_one_holds(self):
         self.expect("sound", 0, "1 hold")
 
-    def test_a_crash_is_told_with_its_signal(self):
+    def test_a_crash_is_reported_with_its_signal(self):
         self.expect("crashes", 1, "killed by signal 11")
         self.expect("dies-half-way", 1, "killed by signal 9", "before its answer was whole")
 
-    def test_a_hang_is_told_with_what_it_did(self):
+    def test_a_hang_is_reported_with_what_it_did(self):
         self.expect("spins", 1, "it hangs", "of processor time")
         self.expect("sleeps", 1, "it hangs", "slept for")
         self.expect("closes-input", 1, "it hangs", "slept for")
 
-    def test_an_edge_value_that_hangs_among_quick_ones_is_told_as_such(self):
+    def test_an_edge_value_that_hangs_among_quick_ones_is_reported_as_such(self):
         # Those before it are kept back while it is worked on.
         run = Run([PROGRAM, "check", "--plugin", os.path.join(PLUGINS, "shown_EDGES_HANGS.so"),
                    *LIMIT, "--property", "EdgeErrorStaysWithinItsBound",
@@ -110,7 +110,7 @@ class Misbehaving(unittest.TestCase):
         self.assertEqual(status, 1, text)
         self.assertIn("it hangs: alone, on a fresh process", text)
 
-    def test_a_line_without_an_end_is_told_as_such(self):
+    def test_a_line_without_an_end_is_reported_as_such(self):
         self.expect("floods-a-line", 1, "the most that a correct answer")
         run = Run([PROGRAM, "check", "--exec", "cat /dev/zero", "--property", DEGENERATE,
                    "--cases", "8", "--memory-limit", "0"],
@@ -120,18 +120,18 @@ class Misbehaving(unittest.TestCase):
         # Whether it has begun to speak when it is first asked is a matter of time.
         self.assertRegex(text, r"the most that a correct answer|before it was asked: \"(\\x00)+")
 
-    def test_who_speaks_before_it_was_asked_is_told_what_it_said(self):
+    def test_a_program_that_speaks_before_it_was_asked_is_quoted(self):
         # Whether it has begun to speak when it is first asked is a matter of time.
         status, text = self.start("greets").end()
         self.assertEqual(status, 1, text)
         self.assertRegex(text, r"(spoke before it was asked:|it answered) "
                                r'"hello\\x00\\x1b\[31m"')  # fmt: skip
 
-    def test_answers_that_nobody_asked_for_are_told_as_such(self):
+    def test_answers_that_nobody_asked_for_are_reported_as_such(self):
         self.expect("says-more", 1, "it said more than its answer")
         self.expect("answers-ahead", 1, "it said more than its answer")
 
-    def test_answers_without_an_end_are_told_as_such(self):
+    def test_answers_without_an_end_are_reported_as_such(self):
         # Whether the second one is there when the first one was read is a matter of time.
         run = self.start("floods-lines")
         status, text = run.end()
@@ -142,10 +142,10 @@ class Misbehaving(unittest.TestCase):
     def test_a_refusal_is_neither_good_nor_bad(self):
         self.expect("refuses", 4)
 
-    def test_what_is_no_count_is_told(self):
+    def test_what_is_no_count_is_reported(self):
         self.expect("nan", 1, '"nan')
 
-    def test_a_closed_output_is_told(self):
+    def test_a_closed_output_is_reported(self):
         self.expect("closes-output", 1, "it closed its output before its answer was whole")
 
     def test_what_was_slow_once_is_judged_by_its_answer(self):
@@ -258,7 +258,7 @@ class DoesNotRun(unittest.TestCase):
                                    *more],
                                   capture_output=True, timeout=ENOUGH, check=False)  # fmt: skip
 
-    def test_a_program_that_does_not_run_is_told_once_with_its_last_words(self):
+    def test_a_program_that_does_not_run_is_reported_once_with_its_last_words(self):
         for begin, at_each, words in (
             ("sys.exit('there is no module seen')", "pass", b"there is no module seen"),
             ("pass", "raise ValueError('no such word')", b"ValueError: no such word"),
@@ -314,7 +314,7 @@ class Start(unittest.TestCase):
         self.check("sound", 0, "1 hold", preexec_fn=lambda: os.close(2))
         self.check("sound", 0, "1 hold", preexec_fn=lambda: (os.close(0), os.close(2)))
 
-    def test_a_closed_standard_output_is_told(self):
+    def test_a_closed_standard_output_is_reported(self):
         self.check("sound", 2, "standard output", preexec_fn=lambda: os.close(1))
 
     def test_scenes_after_one_that_hangs_get_a_short_time(self):
@@ -330,7 +330,7 @@ class Start(unittest.TestCase):
         self.assertEqual(said.count("it hangs: alone, on a fresh"), 1, said)
         self.assertIn("the short time that a scene gets", said)
 
-    def test_what_nobody_can_be_told_ends_nothing(self):
+    def test_a_full_standard_error_ends_nothing(self):
         with open("/dev/full", "wb") as full:
             run = Run([PROGRAM, "check", "--property", DEGENERATE, "--cases", "1", "--seed",
                        "random"], stderr=full)  # fmt: skip

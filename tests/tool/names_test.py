@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Names that nobody knows, and folders that can't be: told before any work, with what is meant.
+"""Unknown names and impossible folders are reported before any work, with what may be meant.
 
 usage: names_test.py PROGRAM SOURCES
 """
@@ -33,8 +33,8 @@ class Names(unittest.TestCase):
             for verb in (("coverage", SCENE, "--subject", "f32-direct", "--against", name),
                          ("coverage", SCENE, "--subject", name)):  # fmt: skip
                 with self.subTest(verb=verb):
-                    told = self.refused(*verb)
-                    self.assertIn(f"subject '{name}': there is no such subject", told)
+                    printed = self.refused(*verb)
+                    self.assertIn(f"subject '{name}': there is no such subject", printed)
         self.assertIn("did you mean exact?", self.refused("coverage", SCENE, "--subject", "exactt"))
         for name in ("exact", "exact-integers", "exact-cgal"):
             done = run("coverage", SCENE, "--subject", "spans-exact", "--against", name)
@@ -70,13 +70,13 @@ class Names(unittest.TestCase):
                 self.assertEqual(self.refused(old, "--help"),
                                  f"rasterproof: verb '{old}': {old} is now a part of {verb}; "
                                  f"write rasterproof {now}\n")  # fmt: skip
-                told = run(verb, *(w for w in rest if w in ("ask", "judge", "answer")), "--help")
+                printed = run(verb, *(w for w in rest if w in ("ask", "judge", "answer")), "--help")
                 for option in filter(lambda word: word.startswith("--"), rest):
-                    self.assertIn(f"{option} ", told.stdout.replace(",", " "))
+                    self.assertIn(f"{option} ", printed.stdout.replace(",", " "))
 
     def test_help_has_each_verb_once_in_its_group(self):
-        told = run("--help").stdout
-        blocks = re.findall(r"^(\w[\w ]*):\n((?:  [a-z]\S* .*\n)+)", told, re.M)
+        printed = run("--help").stdout
+        blocks = re.findall(r"^(\w[\w ]*):\n((?:  [a-z]\S* .*\n)+)", printed, re.M)
         groups = [(group, [line.split()[0] for line in lines.splitlines()])
                   for group, lines in blocks]  # fmt: skip
         self.assertEqual(groups, [
@@ -93,8 +93,8 @@ class Names(unittest.TestCase):
                                    ("vulcan", "vulkan")):  # fmt: skip
                 with open(path, "w", encoding="utf-8") as file:
                     json.dump(profile, file)
-                told = self.refused("check", "--profile", path)
-                self.assertIn(f"did you mean {meant}? ", told)
+                printed = self.refused("check", "--profile", path)
+                self.assertIn(f"did you mean {meant}? ", printed)
 
     def test_lists_of_names_are_no_wider_than_a_terminal(self):
         for arguments in (("check", "--subject", "zzzzzzzz"), ("check", "--profile", "zzzzzzzz")):
@@ -105,15 +105,15 @@ class Names(unittest.TestCase):
 
     def test_help_names_what_fails_once(self):
         for verb in ("check", "certify"):
-            told = run(verb, "--help").stdout
-            self.assertIn("{stated,quality}", " ".join(told.split()))
-            self.assertNotIn("->", told)
+            printed = run(verb, "--help").stdout
+            self.assertIn("{stated,quality}", " ".join(printed.split()))
+            self.assertNotIn("->", printed)
 
     def test_a_folder_that_cannot_be_is_refused_before_the_campaign(self):
         for verb in (("check", "--subject", "spans-exact", "--cases", "2000"),
                      ("survey", "--subject", "spans-exact", "--cases", "2000")):  # fmt: skip
-            told = self.refused(*verb, "--save", "/proc/x")
-            self.assertIn("/proc/x: can't be made a folder", told)
+            printed = self.refused(*verb, "--save", "/proc/x")
+            self.assertIn("/proc/x: can't be made a folder", printed)
         with tempfile.TemporaryDirectory() as folder:
             done = run("check", "--subject", "spans-exact", "--cases", "2", "--save",
                        os.path.join(folder, "a/b/c/"))  # fmt: skip
@@ -139,8 +139,8 @@ class Pictures(unittest.TestCase):
         self.assertEqual(len(set(pictures)), len(pictures))
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "difference.png")
-            told = self.look("--against", "textbook", "--png", path)
-            self.assertIn(b"\nmissing ", told.stdout)
+            printed = self.look("--against", "textbook", "--png", path)
+            self.assertIn(b"\nmissing ", printed.stdout)
             with open(path, "rb") as file:
                 self.assertEqual(file.read(), pictures[1])
 
@@ -173,16 +173,16 @@ class Plan(unittest.TestCase):
 
     def test_it_says_only_what_the_profile_states(self):
         fixed = {"integer_bits": 11, "fraction_bits": 4, "signed": True, "wrap": False}
-        told = self.why(fixed=fixed)
-        self.assertIn("takes integers of 11.4 bits", told)
-        self.assertNotIn("wraps", told)
-        self.assertNotIn("drops", told)
-        told = self.why(fixed={**fixed, "wrap": True})
-        self.assertIn("wraps coordinates of 11.4 bits", told)
-        self.assertNotIn("drops", told)
-        told = self.why(max_primitive_extent=[1023, 511])
-        self.assertIn("drops large triangles", told)
-        self.assertNotIn("wraps", told)
+        printed = self.why(fixed=fixed)
+        self.assertIn("takes integers of 11.4 bits", printed)
+        self.assertNotIn("wraps", printed)
+        self.assertNotIn("drops", printed)
+        printed = self.why(fixed={**fixed, "wrap": True})
+        self.assertIn("wraps coordinates of 11.4 bits", printed)
+        self.assertNotIn("drops", printed)
+        printed = self.why(max_primitive_extent=[1023, 511])
+        self.assertIn("drops large triangles", printed)
+        self.assertNotIn("wraps", printed)
 
 
 if __name__ == "__main__":

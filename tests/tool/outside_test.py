@@ -274,7 +274,7 @@ class Outputs(unittest.TestCase):
 class FirstSteps(unittest.TestCase):
     """What a newcomer stumbles over."""
 
-    def test_a_program_that_says_more_than_its_answer_is_told_so(self):
+    def test_a_program_that_says_more_than_its_answer_is_reported(self):
         program = ("import sys\n"
                    "for line in sys.stdin:\n"
                    "    word, number, w, h, s, space, vs, ts = line.split()[:8]\n"
@@ -427,13 +427,13 @@ class Batches(unittest.TestCase):
         text, errors = self.check("command tests/tool/batches.py\ntakes window batches\n",
                                   "--cases", "6", "--property", "BatchDrawsLikeSingleCalls")
         self.assertEqual(held(text), 2, text)
-        self.assertIn("it was told a batch ", errors)
+        self.assertIn("it was sent a batch ", errors)
 
     def test_a_program_may_be_sent_vertices_once(self):
         every, once = (self.check(f"command tests/tool/same_vertices.py\nprotocol {version}\n",
                                   "--cases", "10") for version in (1, 2))  # fmt: skip
         self.assertEqual(every[0], once[0])
-        self.assertEqual(["told the same" in errors for _, errors in (every, once)], [False, True])
+        self.assertEqual(["sent the same" in errors for _, errors in (every, once)], [False, True])
 
 
 class BadNames(unittest.TestCase):

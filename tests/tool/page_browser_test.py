@@ -133,7 +133,7 @@ class PageInABrowser(unittest.TestCase):
         self.browser.press("Enter")
         self.assertEqual(self.column(0), sorted(self.column(0)))
 
-    def test_another_family_or_error_is_drawn_anew(self):
+    def test_another_family_or_error_is_drawn_again(self):
         self.open()
         first = self.value('document.getElementById("bench-plot").innerHTML')
         self.choose("family", 1)
@@ -206,7 +206,7 @@ class PageInABrowser(unittest.TestCase):
         rows = self.value("""Array.from(document.querySelectorAll("#cliffs tbody th"),
                              (head) => head.textContent)""")
         alike = ", ".join(f"crowd-{k}" for k in range(1, 10))
-        # The first of the crowd has a cell of its own: nothing is known of its steps.
+        # The first of the crowd has a separate cell: nothing is known of its steps.
         self.assertEqual(rows, ["f32-direct", "kernel-exact avx2", "crowd-0", alike, "crowd-11"])
         cell = 'document.querySelectorAll("#cliffs tbody tr")[3].cells[2]'
         self.assertEqual(self.value(cell + ".innerText.split(/\\s*\\n/)"),

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Another program, but for scenes of more triangles than it is told: those it refuses.
+"""Runs PROGRAM, but refuses scenes of more than MOST triangles.
 
-usage: refuses.py MOST PROGRAM...    one that tells facings
+usage: refuses.py MOST PROGRAM...    one that reports facings
 """
 import subprocess
 import sys

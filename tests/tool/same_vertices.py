@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A program that speaks version 2: the example, which speaks version 1, behind one that does."""
+"""A program that speaks version 2, and passes draws on to the example, which speaks version 1."""
 import os
 import subprocess
 import sys
@@ -11,7 +11,7 @@ with subprocess.Popen([EXAMPLE], stdin=subprocess.PIPE) as child:
     for line in sys.stdin.buffer:
         words = line.split()
         if words[6] == b"same":
-            print("it was told the same vertices", file=sys.stderr, flush=True)
+            print("it was sent the same vertices", file=sys.stderr, flush=True)
             words[6] = str(len(vertices)).encode()
         else:
             vertices = [sys.stdin.buffer.readline() for _ in range(int(words[6]))]

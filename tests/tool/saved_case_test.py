@@ -36,7 +36,7 @@ def type_in_bash(line):
 
 
 def printed_command(text, verb):
-    """The command behind "replay: " or at a message's end."""
+    """Returns the command after "replay: " or at a message's end."""
     begin = text.rindex(f"rasterproof {verb}")
     return text[begin:].splitlines()[0]
 

@@ -58,24 +58,24 @@ class Parts(unittest.TestCase):
         self.assertFalse(os.path.exists(os.path.join(self.folder, "out")))
 
     def files(self, out="out"):
-        """What is told of the one subject, but for times."""
-        told = {}
+        """Returns the files that describe the one subject, but for times."""
+        contents = {}
         for folder, _, names in os.walk(os.path.join(self.folder, out)):
             for name in names:
                 if name.endswith(".json") and name != "certificate-times.json":
                     with open(os.path.join(folder, name), "rb") as file:
-                        told[name] = file.read()
-        self.assertIn("certificate.json", told)
-        return told
+                        contents[name] = file.read()
+        self.assertIn("certificate.json", contents)
+        return contents
 
 
 class TheSameBytes(Parts):
     def unbroken(self, *arguments, status=0):
         done = self.run_it("certify", *arguments, "--scenes", SCENES, "--out", "out")
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
-        told = self.files()
+        contents = self.files()
         os.rename(os.path.join(self.folder, "out"), os.path.join(self.folder, "unbroken"))
-        return told
+        return contents
 
     def compare(self, subject, status, cuts=(2, 3, 5)):
         whole = self.unbroken(*subject, "--cases", "30", status=status)
@@ -229,7 +229,7 @@ class Refused(Parts):
             (lambda part: part.update(seed="01"), ("is no seed",)),
             (lambda part: part["environment"].append("odd"), ("has no value",)),
             (of_test(cases=0, cases_exercised=0, exercised=0), ("more cases than were run",)),
-            (of_test(cases=0, cases_exercised=0, exercised=0, domains=[]), ("domains are told",)),
+            (of_test(cases=0, cases_exercised=0, exercised=0, domains=[]), ("domains are listed",)),
             (of_test(end="not applicable"), ("not applicable, with 10 cases run",)),
             (of_test(end="failed"), ("found",)),
             (of_test(cases_exercised=11), ("of 10 cases",)),
@@ -240,7 +240,7 @@ class Refused(Parts):
             (of_test(places=[]), ("every place",)),
             (of_test(places=[{"asked": 1, "refused": 2}] * 7), ("kind of place",)),
             (of_test(worst_ratio="nan"), ("error",)),
-            (of_test(domains=[]), ("domains are told",)),
+            (of_test(domains=[]), ("domains are listed",)),
             (of_domain(drawn=2**63 - 1), ("more cases than were run",)),
             (of_domain(on_edge=2**40), ("more of its samples lie near edges",)),
             # Nothing contradicts it; it is not what was written.
@@ -344,7 +344,7 @@ class Killed(Parts):
     def test_a_worker_that_is_killed_leaves_no_part_and_can_be_run_again(self):
         whole = self.run_it("certify", "--subject", SOUND, "--cases", "30", "--scenes", SCENES)
         self.good(whole)
-        told = self.files()
+        contents = self.files()
         one = self.part("--shard", "1/2")
         # Its program never answers: it is killed while it works, however fast the machine is.
         waits = os.path.join(self.folder, "waits")
@@ -367,7 +367,7 @@ class Killed(Parts):
         self.refused_merge(one)
         two = self.part("--shard", "2/2")
         self.good(self.merge(one, two))
-        self.assertEqual(self.files(), told)
+        self.assertEqual(self.files(), contents)
 
     def refused_merge(self, one):
         done = self.merge(one, out="out-refused")

@@ -19,7 +19,7 @@ def barycentrics(v, p):
 
 
 def shown(v, depths, places, covered, wants):
-    """The words behind the triangle's number at each of the pixel's samples."""
+    """Returns the words after the triangle's number at each of the pixel's samples."""
     whole = all(covered)
     order = [s for s in range(4) if covered[s]]
     centre = (places[0][0] - LOCATIONS[0][0] + Fraction(1, 2),

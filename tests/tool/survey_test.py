@@ -68,7 +68,7 @@ class Survey(unittest.TestCase):
                     domain.pop(key)
         self.assertEqual(first, second)
 
-    def test_a_crash_is_told_with_its_case(self):
+    def test_a_crash_is_reported_with_its_case(self):
         survey, text = self.survey("--exec", f"{MISBEHAVES} crashes", status=1)
         ends = [f for d in survey["domains"] for f in d["findings"] if f["fault"] == "end"]
         self.assertEqual(len(ends), len(survey["domains"]))

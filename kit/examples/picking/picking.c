@@ -53,7 +53,7 @@ static size_t make_triangles(void) {
   return count;
 }
 
-/* A colour of its own for each triangle; black where there is none. */
+/* Writes each triangle in its own colour; black where there is none. */
 static int write_picture(const char* path) {
   FILE* const file = fopen(path, "wb");
   if (file == NULL) return 0;

@@ -23,7 +23,7 @@ constexpr std::array<CornerOrder, 5> kOrders{
 
 using Triple = std::array<double, 3>;
 
-// A query in one form, as it stands and in every other order.
+// A query in one form, in the given order and in every other order.
 struct InEveryOrder {
   BarycentricQuery query;
   BarycentricForm form = BarycentricForm::kVertexArea;

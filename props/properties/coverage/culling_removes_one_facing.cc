@@ -29,7 +29,7 @@ const char* WhatIsLeft(Cull cull) {
   return cull == Cull::kFront ? "the back counts alone" : "the front counts alone";
 }
 
-// Of a subject that tells facings: what is left of its own counts.
+// Compares a subject that reports facings with the part of its own counts that remains.
 Checks AgainstItsFacings(const PlacedCase& c) {
   DrawOptions options = WholeTarget(c);
   Checks asked;
@@ -47,8 +47,8 @@ Checks AgainstItsFacings(const PlacedCase& c) {
   return asked;
 }
 
-// Of one that tells none: what it shows of the triangles that face the other way alone, by the one
-// model that is legal.
+// Compares a subject that reports none with its draw of only the triangles that face the other way,
+// by the one model that is legal.
 Checks AgainstTheOtherSide(const PlacedCase& c) {
   Checks asked;
   Sides sides(c);

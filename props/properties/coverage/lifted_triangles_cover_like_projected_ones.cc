@@ -1,6 +1,6 @@
 // A window-space triangle lifted to clip space covers what the window-space triangle covers.
 //
-// Each vertex becomes (x w, y w, w) by a positive power of two w of its own.
+// Each vertex becomes (x w, y w, w), with its own positive power of two w.
 #include <algorithm>
 #include <array>
 #include <cmath>

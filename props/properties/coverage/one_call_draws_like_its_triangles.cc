@@ -29,10 +29,10 @@
 namespace rasterproof::props {
 namespace one_call_draws_like_its_triangles {
 
-// A mesh of more triangles is judged by its first ones: what a rasterizer does with neighbours in
-// the list shows among them.
+// A larger mesh is judged by this many first triangles: among them a rasterizer shows how it treats
+// neighbours in the list.
 constexpr std::size_t kMostTriangles = 32;
-// So often the first triangle stands before the others: a byte can't number those any more.
+// The number of copies of the first triangle before the others: a byte can't number those any more.
 constexpr std::size_t kBefore = 256;
 
 // The triangles of one call, by their place in the case.

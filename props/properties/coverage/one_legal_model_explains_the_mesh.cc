@@ -3,7 +3,7 @@
 //
 // One explains every sample of every triangle, each drawn alone, and one all that a call with them
 // together shows. Of many triangles the call alone is judged. Where no clause says that equal draws
-// are equal, every call may have a model of its own.
+// are equal, every call may have its own model.
 #include <algorithm>
 #include <array>
 #include <cstddef>

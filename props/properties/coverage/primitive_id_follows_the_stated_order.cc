@@ -18,7 +18,7 @@
 namespace rasterproof::props {
 namespace primitive_id_follows_the_stated_order {
 
-// The mesh is drawn over itself until so many triangles are: more than a byte can number.
+// The mesh is repeated until it has at least this many triangles: more than a byte can number.
 constexpr std::size_t kFewestDrawn = 300;
 
 Checks Ask(const PlacedCase& c, const Description& subject) {

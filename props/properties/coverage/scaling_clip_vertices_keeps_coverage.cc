@@ -25,7 +25,7 @@ bool IsExact(double product, double x, double factor, Precision precision) {
          (precision == Precision::kFloat64 || IsFloat32(product));
 }
 
-// Each vertex by a factor of its own; nothing if a product is not exact.
+// Scales each vertex by its own factor; returns nothing if a product is not exact.
 std::optional<Scene> Scaled(const Scene& scene) {
   Scene scaled = scene;
   for (std::size_t i = 0; i < scaled.vertices.size(); ++i) {

@@ -14,7 +14,7 @@
 
 namespace rasterproof::props {
 
-// Giving every triangle vertices of its own, equal to the shared ones bit by bit, changes no count.
+// Giving every triangle its own vertices, equal to the shared ones bit by bit, changes no count.
 extern constinit const Property kDuplicatedVerticesKeepCoverage{
     .name = "DuplicatedVerticesKeepCoverage",
     .group = "coverage",

@@ -1,4 +1,4 @@
-// A target that is drawn tile by tile, each in a call of its own, is the target drawn whole.
+// A target that is drawn tile by tile, each in a separate call, is the target drawn whole.
 #include <algorithm>
 #include <array>
 #include <string>

@@ -18,7 +18,7 @@ namespace cyclic_rotation_keeps_the_area {
 
 constexpr int kTriangles = 64;
 
-// An area told from another vertex than the first.
+// The area of a triangle whose list starts with another vertex than the first.
 struct Rotation {
   BoundedEdge edge;
   double area_bound = 0;

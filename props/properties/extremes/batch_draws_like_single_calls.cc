@@ -25,7 +25,7 @@ namespace batch_draws_like_single_calls {
 
 constexpr std::size_t kSingles = 5;
 
-// The case drawn otherwise, as far as the subject can be told to.
+// Draws the case with the other options that the subject takes.
 std::vector<DrawQuestion> WithOtherOptions(const PlacedCase& c, const SubjectInfo& info) {
   std::vector<DrawQuestion> draws;
   if (info.takes_culling) {
@@ -69,7 +69,7 @@ std::vector<DrawQuestion> DrawsOf(const PlacedCase& c, const SubjectInfo& info) 
   return draws;
 }
 
-// Whether a scene of the batch shows what it shows in a call of its own.
+// Judges whether a scene of the batch shows what it shows in a separate call.
 Verdict LikeAlone(const Drawing& drawn, const Drawing& alone, std::size_t triangles) {
   Verdict same = SameCounts(drawn.counts, alone.counts, 0, "that in a call of its own");
   if (same.outcome == Outcome::kViolated || alone.primitive_ids.empty()) return same;
@@ -85,7 +85,7 @@ Check InOneCall(const PlacedCase& c, std::vector<DrawQuestion> draws) {
   return check;
 }
 
-// Scene k of a batch of so many, in a call that is no batch.
+// Compares scene k of a batch of `count` with the same scene in a call that is no batch.
 Check InItsOwnCall(const PlacedCase& c, DrawQuestion draw, std::size_t k, std::size_t count) {
   Check check;
   check.questions.company = Company::kInOrderAlone;

@@ -1,8 +1,8 @@
-// A scene behind one that differs in a vertex alone covers what it covers where that was not drawn.
+// A scene drawn after one that differs in a single vertex covers what it covers without that draw.
 //
-// What is kept of a call and found again by less than all that it was made of looks like a draw on
-// a coarser grid. Where the profile leaves the grid free, only a copy of the subject that never saw
-// the first scene tells the two apart.
+// A cached result that is found by only a part of its inputs looks like a draw on a coarser grid.
+// If the profile leaves the grid free, only a copy of the subject that never saw the first scene
+// distinguishes the two.
 #include <array>
 #include <cstddef>
 #include <string>
@@ -28,7 +28,7 @@ DrawQuestion ByTwin(DrawQuestion draw) {
   return draw;
 }
 
-// Draw k of the subject behind the case, and draw k of its twin.
+// Compares draw k of the subject after the case with draw k of its twin.
 Verdict AreAlike(const Answers& answers, const std::vector<std::string>& changes) {
   for (std::size_t k = 0; k < changes.size(); ++k) {
     const std::size_t behind = 1 + k;

@@ -24,7 +24,7 @@
 namespace rasterproof::props {
 namespace new_vertices_give_new_coverage {
 
-// The case, each successor behind it, and the case again.
+// Draws the case, then each successor, and the case again.
 std::vector<DrawQuestion> DrawsOf(const PlacedCase& c, const std::vector<MovedScene>& successors) {
   std::vector<DrawQuestion> draws{LegalCounts::QuestionOf(c.scene, c)};
   for (const MovedScene& successor : successors) {

@@ -1,6 +1,6 @@
-/* The sound rasterizer of shown.c behind a store of images that is looked up by too little, by
- * -DKEY_...: by the pixels that the vertices lie in, by sixteenths, by target and indices alone, by
- * where the lists lie in memory; or, rightly, by every bit. */
+/* The sound rasterizer of shown.c behind a cache of images whose key holds too little, chosen by
+ * -DKEY_...: the pixels that the vertices lie in, sixteenths, target and indices alone, the places
+ * of the lists in memory; or, rightly, every bit. */
 #define rasterproof_plugin_describe sound_describe
 #include "tests/subjects/plugins/shown.c"
 #undef rasterproof_plugin_describe

@@ -54,9 +54,13 @@ int RoundingOf(FloatMode mode) {
       return FE_DOWNWARD;
     case FloatMode::kTowardZero:
       return FE_TOWARDZERO;
-    default:
+    case FloatMode::kUsual:
+    case FloatMode::kFlushToZero:
+    case FloatMode::kDenormalsAreZero:
+    case FloatMode::kTrapping:
       return FE_TONEAREST;
   }
+  return FE_TONEAREST;
 }
 
 std::string RaisedText(int raised) {

@@ -47,8 +47,8 @@ class WithinFloatMode {
   /// What the code that ran since then did that the mode's owner would mind, as a sentence: it left
   /// another mode, or under kTrapping it raised what is trapped. Empty: nothing.
   ///
-  /// Properties: a trap is found by the flag that its exception raises, so that no signal is needed;
-  ///             code that clears the flags itself hides it.
+  /// Properties: a trap is found by the flag that its exception raises, so that no signal is
+  ///             needed; code that clears the flags itself hides it.
   std::string Complaint() const;
 
  private:

@@ -27,7 +27,10 @@ class FakeSubject final : public Subject {
   using DrawFunction = std::function<void(const Scene&, const DrawOptions&, CoverageCounts&)>;
   using ShowFunction = std::function<Drawing(const DrawJob&)>;
 
-  FakeSubject(SubjectInfo own, DrawFunction draw) : info(std::move(own)), draw_(std::move(draw)) {}
+  /// It takes no other floating-point mode: it may draw by the oracle, which needs the usual one.
+  FakeSubject(SubjectInfo own, DrawFunction draw) : info(std::move(own)), draw_(std::move(draw)) {
+    info.takes_float_modes = false;
+  }
   /// A subject that shows more than coverage.
   static FakeSubject Showing(SubjectInfo own, ShowFunction show) {
     FakeSubject subject(std::move(own), nullptr);

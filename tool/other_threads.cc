@@ -38,9 +38,11 @@ std::uint32_t BitsOfMode(FloatMode mode) {
       return 0x2000;
     case FloatMode::kTowardZero:
       return 0x6000;
-    default:
+    case FloatMode::kUsual:
+    case FloatMode::kTrapping:
       return 0;
   }
+  return 0;
 }
 
 void SetMode(int /*signal*/, siginfo_t* /*info*/, void* context) {

@@ -46,8 +46,8 @@ struct FloatModeResult {
   std::optional<Case> first;  ///< that changed or failed
 };
 
-/// Draws the cases again. `mode` is what the subject is in: through `option` if the draws are to ask
-/// for it, or by how the subject was made.
+/// Draws the cases again, by a subject that is in `mode`: because the draws ask for it as their
+/// `option`, or because of how it was made.
 ///
 /// Domain:     HasFloatMode(mode); a subject of the same kind as that of the usual drawings.
 FloatModeResult CompareWithUsual(Subject& subject, const std::vector<UsualDrawing>& usual,

@@ -89,7 +89,6 @@ constexpr Row kRows[] = {
     {"SignedCoverageEqualsTheWindingNumber", "mutant:ties-inclusive"},
     {"EnvironmentKeepsCoverage", "mutant:mode-two-words"},
     {"EnvironmentKeepsCoverage", "mutant:mode-needs-subnormals"},
-    {"EnvironmentKeepsCoverage", "mutant:mode-traps"},
     {"TargetHeightKeepsCoverage", "mutant:target-last-row"},
     {"TargetWidthKeepsCoverage", "mutant:target-odd-width"},
     {"ThreadCountKeepsCoverage", "mutant:threads-last-row"},

@@ -369,7 +369,8 @@ class VerdictTest(TemporaryFolder):
         (fragments,) = (l for l in named if "the subject shows no fragments: " in l)
         self.assertEqual(fragments.count("Fragment"), 4)
         left_out = sum(l.rsplit(": ", 1)[1].count(",") + 1 for l in named)
-        self.assertRegex(lines[-1], f"^f32-direct: .* {left_out} not applicable; [0-9]+ cases$")
+        self.assertRegex(lines[-1], "^f32-direct: .* cases$")
+        self.assertIn(f" {left_out} not applicable", lines[-1])
 
     def test_each_scene_says_for_itself_what_was_not_asked(self):
         scenes = [os.path.join(SOURCES, "scenes", name) for name in ("ties.json", "fan.json")]

@@ -113,7 +113,7 @@ std::optional<Profile> MultisampledPreset(std::string_view name) {
 template <class IsCopied>
 void CopyKeys(const Profile& from, Profile& to, IsCopied is_copied) {
   for (const ProfileKey& key : kProfileKeys) {
-    if (is_copied(key)) key.copy(from, to);
+    if (is_copied(key)) key.member.copy(from, to);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -213,6 +214,7 @@ std::string FixedToJson(const FixedInput& fixed) {
 }
 
 std::string ScanlineRoundingToJson(const Snap& rounding) {
+  if (rounding.IsNone()) return "null";
   return "{\"bits\": " + std::to_string(rounding.bits) +
          ", \"rule\": " + InQuotes(SnapRuleName(rounding.rule)) +
          ", \"origin\": " + InQuotes(ExactText(rounding.origin)) + "}";
@@ -228,48 +230,23 @@ std::string TransformToJson(const Transform& transform) {
          (map ? ", \"map\": " + NumbersToJson({map->x0, map->y0, map->dx, map->dy}) : "") + "}";
 }
 
-// What a key of the profile table is in files.
+// How a key whose values are not all words is read and written.
 struct KeyFormat {
   std::string_view name;
-  void (*read)(const ProfileKey& key, const JsonValue& value, Profile& profile);
-  std::string (*write)(const ProfileKey& key, const Profile& profile);
-  bool (*is_written)(const Profile& profile);
+  void (*read)(const JsonValue& value, Profile& profile);
+  std::string (*write)(const Profile& profile);
 };
-
-bool Always(const Profile& /*profile*/) { return true; }
-
-template <auto... kMembers>
-bool IsUnusual(const Profile& profile) {
-  const Profile usual;
-  return MemberOf<kMembers...>(profile) != MemberOf<kMembers...>(usual);
-}
-
-// Later keys than most: files without them stay as they are.
-bool HasSnapForm(const Profile& profile) {
-  return IsUnusual<&Profile::snap, &Snap::form>(profile) ||
-         IsUnusual<&Profile::snap, &Snap::origin>(profile);
-}
-
-bool HasFreedom(const Profile& profile) { return !profile.freedom.IsNone(); }
-
-// A specification's set begins with its own front face.
-bool HasFrontFace(const Profile& profile) {
-  return IsUnusual<&Profile::front_face>(profile) || !profile.specification.empty();
-}
-
-bool RoundsCrossings(const Profile& profile) { return !profile.scanline_rounding.IsNone(); }
 
 template <class T>
 constexpr bool kIsOptional = false;
 template <class T>
 constexpr bool kIsOptional<std::optional<T>> = true;
 
-// A key whose value `kRead` and `kWrite` know; null is none, where the member may have none.
+// A key whose value kRead reads and kWrite writes. An optional member without a value is null.
 template <auto kRead, auto kWrite, auto... kMembers>
-constexpr KeyFormat Value(std::string_view name,
-                          bool (*is_written)(const Profile&) = IsUnusual<kMembers...>) {
+constexpr KeyFormat Value(std::string_view name) {
   return {name,
-          [](const ProfileKey& /*key*/, const JsonValue& value, Profile& profile) {
+          [](const JsonValue& value, Profile& profile) {
             auto& member = MemberOf<kMembers...>(profile);
             if constexpr (kIsOptional<std::decay_t<decltype(member)>>) {
               if (value.kind() == JsonKind::kNull) return member.reset();
@@ -280,92 +257,87 @@ constexpr KeyFormat Value(std::string_view name,
               member = kRead(value);
             }
           },
-          [](const ProfileKey& /*key*/, const Profile& profile) -> std::string {
+          [](const Profile& profile) -> std::string {
             const auto& member = MemberOf<kMembers...>(profile);
             if constexpr (kIsOptional<std::decay_t<decltype(member)>>) {
               return member ? kWrite(*member) : "null";
             } else {
               return kWrite(member);
             }
-          },
-          is_written};
-}
-
-// A key whose values are the words of the profile table.
-template <auto... kMembers>
-constexpr KeyFormat Word(std::string_view name,
-                         bool (*is_written)(const Profile&) = IsUnusual<kMembers...>) {
-  return {
-      name,
-      [](const ProfileKey& key, const JsonValue& value, Profile& profile) {
-        auto& member = MemberOf<kMembers...>(profile);
-        member = static_cast<std::decay_t<decltype(member)>>(IndexOf(value, WordsOf(key)));
-      },
-      [](const ProfileKey& key, const Profile& profile) {
-        return InQuotes(WordsOf(key).at(static_cast<std::size_t>(MemberOf<kMembers...>(profile))));
-      },
-      is_written};
+          }};
 }
 
 std::vector<TargetModel> TargetsFromJson(const JsonValue& list, const Profile& profile);
 std::string TargetsToJson(const std::vector<TargetModel>& models);
 
 constexpr auto kKeyFormats = std::to_array<KeyFormat>({
-    Value<Name, JsonString, &Profile::name>("name", Always),
+    Value<Name, JsonString, &Profile::name>("name"),
     Value<Text, JsonString, &Profile::specification>("specification"),
-    Value<SubpixelBits, BitsToJson, &Profile::snap, &Snap::bits>("subpixel_bits", Always),
-    Word<&Profile::snap, &Snap::rule>("snap_rule", Always),
-    Word<&Profile::snap, &Snap::form>("snap_form", HasSnapForm),
-    Value<SnapOrigin, ExactJson, &Profile::snap, &Snap::origin>("snap_origin", HasSnapForm),
-    Value<PatternFromJson, PatternToJson, &Profile::pattern>("sample_locations", Always),
-    Word<&Profile::y_axis>("y_axis", Always),
-    Value<TieRuleFromJson, TieRuleToJson, &Profile::tie_rule>("tie_rule", Always),
-    Word<&Profile::contract>("contract", Always),
-    Value<SnapTolerance, ExactJson, &Profile::freedom, &Freedom::snap_tolerance>("snap_tolerance",
-                                                                                 HasFreedom),
-    Word<&Profile::freedom, &Freedom::any_rounding>("rounding", HasFreedom),
+    Value<SubpixelBits, BitsToJson, &Profile::snap, &Snap::bits>("subpixel_bits"),
+    Value<SnapOrigin, ExactJson, &Profile::snap, &Snap::origin>("snap_origin"),
+    Value<PatternFromJson, PatternToJson, &Profile::pattern>("sample_locations"),
+    Value<TieRuleFromJson, TieRuleToJson, &Profile::tie_rule>("tie_rule"),
+    Value<SnapTolerance, ExactJson, &Profile::freedom, &Freedom::snap_tolerance>("snap_tolerance"),
     Value<SubpixelBits, BitsToJson, &Profile::freedom, &Freedom::least_bits>("least_subpixel_bits"),
-    Word<&Profile::freedom, &Freedom::ties>("tie_ownership", HasFreedom),
     Value<TransformError, ExactJson, &Profile::freedom, &Freedom::transform_error>(
         "transform_error"),
-    Value<LimitFromJson, ExactJson, &Profile::coordinate_limit>("coordinate_limit", Always),
-    Word<&Profile::degenerate_triangles>("degenerate_triangles"),
-    Word<&Profile::infinite_vertex>("infinite_vertex"),
-    Word<&Profile::nan_vertex>("nan_vertex"),
-    Word<&Profile::nan_z>("nan_z"),
-    Word<&Profile::front_face>("front_face", HasFrontFace),
-    Word<&Profile::sample_positions>("sample_positions"),
-    Word<&Profile::centroid>("centroid"),
+    Value<LimitFromJson, ExactJson, &Profile::coordinate_limit>("coordinate_limit"),
     Value<Boolean, BooleanToJson, &Profile::translation_invariant>("translation_invariant"),
-    Word<&Profile::shares_edge_samples>("edge_samples"),
     Value<FixedInputFromJson, FixedToJson, &Profile::fixed>("fixed"),
     Value<MaxPrimitiveExtentFromJson, MaxPrimitiveExtentToJson, &Profile::max_primitive_extent>(
         "max_primitive_extent"),
     Value<GuardBandFromJson, GuardBandToJson, &Profile::guard_band>("guard_band"),
     Value<ScanlineRoundingFromJson, ScanlineRoundingToJson, &Profile::scanline_rounding>(
-        "scanline_rounding", RoundsCrossings),
+        "scanline_rounding"),
     Value<TransformFromJson, TransformToJson, &Profile::transform>("transform"),
     Value<SquareRuleFromJson, SquareRuleToJson, &Profile::squares>("coverage"),
     Value<TargetsFromJson, TargetsToJson, &Profile::by_target_size>("by_target_size"),
 });
-static_assert(std::ranges::equal(kKeyFormats, kProfileKeys, {}, &KeyFormat::name,
-                                 &ProfileKey::name),
-              "each key has a row here and one in core/profile_keys.h, in the same order");
+constexpr bool HasFormat(const ProfileKey& key) { return key.member.word == nullptr; }
+static_assert(std::ranges::equal(kProfileKeys | std::views::filter(HasFormat), kKeyFormats, {},
+                                 &ProfileKey::name, &KeyFormat::name),
+              "each Value of core/profile_keys.h has a row here, in the same order");
+
+const KeyFormat& FormatOf(const ProfileKey& key) {
+  return *std::ranges::find(kKeyFormats, key.name, &KeyFormat::name);
+}
+
+void ReadKey(const ProfileKey& key, const JsonValue& value, Profile& profile) {
+  if (HasFormat(key)) return FormatOf(key).read(value, profile);
+  key.member.set_word(IndexOf(value, WordsOf(key)), profile);
+}
+
+// '"nan_z": "ignored"'
+std::string MemberToJson(const ProfileKey& key, const Profile& profile) {
+  return InQuotes(key.name) + ": " +
+         (HasFormat(key) ? FormatOf(key).write(profile)
+                         : InQuotes(WordsOf(key).at(key.member.word(profile))));
+}
+
+bool IsUnusual(std::string_view key, const Profile& profile) {
+  Profile usual;
+  KeyNamed(key).member.copy(profile, usual);
+  return usual != Profile{};
+}
+
+bool IsWritten(const ProfileKey& key, const Profile& profile) {
+  if ((key.marks & kWritten) != 0 || IsUnusual(key.name, profile)) return true;
+  if (key.name == "snap_form") return IsUnusual("snap_origin", profile);
+  if (key.name == "snap_origin") return IsUnusual("snap_form", profile);
+  if (key.name == "snap_tolerance" || key.name == "rounding" || key.name == "tie_ownership")
+    return !profile.freedom.IsNone();
+  // A specification's set begins with its own front face.
+  return key.name == "front_face" && !profile.specification.empty();
+}
 
 bool IsOfTarget(std::string_view name) { return std::ranges::count(kTargetKeys, name) != 0; }
 
 // Reads the keys that are there and that `is_read` is true of.
 void ReadKeys(const JsonValue& object, Profile& profile, bool (*is_read)(std::string_view)) {
-  for (std::size_t k = 0; k < kKeyFormats.size(); ++k) {
-    if (!is_read(kKeyFormats[k].name)) continue;
-    if (const std::optional<JsonValue> value = object.Find(kKeyFormats[k].name))
-      kKeyFormats[k].read(kProfileKeys[k], *value, profile);
+  for (const ProfileKey& key : kProfileKeys) {
+    if (!is_read(key.name)) continue;
+    if (const std::optional<JsonValue> value = object.Find(key.name)) ReadKey(key, *value, profile);
   }
-}
-
-// '"nan_z": "ignored"'
-std::string MemberToJson(std::size_t k, const Profile& profile) {
-  return InQuotes(kKeyFormats[k].name) + ": " + kKeyFormats[k].write(kProfileKeys[k], profile);
 }
 
 TargetModel TargetFromJson(const JsonValue& value, const Profile& profile) {
@@ -407,15 +379,9 @@ std::string TargetToJson(const TargetModel& target) {
   own.tie_rule = target.tie_rule;
   std::string json = "{\"max_width\": " + std::to_string(target.max_width) +
                      ", \"max_height\": " + std::to_string(target.max_height);
-  for (std::size_t k = 0; k < kKeyFormats.size(); ++k) {
-    if (!IsOfTarget(kKeyFormats[k].name)) continue;
-    if (kKeyFormats[k].is_written(own)) json += ", " + MemberToJson(k, own);
-    // Written even if it is none, or the profile's own would come back in its place.
-    else if (kKeyFormats[k].name == "snap_form")
-      json += ", \"snap_form\": \"coordinate\"";
-    else
-      json += ", \"snap_origin\": 0";
-  }
+  // Written even where they are the default, or the profile's own would come back in their place.
+  for (const ProfileKey& key : kProfileKeys)
+    if (IsOfTarget(key.name)) json += ", " + MemberToJson(key, own);
   return json + "}";
 }
 
@@ -439,8 +405,8 @@ void RequireSound(const JsonValue& value, const Profile& profile) {
 }
 
 Profile ProfileFromObject(const JsonValue& value) {
-  std::array<std::string_view, kKeyFormats.size()> names;
-  std::ranges::transform(kKeyFormats, names.begin(), &KeyFormat::name);
+  std::array<std::string_view, kProfileKeys.size()> names;
+  std::ranges::transform(kProfileKeys, names.begin(), &ProfileKey::name);
   value.RequireObject(names);
   Profile profile = BeginningOf(value);
   static_cast<void>(value.Get("name"));  // the one that may not be left out
@@ -481,9 +447,9 @@ std::string ProfileToJson(const Profile& profile) {
   Profile named = profile;
   named.name = ProfileName(profile);
   std::string json;
-  for (std::size_t k = 0; k < kKeyFormats.size(); ++k) {
-    if (!kKeyFormats[k].is_written(named)) continue;
-    json += (json.empty() ? "{\n    " : ",\n    ") + MemberToJson(k, named);
+  for (const ProfileKey& key : kProfileKeys) {
+    if (!IsWritten(key, named)) continue;
+    json += (json.empty() ? "{\n    " : ",\n    ") + MemberToJson(key, named);
   }
   return json + "\n  }";
 }

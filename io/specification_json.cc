@@ -16,7 +16,7 @@ namespace {
 std::string FirstDifference(const Profile& a, const Profile& b) {
   const auto* const key = std::ranges::find_if(kProfileKeys, [&](const ProfileKey& one) {
     Profile alike = a;
-    one.copy(b, alike);
+    one.member.copy(b, alike);
     return alike != a;
   });
   return Quoted(key->name);

@@ -114,9 +114,11 @@ std::string ListProfiles() {
 std::string ListKeys() {
   std::string text = "profile keys\n";
   for (const ProfileKey& key : kProfileKeys) {
-    text += fmt::format("  {} ({})\n    values:  {}\n    default: {}\n    says:    {}\n", key.name,
-                        KeyKindName(key.kind), key.values, key.usual.empty() ? "none" : key.usual,
-                        key.says);
+    const std::string_view example = key.member.example;
+    text += fmt::format("  {} ({})\n    values:  {}\n{}    default: {}\n    says:    {}\n",
+                        key.name, KeyKindName(key.kind), key.values,
+                        example.empty() ? "" : fmt::format("    example: {}\n", example),
+                        key.usual.empty() ? "none" : key.usual, key.says);
   }
   return text;
 }

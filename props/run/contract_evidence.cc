@@ -55,7 +55,7 @@ std::string KeysInTheWay(const SubjectInfo& info) {
   std::string together;
   for (const ProfileKey& key : kProfileKeys) {
     SubjectInfo without = info;
-    key.copy(Profile{}, without.profile);
+    key.member.copy(Profile{}, without.profile);
     if ((key.marks & kHinders) == 0 || without.profile == info.profile) continue;
     const auto add = [&](std::string& keys, std::string_view joint) {
       keys += (keys.empty() ? "" : std::string(joint)) + std::string(key.name);

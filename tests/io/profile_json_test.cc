@@ -6,11 +6,9 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "core/profile_keys.h"
 #include "core/square_presets.h"
 #include "io/case_file.h"
 #include "model/target_profile.h"
-#include "tests/every_key.h"
 
 namespace rasterproof::io {
 namespace {
@@ -34,81 +32,6 @@ TEST(ProfileJson, RareKeysReadBack) {
   profile.shares_edge_samples = true;
   profile.tie_rule = {.exclusive = true};
   ExpectReadsBack(profile);
-}
-
-TEST(ProfileJson, EveryKeyIsWrittenAndReadBack) {
-  Profile profile = EveryKeySet();
-  const std::string text = ProfileToJson(profile);
-  EXPECT_EQ(text,
-            R"({
-    "name": "every key",
-    "specification": "d3d11",
-    "subpixel_bits": 5,
-    "snap_rule": "half-up",
-    "snap_form": "exact-difference",
-    "snap_origin": "0x1p-2",
-    "sample_locations": [["0x1p-3", "0x1.cp-1"], ["0x1p-1", "0x1p-2"]],
-    "y_axis": "up",
-    "tie_rule": "bottom-left-y",
-    "contract": "squares",
-    "snap_tolerance": "0x1.4p-1",
-    "rounding": "unspecified",
-    "least_subpixel_bits": 3,
-    "tie_ownership": "per-edge",
-    "transform_error": "0x1.8p+0",
-    "coordinate_limit": "0x1p+12",
-    "degenerate_triangles": "unspecified",
-    "infinite_vertex": "unspecified",
-    "nan_vertex": "unspecified",
-    "nan_z": "nothing",
-    "front_face": "unstated",
-    "sample_positions": "fixed",
-    "centroid": "inside",
-    "translation_invariant": true,
-    "edge_samples": "may-be-shared",
-    "fixed": {"integer_bits": 12, "fraction_bits": 4, "signed": false, )"
-            R"("wrap": true},
-    "max_primitive_extent": ["0x1.ff8p+9", "0x1.ffp+8"],
-    "guard_band": "viewport+64",
-    "scanline_rounding": {"bits": 7, "rule": "floor", "origin": "0x1p-1"},
-    "transform": {"precision": "float64", "division": "reciprocal", )"
-            R"("viewport": "none", "flips_y": false, "map": ["0x1p+3", "0x1.2p+3", "0x1p-1", )"
-            R"("-0x1p-1"]},
-    "coverage": {"must": {"relation": "intersects", "square": "closed", )"
-            R"("shape": "closed", "geometry": "given", "growth": "swept", "half_width": "0x1p-2"},
-      "may": null,
-      "flat": "drawn"},
-    "by_target_size": [{"max_width": 64, "max_height": 65536, "subpixel_bits": 6, )"
-            R"("snap_rule": "nearest-even", "snap_form": "coordinate", "snap_origin": 0, )"
-            R"("sample_locations": [["0x0p+0", "0x0p+0"], ["0x1p-1", "0x1p-1"]], )"
-            R"("tie_rule": "top-left"}, {"max_width": 65536, "max_height": 65536, )"
-            R"("subpixel_bits": 5, "snap_rule": "half-up", "snap_form": "exact-difference", )"
-            R"("snap_origin": "0x1p-2", "sample_locations": [["0x1p-3", "0x1.cp-1"], ["0x1p-1", )"
-            R"("0x1p-2"]], "tie_rule": "inclusive"}]
-  })");
-  const std::string specification = ",\n    \"specification\": \"d3d11\"";
-  std::string without = text;
-  without.erase(without.find(specification), specification.size());
-  profile.specification = "";
-  EXPECT_EQ(ParseProfile(without, "written"), profile);
-}
-
-TEST(ProfileJson, EveryWordIsReadAndWritten) {
-  for (const char* const name :
-       {"snap_rule", "snap_form", "y_axis", "contract", "rounding", "tie_ownership",
-        "degenerate_triangles", "infinite_vertex", "nan_vertex", "nan_z", "front_face",
-        "sample_positions", "centroid", "edge_samples"}) {
-    for (const std::string_view word : WordsOf(KeyNamed(name))) {
-      const std::string said = '"' + std::string(name) + "\": \"" + std::string(word) + '"';
-      const Profile profile = ParseProfile(
-          R"({"name": "p", "least_subpixel_bits": 4, "snap_origin": 0.5, )" + said +
-              (word == "squares" ? R"(, "coverage": {"may": {"relation": "intersects"}})" : "") +
-              "}",
-          "p.json");
-      const bool is_usual = word == KeyNamed(name).usual.substr(0, word.size());
-      EXPECT_TRUE(is_usual || ProfileToJson(profile).find(said) != std::string::npos) << said;
-    }
-  }
 }
 
 TEST(ProfileJson, ANameNeverSpeaksToTheTerminal) {

@@ -34,7 +34,7 @@ using testing::RealInfo;
 // What is compared of a model: all but its name and what bounds verdicts only.
 Profile ModelPart(Profile profile) {
   for (const ProfileKey& key : kProfileKeys) {
-    if (key.kind != KeyKind::kModel && key.kind != KeyKind::kFreedom) key.copy({}, profile);
+    if (key.kind != KeyKind::kModel && key.kind != KeyKind::kFreedom) key.member.copy({}, profile);
   }
   return profile;
 }

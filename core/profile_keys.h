@@ -66,7 +66,7 @@ void Copy(const Profile& from, Profile& to) {
 }
 
 template <auto... kMembers>
-constexpr KeyMember Value(std::string_view example) {
+constexpr KeyMember ByExample(std::string_view example) {
   return {.copy = Copy<kMembers...>, .example = example};
 }
 
@@ -82,14 +82,14 @@ inline constexpr KeyMember kWord{
 
 /// All keys, in the order in which they are read and written.
 inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
-    {"name", KeyKind::kName, Value<&Profile::name>(R"("mine")"), "text", "", "for the reader",
+    {"name", KeyKind::kName, ByExample<&Profile::name>(R"("mine")"), "text", "", "for the reader",
      kWritten},
-    {"specification", KeyKind::kName, Value<&Profile::specification>(R"("d3d11")"),
+    {"specification", KeyKind::kName, ByExample<&Profile::specification>(R"("d3d11")"),
      "d3d11, vulkan, gl, webgpu", "",
      "the legal set that this is, with a device's numbers: `subpixel_bits` or "
      "`least_subpixel_bits`, `sample_locations`, `coordinate_limit`, `guard_band`, `front_face`. "
      "All other keys are the set's"},
-    {"subpixel_bits", KeyKind::kModel, Value<&Profile::snap, &Snap::bits>("5"), "0 to 16, null",
+    {"subpixel_bits", KeyKind::kModel, ByExample<&Profile::snap, &Snap::bits>("5"), "0 to 16, null",
      "null", "the grid that vertices snap to; null: none", kHinders | kWritten},
     {"snap_rule", KeyKind::kModel, kWord<&Profile::snap, &Snap::rule>,
      "nearest-even, nearest-away, half-up, floor, truncate", "nearest-even",
@@ -97,14 +97,15 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
     {"snap_form", KeyKind::kModel, kWord<&Profile::snap, &Snap::form>,
      "coordinate, float32-difference, exact-difference", "coordinate",
      "what is rounded: x; or x - c, in float32 or exactly, and c is added again", kHinders},
-    {"snap_origin", KeyKind::kModel, Value<&Profile::snap, &Snap::origin>("0.25"),
+    {"snap_origin", KeyKind::kModel, ByExample<&Profile::snap, &Snap::origin>("0.25"),
      "multiple of 1/256 in [0, 1)", "0", "c of the two differences"},
-    {"sample_locations", KeyKind::kModel, Value<&Profile::pattern>("[[0.125, 0.875], [0.5, 0.25]]"),
+    {"sample_locations", KeyKind::kModel,
+     ByExample<&Profile::pattern>("[[0.125, 0.875], [0.5, 0.25]]"),
      "list of [x, y]; standard-1, -2, -4, -8, -16", "[[0.5, 0.5]]",
      "places within a pixel, multiples of 1/256", kOfDevice | kWritten},
     {"y_axis", KeyKind::kModel, kWord<&Profile::y_axis>, "down, up", "down", "which way y grows",
      kWritten},
-    {"tie_rule", KeyKind::kModel, Value<&Profile::tie_rule>(R"("bottom-left-y")"),
+    {"tie_rule", KeyKind::kModel, ByExample<&Profile::tie_rule>(R"("bottom-left-y")"),
      "top-left, top-right, bottom-left, bottom-right, each with -y; inclusive, exclusive",
      "top-left",
      "which side owns a sample on an edge (-y: y decides first); inclusive: both; exclusive: "
@@ -117,13 +118,13 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      "`subpixel_bits` out for a grid of your own",
      kWritten},
     {"snap_tolerance", KeyKind::kFreedom,
-     Value<&Profile::freedom, &Freedom::snap_tolerance>("0.625"), "0 to 1", "0",
+     ByExample<&Profile::freedom, &Freedom::snap_tolerance>("0.625"), "0 to 1", "0",
      "grid steps that a vertex may be off", kHinders},
     {"rounding", KeyKind::kFreedom, kWord<&Profile::freedom, &Freedom::any_rounding>,
      "stated, unspecified", "stated",
      "unspecified: any grid point less than a step away, on each axis", kHinders},
-    {"least_subpixel_bits", KeyKind::kFreedom, Value<&Profile::freedom, &Freedom::least_bits>("3"),
-     "0 to 16, null", "null",
+    {"least_subpixel_bits", KeyKind::kFreedom,
+     ByExample<&Profile::freedom, &Freedom::least_bits>("3"), "0 to 16, null", "null",
      "the grid has so many bits or more, one number for everything, or there is no grid", kHinders},
     {"tie_ownership", KeyKind::kFreedom, kWord<&Profile::freedom, &Freedom::ties>,
      "stated, axis-aligned, per-edge, open", "stated",
@@ -131,12 +132,12 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      "one for all; one of the two triangles, for each sample; not stated",
      kHinders},
     {"transform_error", KeyKind::kFreedom,
-     Value<&Profile::freedom, &Freedom::transform_error>("1.5"),
+     ByExample<&Profile::freedom, &Freedom::transform_error>("1.5"),
      "number of 2^-24 of a coordinate, null", "0",
      "what a window coordinate that the subject computes from clip space may be off, before it is "
      "snapped; null: no error is stated, and no sample of clip space is judged",
      kHinders},
-    {"coordinate_limit", KeyKind::kLimit, Value<&Profile::coordinate_limit>("4096"),
+    {"coordinate_limit", KeyKind::kLimit, ByExample<&Profile::coordinate_limit>("4096"),
      "positive number", "2^127", "beyond it nothing is stated", kOfDevice | kHinders | kWritten},
     {"degenerate_triangles", KeyKind::kFreedom, kWord<&Profile::degenerate_triangles>,
      "nothing, unspecified", "nothing", "what a triangle without area covers", kHinders},
@@ -160,24 +161,24 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      "where attributes asked for at the centroid are evaluated. direct3d: the pixel's centre if "
      "all samples are covered, else the covered sample of least index; inside: any point of pixel "
      "and triangle, outlines included. Of one sample: the centre"},
-    {"translation_invariant", KeyKind::kFreedom, Value<&Profile::translation_invariant>("true"),
+    {"translation_invariant", KeyKind::kFreedom, ByExample<&Profile::translation_invariant>("true"),
      "true, false", "false",
      "a scene moved by whole pixels covers the moved samples, whatever the freedom"},
     {"edge_samples", KeyKind::kFreedom, kWord<&Profile::shares_edge_samples>,
      "owned, may-be-shared", "owned",
      "a sample on an edge may be covered by every triangle that has the edge", kHinders},
     {"fixed", KeyKind::kModel,
-     Value<&Profile::fixed>(
+     ByExample<&Profile::fixed>(
          R"({"integer_bits": 12, "fraction_bits": 4, "signed": false, "wrap": true})"),
      R"({"integer_bits": 1 to 31, "fraction_bits": 0 to 16, "signed": true, "wrap": false}, null)",
      "null",
      "coordinates are integers in units of 2^-fraction_bits, of range [-2^(n-1), 2^(n-1)) or "
      "[0, 2^n); with `wrap` others come too and are taken modulo 2^n. Window space",
      kHinders},
-    {"max_primitive_extent", KeyKind::kModel, Value<&Profile::max_primitive_extent>("[1023, 511]"),
-     "[width, height], null", "null",
+    {"max_primitive_extent", KeyKind::kModel,
+     ByExample<&Profile::max_primitive_extent>("[1023, 511]"), "[width, height], null", "null",
      "a triangle wider or higher after snapping covers nothing. Window space", kHinders},
-    {"guard_band", KeyKind::kLimit, Value<&Profile::guard_band>(R"("viewport+64")"),
+    {"guard_band", KeyKind::kLimit, ByExample<&Profile::guard_band>(R"("viewport+64")"),
      R"([x0, y0, x1, y1], "viewport", "viewport+64", "unknown", "none", null)",
      R"(null (none); the sets: "unknown")",
      "a triangle with a corner outside is clipped and its edges may move. One model: samples are "
@@ -185,11 +186,11 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      "\"unknown\": the target, or any wider rectangle. Window space",
      kOfDevice | kHinders},
     {"scanline_rounding", KeyKind::kModel,
-     Value<&Profile::scanline_rounding>(R"({"bits": 7, "rule": "floor", "origin": 0.5})"),
+     ByExample<&Profile::scanline_rounding>(R"({"bits": 7, "rule": "floor", "origin": 0.5})"),
      R"({"bits": 0 to 16, "rule": as snap_rule, "origin": as snap_origin}, null)", "null",
      "where an edge crosses a row of samples, x is rounded to this grid. Window space", kHinders},
     {"transform", KeyKind::kModel,
-     Value<&Profile::transform>(
+     ByExample<&Profile::transform>(
          R"({"precision": "float64", "division": "reciprocal", "map": [8, 9, 0.5, -0.5]})"),
      R"({"precision": float32 or float64, "division": quotient or reciprocal, "viewport": none, )"
      R"(multiply-add, fused or add-multiply, "flips_y": true or false, )"
@@ -197,7 +198,7 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      "null", "clip space, or a map, is taken to the window by these operations, each rounded once",
      kHinders},
     {"coverage", KeyKind::kModel,
-     Value<&Profile::squares>(
+     ByExample<&Profile::squares>(
          R"({"must": {"relation": "intersects", "half_width": 0.25}, "flat": "drawn"})"),
      R"({"must": region or null, "may": region or null, "flat": nothing, free or drawn}, null)",
      "null",
@@ -205,7 +206,7 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      "`may`; `flat`: what one without area covers. Window space"},
     // After the keys that its entries can leave out.
     {"by_target_size", KeyKind::kModel,
-     Value<&Profile::by_target_size>(
+     ByExample<&Profile::by_target_size>(
          R"([{"max_width": 64, "subpixel_bits": 6}, {"tie_rule": "inclusive"}])"),
      "list of {`max_width`, `max_height`, and any of `subpixel_bits`, `snap_rule`, `snap_form`, "
      "`snap_origin`, `sample_locations`, `tie_rule`}",

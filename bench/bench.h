@@ -49,8 +49,8 @@ enum class ContenderChoice : std::uint8_t {
 /// The project's own: every method of the table, every kernel; the baselines and their twins first.
 std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice);
 
-/// Adds what is measured on one family to the result: every contender that draws it, in rounds in
-/// which each is drawn once, behind a draw that is not counted.
+/// Adds the measurements of one family to the result. Every contender that draws the family draws
+/// it once a round, after a draw that is not counted.
 ///
 /// Domain:     the contenders of earlier calls for the same result, in the same order; the family's
 ///             baseline and twin among them, or the first one stands in for both.

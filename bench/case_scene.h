@@ -11,7 +11,7 @@
 
 namespace rasterproof::bench {
 
-/// The triangle on a target of its own: of float32 if float32 holds every coordinate.
+/// The triangle alone on a target: of float32 if float32 holds every coordinate.
 inline Scene SceneOfTriangle(const std::array<Vertex, 3>& v, int width, int height,
                              bool is_clip_space) {
   Scene scene;

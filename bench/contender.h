@@ -58,7 +58,7 @@ class Contender {
   virtual void Load(const FamilyInput& family) = 0;
   /// Clears the target, not timed, then draws the family once, timed.
   ///
-  /// Domain:     behind Load().
+  /// Domain:     after Load().
   virtual DrawTime Draw() = 0;
   /// Draws onto what is there, to have everything at hand for the draw that counts: the target need
   /// not be cleared for that, which costs more than most draws.
@@ -109,17 +109,17 @@ std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod 
                                                reference::kernels::Sink sink);
 
 /// A user's subject in this process, into what it shows. Its time is that of a draw less that of a
-/// draw of the same vertices without triangles: what it converts, which is told apart.
+/// draw of the same vertices without triangles, the conversion, which is reported separately.
 ///
-/// What breaks down in this process ends it: `first`, a copy in a process of its own, is therefore
-/// asked to draw each family before, and has `most_seconds` for it; nullptr: nobody is.
+/// A crash in this process would end it. So `first`, a copy in another process, draws each family
+/// before, within `most_seconds`; with nullptr nothing is drawn before.
 ///
 /// Domain:     one sample a pixel, in its centre; the subjects outlive the contender.
 /// Error:      of Load(): what `first` throws.
 std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first = nullptr,
                                                 double most_seconds = 10);
 
-/// A user's subject in a process of its own. Its time is the slope of the processor time of all its
+/// A user's subject in another process. Its time is the slope of the processor time of all its
 /// threads over k, 2 k and 4 k draws: of repeats in one request, so that starting, reading and
 /// answering drop out; of one that takes no repeats, over requests in one call. Its first draw of a
 /// family may take `most_seconds`.

@@ -12,7 +12,7 @@
 
 namespace rasterproof::bench {
 
-/// Right triangles of about so many pixels, 2^18 pixels in all or one triangle, at most 4096.
+/// Right triangles of about `pixels` pixels each, 2^18 pixels in all or one triangle, at most 4096.
 Scene ScatteredOfPixels(double pixels);
 
 /// So many triangles of about 20 pixels on 1024 x 1024; the first 4096 over and over.

@@ -21,7 +21,7 @@ struct CurveOptions {
   /// Names of parameters ("pixels" and "triangles" are costs) and of methods; empty: all.
   std::vector<std::string> parameters;
   std::vector<std::string> methods;
-  /// Costs of so many triangles at most are measured. 10^7 take 2 GB and a second a draw.
+  /// Costs are measured up to this number of triangles. 10^7 take 2 GB and a second a draw.
   std::uint64_t most_triangles = 100'000;
   std::size_t rounds = 5;  ///< of each cost
   /// Called with what is being done. May be empty.

@@ -18,17 +18,17 @@ std::vector<HardCase> NeedleCases(double ratio);
 /// edge values are asked for alone.
 std::vector<HardCase> DistantCases(double pixels);
 
-/// Triangles whose sample is in the last of so many columns, the box's left side in the first.
+/// Triangles whose box begins in the first of `columns` columns, and whose sample is in the last.
 std::vector<HardCase> WalkCases(double columns);
 
 /// Triangles with one corner 2^k times as far from the sample as the others.
 std::vector<HardCase> GapCases(double ratio);
 
-/// Samples at which the two products of E cancel: their sum S is so many times |E|, within a factor
+/// Samples at which the two products of E cancel: their sum S is `ratio` times |E|, within a factor
 /// of 2.
 std::vector<HardCase> CancellingCases(double ratio);
 
-/// Triangles in clip space, one corner's w so many times the others'.
+/// Triangles in clip space, one corner's w `ratio` times the others'.
 std::vector<HardCase> ClipCases(double ratio);
 
 }  // namespace rasterproof::bench

@@ -23,9 +23,10 @@ namespace rasterproof::bench {
 namespace {
 
 constexpr std::size_t kBlock = 64;
-// A triangle of so many pairs that nothing was drawn of is lost: no edge of it is merely moved.
+// A triangle of at least this number of pairs is lost if nothing of it was drawn: no moved edge
+// explains that.
 constexpr std::uint64_t kLostFrom = 16;
-// Below so many wrong pairs their largest distance says all that their 99.9 % would.
+// With fewer wrong pairs their largest distance says all that their 99.9 % quantile would.
 constexpr std::size_t kEnoughForQuantile = 10'000;
 // For the triangles of a contender that is slow alone.
 constexpr double kMostSecondsAlone = 3;

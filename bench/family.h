@@ -52,7 +52,7 @@ std::span<const FamilyKind> FamilyKinds();
 /// Makes the family.
 FamilyInput MakeFamily(const FamilyKind& kind, FamilySize size, std::uint64_t seed);
 
-/// A scene of the user's as a family of its own.
+/// A user's scene as a family.
 FamilyInput FamilyOf(Scene scene, std::string summary);
 
 }  // namespace rasterproof::bench

@@ -16,11 +16,11 @@ namespace rasterproof::bench {
 /// Source:     extended Euclid: u dY - v dX = +-1 (docs/mathematics.md, 8).
 std::vector<HardCase> GridCases(double steps, int bits);
 
-/// Triangles of a box of so many steps of 2^-8 pixel whose edge values need the most bits.
+/// Triangles of a box of `steps` steps of 2^-8 pixel whose edge values need the most bits.
 std::vector<HardCase> ValueCases(double steps);
 
-/// Triangles with corners on whole pixels whose larger side is so many pixels, and a sample at
-/// least a quarter of a pixel from every edge: what is wrong there was not rounded but lost.
+/// Triangles with corners on whole pixels whose larger side is `pixels` pixels, and a sample at
+/// least a quarter of a pixel from every edge: a wrong answer there is no matter of rounding.
 std::vector<HardCase> ExtentCases(double pixels);
 
 }  // namespace rasterproof::bench

@@ -1,4 +1,4 @@
-// Statistics of paired measurements: in which order methods are drawn, and what the pairs tell.
+// Statistics of paired measurements: in which order methods are drawn, and medians.
 #ifndef RASTERPROOF_BENCH_PAIRED_H_
 #define RASTERPROOF_BENCH_PAIRED_H_
 

@@ -46,8 +46,8 @@ struct Parameter {
   Scale scale = Scale::kWhole;
   int least_exponent = 0;
   int most_exponent = 0;  ///< at most 53 of whole numbers
-  int curve_every = 1;    ///< curves have a point at every so manieth power of two
-  /// Coordinates are at most so many pixels a unit of the value, and so many more.
+  int curve_every = 1;    ///< the step between exponents of a curve's points
+  /// Coordinates are at most `reach` pixels times the value, plus `reach_beside` pixels.
   double reach = 0;
   double reach_beside = 1.5;
   /// Corners and samples lie on a grid: the exactness table says up to where nothing is rounded.

@@ -31,7 +31,7 @@ class SceneDrawer {
   /// Whether it draws scenes of this kind and number format.
   virtual bool Takes(const Scene& scene) const = 0;
   /// Whether each case's sample is covered; nothing where the scene was refused. Fewer answers
-  /// than cases if it broke down over the one behind the last.
+  /// than cases if it broke down over the case after the last answer.
   ///
   /// Domain:     scenes that it takes.
   virtual std::vector<std::optional<bool>> Covers(std::span<const HardCase* const> cases) = 0;

@@ -22,7 +22,7 @@ namespace {
 constexpr int kSide = 1024;
 constexpr int kTimes = 7;
 
-// Triangles of about so many pixels across: enough that the target's own memory is a small part.
+// Triangles about `across` pixels wide: enough that the target's own memory is a small part.
 Scene Triangles(int across) {
   std::mt19937_64 bits(103);
   const auto unit = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };

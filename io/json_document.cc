@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "core/quoted.h"
-#include "core/renamed.h"
 #include "core/suggestion.h"
+#include "io/renamed.h"
 
 namespace rasterproof::io {
 namespace {

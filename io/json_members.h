@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "core/quoted.h"
-#include "core/renamed.h"
 #include "core/suggestion.h"
 #include "io/json_document.h"
+#include "io/renamed.h"
 
 namespace rasterproof::io {
 

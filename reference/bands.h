@@ -10,8 +10,8 @@
 
 namespace rasterproof::reference {
 
-/// Calls draw(band) for disjoint bands of whole tile rows that together make up `area`, each from a
-/// thread of its own; from the calling thread alone if one will do.
+/// Calls draw(band) for disjoint bands of whole tile rows that together make up `area`, each from
+/// another thread; from the calling thread alone if one will do.
 ///
 /// Domain:     options.threads 0: as many as the machine has. More than there are tile rows, or
 ///             than kMaxThreads, are not started.

@@ -20,7 +20,7 @@
 
 namespace rasterproof::reference {
 
-/// A running sum: adds a step as often as it is told to.
+/// A running sum of steps: each Add adds one.
 template <class S, class T>
 concept StepSum = std::constructible_from<S, T> && requires(S sum, const S& said, T step) {
   sum.Add(step);

@@ -23,7 +23,7 @@ struct ExactnessRow {
   std::string_view method;
   std::int64_t values = 0;  ///< largest W whose edge values are proved exact
   std::int64_t signs = 0;   ///< largest W whose decisions are proved right
-  int columns_before = 0;   ///< a draw starts so many pixels before the box at most
+  int columns_before = 0;   ///< a draw starts at most this many pixels before the box
 };
 
 inline constexpr std::int64_t kFloat32Box = 4096;      // 4096^2 = 2^24

@@ -42,7 +42,7 @@ class IntegerForm {
         dx_(reversed ? a.x - b.x : b.x - a.x),
         dy_(reversed ? a.y - b.y : b.y - a.y) {}
 
-  /// A snap of its own, not the one that the oracle uses too: so that the two can disagree.
+  /// Another snap than the one that the oracle uses, so that the two can disagree.
   static Point2 Snapped(Point2 p) { return {Snapped(p.x), Snapped(p.y)}; }
   static bool Fits(Point2 p) {
     return std::fabs(p.x) <= kIntegerCoordinateLimit<I> &&

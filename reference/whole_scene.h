@@ -12,8 +12,8 @@ namespace rasterproof::reference {
 /// Returns whether the kernels take the scene: window space, and no coordinate that float32 rounds.
 bool KernelsTake(const Scene& scene);
 
-/// Returns whether a kernel is worth the surface of its own that it draws on: some dozens of
-/// triangles, and not many pixels for each. See it by `rasterproof plan --measure`.
+/// Returns whether a kernel repays the separate surface that it draws on: with some dozens of
+/// triangles, and not many pixels for each. It is measured by `rasterproof plan --measure`.
 bool KernelsPay(const Scene& scene);
 
 /// Adds the scene's coverage by a kernel to `counts`, by the machine's widest vectors: the counts

@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/renamed.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/renamed.h"
 #include "subjects/process/protocol.h"
 
 namespace rasterproof::tool {
@@ -64,7 +64,7 @@ template <class Table>
 auto Chosen(const Table& table, std::string_view name, const std::string& place) {
   const auto found = std::ranges::find_if(table, [&](const auto& e) { return e.first == name; });
   if (found != table.end()) return found->second;
-  throw InputError(place, fmt::format("'{}' is not known{}", name, RenamedText(name)),
+  throw InputError(place, fmt::format("'{}' is not known{}", name, io::RenamedText(name)),
                    "choose of: " + NamesIn(table));
 }
 
@@ -206,7 +206,7 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     for (std::string word; words >> word;) info.*Chosen(kTakes, word, place) = true;
   } else {
     throw InputError(
-        place, fmt::format("there is no key '{}'{}", key, RenamedText(key)),
+        place, fmt::format("there is no key '{}'{}", key, io::RenamedText(key)),
         "use name, summary, command, input, coverage, visible, barycentrics-of, barycentric-error, "
         "depth-error, shows, edge-error, stepping-error, takes, clock, protocol or profile");
   }

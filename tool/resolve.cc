@@ -17,12 +17,12 @@
 #include "core/float_environment.h"
 #include "core/profile_keys.h"
 #include "core/quoted.h"
-#include "core/renamed.h"
 #include "core/square_presets.h"
 #include "core/suggestion.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/renamed.h"
 #include "props/domains/domain.h"
 #include "props/domains/worlds.h"
 #include "props/run/property_domains.h"
@@ -211,7 +211,7 @@ const props::Property& RequireProperty(const std::string& name) {
   std::vector<std::string> names;
   for (const props::Property& property : props::Catalog()) names.emplace_back(property.name);
   throw InputError(
-      fmt::format("property '{}'", name), "there is no such property" + RenamedText(name),
+      fmt::format("property '{}'", name), "there is no such property" + io::RenamedText(name),
       Suggestion(name, names) + "'rasterproof list properties' names all that there are");
 }
 
@@ -232,7 +232,7 @@ props::CaseName RequireCaseName(const std::string& name) {
     throw InputError(
         fmt::format("case '{}'", name),
         fmt::format("there is no domain or world '{}'{}", parsed.domain,
-                    RenamedText(parsed.domain)),
+                    io::RenamedText(parsed.domain)),
         Suggestion(parsed.domain, names) + "'rasterproof list domains' and 'list worlds' name all");
   }
   return parsed;

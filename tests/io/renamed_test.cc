@@ -1,12 +1,12 @@
-// What a message says of a word that was replaced.
-#include "core/renamed.h"
+// The text of a message about a word that was replaced.
+#include "io/renamed.h"
 
 #include <gtest/gtest.h>
 
-namespace rasterproof {
+namespace rasterproof::io {
 namespace {
 
-TEST(Renamed, OldWordsAreToldTheirNewOnesAndOthersNothing) {
+TEST(Renamed, TextNamesTheNewWordOfAnOldOneAndNothingForOthers) {
   EXPECT_EQ(RenamedText("fill_rule"), ", which is tie_rule now");
   EXPECT_EQ(RenamedText("WinnerFollowsTheDeclaredOrder"),
             ", which is PrimitiveIdFollowsTheStatedOrder now");
@@ -16,4 +16,4 @@ TEST(Renamed, OldWordsAreToldTheirNewOnesAndOthersNothing) {
 }
 
 }  // namespace
-}  // namespace rasterproof
+}  // namespace rasterproof::io

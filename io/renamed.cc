@@ -1,10 +1,10 @@
-#include "core/renamed.h"
+#include "io/renamed.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace rasterproof {
+namespace rasterproof::io {
 namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
@@ -79,4 +79,4 @@ std::string RenamedText(std::string_view word) {
   return ", which is " + std::string(found->second) + " now";
 }
 
-}  // namespace rasterproof
+}  // namespace rasterproof::io

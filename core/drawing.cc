@@ -1,5 +1,7 @@
 #include "core/drawing.h"
 
+#include <algorithm>
+
 namespace rasterproof {
 
 Scene SceneOf(const DrawJob& job) {
@@ -13,6 +15,11 @@ Scene SceneOf(const DrawJob& job) {
   scene.vertices = job.scene->vertices;
   scene.triangles = *job.triangles;
   return scene;
+}
+
+bool AreInTheUsualMode(std::span<const DrawJob> jobs) {
+  return std::ranges::all_of(
+      jobs, [](const DrawJob& job) { return job.options.float_mode == FloatMode::kUsual; });
 }
 
 }  // namespace rasterproof

@@ -64,6 +64,10 @@ struct DrawJob {
 /// Returns the scene that holds exactly the triangles that the job draws.
 Scene SceneOf(const DrawJob& job);
 
+/// Returns whether no job asks for another floating-point mode. Only then can one call draw them
+/// all: a call has one mode.
+bool AreInTheUsualMode(std::span<const DrawJob> jobs);
+
 /// The primitive id of a sample that no triangle won.
 inline constexpr std::int32_t kNoPrimitive = -1;
 

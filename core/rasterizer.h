@@ -87,7 +87,7 @@ class RasterizerSubject final : public Subject {
   const SubjectInfo& OwnInfo() const override { return info_; }
   std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
     if constexpr (DrawsBatches<R>) {
-      if (jobs.size() > 1) return DrawBatch(jobs);
+      if (jobs.size() > 1 && AreInTheUsualMode(jobs)) return DrawBatch(jobs);
     }
     return Subject::DrawMany(jobs);
   }
@@ -135,7 +135,6 @@ class RasterizerSubject final : public Subject {
     for (const DrawJob& job : jobs) resolved.push_back(Resolved(job));
     std::vector<DrawOutcome> outcomes(1);
     outcomes.front().end = EndOf([&] {
-      const WithinFloatMode mode(jobs.front().options.float_mode);
       std::vector<Drawing> drawings = rasterizer_.ShowMany(resolved);
       if (drawings.size() != jobs.size()) {
         BreakDown("it drew " + std::to_string(drawings.size()) + " of " +

@@ -78,7 +78,7 @@ std::string Sentence(const FloatModeResult& r) {
 class Measured {
  public:
   Measured(const SubjectFactory& factory, const CheckOptions& options)
-      : factory_(factory), options_(options), usual_subject_(factory.Make()) {
+      : factory_(factory), usual_subject_(factory.Make()) {
     if (!usual_subject_->Info().takes_float_modes) {
       throw InputError("subject " + factory.name(),
                        "it is a program, which sets its floating-point mode itself",
@@ -104,7 +104,6 @@ class Measured {
 
  private:
   const SubjectFactory& factory_;
-  const CheckOptions& options_;
   props::FloatModesPlan plan_;
   std::unique_ptr<Subject> usual_subject_;
   std::vector<props::UsualDrawing> usual_;

@@ -328,7 +328,7 @@ class PluginSubject final : public Subject {
     const auto can_be_given = [&](const DrawJob& job) {
       return CanBeGiven(*job.scene, info_.profile);
     };
-    if (plugin_.draw_many == nullptr || jobs.size() < 2 ||
+    if (plugin_.draw_many == nullptr || jobs.size() < 2 || !AreInTheUsualMode(jobs) ||
         !std::ranges::all_of(jobs, can_be_given)) {
       return Subject::DrawMany(jobs);
     }
@@ -341,7 +341,7 @@ class PluginSubject final : public Subject {
       scene_views.push_back(&given.emplace_back(job, VerticesOf(job)).view());
       target_views.push_back(&targets.emplace_back(job, info_, needs_all_).view());
     }
-    const std::int32_t refused = InLibrary(jobs.front().options.float_mode, [&] {
+    const std::int32_t refused = InLibrary(FloatMode::kUsual, [&] {
       return plugin_.draw_many(state_, scene_views.data(), target_views.data(), jobs.size());
     });
     if (refused != 0) return Subject::DrawMany(jobs);

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
-#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "core/drawing.h"
+#include "core/rasterizer.h"
 #include "core/subject.h"
 
 namespace rasterproof {
@@ -107,6 +110,31 @@ TEST(FloatMode, WhatIsTrappedIsNamedAndWhatIsNotIsNoMatter) {
   EXPECT_EQ(EndIn(FloatMode::kTrapping, underflows).stop, Stop::kNone);
   EXPECT_EQ(EndIn(FloatMode::kUpward, divides).stop, Stop::kNone);
   EXPECT_EQ(EndIn(FloatMode::kUsual, divides).stop, Stop::kNone);
+}
+
+// Says of each scene whether it is drawn upward, by one count.
+struct RoundsUp {
+  Drawing Show(const DrawJob& /*job*/) {
+    Drawing drawing;
+    drawing.counts = CoverageCounts(1, 1);
+    drawing.counts.front[0] = std::fegetround() == FE_UPWARD ? 1 : 0;
+    return drawing;
+  }
+  std::vector<Drawing> ShowMany(std::span<const DrawJob> jobs) {
+    return std::vector<Drawing>(jobs.size(), Show(jobs.front()));
+  }
+};
+
+TEST(FloatMode, IsEachJobsOwnInABatch) {
+  std::vector<DrawJob> jobs(3);
+  jobs[0].options.float_mode = FloatMode::kUpward;
+  jobs[2].options.float_mode = FloatMode::kDownward;
+  RasterizerSubject<RoundsUp> subject("rounds up");
+  const std::vector<DrawOutcome> outcomes = subject.DrawMany(jobs);
+  ASSERT_EQ(outcomes.size(), 3U);
+  EXPECT_EQ(outcomes[0].drawing.counts.front[0], 1U);
+  EXPECT_EQ(outcomes[1].drawing.counts.front[0], 0U);
+  EXPECT_EQ(outcomes[2].drawing.counts.front[0], 0U);
 }
 
 }  // namespace

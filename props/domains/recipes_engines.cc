@@ -197,6 +197,13 @@ Point2 DrawOnEdge(CaseBuilder& builder, const PlanarMesh& mesh) {
   return {a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
 }
 
+// Cosine and sine to 2^-40, where math libraries agree: sin and cos apart can differ from both at
+// once by a bit, and compilers choose.
+Point2 Turn(double angle) {
+  const auto rounded = [](double x) { return std::nearbyint(x * 0x1p40) * 0x1p-40; };
+  return {rounded(std::cos(angle)), rounded(std::sin(angle))};
+}
+
 constexpr int kFrameSide = 12;   // of a frame's part of the target
 constexpr int kFrameMiddle = 5;  // the pixel that the hub is in
 
@@ -209,7 +216,8 @@ std::vector<Point2> DrawFan(CaseBuilder& builder) {
   for (std::int32_t k = 0; k < rim; ++k) {
     const double turn = 2 * std::numbers::pi * (k + builder.Uniform(0, 0.4)) / rim;
     const double radius = builder.Uniform(2.5, 4.5);
-    const Point2 p{radius * std::cos(turn), radius * std::sin(turn)};
+    const Point2 toward = Turn(turn);
+    const Point2 p{radius * toward.x, radius * toward.y};
     fan.push_back(on_half_pixels ? Point2{OnGrid(p.x, 1), OnGrid(p.y, 1)} : p);
   }
   return fan;
@@ -305,8 +313,7 @@ Case FrameSweeps(BitSource& bits, const SubjectInfo& info) {
     const int t = frame - still;
     const Point2 hub = builder.profile().pattern.At(
         frame * engines::kFrameSide + engines::kFrameMiddle, engines::kFrameMiddle, sample);
-    const double c = kind == 0 ? std::cos(t * angle) : 1;
-    const double s = kind == 0 ? std::sin(t * angle) : 0;
+    const auto [c, s] = kind == 0 ? engines::Turn(t * angle) : Point2{1, 0};
     const double pixels = kind == 1 ? t / 256.0 : 0;
     const std::int32_t first = static_cast<std::int32_t>(mesh.vertices.size());
     for (const Point2 p : fan) {

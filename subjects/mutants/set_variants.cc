@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -168,6 +169,7 @@ FixedStages Keeping(std::string_view preset, std::function<std::int64_t(double)>
 
 FixedStages KeepingByGrid(std::string_view preset, int bits) {
   return Keeping(preset, [bits](double x) {
+    if (std::isnan(x)) return std::numeric_limits<std::int64_t>::min();
     return static_cast<std::int64_t>(std::clamp(std::ldexp(Floor(x, bits), bits), -0x1p60, 0x1p60));
   });
 }

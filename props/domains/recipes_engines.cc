@@ -197,8 +197,7 @@ Point2 DrawOnEdge(CaseBuilder& builder, const PlanarMesh& mesh) {
   return {a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
 }
 
-// Cosine and sine to 2^-40, where math libraries agree: sin and cos apart can differ from both at
-// once by a bit, and compilers choose.
+// Cosine and sine to 2^-40, where math libraries agree.
 Point2 Turn(double angle) {
   const auto rounded = [](double x) { return std::nearbyint(x * 0x1p40) * 0x1p-40; };
   return {rounded(std::cos(angle)), rounded(std::sin(angle))};
@@ -306,7 +305,8 @@ Case FrameSweeps(BitSource& bits, const SubjectInfo& info) {
   auto dx = bits.Int(-2, 2);
   const auto dy = bits.Int(-2, 2);
   if (dx == 0 && dy == 0) dx = 1;
-  const double angle = std::ldexp(builder.Sign(), -static_cast<int>(bits.Int(7, 22)));
+  const double sign = builder.Sign();
+  const double angle = std::ldexp(sign, -static_cast<int>(bits.Int(7, 22)));
   const auto still = static_cast<int>(bits.Int(0, frames - 1));  // its hub is on a sample
   PlanarMesh mesh;
   for (int frame = 0; frame < frames; ++frame) {

@@ -214,7 +214,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {82, "tessellation-cracks", 0xebf9e87df878dca5},
     {83, "soups", 0xcdf398c147a47290},
     {84, "coplanar-depths", 0x369a7d4c50f53811},
-    {85, "frame-sweeps", 0x199f6359661aa3d1},
+    {85, "frame-sweeps", 0x80bdc8317ff6a1e},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

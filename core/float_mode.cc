@@ -3,48 +3,14 @@
 #include <algorithm>
 #include <cfenv>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
 
 namespace rasterproof {
 namespace {
 
-// The bits for subnormal numbers, which <cfenv> does not name: of MXCSR, and of FPCR.
-#if defined(__x86_64__)
-constexpr std::uint64_t kFlushBit = 0x8000;
-constexpr std::uint64_t kDenormalsBit = 0x0040;
-std::uint64_t Bits() { return _mm_getcsr() & (kFlushBit | kDenormalsBit); }
-void AddBits(std::uint64_t bits) { _mm_setcsr(_mm_getcsr() | static_cast<unsigned>(bits)); }
-#elif defined(__aarch64__)
-constexpr std::uint64_t kFlushBit = 1U << 24;
-constexpr std::uint64_t kDenormalsBit = 0;
-std::uint64_t Control() {
-  std::uint64_t bits = 0;
-  asm volatile("mrs %0, fpcr" : "=r"(bits));
-  return bits;
-}
-std::uint64_t Bits() { return Control() & kFlushBit; }
-void AddBits(std::uint64_t bits) {
-  asm volatile("msr fpcr, %0" : : "r"(Control() | bits) : "memory");
-}
-#else
-constexpr std::uint64_t kFlushBit = 0;
-constexpr std::uint64_t kDenormalsBit = 0;
-std::uint64_t Bits() { return 0; }
-void AddBits(std::uint64_t /*bits*/) {}
-#endif
-
 constexpr int kTrapped = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
-
-std::uint64_t SubnormalBitsOf(FloatMode mode) {
-  if (mode == FloatMode::kFlushToZero) return kFlushBit;
-  return mode == FloatMode::kDenormalsAreZero ? kDenormalsBit : 0;
-}
 
 int RoundingOf(FloatMode mode) {
   switch (mode) {
@@ -77,15 +43,35 @@ std::optional<FloatMode> FindFloatMode(std::string_view name) {
 }
 
 bool HasFloatMode(FloatMode mode) {
-  if (mode == FloatMode::kFlushToZero) return kFlushBit != 0;
-  return mode != FloatMode::kDenormalsAreZero || kDenormalsBit != 0;
+  if (mode == FloatMode::kFlushToZero) return FloatEnvironment::kFlushToZero != 0;
+  return mode != FloatMode::kDenormalsAreZero || FloatEnvironment::kDenormalsAreZero != 0;
+}
+
+FloatEnvironment::Bits ControlBits(FloatMode mode) {
+  switch (mode) {
+    case FloatMode::kFlushToZero:
+      return FloatEnvironment::kFlushToZero;
+    case FloatMode::kDenormalsAreZero:
+      return FloatEnvironment::kDenormalsAreZero;
+    case FloatMode::kUpward:
+      return FloatEnvironment::kUpward;
+    case FloatMode::kDownward:
+      return FloatEnvironment::kDownward;
+    case FloatMode::kTowardZero:
+      return FloatEnvironment::kTowardZero;
+    case FloatMode::kUsual:
+    case FloatMode::kTrapping:
+      return 0;
+  }
+  return 0;
 }
 
 WithinFloatMode::WithinFloatMode(FloatMode mode) : mode_(mode) {
   if (mode_ == FloatMode::kUsual) return;
   std::fegetenv(&before_);
   std::fesetround(RoundingOf(mode_));
-  AddBits(SubnormalBitsOf(mode_));
+  FloatEnvironment::Set((FloatEnvironment::Current() & ~FloatEnvironment::kMode) |
+                        ControlBits(mode_));
   std::feclearexcept(FE_ALL_EXCEPT);
 }
 
@@ -95,7 +81,9 @@ WithinFloatMode::~WithinFloatMode() {
 
 std::string WithinFloatMode::Complaint() const {
   if (mode_ == FloatMode::kUsual) return {};
-  if (std::fegetround() != RoundingOf(mode_) || Bits() != SubnormalBitsOf(mode_)) {
+  // Both: on x86-64 fegetround reads the x87 control word, and code for MXCSR leaves that alone.
+  if (std::fegetround() != RoundingOf(mode_) ||
+      (FloatEnvironment::Current() & FloatEnvironment::kMode) != ControlBits(mode_)) {
     return "it changed the caller's floating-point mode, which was '" +
            std::string(FloatModeName(mode_)) + "', and did not restore it";
   }

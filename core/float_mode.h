@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/float_environment.h"
+
 namespace rasterproof {
 
 /// What a caller, or a library beside it, may have left behind in the thread that draws.
@@ -33,6 +35,9 @@ std::optional<FloatMode> FindFloatMode(std::string_view name);
 
 /// True if the processor has the mode: only x86-64 can take subnormal operands for 0 alone.
 bool HasFloatMode(FloatMode mode);
+
+/// The mode as bits of the register that FloatEnvironment reads and writes.
+FloatEnvironment::Bits ControlBits(FloatMode mode);
 
 /// While one lives, its thread computes in the mode; then its environment is back, flags included.
 /// Under kUsual it changes nothing and finds nothing: a library may draw in a mode of its choice.

@@ -1,5 +1,6 @@
 #include "tool/other_threads.h"
 
+#include "core/float_environment.h"
 #include "core/float_mode.h"
 
 #if defined(__x86_64__) && defined(__linux__)
@@ -22,33 +23,13 @@ namespace rasterproof::tool {
 #if defined(__x86_64__) && defined(__linux__)
 namespace {
 
-constexpr std::uint32_t kModeBits = 0xe040;  // rounding, flush to zero, denormals are zero
 std::atomic<std::uint32_t> wanted = 0;
 std::atomic<int> handled = 0;
-
-std::uint32_t BitsOfMode(FloatMode mode) {
-  switch (mode) {
-    case FloatMode::kFlushToZero:
-      return 0x8000;
-    case FloatMode::kDenormalsAreZero:
-      return 0x0040;
-    case FloatMode::kUpward:
-      return 0x4000;
-    case FloatMode::kDownward:
-      return 0x2000;
-    case FloatMode::kTowardZero:
-      return 0x6000;
-    case FloatMode::kUsual:
-    case FloatMode::kTrapping:
-      return 0;
-  }
-  return 0;
-}
 
 void SetMode(int /*signal*/, siginfo_t* /*info*/, void* context) {
   auto* const machine = &static_cast<ucontext_t*>(context)->uc_mcontext;
   std::uint32_t& bits = machine->fpregs->mxcsr;
-  bits = (bits & ~kModeBits) | wanted.load();
+  bits = (bits & ~FloatEnvironment::kMode) | wanted.load();
   handled.fetch_add(1);
 }
 
@@ -62,7 +43,7 @@ void SetModeOfOtherThreads(FloatMode mode) {
   action.sa_sigaction = SetMode;
   action.sa_flags = SA_SIGINFO | SA_RESTART;
   sigaction(number, &action, nullptr);
-  wanted = BitsOfMode(mode);
+  wanted = ControlBits(mode);
   handled = 0;
   int asked = 0;
   const auto self = syscall(SYS_gettid);

@@ -97,6 +97,19 @@ TEST(FloatMode, ASubjectThatLeavesAnotherModeBreaksDown) {
   EXPECT_EQ(EndIn(FloatMode::kTowardZero, leaves).stop, Stop::kNone);
 }
 
+// glibc's fegetround reads the x87 control word, so that code for MXCSR is noticed there alone.
+TEST(FloatMode, AModeThatIsSetInTheControlRegisterAloneIsNoticed) {
+  if (FloatEnvironment::kMode == 0) GTEST_SKIP() << "this processor's register is not reached";
+  for (const FloatMode left : {FloatMode::kFlushToZero, FloatMode::kDenormalsAreZero,
+                               FloatMode::kUpward, FloatMode::kDownward, FloatMode::kTowardZero}) {
+    if (!HasFloatMode(left)) continue;
+    const WithinFloatMode within(FloatMode::kTrapping);
+    EXPECT_EQ(within.Complaint(), "") << FloatModeName(left);
+    FloatEnvironment::Set(FloatEnvironment::Current() | ControlBits(left));
+    EXPECT_NE(within.Complaint().find("did not restore"), std::string::npos) << FloatModeName(left);
+  }
+}
+
 TEST(FloatMode, WhatIsTrappedIsNamedAndWhatIsNotIsNoMatter) {
   const auto divides = [] {
     const volatile float inverse = 1 / Opaque(0);

@@ -66,15 +66,18 @@ Triangles TinyTriangles(int count) {
   return triangles;
 }
 
-#if defined(__x86_64__) || defined(__aarch64__)
 TEST(RasterizeFloats, CoverageDoesNotDependOnTheCallersEnvironment) {
   const Triangles triangles = TinyTriangles(Cases(100000));
-  const auto honest = FloatEnvironment::Current();
+  using Environment = FloatEnvironment;
+  const auto honest = Environment::Current();
   for (const InstructionSet set : kEverySet) {
     if (!IsSupported(set)) continue;
     const Spans expected = SpansOf(triangles, 4, set);
     ASSERT_FALSE(expected.empty());
-    for (const auto bits : FloatEnvironment::kBitsThatChangeResults) {
+    for (const auto bits :
+         {Environment::kFlushToZero, Environment::kDenormalsAreZero,
+          Environment::kFlushToZero | Environment::kDenormalsAreZero, Environment::kDownward,
+          Environment::kUpward, Environment::kTowardZero}) {
       FloatEnvironment::Set(honest | bits);
       const Spans spans = SpansOf(triangles, 4, set);
       const auto after = FloatEnvironment::Current();
@@ -92,7 +95,7 @@ TEST(RasterizeFloats, CoverageDoesNotDependOnTheCallersEnvironment) {
 TEST(RasterizeFloats, TheCallersEnvironmentComesBackIfACallbackThrows) {
   const Triangles triangle{.positions = {0, 0, 0, 9, 0, 0, 0, 9, 0}, .indices = {0, 1, 2}};
   const auto honest = FloatEnvironment::Current();
-  const auto astray = honest | FloatEnvironment::kBitsThatChangeResults.back();
+  const auto astray = honest | FloatEnvironment::kTowardZero;
   FloatEnvironment::Set(astray);
   EXPECT_THROW(Rasterize(triangle.Mesh(), 9, 9,
                          [](const RasterSpan&) { throw std::domain_error("enough"); }),
@@ -101,7 +104,6 @@ TEST(RasterizeFloats, TheCallersEnvironmentComesBackIfACallbackThrows) {
   FloatEnvironment::Set(honest);
   EXPECT_EQ(after, astray);
 }
-#endif
 
 std::vector<float> DepthsOf(const RasterMesh& mesh, int side, InstructionSet set) {
   const auto pixels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);

@@ -39,6 +39,24 @@ inline constexpr int kReanchorSteps = 16;
 //   fl(x +- y) = (x +- y)(1 + d),  fl(x y) = x y (1 + d) + e,  |d| <= u,  |e| <= eta / 2
 // (a sum never underflows), and the step from the derivation to the number is proved by the named
 // script. The limits of the tests are these constants.
+//
+// The condition: the input is finite, of the precision, and no operation overflows. In coordinates,
+// |x| <= kNoOverflowCoordinate suffices for every form; a walk's samples count, too. eta enters as
+// 2 eta (direct, fused, Kahan's) or 3 eta (affine) where a product of differences is not a multiple
+// of eta: never on a lattice of 2^-74 in float32, 2^-537 in float64.
+//
+// Where an operation overflows nothing is stated. What comes out then: one product that overflows
+// leaves an infinity of E's sign; two of one sign leave NaN (fused: the sign of the rounded one),
+// and so does a difference that overflows times 0, whatever E is. NaN is outside by e >= 0, inside
+// by !(e < 0), and by its sign bit outside on x86 and inside on Arm. The methods here
+// take neither NaN nor an infinity for inside (IsInside). BoundConditions.* tries all of these.
+
+/// The largest power of two up to which every coordinate of a, b and p leaves each intermediate
+/// result of each form, and S, at most an eighth of the format's range: 8 (2^k)^2 <= max / 4.
+///
+/// Properties: at twice as much nothing overflows yet, at four times as much some corners do.
+template <class T>
+inline constexpr double kNoOverflowCoordinate = sizeof(T) == sizeof(float) ? 0x1p61 : 0x1p509;
 
 /// |direct - E| <= multiplier u S + u |E|.
 ///

@@ -1,4 +1,4 @@
-"""A proof that is broken fails: every conclusion of every script, made half as large, is not proved.
+"""A proof that is broken fails: each conclusion of each script, made half as large, is not proved.
 
 usage: proofs_test.py PROVE GAPPA FOLDER
 So no script proves its numbers from a contradiction, or proves nothing. Where the conclusion is

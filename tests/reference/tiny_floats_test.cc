@@ -171,8 +171,8 @@ TEST(TinyFloats, KahansDifferenceOfProductsIsWithinTwoUnitsOfItself) {
   DifferencesOfProducts<5>(2);
 }
 
-// All of any four numbers of p bits, but for what scaling and exchanging signs leaves alike: a, b, c
-// in [1, 2), d in [1, 2) times a power of two, of either sign. Where that is 2^(2p + 3) or more, or
+// Any four numbers of p bits, but for what scaling and exchanging signs leave alike: a, b and c in
+// [1, 2), d in [1, 2) times a power of two, of either sign. Where that is 2^(2p + 3) or more, or
 // as small, one product is below a quarter of the other's last place, squared.
 template <int p>
 void EveryDifferenceOfProducts() {

@@ -28,15 +28,16 @@ struct FilteredValue {
 /// multiplier, of Shewchuk's orient2d (1997, stage A), covers the roundings of the test. It bounds
 /// |E - (l - r)|, not |E - d|: the last rounding cannot change the sign and is not in it.
 /// Proof:      reference/proofs/edge_filter.g.
-/// Measured:   largest |E - (l - r)| / bound 0.875: MeasuredBounds, 60000 inputs climbing from seed
-///             61, 2026-11-23.
+/// Measured:   largest |E - (l - r)| / bound known above 0.999: docs/mathematics.md, 9, has the
+///             witness.
 inline constexpr double kEdgeErrorMultiplier =
     (3 + 16 * rounding_epsilon<double>()) * rounding_epsilon<double>();
 /// A product that underflows is off by at most 2^-1075 more, and so is the product of the
 /// multiplier: three such errors are below 2^-1072. Where the sum with that constant rounds,
 /// m >= 2^-970: at most one product can have underflowed, and the other one, 2^50 times as large at
 /// least, gives both d and E their sign.
-/// Measured:   0.250, where all products underflow: as above, 30000 inputs, seed 62.
+/// Measured:   0.250, where all products underflow: MeasuredBounds, 30000 inputs climbing from seed
+///             62, 2026-11-23.
 inline constexpr double kEdgeUnderflowError = 0x1p-1072;
 
 /// The differences and products of E(a, b; p) in double.
@@ -59,14 +60,14 @@ struct EdgeProducts {
 /// The permanent itself is computed low by up to five roundings, the product with the multiplier
 /// by one. (1 + u)^5 - 1 <= 5.01 u and (1 + u)^6 cover that: 8 leaves 2.9 u spare.
 /// Proof:      reference/proofs/determinant_filter.g.
-/// Measured:   largest error / bound 0.387: as above, 60000 inputs, seed 63.
+/// Measured:   largest error / bound known 0.625, the 5u of the value: as above.
 inline constexpr double kDeterminantErrorMultiplier = 8 * rounding_epsilon<double>();
 /// An underflow inside a minor, at most 2 * 2^-1075, is multiplied by the first row's factor: grown
 /// by the roundings, 2^-1073 |a|. Those of the three outer products, 3 * 2^-1075, and of the two
 /// products of the bound, 2 * 2^-1075, are below kEdgeUnderflowError. Where its sum with the other
 /// terms rounds, the multiplier's spare 2.9 u holds them.
-/// Measured:   0.170 where minors underflow, 0.371 where terms do: as above, 30000 inputs each,
-///             seeds 64 and 65.
+/// Measured:   0.170 where minors underflow, 0.371 where terms do: MeasuredBounds, 30000
+///             inputs each, seeds 64 and 65, 2026-11-23.
 inline constexpr double kMinorUnderflowError = 0x1p-1072;
 
 using Rows3 = std::array<std::array<double, 3>, 3>;

@@ -45,7 +45,9 @@ bool ClippedTriangle::IsBeside(std::size_t e, Point2 p) const {
   const Point2 q{p.x - a.x, p.y - a.y};
   const double across = std::fabs(d.x) + std::fabs(d.y);
   const double away = std::fabs(q.x) + std::fabs(q.y);
-  constexpr double kRounding = 0x1p-45;
+  // Each product carries three roundings and the difference one: 4u away across, to first order.
+  // The right-hand side rounds by less than 4u of itself. 8u in all.
+  constexpr double kRounding = 0x1p-50;
   return std::fabs(q.x * d.y - q.y * d.x) <=
          reach_ * across + kRounding * (away + reach_) * (across + reach_);
 }

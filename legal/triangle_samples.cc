@@ -34,7 +34,9 @@ class EdgeOverPlaces {
     const double value = q.x * d.y - q.y * d.x;
     const double across = std::fabs(d.x) + std::fabs(d.y);
     const double away = std::fabs(q.x) + std::fabs(q.y);
-    // Each end moves by at most the reach on each axis; the differences and products round.
+    // Each end moves by at most the reach on each axis; the differences and products round,
+    // by 4u away across at most. What this cannot tell is decided below, by exact signs: a larger
+    // constant costs time and no verdict.
     constexpr double kRounding = 0x1p-48;
     const double change = reach_ * (2 * away + across + 8 * reach_) +
                           kRounding * (away + reach_) * (across + reach_) + 0x1p-900;

@@ -23,9 +23,9 @@ namespace rasterproof::reference {
 /// the right-hand side itself by less than as much again. Overflow leaves infinity or NaN on the
 /// right, and the comparison false.
 /// Proof: proofs/edge_filter.g.
-/// Measured:   largest |(p1 - p2) - E| / bound 0.806, 0.250 where products underflow:
-///             MeasuredReferenceBounds, 20000 and 10000 inputs climbing from seeds 71 and 72,
-///             2026-11-23.
+/// Measured:   largest |(p1 - p2) - E| / bound known above 0.999 (docs/mathematics.md, 9, has the
+///             witness), 0.250 where products underflow: MeasuredReferenceBounds, 10000 inputs
+///             climbing from seed 72, 2026-11-23.
 inline constexpr double kFilterErrorMultiplier =
     (3 + 16 * rounding_epsilon<double>()) * rounding_epsilon<double>();
 inline constexpr double kFilterUnderflowError = 0x1p-1072;

@@ -30,8 +30,7 @@ std::span<const Method> HomogeneousMethods();
 ///
 /// A term carries its product, the difference, the product with p and two sums: five roundings,
 /// (1 + u)^5 - 1 <= (5 + 11u) u. Proof: proofs/homogeneous.g.
-/// Measured:   largest error / bound 0.451 (float32), 0.518 (float64): HomogeneousBoundTest, fixed
-///             seeds, 2026-11-23.
+/// Measured:   largest error / bound known above 0.999: docs/mathematics.md, 9, has the witnesses.
 template <class T>
 inline constexpr double kHomogeneousErrorMultiplier = 5 + 11.0 * rounding_epsilon<T>();
 

@@ -1,7 +1,12 @@
 // rasterproof climb: the case in which a result is as wrong as a search can make it.
+#include <optional>
 #include <string>
 
+#include "core/case.h"
 #include "core/error.h"
+#include "core/profile.h"
+#include "core/subject.h"
+#include "core/subject_info.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
@@ -17,6 +22,20 @@
 
 namespace rasterproof::tool {
 
+namespace {
+
+std::optional<Case> CaseToSetOutFrom(const std::string& path, const Subject& subject) {
+  if (path.empty()) return std::nullopt;
+  Case from = io::ReadCase(path).value;
+  if (!Takes(subject.Info(), from.scene) || !WithinLimits(from.scene, from.profile)) {
+    throw InputError("--from " + path, "the subject does not take this scene",
+                     "give a case of its precision and size");
+  }
+  return from;
+}
+
+}  // namespace
+
 int RunClimb(const ClimbOptions& options) {
   RequireHonestEnvironment();
   const auto subject = MakeSubject(options.subject);
@@ -28,6 +47,7 @@ int RunClimb(const ClimbOptions& options) {
     found = props::ClimbRatio(*subject, property,
                               {.seed = options.seed,
                                .evaluations = options.evaluations,
+                               .from = CaseToSetOutFrom(options.from, *subject),
                                .progress = [&](std::uint64_t done) { progress.Done(done); },
                                .stop = Interrupted});
   }

@@ -287,6 +287,7 @@ void AddClimb(CLI::App& app, Run& run) {
   verb->add_option("--evaluations", options.evaluations, "Cases judged in all")
       ->check(Positive())
       ->capture_default_str();
+  verb->add_option("--from", options.from, "Case file to set out from, beside drawn cases");
   verb->add_option("-o,--output", options.output, "Case file (- for standard output)");
   verb->callback([&run] { run = [] { return UntilInterrupted(RunClimb, options); }; });
 }

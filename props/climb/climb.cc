@@ -86,6 +86,7 @@ class Climb {
       Try(DrawCase(subject_.Info(), property_, options_.seed, k));
     }
     if (!kept_.empty()) found_.drawn_ratio = Best().ratio;
+    if (options_.from && !IsOver()) Try(*options_.from);
     while (!IsOver() && !kept_.empty()) {
       const auto parent =
           static_cast<std::size_t>(bits_.Int(0, static_cast<std::int64_t>(kept_.size()) - 1));

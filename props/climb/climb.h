@@ -16,6 +16,8 @@ namespace rasterproof::props {
 struct ClimbOptions {
   std::uint64_t seed = 1;
   std::uint64_t evaluations = 20'000;
+  /// A case that it sets out from as well, one that the subject takes.
+  std::optional<Case> from = {};
   /// Called now and then with the number of evaluations. May be empty.
   std::function<void(std::uint64_t)> progress = {};
   /// Asked between evaluations: true ends the search. May be empty.

@@ -21,7 +21,10 @@ namespace {
 
 // Geometry farther from the target than this can't come near a sample of it.
 constexpr double kAround = 64;  // pixels
-// A clipped vertex is off by a few 2^-53 of the largest coordinate that it was made of.
+// How far a clipped vertex lies beside its edge, as a part of the largest coordinate that it was
+// made of. A cut mixes from + part (to - from): the difference rounds by 2u of that coordinate, the
+// product by as much, the sum by u; four cuts, 20u, are less than 32u. An error of `part` moves the
+// vertex along its edge, kAround away from the target.
 constexpr double kClipError = 0x1p-48;
 
 // A vertex of the visible part, and the size of what it was computed from.

@@ -10,6 +10,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "legal/clipped_triangle.h"
 #include "legal/joint.h"
 
 namespace rasterproof::legal {
@@ -56,6 +57,16 @@ TEST(JudgeJointly, LetsClippingMoveAnEdgeThatLeavesByLessThanAStep) {
   // (6.5, 4.5) is 3/32 off: a step and a half.
   EXPECT_EQ(LegalityOfLeaving(set, 6, 0), Legality::kNotLegal);
   EXPECT_EQ(LegalityOfLeaving(set, 6, 2), Legality::kNotLegal);
+}
+
+// The edge from (0, 4) to (64, 8), moved by less than 1/16 on each axis, sweeps
+// |E| <= (64 + 4) / 16 = 4.25: up to y = 4 + 7.75 / 64 at x = 3, and not 2^-47 beyond.
+TEST(ClippedTriangle, AnEdgeReachesAsFarAsItsPlacesAndNoFurther) {
+  const ClippedTriangle triangle({Point2{0, 4}, {64, 8}, {0, 8}}, {false, true, false},
+                                 WindowBox{0, 0, 8, 8}, Snap{.bits = 4});
+  constexpr double kEnd = 4 + 7.75 / 64;
+  EXPECT_FALSE(triangle.Keeps(0, {3, kEnd}));
+  EXPECT_TRUE(triangle.Keeps(0, {3, kEnd - 0x1p-47}));
 }
 
 TEST(JudgeJointly, KeepsEdgesWithinTheGuardBand) {

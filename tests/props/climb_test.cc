@@ -39,6 +39,16 @@ TEST(Climb, FindsTheSameAgainAndSomethingElseFromAnotherSeed) {
   EXPECT_NE(*one.best, *other.best);
 }
 
+TEST(Climb, NeverEndsBelowTheCaseThatItIsGiven) {
+  const Climbed far = ClimbOn("f32-direct", "EdgeErrorStaysWithinItsBound");
+  ASSERT_TRUE(far.best.has_value());
+  const auto subject = subjects::MakeBuiltin("f32-direct");
+  const Climbed found = ClimbRatio(*subject, *FindProperty("EdgeErrorStaysWithinItsBound"),
+                                   {.seed = 2, .evaluations = 200, .from = far.best});
+  EXPECT_LT(found.drawn_ratio, far.verdict.worst_ratio);
+  EXPECT_GE(found.verdict.worst_ratio, far.verdict.worst_ratio);
+}
+
 TEST(Climb, KeepsToWhatTheSubjectTakes) {
   const auto subject = subjects::MakeBuiltin("f32-direct");
   const Climbed found = ClimbOn("f32-direct", "EdgeErrorStaysWithinItsBound");

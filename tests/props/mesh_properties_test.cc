@@ -333,6 +333,22 @@ TEST(ThinTriangles, AreThoseThatALegalChoiceCanTurn) {
   EXPECT_TRUE(ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({24, 16}));
 }
 
+// A corner at 2^k is cut at 96: off by 2^(k - 48) (1 + 96 + 24) at most, and that is less than an
+// eighth of the reach up to k = 38.
+TEST(ThinTriangles, AreToldFromBroadOnesUpToTheRoundingOfTheirCuts) {
+  Case c;
+  c.profile = ClipInfo(Contract::kWatertight).profile;
+  c.scene.width = c.scene.height = 32;
+  c.scene.clip_space = true;
+  c.scene.triangles = {{0, 1, 2}};
+  const auto is_near = [&](double far) {
+    c.scene.vertices = {{4, 4}, {far, 4}, {4, 24}};
+    return ThinTriangles(PlacedCase(c), LegalReach(PlacedCase(c))).AreNear({8, 8});
+  };
+  EXPECT_FALSE(is_near(0x1p38)) << "it is broad, and is judged";
+  EXPECT_TRUE(is_near(0x1p40)) << "its corners are not known to an eighth of the reach";
+}
+
 TEST(ContractProperties, AreInTheCatalogue) {
   for (const Contract contract : {Contract::kSampleExact, Contract::kWatertight, Contract::kClosed,
                                   Contract::kAtLeastModel, Contract::kAtMostModel}) {

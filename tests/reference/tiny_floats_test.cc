@@ -19,7 +19,9 @@
 #include "reference/barycentrics.h"
 #include "reference/bounds.h"
 #include "reference/edge_forms.h"
+#include "tests/reference/random_values.h"
 #include "tests/reference/tiny_float.h"
+#include "tests/share.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -169,6 +171,44 @@ TEST(TinyFloats, KahansDifferenceOfProductsIsWithinTwoUnitsOfItself) {
   DifferencesOfProducts<5>(2);
 }
 
+// Any four numbers of p bits, but for what scaling and exchanging signs leave alike: a, b and c in
+// [1, 2), d in [1, 2) times a power of two, of either sign. Where that is 2^(2p + 3) or more, or
+// as small, one product is below a quarter of the other's last place, squared.
+template <int p>
+void EveryDifferenceOfProducts() {
+  using T = TinyFloat<p>;
+  constexpr double kUnit = rounding_epsilon<T>();
+  std::vector<T> ones = T::NotNegative(1);
+  ones.erase(ones.begin());
+  Tried tried;
+  for (int k = -2 * p - 3; k <= 2 * p + 3; ++k) {
+    for (const T a : ones) {
+      for (const T b : ones) {
+        for (const T c : ones) {
+          const KahanForm<T> form({T(), T()}, {c, b}, false);
+          for (const T one : ones) {
+            for (const double scale : {std::ldexp(1.0, k), -std::ldexp(1.0, k)}) {
+              const T d(one * scale);
+              const double exact = a * static_cast<double>(b) - c * static_cast<double>(d);
+              tried.Add(std::fabs(form.At(a, d) - exact), 2 * kUnit * std::fabs(exact));
+            }
+          }
+        }
+      }
+    }
+  }
+  tried.Report("every difference of products by Kahan's, 2u |ab - cd|", p);
+  EXPECT_GT(tried.worst, 0.5);
+}
+
+// Jeannerod, Louvet, Muller 2013, Theorem 1.1, cited beside kKahanEdgeErrorMultiplier.
+TEST(TinyFloats, KahansTwoUnitsHoldForAllNumbersOfThreeToSixBits) {
+  EveryDifferenceOfProducts<3>();
+  EveryDifferenceOfProducts<4>();
+  EveryDifferenceOfProducts<5>();
+  if (kOneCaseIn == 1) EveryDifferenceOfProducts<6>();
+}
+
 template <int p>
 void QuotientsOfASum(int binades) {
   using T = TinyFloat<p>;
@@ -203,6 +243,56 @@ void LastOfOnes() {
     }
   }
   tried.Report("one less the other two", p);
+}
+
+// The float sum of l0, l1 and (1 - l0) - l1 is 1 or the number below: never more than u away.
+template <int p>
+void FloatSumsOfOnes() {
+  using T = TinyFloat<p>;
+  Tried tried;
+  std::vector<T> upto_one;  // down to 2^-(p + 3): what is less rounds away beside 1
+  for (const T x : T::NotNegative(p + 4)) upto_one.push_back(T(std::ldexp(double{x}, -p - 3)));
+  std::erase_if(upto_one, [](T x) { return x > 1; });
+  for (const T l0 : upto_one) {
+    for (const T l1 : upto_one) {
+      const T l2 = LastOfOne(T(1), l0, l1);
+      if (l2 < 0) continue;
+      const double sum = (l0 + l1) + l2;
+      EXPECT_LE(sum, 1);
+      tried.Add(1 - sum, rounding_epsilon<T>());
+    }
+  }
+  tried.Report("the float sum with one less the other two", p);
+  EXPECT_EQ(tried.worst, 1);
+}
+
+TEST(TinyFloats, FloatSumsOfBarycentricsAreOneOrTheNumberBelow) {
+  FloatSumsOfOnes<3>();
+  FloatSumsOfOnes<4>();
+  FloatSumsOfOnes<5>();
+  FloatSumsOfOnes<6>();
+  FloatSumsOfOnes<7>();
+  FloatSumsOfOnes<8>();
+}
+
+// The same at 24 bits, for which docs/mathematics.md, 9, has the proof.
+TEST(TinyFloats, FloatSumsOfBarycentricsInFloat32AreOneOrTheNumberBelow) {
+  RandomValues random(52);
+  int below = 0;
+  for (int n = 0; n < Cases(2'000'000); ++n) {
+    const float l0 = std::fabs(random.LogUniform<float>(-26, 0));
+    const float left = 1 - l0;
+    // Beside 0, one half and all of what is left, where the cases of the proof meet.
+    const std::array<float, 3> around{std::fabs(random.LogUniform<float>(-26, 0)), left / 2, left};
+    float l1 = around[static_cast<std::size_t>(random.Integer(0, 2))];
+    l1 = MoveByUlps(l1, random.Integer(-4, 4));
+    const float l2 = LastOfOne(1.0F, l0, l1);
+    if (!(l1 >= 0 && l2 >= 0)) continue;
+    const float sum = (l0 + l1) + l2;
+    ASSERT_TRUE(sum == 1 || sum == 1 - 0x1p-24F) << l0 << ' ' << l1;
+    below += sum < 1 ? 1 : 0;
+  }
+  EXPECT_GT(below, 0);
 }
 
 TEST(TinyFloats, BarycentricsSumToOneWithinTheirBounds) {

@@ -1,0 +1,73 @@
+// How tight every bound is: the witnesses, and the table of docs/mathematics.md that is made of
+// them. RASTERPROOF_TABLES=1 prints the table's lines (scripts/bound_tables).
+#include "tests/reference/bound_witnesses.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "core/ulp.h"
+#include "fmt/format.h"
+#include "tests/reference/document_block.h"
+
+namespace rasterproof::reference::witness {
+namespace {
+
+TEST(BoundWitnesses, StayWithinTheirBoundsAndAreNumbersOfTheirFormat) {
+  for (const BoundWitness& witness : BoundWitnesses()) {
+    const ErrorAndBound found = witness.evaluate(witness.numbers);
+    EXPECT_LE(found.error, found.bound) << witness.bound;
+    EXPECT_GT(found.error.Sign(), 0) << witness.bound;
+    for (const double x : witness.numbers) {
+      EXPECT_TRUE(std::isfinite(x) && (!witness.is_float32 || IsFloat32(x))) << witness.bound;
+    }
+  }
+}
+
+TEST(BoundWitnesses, RefuteATightBoundThatIsLowerByOnePercent) {
+  for (const BoundWitness& witness : BoundWitnesses()) {
+    const bool is_loose = witness.constant == "kNormalizedSumErrorMultiplier" ||
+                          witness.constant == "kDeterminantErrorMultiplier";
+    EXPECT_EQ(witness.IsTight(), !is_loose) << witness.bound << ": " << witness.Ratio();
+  }
+}
+
+/// Rounded down, or a ratio that is next to 1 would read as 1.
+std::string RatioText(double ratio) { return fmt::format("{:.4f}", std::floor(ratio * 1e4) / 1e4); }
+
+std::string NumberText(const BoundWitness& witness, double x) {
+  if (x == 0) return "0";
+  return witness.is_float32 ? fmt::format("{:a} = {}", x, static_cast<float>(x))
+                            : fmt::format("{:a} = {}", x, x);
+}
+
+std::string TightnessTable() {
+  std::string table =
+      "| bound | constant | largest error / bound known | a bound lower by 1 % | the witness | "
+      "found "
+      "|\n| --- | --- | ---: | --- | --- | --- |\n";
+  for (const BoundWitness& witness : BoundWitnesses()) {
+    std::istringstream names{std::string(witness.names)};
+    std::string numbers;
+    for (const double x : witness.numbers) {
+      std::string name;
+      names >> name;
+      numbers +=
+          (numbers.empty() ? "" : ", ") + name + (name.empty() ? "" : " ") + NumberText(witness, x);
+    }
+    table += fmt::format("| {} | `{}` | {} | {} | {} | {} |\n", witness.bound, witness.constant,
+                         RatioText(witness.Ratio()),
+                         witness.IsTight() ? "is refuted" : "is not refuted: not tight", numbers,
+                         witness.found);
+  }
+  return table;
+}
+
+TEST(BoundTables, TightnessIsThatOfTheWitnesses) {
+  ExpectBlock("docs/mathematics.md", "tightness", TightnessTable());
+}
+
+}  // namespace
+}  // namespace rasterproof::reference::witness

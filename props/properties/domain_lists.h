@@ -114,7 +114,8 @@ inline constexpr auto kModelCoverage = Both(
                                                 "rounded-arrangements", "equal-after-snap",
                                                 "earcut-meshes",        "scaled-viewports",
                                                 "tessellation-cracks",  "soups",
-                                                "coplanar-depths"}));
+                                                "coplanar-depths",      "every-lane",
+                                                "far-tile-corners"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(

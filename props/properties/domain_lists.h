@@ -130,7 +130,8 @@ inline constexpr auto kMeshes = std::to_array<std::string_view>(
      "frame-sweeps"});
 
 // Calls of several triangles, and of many kinds of them.
-inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"crowds"}));
+inline constexpr auto kCalls =
+    Both(kMeshes, std::to_array<std::string_view>({"crowds", "every-lane"}));
 
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
 inline constexpr auto kMeshesAnySpace =

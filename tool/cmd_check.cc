@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/authority.h"
+#include "core/counters.h"
 #include "core/error.h"
 #include "core/result.h"
 #include "fmt/format.h"
@@ -25,9 +26,11 @@
 #include "props/run/campaign.h"
 #include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
+#include "props/run/near_edge.h"
 #include "props/run/property_domains.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
+#include "report/json_writer.h"
 #include "report/text.h"
 #include "tool/catalogue.h"
 #include "tool/commands.h"
@@ -53,6 +56,7 @@ struct Report {
   Profile profile;
   std::string text = {};
   std::vector<PropertyResult> results = {};
+  std::string cases = {};  // for --cases-json
   bool is_contract_untested = false;
 };
 
@@ -167,6 +171,7 @@ void SaveCounterexample(const std::string& folder, const PropertyResult& result)
 struct Share {
   std::optional<PropertyResult> result;
   std::string text;
+  std::string cases = {};  // for --cases-json
   bool is_whole = false;
 };
 
@@ -193,10 +198,26 @@ std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, cons
   return shares;
 }
 
+// A case and its outcome, as a line of JSON.
+std::string CaseLine(const SubjectInfo& subject, const props::Property& property, const Case& c,
+                     const Verdict& verdict) {
+  report::JsonWriter json;
+  json.BeginObjectLine();
+  json.Key("subject").Text(subject.name).Key("property").Text(property.name);
+  json.Key("case").Text(c.origin).Key("triangles").Integer(c.scene.triangles.size());
+  json.Key("width").Integer(c.scene.width).Key("height").Integer(c.scene.height);
+  json.Key("near_edges").BeginObject();
+  json.Members(kNearEdgeCounters, props::CountNearEdges(c)).EndObject();
+  json.Key("exercised").Integer(verdict.exercised);
+  json.Key("outcome").Text(OutcomeName(verdict.outcome));
+  return json.EndObject().Finish();
+}
+
 // One property on generated cases; shows its progress.
 PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
                         const props::Property& property, const CheckOptions& options,
-                        Progress& progress, std::size_t worker, props::Pace& pace) {
+                        Progress& progress, std::size_t worker, props::Pace& pace,
+                        std::string& cases) {
   const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
   progress.Stage(stage, options.campaign.cases, worker);
   props::CampaignOptions campaign =
@@ -209,6 +230,11 @@ PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
     progress.Done(evaluations, worker);
   };
   campaign.pace = &pace;
+  if (!options.cases_json.empty()) {
+    campaign.judged = [&](const Case& c, const Verdict& verdict) {
+      cases += CaseLine(subject.Info(), property, c, verdict);
+    };
+  }
   PropertyResult result = props::RunCampaign(subject, property, campaign);
   progress.Stage("", 0, worker);
   return result;
@@ -256,6 +282,7 @@ void Add(const std::vector<Share>& shares, const std::string& subject, const std
     if (!share.result) continue;  // an interrupt kept it from being begun
     const PropertyResult& result = found.results.emplace_back(*share.result);
     found.text += share.text;
+    found.cases += share.cases;
     if (WasNotAsked(result)) not_asked.Add(result.message, result.property);
   }
   found.text += not_asked.Lines(subject, of);
@@ -311,7 +338,8 @@ void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedChe
       [&](std::size_t worker, const props::Property& property, Share& share) {
         Subject& own = crew.Of(worker);
         if (FailsAsSaved(own, property, asked, options, share)) return;
-        share.result = Campaign(own, subject, property, options, progress, worker, pace);
+        share.result =
+            Campaign(own, subject, property, options, progress, worker, pace, share.cases);
         TellOf(own, options, share);
       },
       error);
@@ -377,14 +405,17 @@ int RunCheck(const CheckOptions& options) {
   const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   int status = kExitHolds;
+  std::string cases;
   for (const SubjectFactory& subject : asked.subjects) {
     if (Interrupted()) break;
     const Report found = Check(subject, asked, options);
+    cases += found.cases;
     io::WriteStandardOutput(found.text + report::AssumptionLines(found.profile) +
                             LastLine(found, subject.name()) +
                             Hint(subject.name(), found, options.profile));
     status = WorseStatus(status, StatusOf(found));
   }
+  if (!options.cases_json.empty()) io::WriteFile(options.cases_json, cases);
   if (!Interrupted()) return status;
   io::WriteStandardOutput("interrupted: this is what was found so far\n");
   return WorseStatus(status, kExitInconclusive);

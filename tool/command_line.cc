@@ -130,6 +130,11 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
                  "bits, sample locations, coordinate limit and guard band");
   verb->add_option("--save", options.save,
                    "Folder for shrunk counterexamples; those already there are replayed first");
+  CLI::Option* const cases_json = verb->add_option(
+      "--cases-json", options.cases_json,
+      "File for a line of JSON a drawn case: its name, its samples on and near edges, its outcome");
+  for (CLI::Option* other : {catalogue, verb->get_option("scenes"), verb->get_option("--case")})
+    cases_json->excludes(other);
   AddCampaign(verb, options.campaign);
   CLI::Option* const fp_env =
       verb->add_option(

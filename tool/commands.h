@@ -76,8 +76,9 @@ struct CheckOptions {
   std::string profile;              ///< judge by this one instead of the subject's own
   bool device = false;              ///< with the numbers of its device in it
   props::CampaignOptions campaign;
-  std::string save;  ///< folder for counterexamples; those there are asked first
-  int jobs = 1;      ///< properties at once
+  std::string save;        ///< folder for counterexamples; those there are asked first
+  std::string cases_json;  ///< file for a line of JSON a drawn case; empty: none
+  int jobs = 1;            ///< properties at once
   FailOn fail_on = FailOn::kStated;
   bool catalogue = false;                ///< families of stiff cases, not properties
   std::vector<std::string> families;     ///< these alone; empty: all

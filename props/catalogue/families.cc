@@ -39,7 +39,7 @@ constexpr auto kMeshes = std::to_array<std::string_view>(
      "earcut-meshes", "frame-sweeps", "tessellation-cracks", "soups"});
 constexpr auto kCalls = std::to_array<std::string_view>(
     {"target-sizes", "target-size-ends", "near-repeats", "sparse-indices", "many-triangles",
-     "crowds", "tile-borders", "coplanar-depths"});
+     "crowds", "every-lane", "tile-borders", "far-tile-corners", "coplanar-depths"});
 constexpr auto kPixelSides =
     std::to_array<std::string_view>({"square-grid-lines", "square-crossings", "square-interiors"});
 constexpr auto kClip = std::to_array<std::string_view>(

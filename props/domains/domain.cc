@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 86;
+constexpr std::uint16_t kNextNumber = 88;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -427,6 +427,14 @@ constexpr std::array kDomains{
            .near_edge = true,
            .mesh = true,
            .draw = FrameSweeps},
+    Domain{.number = 86,
+           .name = "every-lane",
+           .summary = "one triangle at each place of a list, around the numbers of lanes",
+           .draw = EveryLane},
+    Domain{.number = 87,
+           .name = "far-tile-corners",
+           .summary = "edges from far off that pass the corner of a tile as near as can be",
+           .draw = FarTileCorners},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

@@ -63,6 +63,7 @@ Case SparseIndices(BitSource& bits, const SubjectInfo& info);
 // recipes_crowds.cc: what only many triangles show.
 Case LongLists(BitSource& bits, const SubjectInfo& info);
 Case Crowds(BitSource& bits, const SubjectInfo& info);
+Case EveryLane(BitSource& bits, const SubjectInfo& info);
 
 // recipes_ends.cc
 Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info);
@@ -119,6 +120,7 @@ Case DiagonalNeedles(BitSource& bits, const SubjectInfo& info);
 
 // recipes_tiles.cc
 Case TileBorders(BitSource& bits, const SubjectInfo& info);
+Case FarTileCorners(BitSource& bits, const SubjectInfo& info);
 
 // recipes_constructed.cc: meshes as other programs make them.
 Case RoundedArrangements(BitSource& bits, const SubjectInfo& info);

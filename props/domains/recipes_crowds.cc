@@ -119,6 +119,31 @@ std::array<Point2, 3> DrawCorners(CaseBuilder& builder) {
   }
 }
 
+constexpr int kPitch = 6;  // between the copies of a shape, in pixels
+constexpr int kRowOfCopies = 8;
+
+// Corners next to the samples of one cell, on a lattice that moves by whole pixels leave exact.
+std::array<Point2, 3> DrawShape(CaseBuilder& builder) {
+  BitSource& bits = builder.bits();
+  const int grid_bits = std::min(8, builder.lattice().GridBits(64));
+  const auto draw = [&](bool along_y) {
+    const Point2 place = bits.OneOf(std::span<const Point2>(builder.profile().pattern.locations));
+    const double sample = along_y ? place.y : place.x;
+    const auto pixel = static_cast<double>(bits.Int(0, kPitch - 2));
+    if (bits.Chance(192)) return pixel + sample;
+    return pixel + OnGrid(builder.Uniform(0, 1), grid_bits);
+  };
+  std::array<Point2, 3> corners;
+  for (Point2& p : corners) {
+    const double x = draw(false);
+    p = {x, draw(true)};
+  }
+  // Most have a side along a row or a column.
+  if (bits.Chance(160)) corners[1].y = corners[0].y;
+  if (bits.Chance(128)) corners[2].x = corners[0].x;
+  return corners;
+}
+
 }  // namespace
 
 Case LongLists(BitSource& bits, const SubjectInfo& info) {
@@ -152,6 +177,27 @@ Case Crowds(BitSource& bits, const SubjectInfo& info) {
   const int count = bits.OneOf(std::span<const int>(kCounts));
   for (int t = 0; t < count; ++t) builder.AddTriangle(DrawCorners(builder));
   return builder.Done(Finish::kAnyOrder);
+}
+
+Case EveryLane(BitSource& bits, const SubjectInfo& info) {
+  constexpr std::array<int, 16> kCounts{1, 3, 4, 5, 7, 8, 9, 12, 15, 16, 17, 17, 31, 32, 33, 33};
+  const int count = bits.OneOf(std::span<const int>(kCounts));
+  const int rows = (count + kRowOfCopies - 1) / kRowOfCopies;
+  CaseBuilder builder(bits, info, std::min(count, kRowOfCopies) * kPitch, rows * kPitch);
+  const std::array<Point2, 3> shape = DrawShape(builder);
+  // Lanes that have nothing to do: none, each of some that are so many apart, or all but those.
+  const std::int64_t apart = bits.Int(2, 8);
+  const std::int64_t idle = bits.Int(0, 7);
+  for (int t = 0; t < count; ++t) {
+    const Point2 by{static_cast<double>(t % kRowOfCopies * kPitch),
+                    static_cast<double>(t / kRowOfCopies * kPitch)};
+    std::array<Point2, 3> v = shape;
+    for (Point2& p : v) p = {p.x + by.x, p.y + by.y};
+    const bool is_one_of_some = t % apart == apart - 1;
+    if ((idle == 1 && is_one_of_some) || (idle == 2 && !is_one_of_some)) v[2] = v[1];
+    builder.AddTriangle(v);
+  }
+  return builder.Done(Finish::kAsIs);
 }
 
 }  // namespace rasterproof::props

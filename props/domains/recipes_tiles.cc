@@ -1,5 +1,7 @@
 // Edges on the borders of a rasterizer's tiles, whatever the size of these, and beside them.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -40,6 +42,53 @@ void AddBox(CaseBuilder& builder, int tile) {
   if (bits.Chance(192)) builder.AddTriangle({a, b, Point2{a.x, b.y}});
 }
 
+// The outermost sample of a tile in one of its corners, or the corner itself, and which way the
+// tile lies from it.
+struct TileCorner {
+  Point2 at;
+  Point2 inward;
+};
+
+TileCorner DrawTileCorner(CaseBuilder& builder, int tile) {
+  BitSource& bits = builder.bits();
+  const bool right = bits.Chance(128);
+  const bool bottom = bits.Chance(128);
+  const auto first = [&](int extent) {
+    return tile * static_cast<int>(bits.Int(0, std::max(0, extent / tile - 1)));
+  };
+  const int i = first(builder.width());
+  const int j = first(builder.height());
+  const Point2 inward{right ? -1.0 : 1.0, bottom ? -1.0 : 1.0};
+  const Point2 corner{static_cast<double>(i + (right ? tile : 0)),
+                      static_cast<double>(j + (bottom ? tile : 0))};
+  if (bits.Chance(48)) return {corner, inward};
+  const Point2 location = bits.OneOf(std::span<const Point2>(builder.profile().pattern.locations));
+  return {{corner.x + location.x - (right ? 1 : 0), corner.y + location.y - (bottom ? 1 : 0)},
+          inward};
+}
+
+// An edge past the corner, across the tile's diagonal there, so that no other sample of the tile is
+// as near; from far off to far off, and as near to the corner as the lattice allows, or through it.
+// The third vertex is away from the tile, which then has that corner alone, or beyond it.
+void AddTrianglePast(CaseBuilder& builder, const TileCorner& corner) {
+  BitSource& bits = builder.bits();
+  const int most = std::max(7, std::ilogb(builder.Range()) - 1);
+  const double far = std::fabs(builder.LogUniform(std::min(11, most - 1), most - 1));
+  const double slope = builder.Uniform(0.125, 1);
+  const bool is_steep = bits.Chance(128);
+  const Point2 along{corner.inward.x * (is_steep ? slope : 1),
+                     -corner.inward.y * (is_steep ? 1 : slope)};
+  const auto beyond = [&](double times) {
+    return Point2{corner.at.x + times * along.x, corner.at.y + times * along.y};
+  };
+  const double back = -far * builder.Uniform(0.25, 1);
+  const Point2 a = OnLattice(builder, beyond(far));
+  const Point2 b = OnLattice(builder, Hardest(builder, beyond(back), a, corner.at));
+  const double away = (bits.Chance(192) ? -1 : 1) * far * builder.Uniform(0.25, 1);
+  const Point2 third{corner.at.x + away * corner.inward.x, corner.at.y + away * corner.inward.y};
+  builder.AddTriangle({a, b, third});
+}
+
 }  // namespace
 
 Case TileBorders(BitSource& bits, const SubjectInfo& info) {
@@ -61,6 +110,23 @@ Case TileBorders(BitSource& bits, const SubjectInfo& info) {
       p = {DrawBorder(builder, tile, false), DrawBorder(builder, tile, true)};
     }
     builder.AddTriangle(corners);
+  }
+  const bool states_tile = bits.Chance(128) && info.takes_tiles;
+  Case c = builder.Done(Finish::kAnyOrder);
+  if (states_tile) c.options.tile = tile;
+  return c;
+}
+
+Case FarTileCorners(BitSource& bits, const SubjectInfo& info) {
+  const int tile = bits.OneOf(std::span<const int>(kTileSides));
+  const auto draw_extent = [&] {
+    return static_cast<int>(tile * bits.Int(1, std::max(1, 48 / tile)));
+  };
+  const int width = draw_extent();
+  CaseBuilder builder(bits, info, width, draw_extent());
+  const std::int64_t triangles = bits.Int(1, 3);
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    AddTrianglePast(builder, DrawTileCorner(builder, tile));
   }
   const bool states_tile = bits.Chance(128) && info.takes_tiles;
   Case c = builder.Done(Finish::kAnyOrder);

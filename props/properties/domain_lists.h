@@ -114,7 +114,8 @@ inline constexpr auto kModelCoverage = Both(
                                                 "rounded-arrangements", "equal-after-snap",
                                                 "earcut-meshes",        "scaled-viewports",
                                                 "tessellation-cracks",  "soups",
-                                                "coplanar-depths"}));
+                                                "coplanar-depths",      "every-lane",
+                                                "far-tile-corners"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -129,7 +130,8 @@ inline constexpr auto kMeshes = std::to_array<std::string_view>(
      "frame-sweeps"});
 
 // Calls of several triangles, and of many kinds of them.
-inline constexpr auto kCalls = Both(kMeshes, std::to_array<std::string_view>({"crowds"}));
+inline constexpr auto kCalls =
+    Both(kMeshes, std::to_array<std::string_view>({"crowds", "every-lane"}));
 
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
 inline constexpr auto kMeshesAnySpace =

@@ -56,6 +56,8 @@ struct CampaignOptions {
   double time_limit = 0;
   /// Called now and then with the number of cases done. May be empty.
   std::function<void(std::uint64_t)> progress = {};
+  /// Called with each case and its verdict, in the order in which they are judged. May be empty.
+  std::function<void(const Case&, const Verdict&)> judged = {};
   /// Called now and then with the number of evaluations, 0 first, while a failing case is shrunk.
   /// May be empty.
   std::function<void(std::uint64_t)> shrinking = {};

@@ -99,6 +99,23 @@ std::vector<Mutant> Cuts() {
                                   for (GridEdge& e : t.edges) e.owns = false;
                                 }};
        }()},
+      {"lanes-one-left", "one triangle left of sixteen is drawn without its top edges' samples", "",
+       [] {
+         const auto known = std::make_shared<Known>();
+         return FixedStages{.drops =
+                                [known](const Scene& scene, std::size_t number) {
+                                  *known = {&scene, number};
+                                  return false;
+                                },
+                            .edges =
+                                [known](GridTriangle& t) {
+                                  const std::size_t all = known->scene->triangles.size();
+                                  if (all % 16 != 1 || all == 1 || t.number + 1 != all) return;
+                                  for (GridEdge& e : t.edges) {
+                                    if (e.a.y == e.b.y) e.owns = false;
+                                  }
+                                }};
+       }()},
       {"lanes-partial", "what is left of eight triangles is drawn up to a flat one", "",
        FixedStages{.drops =
                        [](const Scene& scene, std::size_t number) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,29 @@ T SizeOf(Point2 a, Point2 b, Point2 p) {
                         std::fabs((p.y - a.y) * (b.x - a.x)));
 }
 
+// The filter of float32, each edge's band by the first of its samples.
+int SignByFirstBand(Point2 a, Point2 b, Point2 p) {
+  struct Band {
+    Point2 a;
+    Point2 b;
+    float size = 0;
+  };
+  thread_local std::array<Band, 3> bands;
+  thread_local std::size_t oldest = 0;
+  const auto known = std::ranges::find_if(bands, [&](const Band& band) {
+    return band.a.x == a.x && band.a.y == a.y && band.b.x == b.x && band.b.y == b.y;
+  });
+  const bool is_known = known != bands.end();
+  Band& band = is_known ? *known : bands[oldest];
+  if (!is_known) {
+    band = {a, b, SizeOf<float>(a, b, p)};
+    oldest = (oldest + 1) % 3;
+  }
+  const auto e = Direct<float>(a, b, p);
+  if (!std::isfinite(e) || std::fabs(e) < 0x1p-100F) return reference::EdgeSign(a, b, p);
+  return FilteredSign<float>(e, band.size, 0x1p-21F, a, b, p);
+}
+
 std::vector<Mutant> Signs() {
   return {
       {"real-float32", "signs are those of the direct form in float32", "",
@@ -65,6 +89,9 @@ std::vector<Mutant> Signs() {
          return FilteredSign<float>(Direct<float>(a, b, p), SizeOf<float>(a, b, p), 0x1p-25F, a, b,
                                     p);
        })},
+      {"real-filter-band-kept", "the float32 filter keeps an edge's band from its first sample", "",
+       RealStages{.sign = SignByFirstBand,
+                  .facing = [](const Points& v) { return reference::EdgeSign(v[0], v[1], v[2]); }}},
       {"real-filter-relative", "the filter is relative to the value, not to its products", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
          const double e = Direct<double>(a, b, p);

@@ -1,6 +1,8 @@
 // Bugs in who owns a sample on an edge, and in which way a triangle faces.
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -51,6 +53,27 @@ std::vector<Mutant> Ties() {
                               const Sample&) { return t.front ? e.owns : Other(e); }}},
       {"ties-first-edge", "the rule is left out for the edge opposite the first vertex", "",
        FixedStages{.edges = [](GridTriangle& t) { t.edges[0].owns = true; }}},
+      {"ties-before-snap", "which edges are left or top ones is decided before the snap", "",
+       [] {
+         const auto drawn = std::make_shared<const Scene*>(nullptr);
+         return FixedStages{.drops =
+                                [drawn](const Scene& scene, std::size_t) {
+                                  *drawn = &scene;
+                                  return false;
+                                },
+                            .edges =
+                                [drawn](GridTriangle& t) {
+                                  for (std::size_t i = 0; i < 3; ++i) {
+                                    const auto at = [&](std::size_t k) {
+                                      const std::int32_t index = t.indices[k % 3];
+                                      return (*drawn)->vertices[static_cast<std::size_t>(index)];
+                                    };
+                                    const double dx = at(i + 2).x - at(i + 1).x;
+                                    const double dy = at(i + 2).y - at(i + 1).y;
+                                    t.edges[i].owns = dy > 0 || (dy == 0 && dx < 0);
+                                  }
+                                }};
+       }()},
       {"ties-by-index", "an edge is owned by the triangle that walks it towards the larger index",
        "a shared edge with duplicated vertices has four indices",
        FixedStages{.edges =

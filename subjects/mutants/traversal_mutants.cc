@@ -49,8 +49,18 @@ std::vector<Mutant> Boxes() {
   };
 }
 
+// The largest of an edge's values, where it is lost in the rounding of a sum of 30 bits.
+bool IsLostInTheLargest(const TileCorners& e) {
+  const auto [least, most] = std::ranges::minmax(e);
+  return least < 0 && most > 0 && most <= -(least >> 30);
+}
+
 std::vector<Mutant> Tiles() {
   return {
+      {"tile-reject-rounded", "a tile is rejected by an edge's values rounded to 30 bits", "",
+       Testing([](const Corners3& values, TileTest sound) {
+         return std::ranges::any_of(values, IsLostInTheLargest) ? TileTest::kOutside : sound;
+       })},
       {"tile-accept-one-corner", "a tile is accepted if its first corner is inside", "",
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return e[0] > 0; }) ? TileTest::kInside

@@ -119,6 +119,42 @@ TEST(TileBorders, AreMetWhateverTheSizeOfTheTile) {
   EXPECT_GT(thin, 107);
 }
 
+// Whether an edge passes the outermost sample of a tile of 4 pixels, in one of its corners, and its
+// value there is under 2^-30 of its largest at the other corners.
+bool PassesACorner(const Scene& scene, const std::array<Point2, 3>& v) {
+  constexpr double kTile = 4;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point2 a = v[k];
+    const Point2 b = v[(k + 1) % 3];
+    const double across = std::fabs(b.x - a.x) + std::fabs(b.y - a.y);
+    for (int j = 0; j < scene.height; ++j) {
+      for (int i = 0; i < scene.width; ++i) {
+        if ((i % 4 != 0 && i % 4 != 3) || (j % 4 != 0 && j % 4 != 3)) continue;
+        const double e = (i + 0.5 - a.x) * (b.y - a.y) - (j + 0.5 - a.y) * (b.x - a.x);
+        if (e != 0 && std::fabs(e) <= std::ldexp(kTile * across, -30)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+TEST(FarTileCorners, ArePassedAsNearAsADoubleTellsFromFarOff) {
+  int passed = 0;
+  int before = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const auto passes = [&](std::string_view domain) {
+      const Case c = DrawConstructed(domain, SnappedInfo(8), i);
+      return std::ranges::any_of(c.scene.triangles, [&](const Triangle& t) {
+        return PassesACorner(c.scene, PlacesOf(c.scene, t));
+      });
+    };
+    passed += passes("far-tile-corners") ? 1 : 0;
+    before += passes("tile-borders") ? 1 : 0;
+  }
+  EXPECT_GT(passed, 27);
+  EXPECT_LT(before, 10);
+}
+
 TEST(RoundedArrangements, HaveFlatAndInvertedTrianglesAndEachEdgeOnceEachWay) {
   for (const SubjectInfo& info : {RealInfo(), RealInfo(Precision::kFloat64), SnappedInfo(8)}) {
     int flat = 0;

@@ -100,6 +100,35 @@ TEST(Crowds, HaveAllRemaindersOfTheNumbersOfLanes) {
   }
 }
 
+TEST(EveryLane, HasOneTriangleInTheFirstAndTheLastLaneOfFullAndPartialVectors) {
+  std::array<int, 33> shown_in{};  // by the place in the list
+  int alone = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    const Case c = Draw("every-lane", SnappedInfo(8), i);
+    const std::size_t count = c.scene.triangles.size();
+    const auto first = Corners(c.scene, c.scene.triangles[0]);
+    for (std::size_t t = 0; t < count && t < shown_in.size(); ++t) {
+      const auto v = Corners(c.scene, c.scene.triangles[t]);
+      const double x = v[0].x - first[0].x;
+      const double y = v[0].y - first[0].y;
+      const bool is_flat = v[1].x == v[2].x && v[1].y == v[2].y;
+      if (!is_flat && t != 0) {
+        EXPECT_EQ(v[1].x - x, first[1].x) << i;
+        EXPECT_EQ(v[1].y - y, first[1].y) << i;
+      }
+      const bool shows = ShowsInMask(c, [&](Scene& scene) {
+        scene.triangles.erase(scene.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+      });
+      shown_in[t] += shows ? 1 : 0;
+      alone += shows && t + 1 == count && count % 16 == 1 && count > 1 ? 1 : 0;
+    }
+  }
+  for (const std::size_t lane : {0U, 3U, 4U, 7U, 8U, 15U, 16U, 31U, 32U}) {
+    EXPECT_GT(shown_in[lane], 9) << lane;
+  }
+  EXPECT_GT(alone, 30);
+}
+
 // The largest magnitude of an edge value at a sample of the target, or of the area, in units.
 double LargestValue(const Case& c, double unit) {
   double largest = 0;

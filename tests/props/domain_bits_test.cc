@@ -215,6 +215,8 @@ constexpr auto kGolden = std::to_array<Golden>({
     {83, "soups", 0xcdf398c147a47290},
     {84, "coplanar-depths", 0x369a7d4c50f53811},
     {85, "frame-sweeps", 0x80bdc8317ff6a1e},
+    {86, "every-lane", 0x2792612688570953},
+    {87, "far-tile-corners", 0x1b676092fe08e0ae},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

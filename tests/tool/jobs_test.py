@@ -38,6 +38,35 @@ def forbid_files():
     resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
 
 
+class LinesOfCases(unittest.TestCase):
+    """check --cases-json: a line a drawn case, the same for every number of workers."""
+
+    def lines(self, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "cases.jsonl")
+            done = run("check", "--cases", "60", "--cases-json", path, *arguments)
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+            return [json.loads(line) for line in content(path).splitlines()]
+
+    def test_name_each_case_and_what_it_reached(self):
+        lines = self.lines("--property", MODEL, "--subject", "spans-exact")
+        self.assertEqual(len({line["case"] for line in lines}), 60)
+        self.assertEqual({line["outcome"] for line in lines}, {"holds", "not exercised"})
+        self.assertTrue(any(line["near_edges"]["on_edge"] for line in lines))
+        self.assertFalse(all(line["near_edges"]["on_edge"] for line in lines))
+
+    def test_end_with_the_case_that_fails(self):
+        lines = self.lines("--property", MODEL, "--subject", "mutant:ties-inclusive")
+        self.assertLess(len(lines), 60)
+        violated = [line["outcome"] == "violated" for line in lines]
+        self.assertEqual(violated, [False] * (len(lines) - 1) + [True])
+
+    def test_do_not_depend_on_the_workers(self):
+        chosen = ("--subject", "spans-exact", "--property", MODEL,
+                  "--property", "TriangleOrderKeepsCoverage")  # fmt: skip
+        self.assertEqual(self.lines(*chosen, "--jobs", "1"), self.lines(*chosen, "--jobs", "2"))
+
+
 class Check(unittest.TestCase):
     def same(self, *arguments, status=0, batches=BATCHES, jobs=JOBS):
         """What is printed for every number of jobs and every batch: one text."""

@@ -261,7 +261,7 @@ std::string GroupsText(const Sweep& sweep) {
 std::string DifferencesText(const Sweep& sweep) {
   std::string text;
   for (const Difference& difference : sweep.differences()) {
-    text += fmt::format("{}\n  is enough to change a sample ({} builds above): {}\n",
+    text += fmt::format("{}\n  changes samples by itself, in {} of the builds above: {}\n",
                         ChoicesText(difference.minimal), difference.rows.size(),
                         BlameText(difference.blame));
   }

@@ -117,9 +117,14 @@ class Exchange {
     for (const std::string& symbol : other.symbols) {
       if (symbol != function) names += symbol + "\n";
     }
-    const std::string list = runner_.folder().NewPath(".txt");
-    io::WriteFile(list, names);
-    runner_.Run({"objcopy", "--weaken-symbols", list, other.object, theirs});
+    std::vector<std::string> command{"objcopy"};
+    if (!names.empty()) {  // an empty list is an error of objcopy's
+      const std::string list = runner_.folder().NewPath(".txt");
+      io::WriteFile(list, names);
+      command.push_back("--weaken-symbols=" + list);
+    }
+    command.insert(command.end(), {other.object, theirs});
+    runner_.Run(command);
     return {ours, theirs};
   }
 
@@ -172,9 +177,9 @@ std::string_view Trimmed(std::string_view text) {
   return text;
 }
 
-// What follows the directive on the line; nothing if it is another line.
+// What follows the directive on the line, up to a comment; nothing if it is another line.
 std::string_view After(std::string_view line, std::string_view directive) {
-  line = Trimmed(line);
+  line = Trimmed(line.substr(0, line.find('#')));
   if (!line.starts_with(directive)) return "";
   line.remove_prefix(directive.size());
   return line.empty() || (line.front() != ' ' && line.front() != '\t') ? "" : Trimmed(line);

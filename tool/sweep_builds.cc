@@ -80,10 +80,9 @@ Choices Flags(std::string_view words) {
 
 // -fassociative-math does nothing without the two.
 constexpr std::string_view kAssociative = "-fassociative-math -fno-signed-zeros -fno-trapping-math";
-constexpr std::array<std::string_view, 6> kMathParts{
-    "-freciprocal-math", "-fno-signed-zeros",  "-ffinite-math-only",
-    "-fno-math-errno",   "-fno-trapping-math", "-ffp-contract=fast",
-};
+constexpr std::array<std::string_view, 5> kMathParts{"-freciprocal-math", "-fno-signed-zeros",
+                                                     "-ffinite-math-only", "-fno-math-errno",
+                                                     "-fno-trapping-math"};
 constexpr std::string_view kFast = "-ffast-math";
 constexpr std::string_view kUnsafe = "-funsafe-math-optimizations";
 
@@ -100,6 +99,23 @@ Choices Joined(const Choices& a, const Choices& b) {
   return all;
 }
 
+// "-march=" of "-march=x86-64-v3", "-O" of "-O3": a later flag with it takes an earlier one's place.
+std::string_view KeyOf(std::string_view flag) {
+  if (flag.starts_with("-O")) return "-O";
+  return flag.substr(0, flag.find('=') + 1);
+}
+
+bool IsReplaced(std::string_view flag, const Choices& choices) {
+  return std::ranges::any_of(choices, [&](const Choice& c) {
+    return c.kind == Kind::kFlag && !KeyOf(flag).empty() && KeyOf(c.value) == KeyOf(flag);
+  });
+}
+
+bool IsGivenToBoth(const Choice& choice, const Choices& choices) {
+  return choice.kind == Kind::kLinkFlag &&
+         std::ranges::find(choices, Choice{Kind::kFlag, choice.value}) != choices.end();
+}
+
 }  // namespace
 
 std::vector<SweepBuild> SingleBuilds() {
@@ -114,6 +130,7 @@ std::vector<SweepBuild> SingleBuilds() {
   const std::array contracts{Flags("-ffp-contract=on"), Flags("-ffp-contract=fast")};
   for (const Choices& contract : contracts) builds.push_back({{"contraction"}, contract});
   for (const char* march : {"-march=x86-64-v3", "-march=x86-64-v4"}) {
+    if (!HasLevel("x86-64-v4") && std::string_view(march).ends_with("v4")) continue;
     for (const Choices& compiler : {Choices{}, clang, clang19}) {
       for (const Choices& contract : contracts) {
         std::vector<std::string> axes{"processor", "contraction"};
@@ -125,9 +142,7 @@ std::vector<SweepBuild> SingleBuilds() {
   builds.push_back({{"math"}, {Flag(kFast), LinkFlag(kFast)}});
   builds.push_back({{"math"}, {Flag(kUnsafe), LinkFlag(kUnsafe)}});
   builds.push_back({{"math"}, Flags(kAssociative)});
-  for (const std::string_view part : kMathParts) {
-    if (part != "-ffp-contract=fast") builds.push_back({{"math"}, Flags(part)});
-  }
+  for (const std::string_view part : kMathParts) builds.push_back({{"math"}, Flags(part)});
   builds.push_back({{"math at link"}, {LinkFlag(kFast)}});
   builds.push_back({{"link time"}, {Flag("-flto"), LinkFlag("-flto")}});
   builds.push_back({{"target"}, {{Kind::kTarget, "i386"}, Flag("-mfpmath=387")}});
@@ -186,12 +201,15 @@ Toolchain ToolchainOf(const Choices& choices) {
 std::string BuildName(const Choices& choices) {
   const Toolchain tools = ToolchainOf(choices);
   std::string name = tools.c;
-  for (const std::string& flag : tools.flags) name += " " + flag;
-  for (const std::string_view flag : kBaseFlags) name += fmt::format(" {}", flag);
+  std::vector<std::string> flags = tools.flags;
+  flags.insert(flags.end(), kBaseFlags.begin(), kBaseFlags.end());
+  for (const std::string& flag : flags) {
+    if (!IsReplaced(flag, choices)) name += " " + flag;
+  }
   for (const Choice& c : choices) {
     if (c.kind == Kind::kFlag) name += " " + c.value;
-    const bool is_twice = std::ranges::find(choices, Choice{Kind::kFlag, c.value}) != choices.end();
-    if (c.kind == Kind::kLinkFlag && !is_twice) name += fmt::format(" ({} at link time)", c.value);
+    if (c.kind != Kind::kLinkFlag || IsGivenToBoth(c, choices)) continue;
+    name += fmt::format(" ({} at link time)", c.value);
   }
   return name;
 }
@@ -199,11 +217,12 @@ std::string BuildName(const Choices& choices) {
 std::string ChoicesText(const Choices& choices) {
   std::string text;
   for (const Choice& c : choices) {
+    if (IsGivenToBoth(c, choices)) continue;
     if (!text.empty()) text += ' ';
     if (c.kind == Kind::kCompiler) text += "compiler ";
     if (c.kind == Kind::kTarget) text += "target ";
     text += c.value;
-    if (c.kind == Kind::kLinkFlag) text += " at link time";
+    if (c.kind == Kind::kLinkFlag) text += " (at link time)";
   }
   return text;
 }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "fmt/format.h"
 #include "io/output.h"
 #include "report/json_writer.h"
@@ -32,6 +33,7 @@ namespace {
 
 // The cases by which files and functions are told apart.
 constexpr std::size_t kMostCasesOfBlame = 20;
+constexpr const char* kNotReached = "the command was interrupted before";
 
 struct SweepRow {
   SweepBuild build;
@@ -89,18 +91,23 @@ class Sweep {
     std::iota(order.begin(), order.end(), first);
     progress_.Stage(what, count);
     ShareWork(jobs_, order, [&](std::size_t, std::size_t i) {
-      if (!Interrupted()) work(i);
+      try {
+        if (!Interrupted()) work(i);
+      } catch (const SubjectStop&) {
+        if (!Interrupted()) throw;
+      }
     });
   }
 
   void Add(const std::vector<SweepBuild>& builds) {
     const std::size_t first = rows_.size();
-    for (const SweepBuild& build : builds) rows_.push_back({build, {}, ""});
+    for (const SweepBuild& build : builds) rows_.push_back({build, {}, kNotReached});
     InParallel(first, builds.size(), fmt::format("{} builds", builds.size()), [&](std::size_t i) {
       SweepRow& row = rows_[i];
-      row.note = WhatIsMissing(row.build.choices, runner_.has_cxx());
-      if (!row.note.empty()) return;
-      row.outcome = runner_.OutcomeOf(row.build.choices);
+      std::string missing = WhatIsMissing(row.build.choices, runner_.has_cxx());
+      if (missing.empty()) row.outcome = runner_.OutcomeOf(row.build.choices);
+      if (Interrupted()) return;
+      row.note = std::move(missing);
       AddWhereToFind(row);
     });
   }
@@ -109,7 +116,7 @@ class Sweep {
   void AddWhereToFind(SweepRow& row) const {
     SweepOutcome& outcome = row.outcome;
     const auto is_i386 = [](const Choice& c) { return c.value == "i386"; };
-    if (outcome.HasDrawn() || outcome.is_breakdown) return;
+    if (!row.note.empty() || outcome.HasDrawn() || outcome.is_breakdown) return;
     outcome.failure = "not built: " + outcome.failure;
     if (std::ranges::any_of(row.build.choices, is_i386)) {
       outcome.failure += runner_.has_cxx()
@@ -165,7 +172,7 @@ class Sweep {
     std::map<Choices, std::size_t> known;
     for (std::size_t i = 0; i < differing.size(); ++i) {
       const auto [at, is_new] = known.emplace(minimal[i], differences_.size());
-      if (is_new) differences_.push_back({minimal[i], {}, {}});
+      if (is_new) differences_.push_back({minimal[i], {}, {"", "", kNotReached}});
       differences_[at->second].rows.push_back(differing[i]);
     }
     InParallel(0, differences_.size(), "file and function of each difference", [&](std::size_t i) {
@@ -322,18 +329,23 @@ int RunSweep(const SweepOptions& options) {
   Sweep sweep(runner, options.jobs);
   sweep.Run();
   const auto is_drawn = [](const SweepRow& row) { return row.IsDrawn(); };
-  const auto differs = [](const SweepRow& row) { return row.Differs(); };
+  const auto is_stopped = [](const SweepRow& row) {
+    return row.note.empty() && row.outcome.is_breakdown;
+  };
+  const auto differs = [](const SweepRow& row) { return row.IsDrawn() && row.Differs(); };
   const auto drawn = std::ranges::count_if(sweep.rows(), is_drawn);
   const auto differing = std::ranges::count_if(sweep.rows(), differs);
-  const std::string summary =
+  const auto stopped = std::ranges::count_if(sweep.rows(), is_stopped);
+  std::string summary =
       fmt::format("{} of {} builds draw other samples than the base in {} cases, seed {}\n",
                   differing, drawn, options.cases, options.seed);
+  if (stopped != 0) summary += fmt::format("{} builds do not draw every case\n", stopped);
   if (options.json != "-") {
     io::WriteStandardOutput(report::CleanText(Table(runner, sweep) + "\n" + GroupsText(sweep) +
                                               "\n" + DifferencesText(sweep) + summary));
   }
   if (!options.json.empty()) WriteOutput(options.json, Json(runner, sweep, options));
-  return differing == 0 ? kExitHolds : kExitViolated;
+  return differing + stopped == 0 ? kExitHolds : kExitViolated;
 }
 
 }  // namespace rasterproof::tool

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -278,9 +279,13 @@ std::vector<Choices> FinerChoices(const Choices& choices) {
     }
   }
   if (!has_parts) return {choices};
+  // What the link does has a row of its own; here what the files do comes first.
+  Choices of_files;
+  std::ranges::copy_if(finer, std::back_inserter(of_files),
+                       [](const Choice& c) { return c.kind != Kind::kLinkFlag; });
   Choices with_unsafe = finer;
   with_unsafe.push_back(Flag(kUnsafe));
-  return {finer, with_unsafe, choices};
+  return {of_files, finer, with_unsafe, choices};
 }
 
 }  // namespace rasterproof::tool

@@ -236,7 +236,11 @@ SweepOutcome SweepRunner::Compare(const std::string& program, const Choices& cho
     const CallEnd& end = drawn[k].end;
     if (EndsTheCall(end.stop)) {
       outcome.is_breakdown = true;
-      outcome.failure = fmt::format("stopped on {}: {}", cases_[all[k]].origin, end.why);
+      outcome.failure =
+          fmt::format("stopped on {}: {}", cases_[all[k]].origin,
+                      IsBreakdown(end.stop) && end.stop != Stop::kHung
+                          ? end.why
+                          : fmt::format("no answer within --time-limit {:g}", settings_.seconds));
       return outcome;
     }
     AddChanges(all[k], drawn[k], base_[all[k]], outcome.changes);

@@ -3,7 +3,10 @@
 
 static int64_t snapped(float x) {
   if (!(x > -32768.0F && x < 32768.0F)) return INT64_C(1) << 24; /* far outside, whatever it is */
-  return (int64_t)(x * 256.0F + (x < 0 ? -0.5F : 0.5F));
+  const float scaled = x * 256.0F; /* exact, as is the difference; a sum with 1/2 would not be */
+  const int64_t whole = (int64_t)scaled;
+  const float rest = scaled - (float)whole;
+  return whole + (rest >= 0.5F) - (rest <= -0.5F);
 }
 
 static int64_t edge(const float* a, const float* b, float x, float y) {

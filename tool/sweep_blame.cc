@@ -157,7 +157,8 @@ class Exchange {
         if (differs_with(base)) return untold("its functions share data of their own");
         std::string name = function;
         if (name.ends_with(kWasLocal)) name.resize(name.size() - kWasLocal.size());
-        return {source, Demangled(name), ""};
+        return {source, Demangled(name),
+                with_locals ? "" : "with the local functions that it calls"};
       }
       return untold("no function changes it alone");
     } catch (const BuildFailure& failure) {
@@ -218,6 +219,10 @@ ExchangeableAssembly MakeExchangeable(std::string_view assembly, bool with_local
     if (const std::string_view weak = After(line, ".weak"); !weak.empty()) {
       line = fmt::format("\t.globl\t{}", weak);
     }
+    // A second name of a constructor: as data, it stays the one of its half.
+    if (const std::string_view alias = After(line, ".set"); !alias.empty()) {
+      symbols.emplace_back(alias.substr(0, alias.find(',')), false);
+    }
     const std::string_view type = After(line, ".type");
     const std::size_t comma = type.find(',');
     if (comma != std::string_view::npos) {
@@ -230,6 +235,7 @@ ExchangeableAssembly MakeExchangeable(std::string_view assembly, bool with_local
   }
   for (const auto& [name, is_function] : symbols) {
     const bool is_global = globals.contains(name);
+    if (name.starts_with(".L")) continue;  // a label, not a symbol
     if (!is_global && is_function && !with_local_functions) continue;
     if (!is_global) made.was_local.push_back(name);
     if (commons.contains(name)) continue;

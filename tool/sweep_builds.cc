@@ -100,7 +100,7 @@ Choices Joined(const Choices& a, const Choices& b) {
   return all;
 }
 
-// "-march=" of "-march=x86-64-v3", "-O" of "-O3": a later flag with it takes an earlier one's place.
+// "-march=" of "-march=x86-64-v3", "-O" of "-O3": a later flag with it replaces an earlier one.
 std::string_view KeyOf(std::string_view flag) {
   if (flag.starts_with("-O")) return "-O";
   return flag.substr(0, flag.find('=') + 1);

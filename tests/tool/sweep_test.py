@@ -50,8 +50,10 @@ class Sweep(unittest.TestCase):
         if contracted["drawn"]:
             self.assertGreater(contracted["samples"], 0)
             self.assertGreater(contracted["cases"], 0)
-            self.assertRegex(contracted["first"],
-                             r"^[a-z0-9-]+:\d+@1, pixel \(\d+, \d+\): covered \d+ times in place of \d+$")  # fmt: skip
+            self.assertRegex(
+                contracted["first"],
+                r"^[a-z0-9-]+:\d+@1, pixel \(\d+, \d+\): covered \d+ times in place of \d+$",
+            )
             blamed = flags_of(result)["-march=x86-64-v3 -ffp-contract=fast"]
             self.assertTrue(blamed["file"].endswith("edge.c"), blamed)
             self.assertEqual((blamed["function"], blamed["remark"]), ("cross", ""))

@@ -1,5 +1,5 @@
 /* Changes where a product and a difference become one instruction, in edge.c alone. */
-#include "draws.h"
+#include "tests/tool/sweep/draws.h"
 
 float edge(const float* a, const float* b, float x, float y);
 

@@ -1,5 +1,5 @@
 /* Integers after the snap, which no flag changes; but one build never ends. */
-#include "robust.c"
+#include "tests/tool/sweep/robust.c"
 
 #ifdef __FAST_MATH__
 __attribute__((constructor)) static void hang(void) {

@@ -1,5 +1,5 @@
 /* Changes where sums are regrouped, or kept in registers wider than float. */
-#include "draws.h"
+#include "tests/tool/sweep/draws.h"
 
 static float sum(const float* terms) {
   float s = 0;

@@ -1,5 +1,5 @@
 /* Integers after the snap: no flag changes what they are. */
-#include "draws.h"
+#include "tests/tool/sweep/draws.h"
 
 static int64_t snapped(float x) {
   if (!(x > -32768.0F && x < 32768.0F)) return INT64_C(1) << 24; /* far outside, whatever it is */

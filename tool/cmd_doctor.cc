@@ -6,6 +6,7 @@
 #include "fmt/format.h"
 #include "io/output.h"
 #include "tool/commands.h"
+#include "tool/sweep_builds.h"
 
 namespace rasterproof::tool {
 
@@ -33,6 +34,7 @@ int RunDoctor() {
   }
   text +=
       fmt::format("three deciders agree     {}\n", environment.Honest() ? yes(agree) : "not asked");
+  text += ToolsText();
   const std::string complaint = environment.Complaint();
   if (!complaint.empty()) text += complaint + "\n";
   io::WriteStandardOutput(text);

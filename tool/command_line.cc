@@ -332,6 +332,30 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->callback([&run] { run = [] { return RunBench(options); }; });
 }
 
+void AddSweep(CLI::App& app, Run& run) {
+  static SweepOptions options;
+  CLI::App* verb = app.add_subcommand(
+      "sweep",
+      "Tell which builds of your rasterizer draw other samples: compilers, flags, targets");
+  verb->add_option("sources", options.sources,
+                   "C or C++ sources of a plugin (kit/rasterproof_plugin.h)")
+      ->required();
+  verb->add_option("--cflags", options.cflags,
+                   "Flags of every build, as a shell reads them: -I, -D, -std, libraries");
+  verb->add_option("--profile", options.profile, "Draw cases for this profile, not for its own");
+  AddSeed(verb, options.seed);
+  verb->add_option("--cases", options.cases, "Cases that every build draws")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  verb->add_option("--time-limit", options.seconds,
+                   "Seconds that a compilation or one answer may take")
+      ->check(Positive())
+      ->capture_default_str();
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  AddJobs(verb, options.jobs, "Builds");
+  verb->callback([&run] { run = [] { return UntilInterrupted(RunSweep, options); }; });
+}
+
 void AddSelftest(CLI::App& app, Run& run) {
   static SelftestOptions options;
   CLI::App* verb =
@@ -415,6 +439,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddSurvey(app, run, own);
   AddBench(app, run, typed);
   AddClimb(app, run);
+  AddSweep(app, run);
   AddPipeVerb(app, run);
   end_group("Campaign");
   AddConvert(app, run, typed);

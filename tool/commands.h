@@ -226,6 +226,19 @@ struct PipeOptions {
 int RunAsk(const PipeOptions& options);
 int RunJudge(const PipeOptions& options);
 
+/// Builds of a rasterizer by several compilers and flags.
+struct SweepOptions {
+  std::vector<std::string> sources;
+  std::string cflags;  ///< words of a shell, for every build
+  std::string profile;
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 200;
+  double seconds = 30;  ///< of one compilation, or of one answer
+  std::string json;     ///< file; empty: none
+  int jobs = 1;         ///< builds at once
+};
+int RunSweep(const SweepOptions& options);
+
 struct SelftestOptions {
   std::vector<std::string> only;  ///< names; empty: every mutant and legal variant
   std::uint64_t seed = 1;

@@ -82,7 +82,7 @@ class Names(unittest.TestCase):
         self.assertEqual(groups, [
             ("Every day", ["check", "explain", "replay", "infer", "certify", "list"]),
             ("One scene", ["coverage", "legal", "plan"]),
-            ("Campaign", ["survey", "bench", "climb", "pipe"]),
+            ("Campaign", ["survey", "bench", "climb", "sweep", "pipe"]),
             ("Development", ["convert", "selftest", "doctor"])])  # fmt: skip
 
     def test_keys_of_files(self):

@@ -1,0 +1,82 @@
+#include "tool/sweep_delta.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tool/sweep_blame.h"
+#include "tool/sweep_builds.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using Numbers = std::vector<int>;
+
+Numbers MinimalOfNeeded(const std::set<int>& needed, int count, int* tests = nullptr) {
+  Numbers all;
+  for (int k = 0; k < count; ++k) all.push_back(k);
+  return MinimalPart<int>(all, [&](const Numbers& part) {
+    if (tests != nullptr) ++*tests;
+    return std::ranges::includes(part, needed);
+  });
+}
+
+TEST(MinimalPart, IsWhatTheTestNeedsWhateverItIs) {
+  for (unsigned bits = 1; bits < 256; ++bits) {
+    std::set<int> needed;
+    for (int k = 0; k < 8; ++k) {
+      if ((bits >> k & 1U) != 0) needed.insert(k);
+    }
+    EXPECT_EQ(MinimalOfNeeded(needed, 8), Numbers(needed.begin(), needed.end())) << bits;
+  }
+}
+
+TEST(MinimalPart, LosesNoItemThatAloneFailsOfEitherCause) {
+  const Numbers part = MinimalPart<int>({1, 2, 3, 4, 5}, [](const Numbers& p) {
+    return std::ranges::includes(p, Numbers{1, 4}) || std::ranges::includes(p, Numbers{2, 3, 5});
+  });
+  EXPECT_TRUE(part == (Numbers{1, 4}) || part == (Numbers{2, 3, 5}));
+}
+
+TEST(MinimalPart, OfOneAmongManyTakesFewTests) {
+  int tests = 0;
+  EXPECT_EQ(MinimalOfNeeded({77}, 128, &tests), Numbers{77});
+  EXPECT_LE(tests, 2 * 7 + 2);
+}
+
+TEST(SweepBuilds, ShareNoAxisInAPair) {
+  for (const SweepBuild& pair : PairsOf(SingleBuilds())) {
+    const std::set<std::string> axes(pair.axes.begin(), pair.axes.end());
+    EXPECT_EQ(axes.size(), pair.axes.size()) << BuildName(pair.choices);
+  }
+}
+
+TEST(SweepBuilds, AreNamedByTheFlagsThatCount) {
+  const Choices choices{{Choice::Kind::kFlag, "-O3"}, {Choice::Kind::kFlag, "-march=x86-64-v3"}};
+  EXPECT_EQ(BuildName(choices), "gcc -ffp-contract=off -O3 -march=x86-64-v3");
+  EXPECT_EQ(ChoicesText(choices), "-O3 -march=x86-64-v3");
+}
+
+TEST(MakeExchangeable, MakesSymbolsGlobalAndTakesThemOutOfGroups) {
+  const ExchangeableAssembly made = MakeExchangeable(
+      "\t.section\t.text._Zf,\"axG\",@progbits,_Zf,comdat\n"
+      "\t.weak\t_Zf  # -- Begin\n\t.type\t_Zf, @function\n_Zf:\n"
+      "\t.weak\t_Zalias\n\t.set\t_Zalias,_Zf\n"
+      "\t.type\t.Llabel, @object\n"
+      "\t.type\tinner, @function\ninner:\n"
+      "\t.local\tzeros\n\t.comm\tzeros,4,4\n\t.type\tzeros, @object\n",
+      /*with_local_functions=*/true);
+  EXPECT_EQ(made.functions, (std::vector<std::string>{"_Zf", "inner"}));
+  EXPECT_EQ(made.objects, std::vector<std::string>{"_Zalias"});
+  EXPECT_EQ(made.was_local, (std::vector<std::string>{"inner", "zeros"}));
+  EXPECT_NE(made.text.find("\t.section\t.text._Zf,\"ax\",@progbits\n"), std::string::npos);
+  EXPECT_NE(made.text.find("\t.globl\t_Zf\n"), std::string::npos);
+  EXPECT_NE(made.text.find("\t.globl\tinner\n"), std::string::npos);
+  EXPECT_EQ(made.text.find(".local"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rasterproof::tool

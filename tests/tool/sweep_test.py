@@ -1,0 +1,143 @@
+"""sweep: which builds of a rasterizer draw other samples, and by which flags, file and function.
+
+usage: sweep_test.py PROGRAM SOURCES
+"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SOURCES = (os.path.abspath(path) for path in sys.argv[1:3])
+OWN = os.path.join(SOURCES, "tests", "tool", "sweep")
+
+
+def sweep(*names, cases=40, **kept):
+    """The ended command, and its JSON: {} where it wrote none."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "sweep.json")
+        environment = {**os.environ, "TMPDIR": folder, **kept.pop("env", {})}
+        done = subprocess.run(
+            [PROGRAM, "sweep", *(os.path.join(OWN, name) for name in names), "--json", file,
+             "--cases", str(cases), *kept.pop("more", [])],
+            capture_output=True, text=True, timeout=500, check=False, env=environment,
+        )  # fmt: skip
+        result = {}
+        if os.path.exists(file):
+            with open(file, encoding="utf-8") as opened:
+                result = json.load(opened)
+            os.remove(file)
+        assert not os.listdir(folder), "its temporary folder is left"
+        return done, result
+
+
+def flags_of(result):
+    return {d["flags"]: d for d in result["differences"]}
+
+
+class Sweep(unittest.TestCase):
+    def test_contraction_is_found_with_its_flags_file_and_function(self):
+        done, result = sweep("contracted.c", "edge.c")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        rows = {row["changes"]: row for row in result["builds"]}
+        self.assertEqual(rows[""]["samples"], 0)
+        self.assertIn("-march=x86-64-v3 -ffp-contract=fast\n  changes samples", done.stdout)
+        for harmless in ("-O3", "-march=x86-64-v3", "-ffp-contract=fast"):
+            self.assertEqual(rows[harmless]["samples"], 0, rows[harmless])
+        contracted = rows["-march=x86-64-v3 -ffp-contract=fast"]
+        if contracted["drawn"]:
+            self.assertGreater(contracted["samples"], 0)
+            self.assertGreater(contracted["cases"], 0)
+            self.assertRegex(
+                contracted["first"],
+                r"^[a-z0-9-]+:\d+@1, pixel \(\d+, \d+\): covered \d+ times in place of \d+$",
+            )
+            blamed = flags_of(result)["-march=x86-64-v3 -ffp-contract=fast"]
+            self.assertTrue(blamed["file"].endswith("edge.c"), blamed)
+            self.assertEqual((blamed["function"], blamed["remark"]), ("cross", ""))
+        for row in result["builds"]:
+            if row["changes"] == "target aarch64 -ffp-contract=fast" and row["drawn"]:
+                self.assertTrue(row["note"].startswith("emulated"), row)
+                self.assertGreater(row["samples"], 0, "aarch64 has fused multiply-add")
+
+    def test_regrouped_sums_are_found_with_the_least_flags(self):
+        done, result = sweep("regrouped.c")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        least = [set(flags.split()) for flags in flags_of(result)]
+        companions = {"-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"}
+        self.assertIn(companions, least)
+        for flags in least:
+            self.assertFalse(flags > companions, f"{flags} are not the least")
+        wide = flags_of(result).get("-mfpmath=387")
+        if any(row["drawn"] and "387" in row["changes"] for row in result["builds"]):
+            self.assertIsNotNone(wide, least)
+            self.assertTrue(wide["file"].endswith("regrouped.c"), wide)
+
+    def test_integers_after_the_snap_agree_in_all_builds(self):
+        done, result = sweep("robust.c")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        drawn = [row for row in result["builds"] if row["drawn"]]
+        self.assertGreater(len(drawn), 8, done.stdout)
+        self.assertEqual({row["group"] for row in drawn}, {"A"})
+        self.assertEqual(result["differences"], [])
+        self.assertIn("\nA: base, ", done.stdout)
+        self.assertNotIn("\nB:", done.stdout)
+
+    def test_a_build_that_hangs_is_stopped_and_its_row_says_so(self):
+        done, result = sweep("hangs.c", cases=3, more=["--time-limit", "1"])
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        for row in result["builds"]:
+            if row["changes"] == "-ffast-math":
+                self.assertFalse(row["drawn"])
+                self.assertRegex(row["note"], r"^stopped on [a-z-]+:\d+@1: no answer within ")
+            elif row["changes"] != "-ffast-math (at link time)":
+                self.assertNotIn("stopped", row["note"])
+            if row["drawn"]:
+                self.assertEqual(row["samples"], 0, row)
+
+    def test_a_missing_tool_is_a_row_that_names_its_package(self):
+        with tempfile.TemporaryDirectory() as tools:
+            for name in ("gcc", "g++", "as", "ld", "sh", "objcopy"):
+                if shutil.which(name):
+                    os.symlink(shutil.which(name), os.path.join(tools, name))
+            done, result = sweep("robust.c", cases=3, env={"PATH": tools})
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        notes = {row["changes"]: row["note"] for row in result["builds"]}
+        self.assertIn("there is no clang-19; package clang-19", notes["compiler clang-19"])
+        self.assertIn("package gcc-aarch64-linux-gnu has it", notes["target aarch64"])
+
+    def test_what_is_no_source_is_refused(self):
+        for name, says in (("absent.c", "there is no such file"),
+                           ("../sweep_test.py", "ends as no C or C++ source's does")):  # fmt: skip
+            done, _ = sweep(name)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(says, done.stderr)
+
+    def test_a_base_that_is_not_built_shows_the_first_error(self):
+        done, _ = sweep("edge.c")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("undefined reference to `rasterproof_plugin_describe'", done.stderr)
+        with tempfile.TemporaryDirectory() as folder:
+            broken = os.path.join(folder, "broken.c")
+            with open(broken, "w", encoding="utf-8") as file:
+                file.write("int ok;\nint wrong(void) { return absent; }\n")
+            done, _ = sweep("robust.c", broken)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertRegex(done.stderr, r"broken\.c:2:\d+: error: .absent. undeclared")
+
+    def test_flags_for_every_build_are_words_of_a_shell(self):
+        done, _ = sweep("robust.c", cases=1, more=["--cflags", "-D'unused macro' -D"])
+        self.assertEqual(done.returncode, 3, "the last -D lacks its name")
+        done, _ = sweep("robust.c", cases=1, more=["--cflags", "'-DA=(1 + 1)' -Wall"])
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_doctor_lists_the_tools(self):
+        done = subprocess.run([PROGRAM, "doctor"], capture_output=True, text=True, check=False)
+        self.assertRegex(done.stdout, r"sweep: gcc +(/|missing; package gcc has it)")
+        self.assertRegex(done.stdout, r"sweep: qemu-aarch64 +(/|missing; package qemu-user has it)")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

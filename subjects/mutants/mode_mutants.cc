@@ -1,11 +1,11 @@
 // Bugs that show in another floating-point mode of the caller alone.
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "core/float_environment.h"
 #include "reference/exact_sign.h"
+#include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
@@ -16,40 +16,15 @@ int ExactSign(Point2 a, Point2 b, Point2 p) {
   return reference::EdgeSign(a, b, p);
 }
 
-// x y in float32 as a rounded product and what it lost, by Veltkamp's and Dekker's splitting: exact
-// if operations round to nearest.
-struct Product {
-  float rounded;
-  float lost;
-};
-Product Multiply(float x, float y) {
-  const auto split = [](float v) {
-    const float c = 4097 * v;
-    return c - (c - v);
-  };
-  const float x_high = split(x);
-  const float y_high = split(y);
-  const float x_low = x - x_high;
-  const float y_low = y - y_high;
-  const float rounded = x * y;
-  return {rounded, ((x_high * y_high - rounded) + x_high * y_low + x_low * y_high) + x_low * y_low};
-}
-
-// Each product in two words, where differences are exact and nothing over- or underflows.
-int ByTwoWords(Point2 a, Point2 b, Point2 p) {
-  const std::array<double, 4> differences{p.x - a.x, b.y - a.y, p.y - a.y, b.x - a.x};
-  std::array<float, 4> d{};
-  for (std::size_t k = 0; k < d.size(); ++k) {
-    const double size = std::fabs(differences[k]);
-    if (size != 0 && (size < 0x1p-40 || size > 0x1p40)) return ExactSign(a, b, p);
-    d[k] = static_cast<float>(differences[k]);
-    if (d[k] != differences[k]) return ExactSign(a, b, p);
+// Adding 1.5 2^44 rounds to multiples of 2^-8, as the thread rounds.
+void SnapByAMagicNumber(Points& v) {
+  constexpr double kMagic = 0x1.8p44;
+  for (Point2& p : v) {
+    for (double* x : {&p.x, &p.y}) {
+      const volatile double sum = *x + kMagic;
+      *x = sum - kMagic;
+    }
   }
-  const Product left = Multiply(d[0], d[1]);
-  const Product right = Multiply(d[2], d[3]);
-  const double e =
-      (double{left.rounded} - double{right.rounded}) + (double{left.lost} - double{right.lost});
-  return (e > 0) - (e < 0);
 }
 
 // Two vertices are equal if their differences are 0: so long as no difference is flushed to 0.
@@ -79,10 +54,12 @@ int DividesByTheArea(const Points& v) {
 
 std::vector<Mutant> ModeMutants() {
   return {
-      {.name = "mode-two-words",
-       .change = "its products are exact in two words, if operations round to nearest",
-       .source = "Shewchuk's predicates on x87 and under directed rounding",
-       .stages = RealStages{.sign = ByTwoWords},
+      {.name = "mode-magic-snap",
+       .change = "it snaps by adding and subtracting a large number",
+       .source = "a usual way to round, before processors had instructions for it",
+       .stages = RealStages{.profile = FixedPointProfile(),
+                            .vertices = SnapByAMagicNumber,
+                            .sign = ExactSign},
        .takes_float_modes = true},
       {.name = "mode-needs-subnormals",
        .change = "vertices are equal if their differences in float32 are 0",

@@ -87,7 +87,7 @@ constexpr Row kRows[] = {
     {"SharedEdgeSamplesAreCoveredOnce", "mutant:ties-inclusive"},
     {"SharedEdgeSamplesAreCoveredOnce", "mutant:samples-by-triangle"},
     {"SignedCoverageEqualsTheWindingNumber", "mutant:ties-inclusive"},
-    {"EnvironmentKeepsCoverage", "mutant:mode-two-words"},
+    {"EnvironmentKeepsCoverage", "mutant:mode-magic-snap"},
     {"EnvironmentKeepsCoverage", "mutant:mode-needs-subnormals"},
     {"TargetHeightKeepsCoverage", "mutant:target-last-row"},
     {"TargetWidthKeepsCoverage", "mutant:target-odd-width"},

@@ -55,6 +55,19 @@ TEST(Mutants, AreFoundByTheCatalogueInASample) {
   }
 }
 
+TEST(Mutants, OfFloatingPointModesAreFoundThereAndNowhereElse) {
+  std::size_t found = 0;
+  for (const MutantInfo& mutant : Mutants()) {
+    if (!mutant.name.starts_with("mutant:mode-")) continue;
+    const std::unique_ptr<Subject> subject = tool::MakeSubject(mutant.name);
+    const tool::Hunt hunt = tool::HuntBug(*subject, {.cases = 600, .shrink_budget = 50});
+    ASSERT_TRUE(hunt.violation.has_value()) << mutant.name << " survives " << hunt.cases;
+    EXPECT_EQ(hunt.violation->property, "EnvironmentKeepsCoverage") << mutant.name;
+    ++found;
+  }
+  EXPECT_EQ(found, 3U);
+}
+
 struct Twins {
   const char* property;
   const char* mutant;

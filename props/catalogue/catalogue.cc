@@ -106,7 +106,7 @@ class Measuring {
     if (family_.domain != nullptr) {
       return Suits(*family_.domain, info) ? "" : "the subject takes none of the family's scenes";
     }
-    if (family_.world->cases / kMostOfWorld >= plan_.cases) {
+    if ((family_.world->cases - 1) / kMostOfWorld >= plan_.cases) {
       return "the world has " + std::to_string(family_.world->cases) + " cases, more than " +
              std::to_string(kMostOfWorld) + " times as many as a domain is given";
     }

@@ -75,8 +75,8 @@ struct FamilyResult {
 
 struct CataloguePlan {
   std::uint64_t seed = 1;
-  std::uint64_t cases =
-      100;             ///< of each domain; worlds have their own number, at most 100 times this
+  /// Of each domain. A world has its own number; one of more than 100 times this is excused.
+  std::uint64_t cases = 100;
   double seconds = 0;  ///< at most, for a family; 0: no limit
   /// Worlds of larger targets are left out.
   std::int64_t most_pixels = std::numeric_limits<std::int64_t>::max();

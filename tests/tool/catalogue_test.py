@@ -66,7 +66,7 @@ class Catalogue(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             done = subprocess.run(
                 [PROGRAM, "certify", "--catalogue", "--subject", "spans-exact", "--subject",
-                 "f32-direct", "--cases", "10", "--scenes", "scenes/quick.json", "--out", folder],
+                 "f32-direct", "--subject", "i64-snap8", "--cases", "10", "--scenes", "scenes/quick.json", "--out", folder],
                 capture_output=True, text=True, cwd=SOURCES, timeout=300, check=False)  # fmt: skip
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             with open(os.path.join(folder, "catalogue.json")) as file:
@@ -78,6 +78,13 @@ class Catalogue(unittest.TestCase):
             self.assertEqual(of["f32-direct"]["mixed-w"]["own_model"]["state"], "excused")
             needles = of["f32-direct"]["needles"]["real_geometry"]
             self.assertEqual((needles["state"], needles["cases"]), ("fails", 10))
+            # Proofs are of a subject's own model; one without any is never more than tested.
+            snapped = of["i64-snap8"]["grids"]
+            self.assertEqual(snapped["own_model"]["state"], "proved")
+            self.assertEqual(snapped["real_geometry"]["state"], "tested")
+            for cells in of["f32-direct"].values():
+                for yardstick in ("own_model", "real_geometry"):
+                    self.assertNotEqual(cells[yardstick]["state"], "proved")
             # No family of an exact subject fails, and what isn't measured says why.
             for cells in of["spans-exact"].values():
                 self.assertNotEqual(cells["own_model"]["state"], "fails")

@@ -34,8 +34,7 @@ std::string MatrixCell(const CatalogueCell& cell) {
                                                        : "right";
   std::string text = "–";
   if (state == "fails") {
-    text = fmt::format("{:.2g} %",
-                       100.0 * static_cast<double>(cell.wrong) / static_cast<double>(cell.cases));
+    text = Percent(static_cast<double>(cell.wrong) / static_cast<double>(cell.cases)) + " %";
   } else if (state != "excused") {
     text = state == "proved" ? "P" : state == "exhausted" ? "E" : "T";
   }
@@ -101,9 +100,8 @@ std::string FamilyText(const CatalogueCell& cell) {
   const std::string_view state = StateWord(cell);
   std::string text;
   if (state == "fails") {
-    const Interval rate = ProportionInterval(cell.wrong, cell.cases);
-    text = fmt::format("fails {} of {}, {:.2g} to {:.2g} %, {}", cell.wrong, cell.cases,
-                       100 * rate.low, 100 * rate.high, Displacement(cell.worst_pixels));
+    text = fmt::format("fails {}, {}", CountedText(cell.wrong, cell.cases),
+                       Displacement(cell.worst_pixels));
   } else if (state == "exhausted") {
     text = fmt::format("exhausted, {}", cell.cases);
   } else {
@@ -145,11 +143,9 @@ std::string CatalogueSection(const Catalogue& catalogue) {
       fmt::format(
           "Above: by the subject's own model; below: by real geometry. T: {} cases tested "
           "(seed {}), none wrong; E: every case of a small world tested, none wrong; P: tested, "
-          "and "
-          "the subject's decisions are proved (the proofs stand on its page); a share: cases with "
-          "a "
-          "wrong sample; –: excused, for the profile or the subject says nothing of the family. "
-          "Each family has a page with rates, displacements, commands and a picture.",
+          "and the subject's decisions are proved (its page names the proofs); a share: cases with "
+          "a wrong sample; –: excused, because the profile or the subject says nothing of the "
+          "family. Each family has a page with rates, displacements, commands and a picture.",
           catalogue.cases, catalogue.seed),
       Matrix(catalogue));
 }

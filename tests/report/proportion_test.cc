@@ -18,5 +18,17 @@ TEST(Proportion, IsWilsonsInterval) {
   EXPECT_EQ(all.high, 1);
 }
 
+TEST(Proportion, IsWrittenWithoutAnExponent) {
+  EXPECT_EQ(Percent(0), "0");
+  EXPECT_EQ(Percent(0.0045), "0.45");
+  EXPECT_EQ(Percent(0.371), "37");
+  EXPECT_EQ(Percent(0.9949), "99");
+  EXPECT_EQ(Percent(0.9951), "99.5");
+  EXPECT_EQ(Percent(0.99951), "100");
+  EXPECT_EQ(Percent(1), "100");
+  EXPECT_EQ(CountedText(100, 100), "100 of 100, 96 to 100 %");
+  EXPECT_EQ(CountedText(3, 100), "3 of 100, 1 to 8.5 %");
+}
+
 }  // namespace
 }  // namespace rasterproof::report

@@ -143,8 +143,8 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
               "properties: some of ftz, daz, up, down, zero, trap")
           ->delimiter(',')
           ->allow_extra_args(false);
-  for (CLI::Option* other :
-       {properties, catalogue, verb->get_option("scenes"), verb->get_option("--case")})
+  for (CLI::Option* other : {properties, catalogue, cases_json, verb->get_option("scenes"),
+                             verb->get_option("--case"), verb->get_option("--seconds")})
     fp_env->excludes(other);
   AddJobs(verb, options.jobs, "Properties");
   AddFailOn(verb, options.fail_on);

@@ -61,9 +61,7 @@ std::string Sentence(const FloatModeResult& r) {
   if (r.touched == 0) return "no case could be touched";
   std::string text;
   if (r.changed != 0) {
-    const report::Interval rate = report::ProportionInterval(r.changed, r.touched);
-    text = fmt::format("changed {} of {}, {:.2g} to {:.2g} %", r.changed, r.touched, 100 * rate.low,
-                       100 * rate.high);
+    text = "changed " + report::CountedText(r.changed, r.touched);
     if (r.by_snap != 0) text += fmt::format("; {} by the snap alone", r.by_snap);
   }
   if (r.failed != 0) {
@@ -140,7 +138,7 @@ int CheckFloatModes(const CheckOptions& options) {
         const FloatModeResult result = measured.In(mode, way);
         is_touched = is_touched || result.touched != 0;
         depends = depends || result.changed + result.failed != 0;
-        Save(options.save, factory.name(), mode, result);
+        if (!way.is_of_host) Save(options.save, factory.name(), mode, result);
         text += fmt::format("  {:<5} {:<8} {}\n", FloatModeName(mode), way.name, Sentence(result));
       }
     }

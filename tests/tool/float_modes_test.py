@@ -47,11 +47,14 @@ class FloatModes(unittest.TestCase):
 
     def test_a_bug_of_each_kind_is_found_in_its_mode_alone(self):
         for name, modes in (("needs-subnormals", {"ftz", "daz"}), ("traps", {"trap"}),
-                            ("two-words", {"up", "down", "zero"})):  # fmt: skip
+                            ("magic-snap", {"up", "down", "zero"})):  # fmt: skip
             rows = self.rows(check("--subject", f"mutant:mode-{name}", cases=400))
             found = {mode for (mode, _), said in rows.items() if not said.startswith("unchanged")}
             self.assertTrue(found, name)
             self.assertLessEqual(found, modes, name)
+            if name == "magic-snap":
+                for mode in modes:
+                    self.assertRegex(rows[mode, "call"], r"changed (\d+) of.*; \1 by the snap alone")
 
     def test_the_way_that_reaches_a_plugin_is_told(self):
         caller = self.rows(check(*plugin("CALLER"), modes="up"))
@@ -81,6 +84,12 @@ class FloatModes(unittest.TestCase):
                                    check=False)  # fmt: skip
             self.assertEqual(again.returncode, 1, again.stdout + again.stderr)
 
+    def test_a_case_that_a_replay_could_not_show_is_not_saved(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = self.rows(check(*plugin("POOLED"), "--save", folder, modes="up"))
+            self.assertTrue(rows["up", "call"].startswith("unchanged"), rows)
+            self.assertEqual(os.listdir(folder), [])
+
     def test_what_can_not_be_asked_says_what_to_do(self):
         unknown = check("--subject", "f32-direct", modes="ftz,fast")
         self.assertEqual(unknown.returncode, 2)
@@ -88,8 +97,10 @@ class FloatModes(unittest.TestCase):
         program = check("--exec", "cat", modes="ftz")
         self.assertEqual(program.returncode, 2)
         self.assertIn("give it as a plugin", program.stderr)
-        both = check("--catalogue", modes="ftz")
-        self.assertEqual(both.returncode, 2)
+        for other in (["--catalogue"], ["--seconds", "3"], ["--cases-json", "none.jsonl"]):
+            both = check(*other, modes="ftz")
+            self.assertEqual(both.returncode, 2, other)
+            self.assertIn("--fp-env", both.stderr)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #include "props/float_modes/float_modes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,30 +33,38 @@ std::optional<CoverageCounts> CountsIfDrawn(Subject& subject, const Case& c) {
   return std::move(outcome.drawing.counts);
 }
 
-double InDirection(double x, FloatMode mode) {
-  if (mode == FloatMode::kUpward) return std::ceil(x);
-  return mode == FloatMode::kDownward ? std::floor(x) : std::trunc(x);
+using Rounding = double (*)(double);
+
+// How a snap rounds in the mode. Toward zero, one that first adds a large number rounds down.
+std::vector<Rounding> RoundingsIn(FloatMode mode) {
+  const Rounding up = [](double x) { return std::ceil(x); };
+  const Rounding down = [](double x) { return std::floor(x); };
+  const Rounding toward_zero = [](double x) { return std::trunc(x); };
+  if (mode == FloatMode::kUpward) return {up};
+  if (mode == FloatMode::kDownward) return {down};
+  if (mode == FloatMode::kTowardZero) return {toward_zero, down};
+  return {};
 }
 
-bool IsDirected(FloatMode mode) {
-  return mode == FloatMode::kUpward || mode == FloatMode::kDownward ||
-         mode == FloatMode::kTowardZero;
-}
-
-// Whether the counts are the model's of vertices that were moved to the grid in the mode's
-// direction, which its own snap leaves where they are.
-bool IsTheSnapOf(const Case& c, FloatMode mode, const CoverageCounts& drawn) {
-  if (!IsDirected(mode) || c.profile.snap.IsNone() || c.scene.clip_space) return false;
+// Whether the counts are the model's of vertices that were moved to the grid by the rounding, which
+// its own snap leaves where they are.
+bool IsDrawnAt(const Case& c, Rounding round, const CoverageCounts& drawn) {
   Case moved = c;
   const double grid = std::ldexp(1.0, c.profile.snap.bits);
   for (Vertex& v : moved.scene.vertices) {
-    v.x = InDirection(v.x * grid, mode) / grid;
-    v.y = InDirection(v.y * grid, mode) / grid;
+    v.x = round(v.x * grid) / grid;
+    v.y = round(v.y * grid) / grid;
   }
   moved.scene.precision = Precision::kFloat64;
   const PlacedCase placed(moved);
   if (exact::WhyNotDecided(placed)) return false;
   return Compare(drawn, exact::Coverage(placed, placed.options)).wrong == 0;
+}
+
+bool IsTheSnapOf(const Case& c, FloatMode mode, const CoverageCounts& drawn) {
+  if (c.profile.snap.IsNone() || c.scene.clip_space) return false;
+  return std::ranges::any_of(RoundingsIn(mode),
+                             [&](Rounding round) { return IsDrawnAt(c, round, drawn); });
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class FloatEnvironment {
   static Bits Current() { return _mm_getcsr(); }
   static void Set(Bits bits) { _mm_setcsr(bits); }
   static constexpr Bits kSane = 0x1f80;  // every exception masked
-#elif defined(__aarch64__)  // the control register FPCR
+#elif defined(__aarch64__)               // the control register FPCR
   using Bits = std::uint64_t;
   static constexpr Bits kFlushToZero = 1U << 24;
   static constexpr Bits kDenormalsAreZero = 0;  // no such mode
@@ -38,7 +38,7 @@ class FloatEnvironment {
   }
   static void Set(Bits bits) { asm volatile("msr fpcr, %0" : : "r"(bits) : "memory"); }
   static constexpr Bits kSane = 0;
-#else  // what <cfenv> reaches
+#else                                    // what <cfenv> reaches
   using Bits = unsigned;
   static constexpr Bits kFlushToZero = 0;
   static constexpr Bits kDenormalsAreZero = 0;

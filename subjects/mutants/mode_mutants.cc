@@ -57,9 +57,9 @@ std::vector<Mutant> ModeMutants() {
       {.name = "mode-magic-snap",
        .change = "it snaps by adding and subtracting a large number",
        .source = "a usual way to round, before processors had instructions for it",
-       .stages = RealStages{.profile = FixedPointProfile(),
-                            .vertices = SnapByAMagicNumber,
-                            .sign = ExactSign},
+       .stages =
+           RealStages{
+               .profile = FixedPointProfile(), .vertices = SnapByAMagicNumber, .sign = ExactSign},
        .takes_float_modes = true},
       {.name = "mode-needs-subnormals",
        .change = "vertices are equal if their differences in float32 are 0",

@@ -66,7 +66,8 @@ class Catalogue(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             done = subprocess.run(
                 [PROGRAM, "certify", "--catalogue", "--subject", "spans-exact", "--subject",
-                 "f32-direct", "--subject", "i64-snap8", "--cases", "10", "--scenes", "scenes/quick.json", "--out", folder],
+                 "f32-direct", "--subject", "i64-snap8", "--cases", "10",
+                 "--scenes", "scenes/quick.json", "--out", folder],
                 capture_output=True, text=True, cwd=SOURCES, timeout=300, check=False)  # fmt: skip
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             with open(os.path.join(folder, "catalogue.json")) as file:

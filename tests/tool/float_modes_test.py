@@ -54,7 +54,8 @@ class FloatModes(unittest.TestCase):
             self.assertLessEqual(found, modes, name)
             if name == "magic-snap":
                 for mode in modes:
-                    self.assertRegex(rows[mode, "call"], r"changed (\d+) of.*; \1 by the snap alone")
+                    self.assertRegex(rows[mode, "call"],
+                                     r"changed (\d+) of.*; \1 by the snap alone")
 
     def test_the_way_that_reaches_a_plugin_is_told(self):
         caller = self.rows(check(*plugin("CALLER"), modes="up"))

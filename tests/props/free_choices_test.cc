@@ -261,6 +261,25 @@ TEST(FreeChoices, ATriangleIsOpenIffTwoChoicesFaceDifferently) {
   EXPECT_GT(covered, 1000);
 }
 
+// The margin is 2^-46 of 32: a sample 2^-39 farther away than a corner's places is judged.
+TEST(FreeChoices, ASampleJustBeyondTheReachOfAnOpenTriangleIsJudged) {
+  Case c;
+  c.profile = FreeInfo(8, 0.6).profile;
+  c.scene = ClosedSliver();
+  c.scene.triangles.resize(1);
+  const PlacedCase placed(c);
+  const OpenTriangles open(placed);
+  ASSERT_EQ(open.size(), 1U);
+  const auto places = LegalPlacesOf(placed, c.scene.triangles[0]);
+  double reach = 0;
+  for (const auto& [low, high] : *places)
+    reach = std::max(reach, std::hypot(high.x - low.x, high.y - low.y) / 2);
+  const auto& [low, high] = (*places)[0];
+  const Point2 corner{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  EXPECT_TRUE(open.CanCover({corner.x - reach, corner.y}));
+  EXPECT_FALSE(open.CanCover({corner.x - reach - 0x1p-39, corner.y}));
+}
+
 TEST(FreeChoices, OneModelLeavesNothingOpen) {
   for (std::uint64_t index = 0; index < 20; ++index) {
     PhiloxSource bits(5, index);

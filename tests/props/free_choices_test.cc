@@ -22,6 +22,7 @@
 #include "exact/coverage.h"
 #include "model/snap.h"
 #include "props/domains/domain.h"
+#include "props/judging/outline.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tests/props/faulty_subjects.h"
@@ -278,6 +279,26 @@ TEST(FreeChoices, ASampleJustBeyondTheReachOfAnOpenTriangleIsJudged) {
   const Point2 corner{(low.x + high.x) / 2, (low.y + high.y) / 2};
   EXPECT_TRUE(open.CanCover({corner.x - reach, corner.y}));
   EXPECT_FALSE(open.CanCover({corner.x - reach - 0x1p-39, corner.y}));
+}
+
+// What the margin leaves room for, by the bounds that its comment names: the direct form, and a
+// walk of 181 steps.
+TEST(Outline, SparesWhatDirectFormsAndShortWalksMoveAndNothingFarther) {
+  Case c;
+  c.profile = *PresetProfile("real");
+  c.scene.width = c.scene.height = 16;
+  c.scene.vertices = {{0, 0}, {16, 0}, {0, 16}};
+  c.scene.triangles = {{0, 1, 2}};
+  const Outline outline{PlacedCase(c)};
+  constexpr double kUnit = 0x1p-24;
+  constexpr double kWalk = 181 * 181 * kUnit / 2;
+  const double direct = 3 * std::sqrt(2.0) * kUnit * (16 + 16);
+  EXPECT_TRUE(outline.IsNear({8, -(direct + kWalk)}));
+  constexpr double kMargin = 0x1p-10 + 16 * 0x1p-18;
+  EXPECT_TRUE(outline.IsNear({8, -kMargin}));
+  EXPECT_FALSE(outline.IsNear({8, -kMargin - 0x1p-40}));
+  EXPECT_TRUE(outline.IsNear({8, kMargin}));
+  EXPECT_FALSE(outline.IsNear({5, 5}));
 }
 
 TEST(FreeChoices, OneModelLeavesNothingOpen) {

@@ -114,11 +114,15 @@ std::optional<StraightStretch> ClippedTriangle::StraightStretchOf(std::size_t e)
   }
   const double largest =
       std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y), 1.0});
-  constexpr double kRounding = 0x1p-40;  // far more than the roundings of this function
+  // With u = 2^-53: the slope carries three roundings, a crossing two more of at most twice
+  // `largest`, its sums with the corner and the margin one each of at most three times that: 16u.
+  // Below, slope (t - a.x) carries five of twice `largest`, its sums with a.y and `off` one each of
+  // at most twice that, and `off` five of its own 2 reach_ <= 2 largest: 24u. 32u in all.
+  constexpr double kRounding = 0x1p-48;
   first += 2 * reach_ + kRounding * largest;
   last -= 2 * reach_ + kRounding * largest;
   if (!(first < last)) return std::nullopt;
-  const double off = reach_ * (1 + std::fabs(slope)) * (1 + 0x1p-20) + kRounding * largest;
+  const double off = reach_ * (1 + std::fabs(slope)) + kRounding * largest;
   const auto pair_at = [&](double t) {
     const double u = a.y + slope * (t - a.x);
     return std::array{turned({t, u - off}), turned({t, u + off})};

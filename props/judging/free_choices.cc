@@ -21,9 +21,13 @@
 namespace rasterproof::props {
 namespace {
 
-// The distance of a sample from a triangle is computed in double: off by less than this.
-constexpr double kDistanceMargin = 0x1p-10;
-constexpr double kDistanceMarginPerCoordinate = 0x1p-30;
+// The distance of a sample from a triangle is computed in double: off by less than this times M,
+// the largest coordinate of the triangles plus that of the samples. With u = 2^-53 the share along
+// an edge is off by less than 10u of |to| / |along|, which slides the foot by 10u |to|; the foot
+// and its distance round by less than 6u (|to| + |along|) + 2u M. As |to| + |along| is at most
+// 3 sqrt(2) M, that is less than 70u M. The middles of the places and the sums of the reach add
+// less than 16u M.
+constexpr double kDistanceMarginPerCoordinate = 0x1p-46;
 // A quotient of doubles is off by 2^-53 of itself: a grid point that much too far counts as near.
 constexpr double kQuotientMargin = 0x1p-50;
 
@@ -274,7 +278,8 @@ ClippedEdges::ClippedEdges(const PlacedCase& c) {
 OpenTriangles::OpenTriangles(const PlacedCase& c) {
   const TargetProfile& profile = c.profile;
   const Reach reach = ReachOf(c, profile);
-  const double margin = kDistanceMargin + kDistanceMarginPerCoordinate * LargestCoordinate(c);
+  const double margin = kDistanceMarginPerCoordinate *
+                        (LargestCoordinate(c) + std::max(c.scene.width, c.scene.height));
   const auto add_fixed = [&](int facing) {
     front_ = front_ || facing > 0;
     back_ = back_ || facing < 0;

@@ -17,10 +17,13 @@
 namespace rasterproof::props {
 
 // A sample is near an edge if it is within a margin, the sum of what may have displaced the edge.
-// Edge values in float32 displace it by at most a few 2^-24 of the largest coordinate
-// (docs/mathematics.md, forward bounds): 2^-18 of that coordinate is generous. A watertight subject
-// may also have snapped vertices to a grid that it does not state: a pixel on each axis is
-// generous.
+// With u = 2^-24 the direct form in float32 displaces it by at most 3u |p - a|
+// (docs/mathematics.md, forward bounds), so by 3 sqrt(2) u (L + T) for coordinates up to L and a
+// target of side T. 2^-18 L = 64u L leaves room for targets up to 14 L, and 2^-10 for any up to
+// 3861 pixels. A walk of n steps displaces it by n^2 u / 2 more: 2^-10 is 181 steps. Longer walks,
+// and affine forms of edges that are short and far from the origin, can go further. A watertight
+// subject may also have snapped vertices to a grid that it does not state: we take a pixel on each
+// axis.
 inline constexpr double kOutlineMarginPerCoordinate = 0x1p-18;
 inline constexpr double kOutlineMargin = 0x1p-10;
 inline constexpr double kMovedOutlineMargin = 1;

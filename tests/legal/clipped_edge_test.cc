@@ -1,15 +1,18 @@
 // The joint verdict where clipping may move an edge that leaves the target.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
 
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
+#include "exact/rational.h"
 #include "legal/clipped_triangle.h"
 #include "legal/joint.h"
 
@@ -67,6 +70,46 @@ TEST(ClippedTriangle, AnEdgeReachesAsFarAsItsPlacesAndNoFurther) {
   constexpr double kEnd = 4 + 7.75 / 64;
   EXPECT_FALSE(triangle.Keeps(0, {3, kEnd}));
   EXPECT_TRUE(triangle.Keeps(0, {3, kEnd - 0x1p-47}));
+}
+
+// In rationals: the moved edge stays between the ends of the stretch, which give it no more room
+// than 2^-47 of its largest coordinate beyond.
+TEST(ClippedTriangle, ItsStretchHoldsEveryMovedEdgeAndLittleMore) {
+  using exact::Rational;
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> inside(0, 8);
+  std::uniform_real_distribution<double> far(-32768, 32768);
+  int tried = 0;
+  for (int k = 0; k < 20000; ++k) {
+    Point2 a{inside(random), inside(random)};
+    Point2 b{far(random), far(random) / (1 << k % 16)};
+    if (k % 2) std::swap(b.x, b.y);
+    const ClippedTriangle triangle({a, b, {4, 4}}, {false, true, false}, WindowBox{0, 0, 8, 8},
+                                   Snap{.bits = 4});
+    const auto stretch = triangle.StraightStretchOf(0);
+    if (!stretch) continue;
+    ++tried;
+    const double room = 0x1p-47 * std::max({std::fabs(b.x), std::fabs(b.y), 8.0});
+    const auto turned = [&](Point2 p) { return stretch->along_y ? Point2{p.y, p.x} : p; };
+    a = turned(a);
+    b = turned(b);
+    const Rational slope = (Rational(b.y) - a.y) / (Rational(b.x) - a.x);
+    const Rational off = Rational(triangle.reach()) * (Rational(1) + slope.Abs());
+    for (const auto& [low, high] : {stretch->first, stretch->last}) {
+      const Rational on_edge = slope * (Rational(turned(low).x) - a.x) + a.y;
+      const Rational above = Rational(turned(high).y) - on_edge - off;
+      const Rational below = on_edge - off - turned(low).y;
+      ASSERT_GE(above.Sign(), 0) << k;
+      ASSERT_GE(below.Sign(), 0) << k;
+      ASSERT_LT(std::max(above, below).ToDouble(), room) << k;
+    }
+    const double near = turned(stretch->rises ? stretch->first[0] : stretch->last[0]).x;
+    const Rational start = Rational(a.x) + (stretch->rises ? 2 : -2) * triangle.reach();
+    const Rational beyond = stretch->rises ? Rational(near) - start : start - near;
+    ASSERT_GE(beyond.Sign(), 0) << k;
+    ASSERT_LT(beyond.ToDouble(), room) << k;
+  }
+  EXPECT_GT(tried, 10000);
 }
 
 TEST(JudgeJointly, KeepsEdgesWithinTheGuardBand) {

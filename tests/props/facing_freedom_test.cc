@@ -56,6 +56,18 @@ TEST(LegalTriangle, IsOpenWhereLegalPlacesOrClippingMayTurnIt) {
   EXPECT_NE(InVulkan(OnEight({7, 0, 0, 1}, {20, 0, 0, 1}, {7, 9, 0, 1})).facing(), 0);
 }
 
+// From x to the target's right edge, grown by a step, the strip is as thick as the limit of four
+// steps and `more`: the margin for roundings is 2^-44 of 200.
+TEST(LegalTriangle, IsFixedJustBeyondTheThinnestClippedPolygon) {
+  const auto facing_of = [](double more) {
+    const double x = 8.0625 - 0.25 - more;
+    return InVulkan(OnEight({x, -100, 0, 1}, {200, -100, 0, 1}, {x, 100, 0, 1})).facing();
+  };
+  EXPECT_EQ(facing_of(0), 0);
+  EXPECT_EQ(facing_of(0x1p-38), 0);
+  EXPECT_NE(facing_of(0x1p-36), 0);
+}
+
 double DoubledArea(std::span<const Point2> polygon) {
   double area = 0;
   for (std::size_t k = 0; k < polygon.size(); ++k) {

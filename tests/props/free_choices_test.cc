@@ -22,6 +22,7 @@
 #include "exact/coverage.h"
 #include "model/snap.h"
 #include "props/domains/domain.h"
+#include "props/judging/outline.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tests/props/faulty_subjects.h"
@@ -259,6 +260,45 @@ TEST(FreeChoices, ATriangleIsOpenIffTwoChoicesFaceDifferently) {
   EXPECT_GT(open_ones, 60);
   EXPECT_GT(fixed_ones, 60);
   EXPECT_GT(covered, 1000);
+}
+
+// The margin is 2^-46 of 32: a sample 2^-39 farther away than a corner's places is judged.
+TEST(FreeChoices, ASampleJustBeyondTheReachOfAnOpenTriangleIsJudged) {
+  Case c;
+  c.profile = FreeInfo(8, 0.6).profile;
+  c.scene = ClosedSliver();
+  c.scene.triangles.resize(1);
+  const PlacedCase placed(c);
+  const OpenTriangles open(placed);
+  ASSERT_EQ(open.size(), 1U);
+  const auto places = LegalPlacesOf(placed, c.scene.triangles[0]);
+  double reach = 0;
+  for (const auto& [low, high] : *places)
+    reach = std::max(reach, std::hypot(high.x - low.x, high.y - low.y) / 2);
+  const auto& [low, high] = (*places)[0];
+  const Point2 corner{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  EXPECT_TRUE(open.CanCover({corner.x - reach, corner.y}));
+  EXPECT_FALSE(open.CanCover({corner.x - reach - 0x1p-39, corner.y}));
+}
+
+// What the margin leaves room for, by the bounds that its comment names: the direct form, and a
+// walk of 181 steps.
+TEST(Outline, SparesWhatDirectFormsAndShortWalksMoveAndNothingFarther) {
+  Case c;
+  c.profile = *PresetProfile("real");
+  c.scene.width = c.scene.height = 16;
+  c.scene.vertices = {{0, 0}, {16, 0}, {0, 16}};
+  c.scene.triangles = {{0, 1, 2}};
+  const Outline outline{PlacedCase(c)};
+  constexpr double kUnit = 0x1p-24;
+  constexpr double kWalk = 181 * 181 * kUnit / 2;
+  const double direct = 3 * std::sqrt(2.0) * kUnit * (16 + 16);
+  EXPECT_TRUE(outline.IsNear({8, -(direct + kWalk)}));
+  constexpr double kMargin = 0x1p-10 + 16 * 0x1p-18;
+  EXPECT_TRUE(outline.IsNear({8, -kMargin}));
+  EXPECT_FALSE(outline.IsNear({8, -kMargin - 0x1p-40}));
+  EXPECT_TRUE(outline.IsNear({8, kMargin}));
+  EXPECT_FALSE(outline.IsNear({5, 5}));
 }
 
 TEST(FreeChoices, OneModelLeavesNothingOpen) {

@@ -24,7 +24,7 @@ struct DomainCounts {
 };
 
 /// The kinds of places where rasterizers differ; props/run/case_places.h names them.
-inline constexpr std::size_t kKindsOfPlaces = 7;
+inline constexpr std::size_t kKindsOfPlaces = 10;
 using CountsOfPlaces = std::array<PlaceCounts, kKindsOfPlaces>;
 
 /// How the run of a property over its cases ended.

@@ -2,17 +2,16 @@
 #ifndef RASTERPROOF_PROPS_RUN_CASE_PLACES_H_
 #define RASTERPROOF_PROPS_RUN_CASE_PLACES_H_
 
-#include <array>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "core/case.h"
 #include "core/result.h"
 
 namespace rasterproof::props {
 
+/// In the order of their words, kCasePlaces.
 enum class CasePlace : std::uint8_t {
   kTieOnHorizontalEdge,
   kTieOnVerticalEdge,
@@ -25,13 +24,6 @@ enum class CasePlace : std::uint8_t {
   kNegativeArea,
   kClipped
 };
-
-/// Their words, in the order of CasePlace: they complete "cases with ...".
-inline constexpr std::array<std::string_view, kKindsOfPlaces> kCasePlaces{
-    "a sample on a horizontal edge", "a sample on a vertical edge", "a sample on a slanted edge",
-    "a sample on a shared edge",     "a vertex on a sample",        "a triangle of zero area",
-    "a triangle off the target",     "a triangle of positive area", "a triangle of negative area",
-    "a clip-space vertex off the target or with w <= 0"};
 
 using CasePlaces = std::bitset<kKindsOfPlaces>;
 

@@ -142,8 +142,9 @@ std::string NotReached(const SubjectInfo& info, const Property& property,
   require_place(CasePlace::kNegativeArea, ties);
   require_place(CasePlace::kClipped, [](const Domain& d) { return d.clip; });
   if (IsReal(info.profile) && result.end == End::kAllRun) {
-    require(result.tiers.exact, [](const Domain& d) { return d.exact_tier; },
-            "a sign that takes the oracle's exact tier");
+    require(
+        result.tiers.exact, [](const Domain& d) { return d.exact_tier; },
+        "a sign that takes the oracle's exact tier");
   }
   if (!missed.empty()) AddSentence(missed, "run more cases, or mend the domain");
   return missed;

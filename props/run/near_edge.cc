@@ -108,7 +108,8 @@ class Counter {
     if (right < 0 || bottom < 0 || left > case_.scene.width || top > case_.scene.height) {
       Note(CasePlace::kOffTarget);
     }
-    const bool leaves = left < 0 || top < 0 || right > case_.scene.width || bottom > case_.scene.height;
+    const bool leaves =
+        left < 0 || top < 0 || right > case_.scene.width || bottom > case_.scene.height;
     if (leaves && case_.scene.clip_space) Note(CasePlace::kClipped);
     for (const LongPoint& p : v) {
       for (int s = 0; s < profile_.pattern.samples(); ++s) NoteIfOnASample(p, s);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/authority.h"
@@ -23,8 +24,14 @@ struct DomainCounts {
   NearEdgeCounts near_edge;
 };
 
-/// The kinds of places where rasterizers differ; props/run/case_places.h names them.
-inline constexpr std::size_t kKindsOfPlaces = 7;
+/// The kinds of places where rasterizers differ: the words complete "cases with ...".
+inline constexpr std::size_t kKindsOfPlaces = 10;
+inline constexpr std::array<std::string_view, kKindsOfPlaces> kCasePlaces{
+    "a sample on a horizontal edge", "a sample on a vertical edge",
+    "a sample on a slanted edge",    "a sample on a shared edge",
+    "a vertex on a sample",          "a triangle of zero area",
+    "a triangle off the target",     "a triangle of positive area",
+    "a triangle of negative area",   "a clip-space vertex off the target or with w <= 0"};
 using CountsOfPlaces = std::array<PlaceCounts, kKindsOfPlaces>;
 
 /// How the run of a property over its cases ended.

@@ -1,5 +1,6 @@
 #include "report/certificate.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,11 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
   json.Key("not_judged").Integer(result.not_judged);
   json.Key("worst_ratio").Exact(result.worst_ratio);
   json.Key("near_edge").BeginObject().Members(kNearEdgeCounters, result.NearEdge()).EndObject();
+  json.Key("cases_with").BeginObject();
+  for (std::size_t p = 0; p < kCasePlaces.size(); ++p) {
+    json.Key(kCasePlaces[p]).Integer(result.places[p].asked - result.places[p].refused);
+  }
+  json.EndObject();
   if (result.counterexample) WriteCounterexample(json, certificate, result);
   json.EndObject();
 }

@@ -29,7 +29,7 @@ namespace {
 using io::JsonValue;
 using report::JsonWriter;
 
-constexpr int kPartVersion = 3;
+constexpr int kPartVersion = 4;
 
 constexpr std::array<std::pair<End, std::string_view>, 4> kEnds{
     {{End::kAllRun, "all run"},

@@ -25,6 +25,10 @@ struct Domain {
   /// True if cases of this domain always have samples on an edge or within a few lattice steps of
   /// one.
   bool near_edge = false;
+  /// True if many of its cases have a sample exactly on an edge, where the lattice has the samples.
+  bool ties = false;
+  /// True if many of its cases need the oracle's exact tier, where nothing is snapped.
+  bool exact_tier = false;
   /// True if its scenes are clip space with w other than 1, which subjects of window space refuse.
   bool clip = false;
   /// True if some of its cases go beyond the profile's coordinate limit, or are not finite.

@@ -2,17 +2,16 @@
 #ifndef RASTERPROOF_PROPS_RUN_CASE_PLACES_H_
 #define RASTERPROOF_PROPS_RUN_CASE_PLACES_H_
 
-#include <array>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "core/case.h"
 #include "core/result.h"
 
 namespace rasterproof::props {
 
+/// In the order of their words, kCasePlaces.
 enum class CasePlace : std::uint8_t {
   kTieOnHorizontalEdge,
   kTieOnVerticalEdge,
@@ -20,14 +19,11 @@ enum class CasePlace : std::uint8_t {
   kTieOnSharedEdge,
   kVertexOnASample,
   kFlatTriangle,
-  kOffTarget
+  kOffTarget,
+  kPositiveArea,
+  kNegativeArea,
+  kClipped
 };
-
-/// Their words, in the order of CasePlace: they complete "cases with ...".
-inline constexpr std::array<std::string_view, kKindsOfPlaces> kCasePlaces{
-    "a sample on a horizontal edge", "a sample on a vertical edge", "a sample on a slanted edge",
-    "a sample on a shared edge",     "a vertex on a sample",        "a triangle of zero area",
-    "a triangle off the target"};
 
 using CasePlaces = std::bitset<kKindsOfPlaces>;
 
@@ -41,7 +37,8 @@ struct CaseEvidence {
 
 /// As CountNearEdges of near_edge.h, with the places. Samples count as on an edge between its ends,
 /// and on the target; an edge is shared if another triangle of the case has it by its whole length.
-/// In clip space without a snap vertices and areas are taken from quotients in long double.
+/// The sign of an area is that of the scene's axes, y down; behind the eye it is that of the part
+/// in front. In clip space without a snap vertices are taken from quotients in long double.
 CaseEvidence EvidenceOfCase(const Case& c);
 
 /// Of fewer cases at a place it says nothing that all were refused: a subject that refuses any half

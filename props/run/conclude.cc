@@ -1,5 +1,7 @@
 #include "props/run/conclude.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -8,6 +10,7 @@
 
 #include "core/clauses/clauses.h"
 #include "core/profile.h"
+#include "core/vertex.h"
 #include "props/authority.h"
 #include "props/domains/domain.h"
 #include "props/run/case_places.h"
@@ -20,6 +23,9 @@ namespace {
 // A near-edge recipe misses in about 1 case of 100 at worst (targets of one pixel, grids as coarse
 // as pixels): four misses and no hit are no accident (10^-8), fewer say nothing.
 constexpr std::uint64_t kFewestCasesToJudge = 4;
+
+// Fewer cases that put a property to the test may miss a place by chance.
+constexpr std::uint64_t kFewestCasesToReach = 100;
 
 void AddSentence(std::string& message, const std::string& sentence) {
   if (sentence.empty()) return;
@@ -84,6 +90,66 @@ std::string DeadDomains(const SubjectInfo& info, const Property& property,
   return dead;
 }
 
+// Cases of domains that can reach a place.
+std::uint64_t DrawnToReach(const std::vector<const Domain*>& domains, const PropertyResult& result,
+                           bool (*can_reach)(const Domain&)) {
+  std::uint64_t drawn = 0;
+  for (std::size_t d = 0; d < domains.size(); ++d) {
+    if (can_reach(*domains[d])) drawn += result.domains[d].drawn;
+  }
+  return drawn;
+}
+
+// Every coordinate that a sample has is one that a vertex can have.
+bool HasSamplesOnLattice(const Profile& profile) {
+  if (profile.transform || !profile.by_target_size.empty()) return false;
+  const auto on_steps = [](double x, int bits) {
+    return std::ldexp(x, bits) == std::floor(std::ldexp(x, bits));
+  };
+  const auto is_on = [&](double x) {
+    return (profile.snap.IsNone() || on_steps(x, profile.snap.bits)) &&
+           (!profile.fixed || on_steps(x, profile.fixed->fraction_bits));
+  };
+  return std::ranges::all_of(profile.pattern.locations,
+                             [&](Point2 p) { return is_on(p.x) && is_on(p.y); });
+}
+
+bool IsReal(const Profile& profile) {
+  return profile.snap.IsNone() && !profile.fixed && !profile.transform;
+}
+
+// What no case of a run reached, though its domains can.
+std::string NotReached(const SubjectInfo& info, const Property& property,
+                       const PropertyResult& result) {
+  if (result.domains.empty() || result.cases_exercised < kFewestCasesToReach) return "";
+  const std::vector<const Domain*> domains = DomainsFor(info, property);
+  std::string missed;
+  const auto require = [&](std::uint64_t reached, bool (*can_reach)(const Domain&),
+                           std::string_view what) {
+    const std::uint64_t drawn = DrawnToReach(domains, result, can_reach);
+    if (reached != 0 || drawn < kFewestCasesAtAPlace) return;
+    AddSentence(missed, "no case has " + std::string(what) + ", and " + std::to_string(drawn) +
+                            " are of domains that can reach it");
+  };
+  const auto require_place = [&](CasePlace place, bool (*can_reach)(const Domain&)) {
+    require(result.places[IndexOf(place)].asked, can_reach, kCasePlaces[IndexOf(place)]);
+  };
+  const auto ties = [](const Domain& d) { return d.ties; };
+  if (HasSamplesOnLattice(info.profile)) {
+    require(result.NearEdge().on_edge, ties, "a sample on an edge");
+  }
+  require_place(CasePlace::kPositiveArea, ties);
+  require_place(CasePlace::kNegativeArea, ties);
+  require_place(CasePlace::kClipped, [](const Domain& d) { return d.clip; });
+  if (IsReal(info.profile) && result.end == End::kAllRun) {
+    require(
+        result.tiers.exact, [](const Domain& d) { return d.exact_tier; },
+        "a sign that takes the oracle's exact tier");
+  }
+  if (!missed.empty()) AddSentence(missed, "run more cases, or mend the domain");
+  return missed;
+}
+
 struct Conclusion {
   Outcome outcome = Outcome::kHolds;
   std::string message = {};
@@ -101,6 +167,8 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
   }
   if (ChangesItsFront(result)) return {Outcome::kInconclusive, FrontText(result)};
   const std::string dead = DeadDomains(info, property, result);
+  const std::string missed = NotReached(info, property, result);
+  if (dead.empty() && !missed.empty()) return {Outcome::kInconclusive, missed};
   Conclusion said;
   if (result.exercised == 0 || !dead.empty()) {
     said.outcome = Outcome::kNotExercised;

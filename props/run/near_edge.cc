@@ -68,6 +68,10 @@ EdgeSeen SeenOf(const ProjectedEdge& edge) {
   return {{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]}};
 }
 
+bool IsInFront(const std::array<Vertex, 3>& v) {
+  return std::ranges::all_of(v, [](const Vertex& vertex) { return vertex.w > 0; });
+}
+
 LongPoint Projected(const Vertex& v) {
   return {static_cast<long double>(v.x) / v.w, static_cast<long double>(v.y) / v.w};
 }
@@ -104,6 +108,9 @@ class Counter {
     if (right < 0 || bottom < 0 || left > case_.scene.width || top > case_.scene.height) {
       Note(CasePlace::kOffTarget);
     }
+    const bool leaves =
+        left < 0 || top < 0 || right > case_.scene.width || bottom > case_.scene.height;
+    if (leaves && case_.scene.clip_space) Note(CasePlace::kClipped);
     for (const LongPoint& p : v) {
       for (int s = 0; s < profile_.pattern.samples(); ++s) NoteIfOnASample(p, s);
     }
@@ -118,13 +125,11 @@ class Counter {
     if (is_there) Note(CasePlace::kVertexOnASample);
   }
 
-  static bool IsFlat(const std::array<Vertex, 3>& v, bool projected) {
-    if (!projected)
-      return exact::EdgeSign(WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])) == 0;
-    const LongPoint a = Projected(v[0]);
-    const LongPoint b = Projected(v[1]);
-    const LongPoint c = Projected(v[2]);
-    return (b.x - a.x) * (c.y - a.y) == (b.y - a.y) * (c.x - a.x);
+  // By the sign of its area.
+  void NoteFacing(int sign) {
+    Note(sign == 0  ? CasePlace::kFlatTriangle
+         : sign > 0 ? CasePlace::kPositiveArea
+                    : CasePlace::kNegativeArea);
   }
 
   void NoteTie(const ProjectedEdge& edge) {
@@ -140,12 +145,18 @@ class Counter {
 
   void CountTriangle(std::array<Vertex, 3> v) {
     const bool clip_space = case_.scene.clip_space;
+    if (clip_space && std::ranges::all_of(v, IsFinite) && !IsInFront(v)) {
+      Note(CasePlace::kClipped);
+      NoteFacing(exact::HomogeneousFacing(v));
+    }
     for (Vertex& vertex : v) {
       if (!PutIntoWindow(vertex, clip_space, profile_)) return;
     }
     const bool projected = clip_space && profile_.snap.IsNone();
     NotePlacesOf({Projected(v[0]), Projected(v[1]), Projected(v[2])});
-    if (IsFlat(v, projected)) Note(CasePlace::kFlatTriangle);
+    NoteFacing(projected
+                   ? exact::HomogeneousFacing(v)
+                   : exact::EdgeSign(WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])));
     for (std::size_t e = 0; e < 3; ++e) {
       const Vertex& a = v[(e + 1) % 3];
       const Vertex& b = v[(e + 2) % 3];

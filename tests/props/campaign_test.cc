@@ -187,17 +187,26 @@ TEST(Campaign, BlamesOnceOnTheSmallestCase) {
 // A run whose cases the test gives.
 class GivenRun {
  public:
-  explicit GivenRun(Property property)
-      : property_(std::move(property)), result_(NothingRun(RealInfo(), property_, 1)) {}
+  explicit GivenRun(Property property, SubjectInfo info = RealInfo())
+      : info_(std::move(info)),
+        property_(std::move(property)),
+        result_(NothingRun(info_, property_, 1)) {}
 
   void Add(const Case& c, const Verdict& verdict) { AddCase(0, c, verdict, result_); }
   void operator+=(const GivenRun& next) { result_ += next.result_; }
   const PropertyResult& Concluded() {
-    Conclude(RealInfo(), property_, result_);
+    Conclude(info_, property_, result_);
     return result_;
   }
+  // Whether it holds, after so many of the case; else what it says.
+  std::string After(int times, const Case& c) {
+    for (int i = 0; i < times; ++i) Add(c, Verdict::Held(1));
+    return Concluded().outcome == Outcome::kHolds ? "holds" : result_.message;
+  }
+  void Decide(const TierCounts& tiers) { result_.tiers += tiers; }
 
  private:
+  SubjectInfo info_;
   Property property_;
   PropertyResult result_;
 };
@@ -227,6 +236,56 @@ Case HalfOnSamples() {
   return c;
 }
 
+// Both facings, and a sample an ulp off an edge.
+Case BesideSamples() {
+  Case c;
+  c.scene.width = c.scene.height = 4;
+  c.scene.vertices = {{0.5 + 0x1p-24, -99}, {0.5 + 0x1p-24, 99}, {-99, 0}};
+  c.scene.triangles = {{0, 1, 2}, {0, 2, 1}};
+  return c;
+}
+
+TEST(Campaign, WithoutATieIsNoPassWhereItsDomainsHaveTies) {
+  constexpr std::array<std::string_view, 1> kTies{"axis-aligned"};
+  GivenRun run(ModelProperty(kTies));
+  EXPECT_EQ(run.After(99, BesideSamples()), "holds");  // few cases
+  EXPECT_EQ(run.After(1, BesideSamples()),
+            "no case has a sample on an edge, and 100 are of domains that can reach it; run more "
+            "cases, or mend the domain");
+  EXPECT_EQ(run.Concluded().outcome, Outcome::kInconclusive);
+  EXPECT_EQ(run.After(1, HalfOnSamples()), "holds");
+  constexpr std::array<std::string_view, 1> kNone{"caps"};
+  EXPECT_EQ(GivenRun(ModelProperty(kNone)).After(100, BesideSamples()), "holds");
+}
+
+TEST(Campaign, OfOneFacingIsNoPassWhereItsDomainsHaveBoth) {
+  constexpr std::array<std::string_view, 1> kBoth{"axis-aligned"};
+  GivenRun run(ModelProperty(kBoth));
+  EXPECT_NE(run.After(100, HalfOnSamples()).find("no case has a triangle of "), std::string::npos);
+  EXPECT_EQ(run.After(1, BesideSamples()), "holds");
+}
+
+TEST(Campaign, WithoutAClipIsNoPassWhereItsDomainsClip) {
+  constexpr std::array<std::string_view, 1> kClip{"mixed-w"};
+  SubjectInfo info = RealInfo();
+  info.takes_clip = true;
+  GivenRun run(ModelProperty(kClip), info);
+  Case inside = HalfOnSamples();
+  inside.scene.clip_space = true;
+  EXPECT_NE(run.After(100, inside).find("off the target or with w <= 0"), std::string::npos);
+  inside.scene.vertices[0].w = -1;
+  EXPECT_EQ(run.After(1, inside), "holds");
+}
+
+TEST(Campaign, WithoutTheExactTierIsNoPassWhereItsDomainsTakeIt) {
+  constexpr std::array<std::string_view, 1> kExact{"rounded-differences"};
+  GivenRun run(ModelProperty(kExact));
+  EXPECT_NE(run.After(100, BesideSamples()).find("exact tier"), std::string::npos);
+  run.Decide({.exact = 1});
+  EXPECT_EQ(run.After(1, BesideSamples()), "holds");
+  EXPECT_EQ(GivenRun(ModelProperty(kExact), SnappedInfo(8)).After(100, BesideSamples()), "holds");
+}
+
 TEST(CasePlaces, AreSeenInTheScene) {
   const auto of = [](std::vector<Vertex> vertices) {
     Case c = HalfOnSamples();
@@ -236,12 +295,12 @@ TEST(CasePlaces, AreSeenInTheScene) {
     for (std::size_t p = 0; p < places.size(); ++p) seen += places[p] ? '1' : '0';
     return seen;
   };
-  EXPECT_EQ(of({{0.25, 0.5}, {3.25, 0.5}, {0.75, 3.25}}), "1000000");
-  EXPECT_EQ(of({{0.5, 0.25}, {0.5, 3.25}, {3.25, 0.75}}), "0100000");
-  EXPECT_EQ(of({{0.25, 0.25}, {3.25, 3.25}, {3.25, 0.75}}), "0010000");
-  EXPECT_EQ(of({{0.5, 0.5}, {3.25, 0.75}, {0.75, 3.25}}), "0010100");  // the corner is on edges
-  EXPECT_EQ(of({{0.25, 0.375}, {2.25, 0.375}, {3.25, 0.375}}), "0000010");
-  EXPECT_EQ(of({{-3, -1}, {-1, -3}, {-1.25, -1}}), "0000001");
+  EXPECT_EQ(of({{0.25, 0.5}, {3.25, 0.5}, {0.75, 3.25}}), "1000000010");
+  EXPECT_EQ(of({{0.5, 0.25}, {0.5, 3.25}, {3.25, 0.75}}), "0100000100");
+  EXPECT_EQ(of({{0.25, 0.25}, {3.25, 3.25}, {3.25, 0.75}}), "0010000100");
+  EXPECT_EQ(of({{0.5, 0.5}, {3.25, 0.75}, {0.75, 3.25}}), "0010100010");  // the corner is on edges
+  EXPECT_EQ(of({{0.25, 0.375}, {2.25, 0.375}, {3.25, 0.375}}), "0000010000");
+  EXPECT_EQ(of({{-3, -1}, {-1, -3}, {-1.25, -1}}), "0000001010");
   Case shared = HalfOnSamples();
   shared.scene.vertices = {{0.25, 0.5}, {3.25, 0.5}, {0.75, 3.25}, {0.75, -1.25}};
   shared.scene.triangles = {{0, 1, 2}, {1, 0, 3}};

@@ -238,7 +238,7 @@ class Refused(Parts):
             (of_test(refused_within_limits=1), ("refused",)),
             (of_test(not_applicable=11), ("not applicable",)),
             (of_test(places=[]), ("every place",)),
-            (of_test(places=[{"asked": 1, "refused": 2}] * 7), ("kind of place",)),
+            (of_test(places=[{"asked": 1, "refused": 2}] * 10), ("kind of place",)),
             (of_test(worst_ratio="nan"), ("error",)),
             (of_test(domains=[]), ("domains are listed",)),
             (of_domain(drawn=2**63 - 1), ("more cases than were run",)),

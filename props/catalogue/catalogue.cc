@@ -30,6 +30,8 @@ constexpr std::uint64_t kMostStops = 4;
 // Most worlds have small scenes: one is drawn if it has at most this many times the cases of a
 // domain.
 constexpr std::uint64_t kMostOfWorld = 100;
+// Where none fails, for each case that is judged; of more the cell is excused.
+constexpr std::uint64_t kMostExcusedForEach = 20;
 // Of one case: more would cost more than they tell.
 constexpr std::size_t kMostMeasured = 64;
 
@@ -89,6 +91,7 @@ class Measuring {
     }
     for (FamilyCell& cell : result_.cells) {
       cell.is_exhausted = family_.world != nullptr && cell.cases == cases;
+      ExcuseIfFew(cell);
     }
     result_.seconds = since();
     return std::move(result_);
@@ -99,6 +102,13 @@ class Measuring {
 
   static void Excuse(FamilyCell& cell, const std::string& why) {
     if (cell.excused++ == 0 && cell.why.empty()) cell.why = why;
+  }
+
+  // What hardly any case is judged by says nothing, and under another seed might judge none.
+  static void ExcuseIfFew(FamilyCell& cell) {
+    if (cell.Fails() || cell.excused <= kMostExcusedForEach * cell.cases) return;
+    cell.excused += std::exchange(cell.cases, 0);
+    cell.samples = 0;
   }
 
   std::string WhyNotDrawn() const {

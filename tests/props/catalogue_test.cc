@@ -116,6 +116,24 @@ TEST(Catalogue, ASubjectOfWindowSpaceIsExcusedFromClipSpaceWithTheReason) {
   EXPECT_FALSE(own.why.empty());
 }
 
+// Of 100 cases of this family a seed may draw one whose vertices are all finite.
+TEST(Catalogue, AFamilyOfWhichHardlyAnyCaseIsJudgedIsExcusedUnlessThatFails) {
+  FakeSubject sound = testing::Sound(SnappedInfo(8));
+  FakeSubject wrong(SnappedInfo(8), [](const Scene&, const DrawOptions&, CoverageCounts& counts) {
+    for (std::uint32_t& count : counts.front) count += 3;
+  });
+  const Family family = FamilyOf("non-finite");
+  std::uint64_t fails = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const CataloguePlan plan{.seed = seed, .cases = 100};
+    const FamilyCell cell = MeasureFamily(sound, family, plan).By(Yardstick::kOwnModel);
+    EXPECT_EQ(cell.cases, 0U) << seed;
+    EXPECT_EQ(cell.excused, 100U) << seed;
+    fails += MeasureFamily(wrong, family, plan).By(Yardstick::kOwnModel).wrong;
+  }
+  EXPECT_GT(fails, 0U);
+}
+
 TEST(Catalogue, AWorldIsExhaustedOrExcused) {
   FakeSubject subject = testing::Sound(RealInfo());
   EXPECT_EQ(Measured(subject, "pairs-3x3").By(Yardstick::kOwnModel).cases, 0U);

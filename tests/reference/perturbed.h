@@ -116,7 +116,7 @@ class Polynomial {
     sum += factor;
     if (sum.Sign() == 0) terms_.erase(powers);
   }
-  static exact::Rational Product(std::uint64_t powers, exact::Rational Rounding::*size) {
+  static exact::Rational Product(std::uint64_t powers, exact::Rational Rounding::* size) {
     exact::Rational product(1);
     for (std::size_t n = 0; powers != 0; ++n, powers >>= 4) {
       for (std::uint64_t k = 0; k < (powers & 15); ++k) product *= Roundings::At(n).*size;

@@ -86,7 +86,7 @@ ErrorAndBound OfPlan(const Numbers& n) {
 
 constexpr std::string_view kRow = "upper.x upper.y lower.x lower.y row";
 constexpr std::string_view kEdgeAndY = "upper.x upper.y lower.x lower.y y";
-constexpr std::string_view kClip = "Vi.x Vi.y Vi.w Vj.x Vj.y Vj.w y";
+constexpr std::string_view kClipAndY = "Vi.x Vi.y Vi.w Vj.x Vj.y Vj.w y";
 
 }  // namespace
 
@@ -111,7 +111,7 @@ const std::vector<BoundWitness>& CrossingWitnesses() {
       {"crossing, in clip space (`homogeneous_crossing.h`)",
        "kHomogeneousCrossingErrorMultiplier",
        false,
-       kClip,
+       kClipAndY,
        {-0x1.ed02b52c93ap+0, 0x1.ae091175c06f5p+1, -0x1.e41f44a202f63p+1, 0x1.9990a730a4c58p+3,
         -0x1.0d7cad1e68444p+3, 0x1.c6518beeb3e8cp+2, 0x1.cc6066p+3},
        "climbed from a construction, seed 4, 2026-11-25",

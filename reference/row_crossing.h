@@ -58,8 +58,8 @@ class RowCrossing {
   /// A quotient that underflows is off by 2^-1075, times at most y - upper.y < 2^1024: less than
   /// 2^-50, and a product that underflows by less still. 2^-20 holds that too.
   /// Proof: proofs/row_crossing.g.
-  /// Measured:   largest error / bound 0.143: MeasuredReferenceBounds, 40000 inputs climbing from
-  ///             seed 74, 2026-11-23.
+  /// Measured:   largest error / bound known 0.250: docs/mathematics.md, 9, has the witness; 0.143
+  ///             MeasuredReferenceBounds, 40000 inputs climbing from seed 74.
   static constexpr double kGuessDomain = 0x1p28;
   static constexpr double kCrossingError = 0x1p-20;
 

@@ -124,8 +124,10 @@ bool BoundWitness::IsTight() const {
   return found.error * 100 > found.bound * 99;
 }
 
-const std::vector<BoundWitness>& BoundWitnesses() {
-  static const std::vector<BoundWitness> all{
+namespace {
+
+std::vector<BoundWitness> FormWitnesses() {
+  return {
       {"direct (`f32-direct`)",
        "kDirectEdgeErrorMultiplier",
        true,
@@ -288,6 +290,16 @@ const std::vector<BoundWitness>& BoundWitnesses() {
        "climbed from a construction, seed 2, 2026-11-25",
        DeterminantFilter},
   };
+}
+
+}  // namespace
+
+const std::vector<BoundWitness>& BoundWitnesses() {
+  static const std::vector<BoundWitness> all = [] {
+    std::vector<BoundWitness> both = FormWitnesses();
+    both.insert(both.end(), CrossingWitnesses().begin(), CrossingWitnesses().end());
+    return both;
+  }();
   return all;
 }
 

@@ -30,6 +30,9 @@ struct BoundWitness {
   bool IsTight() const;
 };
 
+/// Of the guesses of where a row crosses an edge: a part of BoundWitnesses.
+const std::vector<BoundWitness>& CrossingWitnesses();
+
 const std::vector<BoundWitness>& BoundWitnesses();
 
 }  // namespace rasterproof::reference::witness

@@ -189,8 +189,9 @@ Case EveryLane(BitSource& bits, const SubjectInfo& info) {
   const std::int64_t apart = bits.Int(2, 8);
   const std::int64_t idle = bits.Int(0, 7);
   for (int t = 0; t < count; ++t) {
+    const int row = t / kRowOfCopies;
     const Point2 by{static_cast<double>(t % kRowOfCopies * kPitch),
-                    static_cast<double>(t / kRowOfCopies * kPitch)};
+                    static_cast<double>(row * kPitch)};
     std::array<Point2, 3> v = shape;
     for (Point2& p : v) p = {p.x + by.x, p.y + by.y};
     const bool is_one_of_some = t % apart == apart - 1;

@@ -40,7 +40,8 @@ bool FlushingCanTouch(const Exponents& range) {
 bool CanTouch(FloatMode mode, const Scene& scene, Precision input) {
   if (!HasFloatMode(mode)) return false;
   if (mode != FloatMode::kFlushToZero && mode != FloatMode::kDenormalsAreZero) return true;
-  if (scene.clip_space) return true;
+  const auto is_finite = [](const Vertex& v) { return std::isfinite(v.x) && std::isfinite(v.y); };
+  if (scene.clip_space || !std::ranges::all_of(scene.vertices, is_finite)) return true;
   const Exponents range = ExponentsOf(scene);
   return input == Precision::kFloat32 ? FlushingCanTouch<float>(range)
                                       : FlushingCanTouch<double>(range);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <random>
 
 #include "core/float_mode.h"
@@ -38,6 +39,9 @@ TEST(CanTouch, FlushingTouchesOnlyFarFromOneAndClipSpace) {
   }
   for (const double x : {0x1p-500, 0x1p600}) {
     EXPECT_TRUE(Flushes(Containing(x), Precision::kFloat64)) << x;
+  }
+  for (const double x : {std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_TRUE(Flushes(Containing(x), Precision::kFloat32)) << x;
   }
   Scene clip = Containing(3);
   clip.clip_space = true;

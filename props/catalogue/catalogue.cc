@@ -30,7 +30,7 @@ constexpr std::uint64_t kMostStops = 4;
 // Most worlds have small scenes: one is drawn if it has at most this many times the cases of a
 // domain.
 constexpr std::uint64_t kMostOfWorld = 100;
-// Where none fails, for each case that is judged; of more the cell is excused.
+// A cell in which no case fails is excused if it has more excused cases than this for each other.
 constexpr std::uint64_t kMostExcusedForEach = 20;
 // Of one case: more would cost more than they tell.
 constexpr std::size_t kMostMeasured = 64;
@@ -104,7 +104,7 @@ class Measuring {
     if (cell.excused++ == 0 && cell.why.empty()) cell.why = why;
   }
 
-  // What hardly any case is judged by says nothing, and under another seed might judge none.
+  // Hardly any case was compared, and under another seed none might be.
   static void ExcuseIfFew(FamilyCell& cell) {
     if (cell.Fails() || cell.excused <= kMostExcusedForEach * cell.cases) return;
     cell.excused += std::exchange(cell.cases, 0);

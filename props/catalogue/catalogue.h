@@ -90,7 +90,7 @@ Profile RealProfileOf(const Profile& own);
 
 /// Draws the first cases of the family, named FAMILY:INDEX@SEED, without culling or scissor, and
 /// compares each with both yardsticks. Gives up after four cases that end the subject. A cell in
-/// which none fails is excused if more than twenty cases are for each that is judged.
+/// which no case fails is excused if more than twenty of its cases are for each that is not.
 ///
 /// Domain:     a subject whose profile is about samples, not squares.
 FamilyResult MeasureFamily(Subject& subject, const Family& family, const CataloguePlan& plan);

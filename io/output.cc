@@ -249,4 +249,15 @@ void RequireFolderCanBe(const std::string& path) {
   throw InputError(path, "is a folder into which this user may not write", "choose another place");
 }
 
+void RequireFileCanBe(const std::string& path) {
+  if (path.empty() || path == "-") return;
+  std::error_code none;
+  const fs::file_status status = fs::status(path, none);
+  if (fs::is_directory(status)) throw CannotWrite(path, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return;  // a device or a pipe
+  const fs::path folder = fs::path(path).parent_path();
+  const std::string name = folder.empty() ? "." : folder.string();
+  if (::access(name.c_str(), W_OK | X_OK) != 0) throw CannotWrite(path, errno);
+}
+
 }  // namespace rasterproof::io

@@ -28,6 +28,11 @@ void MakeFolder(const std::string& path);
 /// Error:      InputError as MakeFolder, or that nothing may be written there.
 void RequireFolderCanBe(const std::string& path);
 
+/// Checks before long work that a file can be written there at its end. "" and "-" are no files.
+///
+/// Error:      InputError if its folder is not there or may not be written.
+void RequireFileCanBe(const std::string& path);
+
 }  // namespace rasterproof::io
 
 #endif  // RASTERPROOF_IO_OUTPUT_H_

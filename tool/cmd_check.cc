@@ -404,6 +404,7 @@ int RunCheck(const CheckOptions& options) {
   if (!options.float_modes.empty()) return CheckFloatModes(options);
   const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
+  io::RequireFileCanBe(options.cases_json);
   int status = kExitHolds;
   std::string cases;
   for (const SubjectFactory& subject : asked.subjects) {

@@ -317,6 +317,7 @@ std::string Json(const SweepRunner& runner, const Sweep& sweep, const SweepOptio
 
 int RunSweep(const SweepOptions& options) {
   RequireHonestEnvironment();
+  io::RequireFileCanBe(options.json);
   SweepRunner runner({options.sources, options.cflags, options.seconds});
   try {
     runner.DrawBase(options.seed, options.cases, options.profile);

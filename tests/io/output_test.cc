@@ -107,6 +107,19 @@ TEST_F(OutputTest, AFullDiskLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(FilesIn(folder_), 1);
 }
 
+TEST_F(OutputTest, AFileThatCouldNotBeWrittenIsToldBeforehand) {
+  for (const std::string& path : {Path("new"), std::string("new"), std::string("-"), std::string(),
+                                  std::string("/dev/null")}) {
+    EXPECT_EQ(MessageOf([&] { RequireFileCanBe(path); }), "(no error)") << path;
+  }
+  EXPECT_EQ(FilesIn(folder_), 0);
+  EXPECT_EQ(MessageOf([&] { RequireFileCanBe(folder_); }),
+            MessageOf([&] { WriteFile(folder_, "x"); }));
+  EXPECT_EQ(MessageOf([&] { RequireFileCanBe(Path("none/new")); }),
+            MessageOf([&] { WriteFile(Path("none/new"), "x"); }));
+  EXPECT_NE(MessageOf([&] { RequireFileCanBe(Path("none/new")); }), "(no error)");
+}
+
 // The pipe comes first and the devices only if it has survived: a writer that replaces what is no
 // file would, run by root, replace the machine's own devices.
 TEST_F(OutputTest, DevicesAndPipesAreWrittenDirectly) {

@@ -61,6 +61,11 @@ class LinesOfCases(unittest.TestCase):
         violated = [line["outcome"] == "violated" for line in lines]
         self.assertEqual(violated, [False] * (len(lines) - 1) + [True])
 
+    def test_that_could_not_be_written_are_refused_before_any_case(self):
+        done = run("check", "--cases-json", "no-such-folder/cases.jsonl")
+        self.assertEqual((done.returncode, done.stdout), (2, b""))
+        self.assertIn(b"no-such-folder/cases.jsonl: can't be written", done.stderr)
+
     def test_do_not_depend_on_the_workers(self):
         chosen = ("--subject", "spans-exact", "--property", MODEL,
                   "--property", "TriangleOrderKeepsCoverage")  # fmt: skip

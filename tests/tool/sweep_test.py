@@ -115,6 +115,13 @@ class Sweep(unittest.TestCase):
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(says, done.stderr)
 
+    def test_a_result_that_could_not_be_written_is_refused_before_any_build(self):
+        done = subprocess.run([PROGRAM, "sweep", os.path.join(OWN, "edge.c"), "--json",
+                               "no-such-folder/sweep.json"],
+                              capture_output=True, text=True, timeout=60, check=False)  # fmt: skip
+        self.assertEqual(done.returncode, 2, "the sources, which don't build, were not looked at")
+        self.assertIn("no-such-folder/sweep.json: can't be written", done.stderr)
+
     def test_a_base_that_is_not_built_shows_the_first_error(self):
         done, _ = sweep("edge.c")
         self.assertEqual(done.returncode, 3, done.stderr)

@@ -28,7 +28,11 @@ namespace rasterproof::tool {
 namespace {
 
 using Kind = Choice::Kind;
+using Clock = subjects::ProcessSubject::Clock;
 namespace fs = std::filesystem;
+
+// An emulator at -O0 is this much slower.
+constexpr double kMostTimesTheBase = 100;
 
 constexpr std::array<std::string_view, 5> kCxxEndings{".cc", ".cpp", ".cxx", ".C", ".c++"};
 
@@ -178,6 +182,11 @@ std::string SweepRunner::Build(const Choices& choices) {
   return Link(objects, choices);
 }
 
+// Room for slow builds and emulators, and mostly none for the second try of a draw that hangs.
+double SweepRunner::MostSeconds() const {
+  return base_.empty() ? 0 : 3 * settings_.seconds + kMostTimesTheBase * base_seconds_;
+}
+
 std::vector<DrawOutcome> SweepRunner::Draw(const std::string& program, const Choices& choices,
                                            const std::vector<std::size_t>& numbers) const {
   std::vector<std::string> command = ToolchainOf(choices).emulator;
@@ -185,10 +194,10 @@ std::vector<DrawOutcome> SweepRunner::Draw(const std::string& program, const Cho
   if (!command.empty()) limits.bytes = 0;  // an emulator reserves all addresses of its guest
   command.push_back(program);
   subjects::ProcessSubject subject(command, info_, limits);
-  // Room for slow machines, and none for the second try of a draw that hangs.
-  const std::chrono::duration<double> most(3 * settings_.seconds);
-  using Clock = subjects::ProcessSubject::Clock;
-  subject.SetDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(most));
+  if (const double most = MostSeconds(); most != 0) {
+    const std::chrono::duration<double> all(most);
+    subject.SetDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(all));
+  }
   std::vector<DrawJob> jobs;
   for (const std::size_t n : numbers) jobs.push_back(jobs_[n]);
   return subject.DrawMany(jobs);
@@ -207,7 +216,9 @@ void SweepRunner::DrawBase(std::uint64_t seed, std::uint64_t count, const std::s
     jobs_.push_back(props::WholeCallOf(c.scene, c.profile, {}).job);
     numbers.push_back(numbers.size());
   }
+  const Clock::time_point began = Clock::now();
   base_ = Draw(program, {}, numbers);
+  base_seconds_ = std::chrono::duration<double>(Clock::now() - began).count();
   for (std::size_t k = 0; k < base_.size(); ++k) {
     const CallEnd& end = base_[k].end;
     if (!EndsTheCall(end.stop)) continue;
@@ -226,6 +237,15 @@ const Drawing* SweepRunner::BaseDrawing(std::size_t number_of_case) const {
   return outcome.end.stop == Stop::kNone ? &outcome.drawing : nullptr;
 }
 
+std::string SweepRunner::WhyStopped(const CallEnd& end) const {
+  if (end.stop == Stop::kBrokeDown) return end.why;
+  if (end.stop != Stop::kDeadline) {
+    return fmt::format("no answer within --time-limit {:g}", settings_.seconds);
+  }
+  return fmt::format("its cases took more than {:.2g} s, the base's {:.2g} s", MostSeconds(),
+                     base_seconds_);
+}
+
 SweepOutcome SweepRunner::Compare(const std::string& program, const Choices& choices,
                                   const std::vector<std::size_t>& numbers) {
   std::vector<std::size_t> all = numbers;
@@ -236,11 +256,7 @@ SweepOutcome SweepRunner::Compare(const std::string& program, const Choices& cho
     const CallEnd& end = drawn[k].end;
     if (EndsTheCall(end.stop)) {
       outcome.is_breakdown = true;
-      outcome.failure =
-          fmt::format("stopped on {}: {}", cases_[all[k]].origin,
-                      IsBreakdown(end.stop) && end.stop != Stop::kHung
-                          ? end.why
-                          : fmt::format("no answer within --time-limit {:g}", settings_.seconds));
+      outcome.failure = fmt::format("stopped on {}: {}", cases_[all[k]].origin, WhyStopped(end));
       return outcome;
     }
     AddChanges(all[k], drawn[k], base_[all[k]], outcome.changes);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/case.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
@@ -110,6 +111,8 @@ class SweepRunner {
   SweepOutcome OutcomeOf(const Choices& choices);
 
  private:
+  double MostSeconds() const;
+  std::string WhyStopped(const CallEnd& end) const;
   std::string DriverOf(const Choices& choices);
   std::vector<DrawOutcome> Draw(const std::string& program, const Choices& choices,
                                 const std::vector<std::size_t>& numbers) const;
@@ -122,6 +125,7 @@ class SweepRunner {
   std::vector<Case> cases_;
   std::vector<DrawJob> jobs_;
   std::vector<DrawOutcome> base_;
+  double base_seconds_ = 0;  ///< that the base took for all cases
   std::mutex mutex_;
   std::map<std::string, std::string> drivers_;  ///< objects by target
   std::map<Choices, SweepOutcome> outcomes_;

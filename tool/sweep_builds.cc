@@ -253,10 +253,7 @@ std::string ToolsText() {
   for (const Tool& tool : kTools) {
     const std::string path = PathOf(tool.name);
     text +=
-        fmt::format("sweep: {:<18}{}\n",
-                    tool.name == "aarch64-linux-gnu-gcc"   ? "gcc aarch64"
-                    : tool.name == "aarch64-linux-gnu-g++" ? "g++ aarch64"
-                                                           : tool.name,
+        fmt::format("sweep: {:<23}{}\n", tool.name,
                     path.empty() ? fmt::format("missing; package {} has it", tool.package) : path);
   }
   return text;

@@ -62,6 +62,17 @@ bool IsRightAtB(const std::array<Vertex, 3>& v) {
   return (v[0].x - v[1].x) * (v[2].x - v[1].x) + (v[0].y - v[1].y) * (v[2].y - v[1].y) == 0;
 }
 
+// The sound stages, which then change a triangle's edges by the scene that it is of.
+FixedStages ChangingEdges(void (*change)(const Scene& scene, GridTriangle& t)) {
+  const auto known = std::make_shared<const Scene*>(nullptr);
+  return FixedStages{.drops =
+                         [known](const Scene& scene, std::size_t) {
+                           *known = &scene;
+                           return false;
+                         },
+                     .edges = [known, change](GridTriangle& t) { change(**known, t); }};
+}
+
 std::vector<Mutant> Cuts() {
   return {
       {"cut-triangle-numbers-12", "numbers of triangles are cut to 12 bits", "",
@@ -85,37 +96,18 @@ std::vector<Mutant> Cuts() {
          }
        })},
       {"lanes-full", "in full vectors of eight triangles the last one's ties are left out", "",
-       [] {
-         const auto known = std::make_shared<Known>();
-         return FixedStages{.drops =
-                                [known](const Scene& scene, std::size_t number) {
-                                  *known = {&scene, number};
-                                  return false;
-                                },
-                            .edges =
-                                [known](GridTriangle& t) {
-                                  const bool is_last = t.number % kLanes == kLanes - 1;
-                                  if (!is_last || !IsInAFullVector(*known->scene, t.number)) return;
-                                  for (GridEdge& e : t.edges) e.owns = false;
-                                }};
-       }()},
+       ChangingEdges([](const Scene& scene, GridTriangle& t) {
+         if (t.number % kLanes != kLanes - 1 || !IsInAFullVector(scene, t.number)) return;
+         for (GridEdge& e : t.edges) e.owns = false;
+       })},
       {"lanes-one-left", "one triangle left of sixteen is drawn without its top edges' samples", "",
-       [] {
-         const auto known = std::make_shared<Known>();
-         return FixedStages{.drops =
-                                [known](const Scene& scene, std::size_t number) {
-                                  *known = {&scene, number};
-                                  return false;
-                                },
-                            .edges =
-                                [known](GridTriangle& t) {
-                                  const std::size_t all = known->scene->triangles.size();
-                                  if (all % 16 != 1 || all == 1 || t.number + 1 != all) return;
-                                  for (GridEdge& e : t.edges) {
-                                    if (e.a.y == e.b.y) e.owns = false;
-                                  }
-                                }};
-       }()},
+       ChangingEdges([](const Scene& scene, GridTriangle& t) {
+         const std::size_t all = scene.triangles.size();
+         if (all % 16 != 1 || all == 1 || t.number + 1 != all) return;
+         for (GridEdge& e : t.edges) {
+           if (e.a.y == e.b.y) e.owns = false;
+         }
+       })},
       {"lanes-partial", "what is left of eight triangles is drawn up to a flat one", "",
        FixedStages{.drops =
                        [](const Scene& scene, std::size_t number) {

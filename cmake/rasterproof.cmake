@@ -37,7 +37,7 @@ target_compile_options(rasterproof_flags INTERFACE
   # g++ 12 at -O2: two neighbouring doubles rounded to float and widened again, vectorised as a
   # pair, lose the rounding. Found by exact/environment.cc, which refuses a build without this.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
-target_include_directories(rasterproof_flags INTERFACE ${CMAKE_SOURCE_DIR})
+target_include_directories(rasterproof_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(RASTERPROOF_SANITIZE)
   target_compile_options(rasterproof_flags INTERFACE
     -fsanitize=${RASTERPROOF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1
@@ -89,14 +89,14 @@ endfunction()
 # GoogleTest's for tests everywhere. Where a file is compiled alone it must include what it uses.
 set(standard_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory>
   <optional> <span> <string> <string_view> <vector>)
-file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cc "")
+file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cc "")
 if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
-  add_library(rasterproof_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
+  add_library(rasterproof_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
   target_link_libraries(rasterproof_precompiled PRIVATE rasterproof_flags)
   target_precompile_headers(rasterproof_precompiled PRIVATE ${standard_headers})
 endif()
 if(RASTERPROOF_TESTS)
-  add_library(rasterproof_precompiled_test OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
+  add_library(rasterproof_precompiled_test OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
   target_link_libraries(rasterproof_precompiled_test PRIVATE rasterproof_flags GTest::gtest)
   target_precompile_headers(rasterproof_precompiled_test
     PRIVATE ${standard_headers} <gtest/gtest.h>)
@@ -114,7 +114,7 @@ function(rasterproof_library name)
   add_library(rasterproof_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(rasterproof_${name}
     PUBLIC ${ARG_LINK} PRIVATE rasterproof_flags ${ARG_PRIVATE_LINK})
-  target_include_directories(rasterproof_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_include_directories(rasterproof_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   rasterproof_lump(rasterproof_${name} ${ARG_LUMP})
   if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
     target_precompile_headers(rasterproof_${name} REUSE_FROM rasterproof_precompiled)
@@ -137,7 +137,7 @@ function(rasterproof_test name)
   if(RASTERPROOF_LUMPS AND NOT RASTERPROOF_SANITIZE)
     target_compile_options(${name} PRIVATE -O1) # what takes long in a test is the libraries' code
   endif()
-  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
   # Those that take longest begin first, or one core waits for the other at the end.
   if(name MATCHES "^(catalog|fragment_tolerance|mutants|joint_legality|reference|infer)_test$")
@@ -149,8 +149,8 @@ endfunction()
 # find_package(rasterproof) finds it by rasterproof_DIR.
 function(rasterproof_package)
   export(TARGETS ${ARGN}
-    NAMESPACE rasterproof:: FILE ${CMAKE_BINARY_DIR}/rasterproof-targets.cmake)
-  file(WRITE ${CMAKE_BINARY_DIR}/rasterproof-config.cmake
+    NAMESPACE rasterproof:: FILE ${PROJECT_BINARY_DIR}/rasterproof-targets.cmake)
+  file(WRITE ${PROJECT_BINARY_DIR}/rasterproof-config.cmake
     "include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 include(\${CMAKE_CURRENT_LIST_DIR}/rasterproof-targets.cmake)

@@ -16,14 +16,14 @@ function(rasterproof_real_subject name)
   target_compile_definitions(plugin_${name} PRIVATE ${ARG_DEFINITIONS})
   set_target_properties(plugin_${name} PROPERTIES
     PREFIX "" OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins)
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins)
   add_dependencies(real_subjects plugin_${name})
 endfunction()
 
 # Several samples a pixel: not surveyed, whose table is of centres, but checked.
 function(rasterproof_multisampled name)
   set_target_properties(plugin_${name} PROPERTIES
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/multisampled)
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins/multisampled)
 endfunction()
 
 # rasterproof_subject_package(VARIABLE SUBJECT INSTALL module ...): pkg-config's modules as the
@@ -80,7 +80,7 @@ if(SUBJECT_GL_FOUND)
   # Its division as well: not surveyed, whose scenes are window space, but certified.
   rasterproof_gl_subject(gl-llvmpipe-clip llvmpipe Batch RASTERPROOF_GL_CLIP_SPACE)
   set_target_properties(plugin_gl-llvmpipe-clip PROPERTIES
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/clip_space)
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins/clip_space)
 endif()
 
 find_program(GLSLANG glslangValidator)
@@ -90,7 +90,7 @@ else()
   rasterproof_missing_subject(vulkan "glslang-tools libvulkan-dev")
 endif()
 if(SUBJECT_VULKAN_FOUND)
-  set(shaders ${CMAKE_BINARY_DIR}/shaders)
+  set(shaders ${PROJECT_BINARY_DIR}/shaders)
   foreach(shader triangle.vert triangle.frag read_samples.comp)
     string(REGEX MATCH "[a-z]+$" stage ${shader})
     string(REPLACE vert Vertex stage ${stage})
@@ -99,7 +99,7 @@ if(SUBJECT_VULKAN_FOUND)
     add_custom_command(OUTPUT ${shaders}/${shader}.h
       COMMAND ${CMAKE_COMMAND} -E make_directory ${shaders}
       COMMAND ${GLSLANG} -V --quiet --vn k${stage}Shader -o ${shaders}/${shader}.h
-        ${CMAKE_SOURCE_DIR}/subjects/vulkan/${shader}
+        ${PROJECT_SOURCE_DIR}/subjects/vulkan/${shader}
       DEPENDS subjects/vulkan/${shader} VERBATIM)
   endforeach()
   # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE HALF_VIEWPORT [SAMPLES])
@@ -185,7 +185,7 @@ endif()
 # Programs on pipes, described rather than built.
 find_program(NODE node)
 find_program(NPM npm)
-if(NODE AND EXISTS ${CMAKE_SOURCE_DIR}/subjects/canvaskit/node_modules/canvaskit-wasm)
+if(NODE AND EXISTS ${PROJECT_SOURCE_DIR}/subjects/canvaskit/node_modules/canvaskit-wasm)
   foreach(mode paths vertices)
     configure_file(subjects/canvaskit/canvaskit.subject.in plugins/canvaskit-${mode}.subject @ONLY)
   endforeach()

@@ -4,7 +4,7 @@
 # hashes the header's text in place of its time stamp. It looks by the sources alone and not by what
 # the preprocessor makes of them, so that a first build does not preprocess every file twice.
 find_program(CCACHE ccache)
-if(CCACHE)
+if(CCACHE AND PROJECT_IS_TOP_LEVEL)
   set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
   set(CMAKE_CXX_COMPILER_LAUNCHER
     ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1 ${CCACHE})
@@ -33,11 +33,11 @@ target_compile_options(rasterproof_flags INTERFACE
   -Wall -Wextra -Wconversion -ffp-contract=off
   # The compiler of an engine of others may be any.
   $<$<BOOL:${RASTERPROOF_FUZZING_ENGINE}>:-Wno-error -Wno-unused-command-line-argument>
-  $<$<NOT:$<BOOL:${RASTERPROOF_FUZZING_ENGINE}>>:-Werror>
+  $<$<AND:$<BOOL:${PROJECT_IS_TOP_LEVEL}>,$<NOT:$<BOOL:${RASTERPROOF_FUZZING_ENGINE}>>>:-Werror>
   # g++ 12 at -O2: two neighbouring doubles rounded to float and widened again, vectorised as a
   # pair, lose the rounding. Found by exact/environment.cc, which refuses a build without this.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
-target_include_directories(rasterproof_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(rasterproof_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 if(RASTERPROOF_SANITIZE)
   target_compile_options(rasterproof_flags INTERFACE
     -fsanitize=${RASTERPROOF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1
@@ -102,6 +102,16 @@ if(RASTERPROOF_TESTS)
     PRIVATE ${standard_headers} <gtest/gtest.h>)
 endif()
 
+# rasterproof_headers(TARGET SCOPE): where the headers of a target lie, for who links it.
+# "kit/main.h" and <rasterproof/kit/main.h> both find one, in a build tree and installed.
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/rasterproof SYMBOLIC)
+function(rasterproof_headers target scope)
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+    $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/rasterproof>)
+endfunction()
+
 # rasterproof_library(NAME SOURCES a.cc ... [LINK target ...] [PRIVATE_LINK target ...] [LUMP n])
 # makes the static library rasterproof_NAME. LINK is for what its headers include, PRIVATE_LINK for
 # what only its sources do; both name whole targets (rasterproof_core, fmt::fmt). LUMP: files at a
@@ -114,7 +124,7 @@ function(rasterproof_library name)
   add_library(rasterproof_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(rasterproof_${name}
     PUBLIC ${ARG_LINK} PRIVATE rasterproof_flags ${ARG_PRIVATE_LINK})
-  target_include_directories(rasterproof_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  rasterproof_headers(rasterproof_${name} PUBLIC)
   rasterproof_lump(rasterproof_${name} ${ARG_LUMP})
   if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
     target_precompile_headers(rasterproof_${name} REUSE_FROM rasterproof_precompiled)
@@ -143,16 +153,4 @@ function(rasterproof_test name)
   if(name MATCHES "^(catalog|fragment_tolerance|mutants|joint_legality|reference|infer)_test$")
     set_tests_properties(${name} PROPERTIES COST 50)
   endif()
-endfunction()
-
-# rasterproof_package(TARGET ...) makes this build tree a package of these targets:
-# find_package(rasterproof) finds it by rasterproof_DIR.
-function(rasterproof_package)
-  export(TARGETS ${ARGN}
-    NAMESPACE rasterproof:: FILE ${PROJECT_BINARY_DIR}/rasterproof-targets.cmake)
-  file(WRITE ${PROJECT_BINARY_DIR}/rasterproof-config.cmake
-    "include(CMakeFindDependencyMacro)
-find_dependency(Threads)
-include(\${CMAKE_CURRENT_LIST_DIR}/rasterproof-targets.cmake)
-")
 endfunction()

@@ -1,0 +1,268 @@
+// The properties of your rasterizer as tests of GoogleTest, one each:
+//
+//     #include "kit/gtest.h"
+//     struct Mine {
+//       bool Draw(const rasterproof_scene& scene, const rasterproof_target& target);
+//     };
+//     RASTERPROOF_TEST(MyRasterizer, Mine, "vulkan", 200)
+//
+// Draw adds to target.front how many triangles cover each sample, as kit/rasterproof_plugin.h says,
+// and returns false to refuse a scene. What else a plugin may state (coverage, input, what it
+// takes) a `static void Describe(rasterproof_plugin& plugin)` sets. Mine is default-constructible,
+// made once in a process and called by one thread.
+//
+// A test runs `rasterproof check` on the property; Mine draws in a process of its own, which is
+// this test program begun again. A crash or a hang fails that test alone, and the text of a failure
+// is the command's. A property that does not apply, or that no case exercised, is skipped with the
+// reason. Filters, shards and repeats are GoogleTest's. Seed and number of cases are fixed, so that
+// a run is the same tomorrow.
+//
+// The command is the one in the environment variable RASTERPROOF_COMMAND, else the one that the
+// macro of that name says (CMake's rasterproof::gtest does), else `rasterproof` in PATH.
+//
+// C++17, GoogleTest 1.10 or later, Linux. Nothing but GoogleTest is linked.
+#ifndef RASTERPROOF_KIT_GTEST_H_
+#define RASTERPROOF_KIT_GTEST_H_
+
+#if __cplusplus < 201703L
+#error "kit/gtest.h needs C++17: compile this file with -std=c++17 or a later standard"
+#endif
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "kit/plugin_server.h"
+#include "kit/rasterproof_plugin.h"
+
+namespace rasterproof::kit {
+
+/// What a suite checks.
+struct Suite {
+  std::string name;
+  std::string profile;  ///< a preset's name or the text of a profile file
+  unsigned long long cases = 0;
+  rasterproof_plugin plugin = {};
+};
+
+namespace gtest_internal {
+
+inline constexpr const char* kServe = "RASTERPROOF_GTEST_SERVE";
+
+inline std::string Quoted(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+inline std::string Command() {
+  if (const char* named = std::getenv("RASTERPROOF_COMMAND")) return named;
+#ifdef RASTERPROOF_COMMAND
+  return RASTERPROOF_COMMAND;
+#else
+  return "rasterproof";
+#endif
+}
+
+struct Ended {
+  int status = -1;
+  std::string output;
+};
+
+inline Ended ShellOutput(const std::string& line) {
+  Ended ended;
+  std::FILE* const pipe = popen(line.c_str(), "r");
+  if (pipe == nullptr) return ended;
+  char bytes[4096];
+  for (std::size_t n; (n = std::fread(bytes, 1, sizeof bytes, pipe)) != 0;)
+    ended.output.append(bytes, n);
+  const int status = pclose(pipe);
+  ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return ended;
+}
+
+// Names of all properties; empty if there is no such command.
+inline std::vector<std::string> PropertyNames() {
+  std::vector<std::string> names;
+  const Ended listed = ShellOutput(Quoted(Command()) + " list properties 2>/dev/null");
+  std::size_t begin = 0;
+  while (listed.status == 0 && begin < listed.output.size()) {
+    const std::size_t end = listed.output.find('\n', begin);
+    const std::string line = listed.output.substr(begin, end - begin);
+    const std::size_t bracket = line.find(" (");
+    if (line.size() > 2 && line[0] == ' ' && std::isupper(static_cast<unsigned char>(line[2])) &&
+        bracket != std::string::npos) {
+      names.push_back(line.substr(2, bracket - 2));
+    }
+    begin = end == std::string::npos ? listed.output.size() : end + 1;
+  }
+  return names;
+}
+
+// A file that lasts as long as this, unless it is kept.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& text) {
+    path_ = ::testing::TempDir() + "rasterproofXXXXXX.subject";
+    const int file = mkstemps(path_.data(), 8);
+    std::FILE* const out = file < 0 ? nullptr : fdopen(file, "w");
+    if (out == nullptr) return;
+    is_written_ = std::fputs(text.c_str(), out) >= 0;
+    is_written_ = std::fclose(out) == 0 && is_written_;
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (!is_kept_) std::remove(path_.c_str());
+  }
+  void Keep() { is_kept_ = true; }
+  const std::string& path() const { return path_; }
+  bool is_written() const { return is_written_; }
+
+ private:
+  std::string path_;
+  bool is_written_ = false;
+  bool is_kept_ = false;
+};
+
+inline std::string DescriptionOf(const Suite& suite) {
+  char* text = nullptr;
+  std::size_t size = 0;
+  std::FILE* const out = open_memstream(&text, &size);
+  rasterproof_describe(&suite.plugin, out);
+  std::fclose(out);
+  std::string description(text, size);
+  std::free(text);
+  char self[4096] = {};
+  if (readlink("/proc/self/exe", self, sizeof self - 1) < 0) self[0] = '\0';
+  // Answers go to descriptor 3: what GoogleTest and the rasterizer print is none.
+  description += "command sh -c '" + std::string(kServe) +
+                 "=\"$1\" exec \"$0\" --gtest_filter=\"$1.Serve\" 3>&1 >/dev/null' " +
+                 Quoted(self) + " " + suite.name + "\n";
+  return description;
+}
+
+inline bool BeginsWith(const std::string& text, const char* word) {
+  return text.rfind(word, 0) == 0;
+}
+
+class PropertyTest : public ::testing::Test {
+ public:
+  PropertyTest(const Suite& suite, std::string property)
+      : suite_(suite), property_(std::move(property)) {}
+
+  void TestBody() override {
+    TemporaryFile description(DescriptionOf(suite_));
+    ASSERT_TRUE(description.is_written())
+        << "rasterproof: " << description.path() << " can't be written; set TEST_TMPDIR";
+    const Ended ended = ShellOutput(Quoted(Command()) + " check --subject " +
+                                    Quoted(description.path()) + " --property " + property_ +
+                                    " --cases " + std::to_string(suite_.cases) + " --jobs 1 2>&1");
+    if (ended.status == 0) return;
+    if (BeginsWith(ended.output, "not applicable") || BeginsWith(ended.output, "not exercised")) {
+      GTEST_SKIP() << ended.output.substr(0, ended.output.find('\n'));
+    }
+    description.Keep();  // the command to type again names it
+    ADD_FAILURE() << ended.output;
+  }
+
+ private:
+  const Suite& suite_;
+  std::string property_;
+};
+
+class ServeTest : public ::testing::Test {
+ public:
+  explicit ServeTest(const Suite& suite) : suite_(suite) {}
+  void TestBody() override {
+    std::FILE* const out = fdopen(3, "w");
+    ASSERT_NE(out, nullptr) << "rasterproof: " << kServe << " is for the suite's own use; unset it";
+    rasterproof_serve(&suite_.plugin, stdin, out);
+  }
+
+ private:
+  const Suite& suite_;
+};
+
+class NoCommandTest : public ::testing::Test {
+ public:
+  void TestBody() override {
+    FAIL() << "rasterproof: the command " << Command() << " can't be run; set RASTERPROOF_COMMAND "
+           << "to its path";
+  }
+};
+
+template <class Type, class = void>
+struct Describes : std::false_type {};
+template <class Type>
+struct Describes<Type, std::void_t<decltype(Type::Describe(std::declval<rasterproof_plugin&>()))>>
+    : std::true_type {};
+
+template <class Type>
+rasterproof_plugin PluginOf(const char* name, const char* profile) {
+  rasterproof_plugin plugin{};
+  plugin.version = RASTERPROOF_PLUGIN_VERSION;
+  plugin.size = sizeof plugin;
+  plugin.name = name;
+  plugin.coverage = RASTERPROOF_COUNTS;
+  plugin.edge_error = -1;
+  plugin.stepping_error = -1;
+  plugin.open = []() -> void* { return new Type(); };
+  plugin.draw = [](void* state, const rasterproof_scene* scene,
+                   const rasterproof_target* target) -> std::int32_t {
+    return static_cast<Type*>(state)->Draw(*scene, *target) ? 0 : 1;
+  };
+  plugin.close = [](void* state) { delete static_cast<Type*>(state); };
+  if constexpr (Describes<Type>::value) Type::Describe(plugin);
+  plugin.profile = profile;
+  return plugin;
+}
+
+}  // namespace gtest_internal
+
+/// Registers a test of each property. The suite lives as long as the program.
+///
+/// Returns:    the number of tests.
+inline int RegisterTests(const Suite& suite, const char* file, int line) {
+  using ::testing::RegisterTest;
+  const auto add = [&](const std::string& name, auto make) {
+    RegisterTest(suite.name.c_str(), name.c_str(), nullptr, nullptr, file, line, std::move(make));
+  };
+  if (const char* served = std::getenv(gtest_internal::kServe)) {
+    if (suite.name != served) return 0;
+    add("Serve", [&suite]() -> ::testing::Test* { return new gtest_internal::ServeTest(suite); });
+    return 1;
+  }
+  const std::vector<std::string> names = gtest_internal::PropertyNames();
+  for (const std::string& name : names) {
+    add(name, [&suite, name]() -> ::testing::Test* {
+      return new gtest_internal::PropertyTest(suite, name);
+    });
+  }
+  if (!names.empty()) return static_cast<int>(names.size());
+  add("TheCommandRuns", []() -> ::testing::Test* { return new gtest_internal::NoCommandTest(); });
+  return 1;
+}
+
+}  // namespace rasterproof::kit
+
+/// Tests Type by every property, each on `cases` generated cases, as a suite of that name.
+/// `profile` is what the rasterizer states: a preset's name ("real", "vulkan", "gl-canonical") or
+/// the text of a profile file.
+#define RASTERPROOF_TEST(SuiteName, Type, profile, cases)                       \
+  static const ::rasterproof::kit::Suite rasterproof_suite_##SuiteName{         \
+      #SuiteName, profile, cases,                                               \
+      ::rasterproof::kit::gtest_internal::PluginOf<Type>(#SuiteName, profile)}; \
+  [[maybe_unused]] static const int rasterproof_tests_##SuiteName =             \
+      ::rasterproof::kit::RegisterTests(rasterproof_suite_##SuiteName, __FILE__, __LINE__);
+
+#endif  // RASTERPROOF_KIT_GTEST_H_

@@ -1,0 +1,39 @@
+# `cpack -G DEB` in a build tree: one package with the command, its scenes, the kit, both libraries
+# and the documents. `cmake --install` installs the same below any prefix.
+set(doc ${CMAKE_INSTALL_DATADIR}/doc/rasterproof)
+install(FILES README.md CHANGELOG.md DESTINATION ${doc})
+install(FILES cmake/package/copyright DESTINATION ${doc})
+install(DIRECTORY docs/ DESTINATION ${doc}/docs
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "decisions" EXCLUDE
+  PATTERN "findings" EXCLUDE PATTERN "wrong-tests" EXCLUDE)
+install(DIRECTORY kit/examples DESTINATION ${doc})
+
+# gzip -n: the same bytes from the same text.
+function(rasterproof_install_compressed source name destination)
+  set(made ${PROJECT_BINARY_DIR}/installed/${name}.gz)
+  configure_file(${source} ${PROJECT_BINARY_DIR}/installed/${name} @ONLY)
+  execute_process(COMMAND gzip -9nc ${PROJECT_BINARY_DIR}/installed/${name}
+    OUTPUT_FILE ${made} COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES ${made} DESTINATION ${destination})
+endfunction()
+rasterproof_install_compressed(cmake/package/rasterproof.1 rasterproof.1
+  ${CMAKE_INSTALL_MANDIR}/man1)
+rasterproof_install_compressed(cmake/package/changelog changelog ${doc})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VENDOR rasterproof)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "the authors of rasterproof <rasterproof@example.org>")
+set(CPACK_DEBIAN_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "verification of triangle rasterizers against exact arithmetic
+ Properties of any triangle rasterizer on generated cases, judged by exact
+ arithmetic: a shared library, a program on a pipe, or a C++ type. Exact
+ coverage as a library; properties as GoogleTest cases and as fuzz targets.")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, libgtest-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libgmp-dev, libmpfr-dev, picosat, clang-19")
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+include(CPack)

@@ -1,0 +1,174 @@
+"""What `cmake --install` installs: moved elsewhere, a user's project builds and tests with it.
+
+usage: install_test.py CMAKE BUILD SOURCES
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CMAKE = sys.argv[1]
+BUILD, SOURCES = (os.path.realpath(path) for path in sys.argv[2:4])
+CONSUMER = os.path.join(SOURCES, "tests/kit/consumer")
+HEADERS = ("kit/bitmap_plugin.h", "kit/fuzz.h", "kit/gtest.h", "kit/plugin_server.h",
+           "kit/rasterize.h", "kit/rasterproof_plugin.h",
+           "kit/rasterproof_rasterize.h")  # fmt: skip
+
+
+def run(*command, **options):
+    return subprocess.run(command, capture_output=True, text=True, timeout=400, check=False,
+                          **options)  # fmt: skip
+
+
+def outcomes(done):
+    """Of a GoogleTest program: its tests by outcome."""
+    found = {"OK": set(), "FAILED": set(), "SKIPPED": set()}
+    line = re.compile(r"^\[ +(OK|FAILED|SKIPPED) +\] (\w+\.\w+) \(", re.M)
+    for outcome, name in line.findall(done.stdout):
+        found[outcome].add(name)
+    return found
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        first = os.path.join(cls.folder.name, "first")
+        cls.prefix = os.path.join(cls.folder.name, "moved/to here")
+        done = run(CMAKE, "--install", BUILD, "--prefix", first)
+        assert done.returncode == 0, done.stderr
+        os.makedirs(os.path.dirname(cls.prefix))
+        os.rename(first, cls.prefix)
+        cls.command = os.path.join(cls.prefix, "bin/rasterproof")
+        cls.own = os.path.join(cls.folder.name, "own")
+        cls.configured = cls.configure(CONSUMER, cls.own,
+                                       f"-DEXAMPLES={SOURCES}/kit/examples")  # fmt: skip
+        cls.built = run(CMAKE, "--build", cls.own, "--parallel", "2")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    @classmethod
+    def configure(cls, sources, build, *options):
+        return run(CMAKE, "-S", sources, "-B", build, "-G", "Ninja",
+                   f"-DCMAKE_PREFIX_PATH={cls.prefix}", *options)  # fmt: skip
+
+    def suite(self, program, *options, **variables):
+        return run(os.path.join(self.own, program), *options, env={**os.environ, **variables},
+                   cwd=self.folder.name)  # fmt: skip
+
+    def test_holds_no_path_of_the_tree_it_came_from(self):
+        for folder, _, files in os.walk(self.prefix):
+            for name in files:
+                with open(os.path.join(folder, name), "rb") as file:
+                    content = file.read()
+                for path in (BUILD, SOURCES):
+                    self.assertNotIn(path.encode(), content, os.path.join(folder, name))
+
+    def test_finds_its_scenes_wherever_it_lies(self):
+        done = run(self.command, "check", "scenes/ties.json", "--property",
+                   "CoverageEqualsTheModel", cwd="/")  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = run(self.command, "sweep", os.path.join(SOURCES, "kit/examples/plugin.c"), "--cases",
+                   "2", cwd=self.folder.name)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_headers_need_no_other_folder(self):
+        for header in HEADERS:
+            path = os.path.join(self.prefix, "include/rasterproof", header)
+            self.assertTrue(os.path.isfile(path), path)
+        text = "".join(f'#include <rasterproof/{header}>\n' for header in HEADERS)
+        done = run("c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++",
+                   "-I", os.path.join(self.prefix, "include"), "-", input=text)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_of_an_older_standard_the_header_says_what_it_needs(self):
+        done = run("c++", "-std=c++14", "-fsyntax-only", "-x", "c++", "-", input="#include "
+                   f'"{self.prefix}/include/rasterproof/kit/gtest.h"\n')  # fmt: skip
+        self.assertIn("kit/gtest.h needs C++17", done.stderr)
+
+    def test_project_builds_and_its_tests_say_what_is_right(self):
+        self.assertEqual(self.configured.returncode, 0, self.configured.stderr)
+        self.assertEqual(self.built.returncode, 0, self.built.stdout)
+        done = run("ctest", "--test-dir", self.own, "--output-on-failure")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertRegex(done.stdout, r"100% tests passed.* out of 3")
+        self.assertEqual(run(os.path.join(self.own, "own_fuzzer"), "-runs=1").returncode, 0)
+
+    def test_a_right_rasterizer_passes_every_property_that_applies(self):
+        found = outcomes(done := self.suite("suites_test", "--gtest_filter=Right.*"))
+        self.assertEqual(found["FAILED"], set(), done.stdout)
+        self.assertIn("Right.CoverageEqualsTheModel", found["OK"])
+        self.assertIn("Right.ScissorOnlyCutsCoverage", found["SKIPPED"])
+        self.assertIn("the subject takes no scissor", done.stdout)
+        self.assertEqual(done.returncode, 0)
+
+    def test_a_wrong_one_fails_with_what_the_command_prints_and_replays(self):
+        done = self.suite("mine_test", "--gtest_filter=*.SharedEdgeSamplesAreCoveredOnce",
+                          TEST_TMPDIR=self.folder.name)  # fmt: skip
+        self.assertEqual(outcomes(done)["FAILED"], {"Textbook.SharedEdgeSamplesAreCoveredOnce"})
+        self.assertIn("observed covered 2 times, expected exactly once", done.stdout)
+        replay = re.search(r"^replay: rasterproof (.*)$", done.stdout, re.M).group(1)
+        again = run("sh", "-c", f'"$0" {replay}', self.command)
+        self.assertEqual(again.returncode, 1, again.stderr)
+        self.assertIn("observed covered 2 times, expected exactly once", again.stdout)
+
+    def test_a_crash_and_a_refusal_fail_their_tests_alone(self):
+        done = self.suite("suites_test", "--gtest_filter=Crashing.ClosedMeshCancels:"
+                          "Crashing.DegenerateTrianglesCoverNothing:"
+                          "Refusing.CoverageEqualsTheModel")  # fmt: skip
+        found = outcomes(done)
+        self.assertIn("Refusing.CoverageEqualsTheModel", found["FAILED"])
+        self.assertIn("Crashing.ClosedMeshCancels", found["FAILED"])
+        self.assertIn("Crashing.DegenerateTrianglesCoverNothing", found["OK"], done.stdout)
+
+    def test_without_the_command_one_test_says_so(self):
+        done = self.suite("mine_test", RASTERPROOF_COMMAND="/nowhere/rasterproof")
+        self.assertEqual(outcomes(done)["FAILED"], {"Textbook.TheCommandRuns"})
+        self.assertIn("/nowhere/rasterproof can't be run; set RASTERPROOF_COMMAND", done.stdout)
+
+    def test_a_component_that_is_not_there_is_named(self):
+        for wanted, said in (("oracel", "There is no component oracel; there are rasterize, kit"),
+                             ("rasterize", None)):  # fmt: skip
+            with tempfile.TemporaryDirectory() as folder:
+                with open(os.path.join(folder, "CMakeLists.txt"), "w", encoding="utf-8") as file:
+                    file.write("cmake_minimum_required(VERSION 3.25)\nproject(x LANGUAGES CXX)\n"
+                               f"find_package(rasterproof 0.1 REQUIRED COMPONENTS {wanted})\n")
+                done = self.configure(folder, os.path.join(folder, "build"))
+            self.assertEqual(done.returncode == 0, said is None, done.stderr)
+            self.assertIn(said or "", " ".join(done.stderr.split()))
+
+
+class InAnotherTree(unittest.TestCase):
+    def test_as_a_part_of_another_project_it_adds_targets_and_no_flags(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "CMakeLists.txt"), "w", encoding="utf-8") as file:
+                file.write("cmake_minimum_required(VERSION 3.25)\nproject(x LANGUAGES C CXX)\n"
+                           "include(FetchContent)\n"
+                           f'FetchContent_Declare(rasterproof SOURCE_DIR "{SOURCES}")\n'
+                           "set(RASTERPROOF_LIBRARY_ONLY ON)\n"
+                           "FetchContent_MakeAvailable(rasterproof)\n"
+                           "file(WRITE x.cc [[#include <rasterproof/kit/rasterize.h>\n"
+                           "int main() {}]])\n"
+                           "add_executable(x x.cc)\n"
+                           "target_compile_features(x PRIVATE cxx_std_20)\n"
+                           "target_link_libraries(x PRIVATE rasterproof::rasterize)\n"
+                           'message(STATUS "flags [${CMAKE_CXX_FLAGS_RELEASE}]"\n'
+                           '  " [${CMAKE_CXX_STANDARD}]")\n'
+                           "install(FILES x.cc DESTINATION share)\n")  # fmt: skip
+            build = os.path.join(folder, "build")
+            done = run(CMAKE, "-S", folder, "-B", build, "-G", "Ninja")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("flags [-O3 -DNDEBUG] []", done.stdout)
+            done = run(CMAKE, "--build", build, "--target", "CMakeFiles/x.dir/x.cc.o")
+            self.assertEqual(done.returncode, 0, done.stdout)
+            with open(os.path.join(build, "build.ninja"), encoding="utf-8") as file:
+                self.assertNotIn("-Werror", file.read())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

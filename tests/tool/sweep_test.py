@@ -40,7 +40,7 @@ def robust():
 
 
 @functools.cache
-def contracted():
+def contracted_edges():
     return sweep("contracted.c", "edge.c")
 
 
@@ -50,7 +50,7 @@ def flags_of(result):
 
 class Sweep(unittest.TestCase):
     def test_contraction_is_found_with_its_flags_file_and_function(self):
-        done, result = contracted()
+        done, result = contracted_edges()
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         rows = {row["changes"]: row for row in result["builds"]}
         self.assertEqual(rows[""]["samples"], 0)
@@ -115,7 +115,7 @@ class Sweep(unittest.TestCase):
         self.assertGreater(group["cases_away"], 20)
 
     def test_groups_of_a_fragile_source_are_apart_by_what_they_change(self):
-        _, result = contracted()
+        _, result = contracted_edges()
         groups = {group["name"]: group for group in result["groups"]}
         self.assertGreater(len(groups), 1)
         self.assertEqual(len({g["samples"] for g in groups.values()}), 1)

@@ -32,6 +32,13 @@ inline constexpr std::int64_t kFloat64Box = 94906265;  // the largest whose squa
 inline constexpr std::int64_t kFloat32Differences = std::int64_t{1} << 24;
 inline constexpr std::int64_t kFloat64Differences = std::int64_t{1} << 53;
 
+// Of (V_j x V_i) . (p, 1) and det(V0, V1, V2), where x, y, w and p are whole numbers of at most N.
+// A component of the product is at most 2 N^2, times p 2 N^3, the sum of two of these 4 N^3. The
+// last sum is a determinant of entries up to N: affine in each, so at most 4 N^3, since 4 is the
+// largest of entries +-1. 4 161^3 < 2^24, 4 (2^17)^3 = 2^53. Proof: proofs/exactness.g.
+inline constexpr std::int64_t kFloat32Homogeneous = 161;
+inline constexpr std::int64_t kFloat64Homogeneous = std::int64_t{1} << 17;
+
 inline constexpr std::array kExactnessTable{
     ExactnessRow{"f32-incremental", kFloat32Box, kFloat32Box},
     ExactnessRow{"f32-incremental-row", kFloat32Box, kFloat32Box},

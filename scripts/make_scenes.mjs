@@ -1,11 +1,11 @@
-// Makes scenes/map.json and scenes/glyphs.json from public data, and checks them in exact integers.
-//   npm install world-atlas@2.0.2 topojson-client@3.1.0 cdt2d@1.0.0 opentype.js@2.0.0
-//   node scripts/make_scenes.mjs FONT.ttf
+// Makes scenes/map.json, map-earcut.json and glyphs.json from public data, and checks them in exact integers.
+//   npm ci && node scripts/make_scenes.mjs FONT.ttf
 // Run once by hand; the results are committed. scenes/README.md has provenance and licences.
 import cdt2d from 'cdt2d';
+import earcut, {flatten} from 'earcut';
 import fs from 'node:fs';
 import opentype from 'opentype.js';
-import {feature} from 'topojson-client';
+import {feature, merge} from 'topojson-client';
 
 const font_path = process.argv[2];
 if (!font_path) {
@@ -102,17 +102,24 @@ function unwrap(ring) {
   return turns + (last > kTurn / 2 ? -1 : last < -kTurn / 2 ? 1 : 0) === 0 ? open : undefined;
 }
 
-// Natural Earth at 1:110 million. The topology's integer grid is scaled by 5/512 and 5/1024 pixels: exact in
-// float32, so borders shared on the grid stay shared, and what was collinear stays so; off the 1/256 grid.
-function make_map() {
+// Natural Earth at 1:110 million, on the topology's integer grid.
+function read_topology() {
   const topology = JSON.parse(fs.readFileSync('node_modules/world-atlas/countries-110m.json'));
   delete topology.transform;  // leaves the delta-encoded integers
   for (const arc of topology.arcs) {
     let [x, y] = [0, 0];
     for (const p of arc) [p[0], p[1]] = [x += p[0], y += p[1]];
   }
+  return topology;
+}
+
+// The grid is scaled by 5/512 and 5/1024 pixels: exact in float32, so borders shared on the grid stay shared, and
+// what was collinear stays so; off the 1/256 grid.
+const pixel = ([x, y]) => [x * 5 / 512, (99999 - y) * 5 / 1024];
+
+function make_map() {
+  const topology = read_topology();
   const scene = new Scene('map', 977, 489);
-  const pixel = ([x, y]) => [x * 5 / 512, (99999 - y) * 5 / 1024];
   for (const country of feature(topology, topology.objects.countries).features) {
     const {type, coordinates} = country.geometry;
     for (const polygon of type === 'Polygon' ? [coordinates] : coordinates) {
@@ -124,6 +131,88 @@ function make_map() {
       }
     }
   }
+  scene.write();
+}
+
+// Each polygon by itself, as map renderers do it: vertices of equal value have indices of their own in each.
+class EarcutScene extends Scene {
+  add(rings, what) {
+    const {vertices, holes} = flatten(rings);
+    const points = rings.flat();
+    const ring_of = rings.flatMap((ring, k) => ring.map(() => k));
+    const corners = earcut(vertices, holes);
+    let area = 0n;
+    for (let k = 0; k < corners.length; k += 3) {
+      const twice = cross(...corners.slice(k, k + 3).map(i => points[i]));
+      if (twice === 0n) this.flat = (this.flat ?? 0) + 1;
+      area += magnitude(twice);
+      if (twice < 0n) [corners[k + 1], corners[k + 2]] = [corners[k + 2], corners[k + 1]];
+    }
+    const [outer, ...inner] = rings.map(ring => magnitude(ring_area(ring)));
+    if (area !== inner.reduce((sum, hole) => sum - hole, outer)) throw new Error(`${what}: wrong area`);
+    const ids = this.cut(corners, ring_of).map(id => id + this.vertices.length);
+    for (let k = 0; k < ids.length; ++k) this.vertices[ids[k]] = points[corners[k]];
+    for (let k = 0; k < ids.length; k += 3) this.triangles.push(ids.slice(k, k + 3));
+  }
+  // Numbers of the corners' vertices: earcut joins holes to the outline by bridges, whose ends are passed twice.
+  // It gives both passes one index. Here the sides of a bridge have vertices of their own.
+  cut(corners, ring_of) {
+    const next = k => k % 3 === 2 ? k - 2 : k + 1;
+    const starts = new Map(corners.map((a, k) => [`${a} ${corners[next(k)]}`, k]));
+    const inner = corners.map((a, k) => [k, starts.get(`${corners[next(k)]} ${a}`)]).filter(([k, o]) => o > k);
+    const ring = ring_of.map((_, k) => k).slice(0, Math.max(...ring_of) + 1);
+    const corner = corners.map((_, k) => k);
+    const root = (of, k) => of[k] === k ? k : of[k] = root(of, of[k]);
+    for (const [k, other] of inner) {
+      const ends = [k, next(k)].map(c => root(ring, ring_of[corners[c]]));
+      ring[ends[0]] = ends[1];
+      if (ends[0] !== ends[1]) continue;  // a bridge
+      corner[root(corner, k)] = root(corner, next(other));
+      corner[root(corner, next(k))] = root(corner, other);
+    }
+    const ids = new Map();
+    return corner.map((_, k) => {
+      const of = root(corner, k);
+      if (!ids.has(of)) ids.set(of, ids.size);
+      return ids.get(of);
+    });
+  }
+  write() {
+    const values = new Map();
+    for (const p of this.vertices) values.set(`${p}`, p);
+    const tees = this.triangles.reduce((sum, t) => sum + t.reduce((of, a, k) => {
+      const [p, q] = [this.vertices[a], this.vertices[t[(k + 1) % 3]]];
+      const between = (v, n) => (p[n] - v[n]) * (v[n] - q[n]) >= 0;
+      return of + [...values.values()].filter(v => between(v, 0) && between(v, 1) && `${v}` !== `${p}` &&
+                                                   `${v}` !== `${q}` && cross(p, q, v) === 0n).length;
+    }, 0), 0);
+    console.log(`${this.name}: ${values.size} places of vertices, ${tees} inside an edge, ${this.flat ?? 0} flat`);
+    super.write();
+  }
+}
+
+// What of the map lies wholly in a band south of it, and the sea around: its frame with the land as holes. Every
+// side of more than a pixel has its middle as a vertex, which is collinear.
+function make_earcut_map() {
+  const topology = read_topology();
+  const [top, bottom] = [50000, 11000];
+  const is_long = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]) > 200;
+  const middle = (p, q) => is_long(p, q) ? [[0, 1].map(k => (p[k] + q[k]) / 2)] : [];
+  topology.arcs = topology.arcs.map(arc => arc.flatMap((p, k) => k === 0 ? [p] : [...middle(arc[k - 1], p), p]));
+  const polygons = topology.objects.countries.geometries.flatMap(({type, arcs, properties}) =>
+    (type === 'Polygon' ? [arcs] : arcs).map(part => ({type: 'Polygon', arcs: part, properties})));
+  const of = polygon => feature(topology, polygon).geometry.coordinates;
+  const land = polygons.filter(polygon => {
+    const rings = of(polygon).map(unwrap);
+    return rings.every(Boolean) && rings[0].every(([x, y]) => x > 0 && x < 99999 && y > bottom && y < top);
+  });
+  const place = ring => ring.map(p => pixel([p[0], p[1] + 99999 - top]));
+  const [width, height] = [977, Math.ceil((top - bottom) * 5 / 1024)];
+  const scene = new EarcutScene('map-earcut', width, height);
+  for (const polygon of land) scene.add(of(polygon).map(unwrap).map(place), polygon.properties.name);
+  const merged = merge(topology, land).coordinates.map(rings => rings.map(ring => place(unwrap(ring))));
+  scene.add([[[0, 0], [width, 0], [width, height], [0, height]], ...merged.map(([outer]) => outer)], 'the sea');
+  for (const [, ...lakes] of merged) lakes.forEach(lake => scene.add([lake], 'a lake'));
   scene.write();
 }
 
@@ -170,4 +259,5 @@ function parts(rings) {
 }
 
 make_map();
+make_earcut_map();
 make_glyphs();

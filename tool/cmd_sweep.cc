@@ -25,6 +25,7 @@
 #include "tool/sweep_blame.h"
 #include "tool/sweep_builds.h"
 #include "tool/sweep_delta.h"
+#include "tool/sweep_model.h"
 #include "tool/sweep_runner.h"
 #include "tool/workers.h"
 
@@ -77,12 +78,14 @@ class Sweep {
     Group();
     Add(PairsOf(Representatives()));
     Group();
+    FindDistances();
     FindDifferences();
   }
 
   const std::vector<SweepRow>& rows() const { return rows_; }
   const std::vector<Difference>& differences() const { return differences_; }
-  std::size_t groups() const { return groups_; }
+  /// Of each group from the model; the base's is the first.
+  const std::vector<DistanceFromModel>& distances() const { return distances_; }
 
  private:
   void InParallel(std::size_t first, std::size_t count, const std::string& what,
@@ -136,7 +139,21 @@ class Sweep {
       rows_[i].group = static_cast<std::size_t>(same - first_rows.begin());
       if (same == first_rows.end()) first_rows.push_back(i);
     }
-    groups_ = first_rows.size();
+    first_rows_ = first_rows;
+  }
+
+  void FindDistances() {
+    const std::size_t cases = runner_.cases().size();
+    std::vector<std::optional<ModelOfCase>> models(cases);
+    InParallel(0, cases, "the model of each case",
+               [&](std::size_t k) { models[k].emplace(runner_.info(), runner_.cases()[k]); });
+    for (const std::size_t row : first_rows_) {
+      DistanceFromModel& distance = distances_.emplace_back();
+      for (std::size_t k = 0; k < cases; ++k) {
+        if (models[k]) AddDistance(runner_, k, *models[k], rows_[row].outcome, distance);
+      }
+      if (distance.cases + distance.cases_not_judged == 0) distance.why_not = kNotReached;
+    }
   }
 
   // Differing builds, of those that change the same axes and draw alike the first alone.
@@ -196,7 +213,8 @@ class Sweep {
   Progress progress_;
   std::vector<SweepRow> rows_;
   std::vector<Difference> differences_;
-  std::size_t groups_ = 0;
+  std::vector<std::size_t> first_rows_;  ///< of each group
+  std::vector<DistanceFromModel> distances_;
 };
 
 std::string GroupName(std::size_t group) {
@@ -252,15 +270,18 @@ std::string Table(const SweepRunner& runner, const Sweep& sweep) {
 
 std::string GroupsText(const Sweep& sweep) {
   std::string text;
-  for (std::size_t group = 0; group < sweep.groups(); ++group) {
+  for (std::size_t group = 0; group < sweep.distances().size(); ++group) {
     text += fmt::format("{}:", GroupName(group));
     std::string_view before = " ";
+    std::size_t builds = 0;
     for (const SweepRow& row : sweep.rows()) {
       if (!row.IsDrawn() || row.group != group) continue;
+      ++builds;
       const std::string choices = ChoicesText(row.build.choices);
       text += fmt::format("{}{}", std::exchange(before, ", "), choices.empty() ? "base" : choices);
     }
-    text += "\n";
+    text += fmt::format("\n   {} {}: {}\n", builds, builds == 1 ? "build" : "builds",
+                        DistanceText(sweep.distances()[group]));
   }
   return text;
 }
@@ -289,6 +310,15 @@ void AddRow(report::JsonWriter& json, const SweepRunner& runner, const SweepRow&
   json.Key("note").Text(row.Note()).EndObject();
 }
 
+void AddGroup(report::JsonWriter& json, std::size_t group, const DistanceFromModel& distance) {
+  json.BeginObject().Key("name").Text(GroupName(group));
+  json.Key("samples").Integer(distance.samples).Key("cases").Integer(distance.cases);
+  json.Key("samples_away").Integer(distance.samples_away);
+  json.Key("cases_away").Integer(distance.cases_away);
+  json.Key("cases_not_judged").Integer(distance.cases_not_judged);
+  json.Key("why_not").Text(distance.why_not).EndObject();
+}
+
 std::string Json(const SweepRunner& runner, const Sweep& sweep, const SweepOptions& options) {
   report::JsonWriter json;
   json.BeginObject().Key("sources").BeginArray();
@@ -297,6 +327,10 @@ std::string Json(const SweepRunner& runner, const Sweep& sweep, const SweepOptio
   json.Key("seed").Integer(options.seed).Key("cases").Integer(options.cases);
   json.Key("builds").BeginArray();
   for (const SweepRow& row : sweep.rows()) AddRow(json, runner, row);
+  json.EndArray().Key("groups").BeginArray();
+  for (std::size_t group = 0; group < sweep.distances().size(); ++group) {
+    AddGroup(json, group, sweep.distances()[group]);
+  }
   json.EndArray().Key("differences").BeginArray();
   for (const Difference& difference : sweep.differences()) {
     json.BeginObject().Key("flags").Text(ChoicesText(difference.minimal));

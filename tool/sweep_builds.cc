@@ -57,16 +57,19 @@ std::string Missing(std::string_view name) {
 // Whether this processor runs programs of that level. Builds by name alone would end by a signal.
 bool HasLevel([[maybe_unused]] std::string_view level) {
 #if defined(__x86_64__)
-  if (level == "x86-64-v2") return __builtin_cpu_supports("sse4.2") != 0;
-  if (level == "x86-64-v3") {
-    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  }
-  return level != "x86-64-v4" ||
-         (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-          __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0);
+  if (level == "x86-64-v2") return __builtin_cpu_supports("x86-64-v2") != 0;
+  if (level == "x86-64-v3") return __builtin_cpu_supports("x86-64-v3") != 0;
+  return level != "x86-64-v4" || __builtin_cpu_supports("x86-64-v4") != 0;
 #else
   return false;
 #endif
+}
+
+// What the level has and those below it lack.
+std::string_view ExtensionsOf(std::string_view level) {
+  if (level == "x86-64-v2") return "SSE4.2";
+  if (level == "x86-64-v3") return "AVX2 and FMA";
+  return level == "x86-64-v4" ? "AVX-512" : "";
 }
 
 Choice Flag(std::string_view value) { return {Kind::kFlag, std::string(value)}; }
@@ -242,7 +245,8 @@ std::string WhatIsMissing(const Choices& choices, bool has_cxx) {
   for (const Choice& c : choices) {
     constexpr std::string_view kMarch = "-march=";
     if (c.value.starts_with(kMarch) && !HasLevel(c.value.substr(kMarch.size()))) {
-      return fmt::format("this processor does not run {}", c.value.substr(kMarch.size()));
+      const std::string level = c.value.substr(kMarch.size());
+      return fmt::format("this processor lacks {} ({})", level, ExtensionsOf(level));
     }
   }
   return "";

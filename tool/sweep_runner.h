@@ -101,6 +101,8 @@ class SweepRunner {
   ///
   /// Error:      BuildFailure; InputError if it does not draw every case, and twice alike.
   void DrawBase(std::uint64_t seed, std::uint64_t count, const std::string& profile);
+  /// Of the base.
+  const SubjectInfo& info() const { return info_; }
   const std::vector<Case>& cases() const { return cases_; }
   const Drawing* BaseDrawing(std::size_t number_of_case) const;
 

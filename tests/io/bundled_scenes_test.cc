@@ -1,4 +1,5 @@
 // What scenes/README.md says of the bundled scenes, checked in exact integers.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/profile.h"
+#include "exact/coverage.h"
 #include "gtest/gtest.h"
 #include "io/mesh.h"
 #include "io/scene_file.h"
@@ -35,6 +38,23 @@ Int128 TwiceArea(const Scene& scene, const Triangle& t) {
   return (OnGrid(b.x) - ax) * (OnGrid(c.y) - ay) - (OnGrid(b.y) - ay) * (OnGrid(c.x) - ax);
 }
 
+// How many of the places lie on the edge from a to b, and not at its ends. Differences of the map's
+// coordinates are multiples of 2^-11 below 2^11: their products are exact in double.
+std::size_t Inside(const Scene& scene, std::int32_t a, std::int32_t b,
+                   const std::set<std::pair<double, double>>& places) {
+  const Vertex& p = scene.vertices[static_cast<std::size_t>(a)];
+  const Vertex& q = scene.vertices[static_cast<std::size_t>(b)];
+  const auto is_inside = [&](const std::pair<double, double>& v) {
+    const double px = v.first - p.x;
+    const double py = v.second - p.y;
+    const double qx = q.x - v.first;
+    const double qy = q.y - v.second;
+    const bool is_end = (px == 0 && py == 0) || (qx == 0 && qy == 0);
+    return !is_end && px * qx >= 0 && py * qy >= 0 && px * qy == py * qx;
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(places, is_inside));
+}
+
 TEST(BundledScenesTest, EveryEntryOfTheSetIsThere) {
   for (const SceneEntry& entry : ReadSceneSet("scenes/certify.json")) {
     if (!entry.path.ends_with(".json")) continue;
@@ -60,6 +80,26 @@ TEST(BundledScenesTest, TheMapAndTheGlyphsArePlanarSubdivisions) {
     for (const auto& [a, b] : edges) inner += edges.contains({b, a}) ? 1U : 0U;
     EXPECT_EQ(inner / 2, shared) << path;
   }
+}
+
+TEST(BundledScenesTest, TheEarcutMapFillsItsFrameWithTJunctionsAndVerticesOfEqualValue) {
+  const Scene scene = ReadScene("scenes/map-earcut.json");
+  EXPECT_EQ(scene.triangles.size(), 3360U);
+  EXPECT_EQ(scene.vertices.size(), 3460U);
+  std::set<std::pair<double, double>> places;
+  for (const Vertex& v : scene.vertices) places.emplace(v.x, v.y);
+  EXPECT_EQ(places.size(), 2042U);
+  Int128 area = 0;
+  std::size_t inside_edges = 0;
+  for (const Triangle& t : scene.triangles) {
+    ASSERT_GT(TwiceArea(scene, t), 0);
+    area += TwiceArea(scene, t);
+    for (std::size_t k = 0; k < 3; ++k) inside_edges += Inside(scene, t[k], t[(k + 1) % 3], places);
+  }
+  EXPECT_TRUE(area == (Int128{2} * 977 * 191 << 42));
+  EXPECT_EQ(inside_edges, 718U);
+  const CoverageCounts counts = exact::Coverage(scene, Profile{});
+  for (std::size_t k = 0; k < counts.size(); ++k) ASSERT_EQ(counts.Count(k), 1U) << k;
 }
 
 TEST(BundledScenesTest, TheBunnyIsClosed) {

@@ -2,6 +2,7 @@
 
 usage: sweep_test.py PROGRAM SOURCES
 """
+import functools
 import json
 import os
 import shutil
@@ -33,13 +34,23 @@ def sweep(*names, cases=40, **kept):
         return done, result
 
 
+@functools.cache
+def robust():
+    return sweep("robust.c")
+
+
+@functools.cache
+def contracted_edges():
+    return sweep("contracted.c", "edge.c")
+
+
 def flags_of(result):
     return {d["flags"]: d for d in result["differences"]}
 
 
 class Sweep(unittest.TestCase):
     def test_contraction_is_found_with_its_flags_file_and_function(self):
-        done, result = sweep("contracted.c", "edge.c")
+        done, result = contracted_edges()
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         rows = {row["changes"]: row for row in result["builds"]}
         self.assertEqual(rows[""]["samples"], 0)
@@ -76,7 +87,7 @@ class Sweep(unittest.TestCase):
             self.assertTrue(wide["file"].endswith("regrouped.c"), wide)
 
     def test_integers_after_the_snap_agree_in_all_builds(self):
-        done, result = sweep("robust.c")
+        done, result = robust()
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         drawn = [row for row in result["builds"] if row["drawn"]]
         self.assertGreater(len(drawn), 8, done.stdout)
@@ -85,13 +96,69 @@ class Sweep(unittest.TestCase):
         self.assertIn("\nA: base, ", done.stdout)
         self.assertNotIn("\nB:", done.stdout)
 
+    def test_groups_say_how_far_they_are_from_the_model(self):
+        done, result = robust()
+        (group,) = result["groups"]
+        self.assertEqual((group["samples_away"], group["cases_away"]), (0, 0), group)
+        self.assertGreater(group["samples"], 100000)
+        self.assertEqual(group["cases"] + group["cases_not_judged"], 40)
+        drawn = sum(row["drawn"] for row in result["builds"])
+        self.assertIn(f"\n   {drawn} builds: 0 of {group['samples']} samples away from the model, "
+                      f"in 0 of {group['cases']} cases", done.stdout)  # fmt: skip
+
+    def test_no_group_of_a_source_that_draws_nothing_is_right(self):
+        done, result = sweep("nothing.c")
+        self.assertEqual(done.returncode, 0, "all builds agree")
+        self.assertEqual({row["group"] for row in result["builds"] if row["drawn"]}, {"A"})
+        (group,) = result["groups"]
+        self.assertGreater(group["samples_away"], 10000)
+        self.assertGreater(group["cases_away"], 20)
+
+    def test_groups_of_a_fragile_source_are_apart_by_what_they_change(self):
+        _, result = contracted_edges()
+        groups = {group["name"]: group for group in result["groups"]}
+        self.assertGreater(len(groups), 1)
+        self.assertEqual(len({g["samples"] for g in groups.values()}), 1)
+        changed = {row["group"]: row["samples"] for row in result["builds"] if row["drawn"]}
+        for name, group in groups.items():
+            self.assertGreater(group["samples_away"], 0, "samples on edges are covered twice")
+            apart = abs(group["samples_away"] - groups["A"]["samples_away"])
+            self.assertLessEqual(apart, changed[name], name)
+
+    def test_what_the_profile_leaves_free_is_not_away(self):
+        _, result = sweep("robust.c", cases=10, more=["--profile", "vulkan"])
+        self.assertEqual(result["groups"][0]["samples_away"], 0, result["groups"])
+        _, result = sweep("nothing.c", cases=10, more=["--profile", "vulkan"])
+        self.assertGreater(result["groups"][0]["samples_away"], 100)
+
+    def test_a_profile_that_states_no_coverage_is_not_compared(self):
+        with tempfile.TemporaryDirectory() as folder:
+            profile = os.path.join(folder, "none.json")
+            with open(profile, "w", encoding="utf-8") as file:
+                json.dump({"name": "none", "contract": "none"}, file)
+            done, result = sweep("nothing.c", cases=3, more=["--profile", profile])
+        self.assertIn("builds: not compared with the model: the profile's contract states nothing "
+                      "about coverage", done.stdout)  # fmt: skip
+        self.assertEqual(result["groups"][0]["cases"], 0)
+
+    def test_a_processor_without_an_instruction_set_is_a_row(self):
+        _, result = robust()
+        rows = {row["changes"]: row for row in result["builds"]}
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            has_avx512 = "avx512vl" in file.read()
+        row = rows["-march=x86-64-v4"]
+        self.assertEqual(row["drawn"], has_avx512)
+        if not has_avx512:
+            self.assertEqual(row["note"], "this processor lacks x86-64-v4 (AVX-512)")
+
     def test_a_build_that_hangs_is_stopped_and_its_row_says_so(self):
         done, result = sweep("hangs.c", cases=3, more=["--time-limit", "1"])
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         for row in result["builds"]:
             if row["changes"] == "-ffast-math":
                 self.assertFalse(row["drawn"])
-                self.assertRegex(row["note"], r"^stopped on [a-z-]+:\d+@1: no answer within ")
+                self.assertRegex(row["note"], r"^stopped on [a-z-]+:\d+@1: "
+                                              r"(no answer within|its cases took more than) ")
             elif row["changes"] != "-ffast-math (at link time)":
                 self.assertNotIn("stopped", row["note"])
             if row["drawn"]:

@@ -4,6 +4,10 @@
 
 #include "kit/rasterproof_plugin.h"
 
+#ifndef PROFILE
+#define PROFILE "real"
+#endif
+
 /* Whether a triangle's three sides all have the point on their inner side. */
 static int covers(const float v[3][2], float x, float y);
 
@@ -29,6 +33,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
   plugin.version = RASTERPROOF_PLUGIN_VERSION;
   plugin.size = sizeof plugin;
   plugin.name = "swept";
+  plugin.profile = PROFILE;
   plugin.coverage = RASTERPROOF_COUNTS;
   plugin.draw = draw;
   return &plugin;

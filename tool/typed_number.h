@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_TOOL_TYPED_NUMBER_H_
 #define RASTERPROOF_TOOL_TYPED_NUMBER_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -18,6 +19,16 @@ std::uint64_t ParseSeed(const std::string& text);
 ///
 /// Error:      InputError that names the option.
 int ParseCount(const std::string& option, const std::string& text, int most);
+
+/// What the longest list of a request leaves to a mesh, and so much of memory a triangle takes in
+/// this program and a host of a library together (measured: docs/stiff.md).
+inline constexpr std::size_t kMostListLength = (std::size_t{1} << 26) - (std::size_t{1} << 20);
+inline constexpr std::size_t kBytesOfATriangle = 160;
+
+/// A number of triangles that fit in a request, in primitive ids and in this machine's memory.
+///
+/// Error:      InputError that names --list-length, the number and the limit.
+std::size_t ParseListLength(const std::string& text);
 
 /// "90", "90s", "10m", "1h": seconds, more than 0.
 ///

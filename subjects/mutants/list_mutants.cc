@@ -15,11 +15,11 @@
 namespace rasterproof::subjects::mutants {
 namespace {
 
-constexpr int kBits = 16;
-constexpr std::size_t kInABatch = 1000;
+constexpr int kListBits = 16;
+constexpr std::size_t kInAListBatch = 1000;
 
 // The last triangle of a sample, with the id that the function makes of its number.
-FreeStages ShowsIds(std::size_t (*id)(std::size_t number)) {
+FreeStages ShowsIdsBy(std::size_t (*id)(std::size_t number)) {
   return {.profile = FixedPointProfile(),
           .coverage = CoverageKind::kPrimitiveIds,
           .id = [id](std::size_t number, std::size_t) { return id(number); }};
@@ -42,19 +42,19 @@ FixedStages IndicesByOffsets(int bits) {
 std::vector<Mutant> ListMutants() {
   return {
       {"list-ids-of-16-bits", "primitive ids keep 16 bits", "",
-       ShowsIds([](std::size_t number) { return CutTo(number, kBits); })},
+       ShowsIdsBy([](std::size_t number) { return CutTo(number, kListBits); })},
       {"list-ids-in-a-float", "primitive ids are kept in a float of 16 significant bits", "",
-       ShowsIds([](std::size_t number) { return InAFloat(number, kBits); })},
+       ShowsIdsBy([](std::size_t number) { return InAFloat(number, kListBits); })},
       {"list-ids-in-a-colour", "primitive ids and none share the 16 bits of a colour, 5, 6 and 5",
-       "", ShowsIds([](std::size_t number) { return CutTo(number + 1, kBits) - 1; })},
+       "", ShowsIdsBy([](std::size_t number) { return CutTo(number + 1, kListBits) - 1; })},
       {"list-ids-by-batches", "of 1000 triangles a batch, the number of the batch keeps 6 bits", "",
-       ShowsIds([](std::size_t number) {
-         return CutTo(number / kInABatch, 6) * kInABatch + number % kInABatch;
+       ShowsIdsBy([](std::size_t number) {
+         return CutTo(number / kInAListBatch, 6) * kInAListBatch + number % kInAListBatch;
        })},
       {"list-count-of-16-bits", "the number of triangles of a call keeps 16 bits", "",
        FixedStages{.drops =
                        [](const Scene& scene, std::size_t number) {
-                         return number >= CutTo(scene.triangles.size(), kBits);
+                         return number >= CutTo(scene.triangles.size(), kListBits);
                        }}},
       {"list-offsets-of-19-bits", "byte offsets of indices keep 19 bits", "", IndicesByOffsets(19)},
   };
@@ -63,8 +63,9 @@ std::vector<Mutant> ListMutants() {
 std::vector<Mutant> ListVariants() {
   return {
       {"list-ids-by-batches", "primitive ids by batches of 1000 triangles, numbered on", "",
-       ShowsIds(
-           [](std::size_t number) { return number / kInABatch * kInABatch + number % kInABatch; })},
+       ShowsIdsBy([](std::size_t number) {
+         return number / kInAListBatch * kInAListBatch + number % kInAListBatch;
+       })},
   };
 }
 

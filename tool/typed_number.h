@@ -20,9 +20,10 @@ std::uint64_t ParseSeed(const std::string& text);
 /// Error:      InputError that names the option.
 int ParseCount(const std::string& option, const std::string& text, int most);
 
-/// What the longest list of a request leaves to a mesh, and so much of memory a triangle takes in
-/// this program and a host of a library together (measured: docs/stiff.md).
+/// What the longest list of a request leaves to a mesh.
 inline constexpr std::size_t kMostListLength = (std::size_t{1} << 26) - (std::size_t{1} << 20);
+/// Memory that a triangle of a list takes in this program and a host of a library together, an
+/// estimate: 12 bytes a copy of its indices, their text, and both again while buffers grow.
 inline constexpr std::size_t kBytesOfATriangle = 160;
 
 /// A number of triangles that fit in a request, in primitive ids and in this machine's memory.

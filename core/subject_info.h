@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_CORE_SUBJECT_INFO_H_
 #define RASTERPROOF_CORE_SUBJECT_INFO_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -62,6 +63,10 @@ struct Proof {
   friend bool operator==(const Proof&, const Proof&) = default;
 };
 
+/// Leading triangles of the longest list that a subject is given, unless it is asked for another:
+/// more than 16 bits number.
+inline constexpr std::size_t kUsualListLength = (std::size_t{1} << 16) + 1;
+
 /// The description of a subject: its profile, the scenes it takes and the outputs it shows.
 struct SubjectInfo {
   std::string name;
@@ -86,6 +91,8 @@ struct SubjectInfo {
   bool takes_batches = false;
   /// True if DrawJob::repeats is obeyed.
   bool takes_repeats = false;
+  /// Leading triangles of the longest list that it is given (LongListDrawsLikeItsEnd).
+  std::size_t list_length = kUsualListLength;
   /// True if another processor draws: this machine's processor time then does not include it.
   bool draws_elsewhere = false;
   /// The version of the protocol that it speaks, on a pipe (subjects/process/protocol.h).

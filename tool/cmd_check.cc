@@ -255,6 +255,7 @@ void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
   choice.subject = result.subject;
   choice.property = result.property;
   choice.profile = options.profile;
+  choice.list_length = options.list_length;
   choice.name = found.failing_case;
   share.text += FailureText(subject, result.property, found.value, found.verdict,
                             CommandFor("replay", choice), /*colour=*/false);
@@ -310,6 +311,7 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
   choice.subject = name;
   choice.property = property.name;
   choice.profile = options.profile;
+  choice.list_length = options.list_length;
   share.text += FailureText(subject, result.property, c, verdict, CommandFor("replay", choice),
                             /*colour=*/false);
 }

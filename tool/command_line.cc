@@ -69,6 +69,7 @@ void AddCase(CLI::App* app, CaseChoice& choice) {
   app->add_option("--case", choice.name, std::string(kCaseHelp));
   app->add_flag("--fuzz-input", choice.is_fuzz_input,
                 "The file is a fuzz input, though it looks like text");
+  AddListLength(app, choice.list_length);
 }
 
 // For verbs that say what they know so far when they are interrupted. Any other one ends at once,
@@ -136,6 +137,7 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   for (CLI::Option* other : {catalogue, verb->get_option("scenes"), verb->get_option("--case")})
     cases_json->excludes(other);
   AddCampaign(verb, options.campaign);
+  AddListLength(verb, options.list_length);
   CLI::Option* const fp_env =
       verb->add_option(
               "--fp-env", options.float_modes,

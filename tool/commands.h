@@ -2,12 +2,14 @@
 #ifndef RASTERPROOF_TOOL_COMMANDS_H_
 #define RASTERPROOF_TOOL_COMMANDS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/authority.h"
+#include "core/subject_info.h"
 #include "props/run/campaign.h"
 
 namespace rasterproof::tool {
@@ -79,6 +81,7 @@ struct CheckOptions {
   std::string save;        ///< folder for counterexamples; those there are asked first
   std::string cases_json;  ///< file for a line of JSON a drawn case; empty: none
   int jobs = 1;            ///< properties at once
+  std::size_t list_length = kUsualListLength;
   FailOn fail_on = FailOn::kStated;
   bool catalogue = false;                ///< families of stiff cases, not properties
   std::vector<std::string> families;     ///< these alone; empty: all
@@ -143,6 +146,7 @@ struct CaseChoice {
   std::string typed;    ///< the command line as the user gave it, quoted for a shell
   /// The file is a fuzz input, as a fuzzer saves it, whatever it looks like.
   bool is_fuzz_input = false;
+  std::size_t list_length = kUsualListLength;
 };
 
 struct ReplayOptions {

@@ -183,7 +183,8 @@ std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profil
   return nullptr;
 }
 
-SubjectFactory ResolveSubject(const std::string& name, const std::string& profile, bool device) {
+SubjectFactory ResolveSubject(const std::string& name, const std::string& profile, bool device,
+                              std::size_t list_length) {
   const std::optional<Profile> by =
       profile.empty() ? std::nullopt : std::optional(io::ReadProfile(profile));
   if (device) RequireLegalSet(by);
@@ -194,6 +195,15 @@ SubjectFactory ResolveSubject(const std::string& name, const std::string& profil
         fmt::format("{}give plugin:PATH, exec:COMMAND, FILE.subject, or choose one of{}",
                     Suggestion(name, SubjectNames()), ListedNames(SubjectNames())));
   }
+  if (list_length != kUsualListLength) {
+    make = [make = std::move(make), list_length] {
+      std::unique_ptr<Subject> subject = make();
+      SubjectInfo info = subject->Info();
+      info.list_length = list_length;
+      subject->JudgeAs(std::move(info));
+      return subject;
+    };
+  }
   if (!by || IsOracle(name)) return {name, std::move(make)};
   return {name, [make = std::move(make), profile = *by, device] {
             std::unique_ptr<Subject> subject = make();
@@ -202,8 +212,9 @@ SubjectFactory ResolveSubject(const std::string& name, const std::string& profil
           }};
 }
 
-std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile) {
-  return ResolveSubject(name, profile).Make();
+std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile,
+                                     std::size_t list_length) {
+  return ResolveSubject(name, profile, /*device=*/false, list_length).Make();
 }
 
 const props::Property& RequireProperty(const std::string& name) {
@@ -282,7 +293,8 @@ ResolvedCheck ResolveCheck(const CheckOptions& options) {
     given.name = RequireCaseName(name);
   }
   for (const std::string& name : options.subjects) {
-    asked.subjects.push_back(ResolveSubject(name, options.profile, options.device));
+    asked.subjects.push_back(
+        ResolveSubject(name, options.profile, options.device, options.list_length));
   }
   if (asked.cases.empty()) asked.saved = SavedIn(options.save);
   return asked;

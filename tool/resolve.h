@@ -3,6 +3,7 @@
 #ifndef RASTERPROOF_TOOL_RESOLVE_H_
 #define RASTERPROOF_TOOL_RESOLVE_H_
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "core/case.h"
 #include "core/profile.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/domains/case_name.h"
 #include "props/domains/worlds.h"
 #include "props/property.h"
@@ -41,14 +43,16 @@ class SubjectFactory {
 };
 
 /// The subject of that name, judged by another profile than its own ("": its own), with `device` by
-/// that legal set with the numbers that the subject states (FilledIn).
+/// that legal set with the numbers that the subject states (FilledIn). Its longest list has
+/// `list_length` triangles before the mesh.
 ///
 /// Error:      InputError naming the subjects there are, or what is wrong with the profile.
 SubjectFactory ResolveSubject(const std::string& name, const std::string& profile = "",
-                              bool device = false);
+                              bool device = false, std::size_t list_length = kUsualListLength);
 
 /// The same, made at once: for a verb that needs one.
-std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile = "");
+std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile = "",
+                                     std::size_t list_length = kUsualListLength);
 
 /// Says on standard error, once for each of them, that the preset of an API is one of the models
 /// that it leaves legal, so that nobody takes another legal one for wrong.

@@ -1,5 +1,6 @@
 // Options that verbs share, those of the verbs that take one scene, and of pipe.
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -183,6 +184,14 @@ void AddPlan(CLI::App& app, Run& run) {
 }
 
 }  // namespace
+
+void AddListLength(CLI::App* app, std::size_t& length) {
+  app->add_option_function<std::string>(
+         "--list-length", [&length](const std::string& text) { length = ParseListLength(text); },
+         "Triangles before the mesh in the longest list that is drawn")
+      ->type_name("COUNT")
+      ->default_str(std::to_string(length));
+}
 
 void AddSceneVerbs(CLI::App& app, Run& run) {
   AddCoverage(app, run);

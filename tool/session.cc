@@ -177,7 +177,7 @@ LoadedCase LoadFuzzInput(const CaseChoice& choice, std::string_view bytes, std::
   }
   LoadedCase loaded;
   if (!choice.property.empty()) loaded.property = &RequireProperty(choice.property);
-  loaded.subject = MakeSubject(stated.subject, choice.profile);
+  loaded.subject = MakeSubject(stated.subject, choice.profile, choice.list_length);
   const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   loaded.value = props::DecodeCase(data, loaded.subject->Info());
   if (loaded.value.origin.empty()) loaded.value.origin = choice.path;
@@ -208,6 +208,9 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   add(" --profile", choice.profile);
   add(" --case", choice.name);
   if (choice.is_fuzz_input) command += " --fuzz-input";
+  if (choice.list_length != kUsualListLength) {
+    command += fmt::format(" --list-length {}", choice.list_length);
+  }
   return command;
 }
 
@@ -229,7 +232,7 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
     }
     const props::CaseName case_name = RequireCaseName(choice.name);
     if (!property.empty()) loaded.property = &RequireProperty(property);
-    loaded.subject = MakeSubject(subject, choice.profile);
+    loaded.subject = MakeSubject(subject, choice.profile, choice.list_length);
     loaded.value = props::DrawCase(loaded.subject->Info(), case_name);
     CaseChoice stated = choice;
     stated.subject = subject;
@@ -253,7 +256,7 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
     throw InputError(choice.path, "the file names no subject", "give --subject");
   }
   loaded.value = file.value;
-  loaded.subject = MakeSubject(subject, choice.profile);
+  loaded.subject = MakeSubject(subject, choice.profile, choice.list_length);
   // A scene states nothing: what is judged is what the subject does.
   if (!file.states_profile || !choice.profile.empty()) {
     loaded.value.profile = loaded.subject->Info().profile;

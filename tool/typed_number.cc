@@ -1,5 +1,7 @@
 #include "tool/typed_number.h"
 
+#include <unistd.h>
+
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +39,32 @@ int ParseCount(const std::string& option, const std::string& text, int most) {
   if (error == std::errc() && at == end && count >= 1 && count <= most) return count;
   throw InputError(fmt::format("{} {}", option, text), "not a count that it takes",
                    fmt::format("give an integer of 1 to {}", most));
+}
+
+std::size_t ParseListLength(const std::string& text) {
+  std::size_t length = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, length);
+  const std::string place = fmt::format("--list-length {}", text);
+  if (error == std::errc::invalid_argument || at != end || (error == std::errc() && length < 1)) {
+    throw InputError(place, "not a count that it takes",
+                     fmt::format("give an integer of 1 to {}", kMostListLength));
+  }
+  if (error != std::errc() || length > kMostListLength) {
+    throw InputError(place,
+                     "a request on a pipe holds 2^26 triangles and a primitive id, an int32, "
+                     "numbers 2^31, so that no longer list can be drawn",
+                     fmt::format("give an integer of 1 to {}", kMostListLength));
+  }
+  const auto memory = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+                      static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  if (length > memory / kBytesOfATriangle) {
+    throw InputError(place,
+                     fmt::format("the list takes {} MiB, and this machine has {} MiB",
+                                 length * kBytesOfATriangle >> 20, memory >> 20),
+                     fmt::format("give at most {}", memory / kBytesOfATriangle));
+  }
+  return length;
 }
 
 double ParseSeconds(const std::string& option, const std::string& text) {

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_TOOL_TYPED_NUMBER_H_
 #define RASTERPROOF_TOOL_TYPED_NUMBER_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -18,6 +19,17 @@ std::uint64_t ParseSeed(const std::string& text);
 ///
 /// Error:      InputError that names the option.
 int ParseCount(const std::string& option, const std::string& text, int most);
+
+/// What the longest list of a request leaves to a mesh.
+inline constexpr std::size_t kMostListLength = (std::size_t{1} << 26) - (std::size_t{1} << 20);
+/// Memory that a triangle of a list takes in this program and a host of a library together, an
+/// estimate: 12 bytes a copy of its indices, their text, and both again while buffers grow.
+inline constexpr std::size_t kBytesOfATriangle = 160;
+
+/// A number of triangles that fit in a request, in primitive ids and in this machine's memory.
+///
+/// Error:      InputError that names --list-length, the number and the limit.
+std::size_t ParseListLength(const std::string& text);
 
 /// "90", "90s", "10m", "1h": seconds, more than 0.
 ///

@@ -3,6 +3,7 @@
 #ifndef RASTERPROOF_TOOL_VERB_OPTIONS_H_
 #define RASTERPROOF_TOOL_VERB_OPTIONS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -33,6 +34,9 @@ void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::stri
 /// Adds --seed, --cases and --seconds.
 void AddCampaign(CLI::App* app, props::CampaignOptions& campaign,
                  const std::string& of = "property");
+
+/// Adds --list-length.
+void AddListLength(CLI::App* app, std::size_t& length);
 
 /// Adds pipe ask, judge and answer.
 void AddPipeVerb(CLI::App& app, Run& run);

@@ -139,6 +139,10 @@ inline constexpr auto kMeshesAnySpace =
          std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides",
                                           "tilted-grids", "earcut-meshes", "cameras"}));
 
+// Meshes of a few triangles and of many, in window and clip space.
+inline constexpr auto kLists = std::to_array<std::string_view>(
+    {"shared-edge", "fans", "grids", "every-size", "perspective-meshes", "cameras"});
+
 // Planar or not, open or closed, conforming or not.
 inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "fans",

@@ -50,7 +50,8 @@ std::vector<FacingDraw> FacingDraws(const DrawJob& job, CoverageKind coverage,
 
 std::size_t SizeInACall(const DrawJob& job) {
   const Scene& scene = *job.scene;
-  return CoverageCounts::Size(scene.width, scene.height, job.samples) + scene.vertices.size();
+  return CoverageCounts::Size(scene.width, scene.height, job.samples) + scene.vertices.size() +
+         job.Triangles().size();
 }
 
 CallEnd DrawFacings(Subject& subject, std::span<const FacingDraw> parts, CoverageCounts& counts) {

@@ -31,10 +31,10 @@ struct FacingDraw {
 std::vector<FacingDraw> FacingDraws(const DrawJob& job, CoverageKind coverage,
                                     const Profile& profile);
 
-/// The most samples and vertices in one call of a subject: the call's draws take memory on either
-/// side.
+/// The most samples, vertices and triangles in one call of a subject: the call's draws take memory
+/// on either side.
 inline constexpr std::size_t kMostInACall = std::size_t{1} << 20;
-/// Returns the samples and vertices that a job adds to a call.
+/// Returns the samples, vertices and triangles that a job adds to a call.
 std::size_t SizeInACall(const DrawJob& job);
 
 /// Draws the parts in their order, in calls of kMostInACall, and adds what they drew.

@@ -22,9 +22,9 @@ struct Request {
   const std::vector<std::shared_ptr<const Drawing>>* drawn = nullptr;
 };
 
-/// Puts the questions of some checks to the subject: their draws in as few calls as 2^20 samples
-/// and vertices allow (those of kInOrderAlone each in its own), then the others. A draw of kFacings
-/// is made of parts where the subject tells no facings (run/facing_draws.h).
+/// Puts the questions of some checks to the subject: their draws in as few calls as 2^20 samples,
+/// vertices and triangles allow (those of kInOrderAlone each in its own), then the others. A draw
+/// of kFacings is made of parts where the subject tells no facings (run/facing_draws.h).
 ///
 /// Domain:     checks whose draws may share a call: more than one only if the company of each is
 ///             kAny and none draws onto the last target. Draws by_twin of a subject that has one,

@@ -52,9 +52,9 @@ class Centroids final : public Subject {
     drawing.barycentrics.resize(size);
     drawing.depths.resize(size);
     if (job.wants.centroids) drawing.centroids.resize(size);
+    Scene one = scene;
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
       CoverageCounts alone(scene.width, scene.height, job.samples);
-      Scene one = scene;
       one.triangles = {scene.triangles[t]};
       DrawOnto(*base_, one, job.options, alone);
       ShowTriangle(scene, t, alone, job.wants, drawing);

@@ -74,13 +74,13 @@ class Clipping final : public Subject {
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
     const double far = stages_.beyond;
     const WindowBox box{-far, -far, scene.width + far, scene.height + far};
+    Scene one = scene;
     for (const Triangle& t : scene.triangles) {
       const std::array<Vertex, 3> v = Corners(scene, t);
       const bool is_inside =
           std::ranges::all_of(v, [&](const Vertex& p) { return box.Contains(p.x, p.y); });
       const bool has_nan = std::ranges::any_of(v, [](const Vertex& p) { return std::isnan(p.z); });
       if (is_inside || has_nan || !std::ranges::all_of(v, IsFinite)) {
-        Scene one = scene;
         one.triangles = {t};
         DrawOnto(*base_, one, options, counts);
       } else {
@@ -105,10 +105,10 @@ class Clipping final : public Subject {
   void DrawClipped(const Scene& scene, const Polygon& polygon, const DrawOptions& options,
                    CoverageCounts& counts) {
     if (polygon.size() < 3) return;
-    Scene fan = scene;
+    Scene fan;
+    fan.width = scene.width;
+    fan.height = scene.height;
     fan.precision = Precision::kFloat64;
-    fan.vertices.clear();
-    fan.triangles.clear();
     double area = 0;
     for (const Point2 p : polygon) fan.vertices.push_back({p.x, p.y, 0, 1});
     const auto placed = [&](std::size_t k) {

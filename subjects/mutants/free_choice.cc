@@ -148,9 +148,10 @@ class FreeChoice final : public Subject {
   void DrawTriangle(const Scene& scene, std::size_t t, const DrawOptions& options,
                     CoverageCounts& counts) {
     const std::array<Point2, 3> given = Given(scene, t);
-    Scene placed = scene;
-    placed.clip_space = false;
-    placed.vertices.clear();
+    Scene placed;
+    placed.width = scene.width;
+    placed.height = scene.height;
+    placed.precision = scene.precision;
     for (const Point2 p : Placed(given)) placed.vertices.push_back({p.x, p.y, 0, 1});
     placed.triangles = {{0, 1, 2}};
     if (!stages_.rule) {

@@ -149,7 +149,7 @@ std::vector<Mutant> LegalVariants() {
   for (const auto more :
        {Snaps, Samples, Freedoms, OtherBases, TransformVariants, MapVariants, ScanlineVariants,
         SquareVariants, ContractVariants, FreeVariants, SetVariants, FacingVariants, SampleVariants,
-        CentroidVariants, FragmentVariants, WidthVariants}) {
+        CentroidVariants, FragmentVariants, WidthVariants, ListVariants}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;

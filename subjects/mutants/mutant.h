@@ -61,6 +61,7 @@ std::vector<Mutant> SampleMutants();      // several samples a pixel
 std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
 std::vector<Mutant> ModeMutants();        // the caller's floating-point mode
 std::vector<Mutant> FragmentMutants();    // whose barycentrics, and what is asked for alone
+std::vector<Mutant> ListMutants();        // lists of more than 2^16 triangles
 /// Written after the generators and the properties were frozen.
 std::vector<Mutant> LateMutants();
 
@@ -77,6 +78,7 @@ std::vector<Mutant> FacingVariants();    // facing, of the legal sets of APIs
 std::vector<Mutant> SampleVariants();    // several samples a pixel
 std::vector<Mutant> CentroidVariants();  // those that show centroids
 std::vector<Mutant> FragmentVariants();  // those that show fragments in float32
+std::vector<Mutant> ListVariants();      // long lists
 std::vector<Mutant> ContractVariants();  // those of profiles with the rarer keys
 
 }  // namespace rasterproof::subjects::mutants

@@ -36,7 +36,7 @@ std::vector<Row> MakeRows() {
         mutants::ContractMutants,  mutants::FreeMutants,     mutants::SquareMutants,
         mutants::SetMutants,       mutants::FacingMutants,   mutants::SampleMutants,
         mutants::CentroidMutants,  mutants::FragmentMutants, mutants::WidthMutants,
-        mutants::ModeMutants}) {
+        mutants::ModeMutants,      mutants::ListMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);

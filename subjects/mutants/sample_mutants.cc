@@ -14,32 +14,34 @@
 namespace rasterproof::subjects::mutants {
 namespace {
 
-constexpr std::int64_t kPixel = 256;
+constexpr std::int64_t kSamplePixel = 256;
 
-FixedStages Of(std::string_view preset) { return StagesOfPreset(preset); }
+FixedStages StagesOf(std::string_view preset) { return StagesOfPreset(preset); }
 
 // Positions that are the same in every pixel, and not stated.
 FixedStages Unstated(SamplePositions positions) {
-  FixedStages stages = Of("gl-4x");
+  FixedStages stages = StagesOf("gl-4x");
   stages.profile.name = "gl, 4 samples";
   stages.profile.sample_positions = positions;
   stages.profile.translation_invariant = positions == SamplePositions::kFixed;
   return stages;
 }
 
-GridPoint CornerOf(const Sample& sample) { return {sample.x * kPixel, sample.row * kPixel}; }
+GridPoint CornerOf(const Sample& sample) {
+  return {sample.x * kSamplePixel, sample.row * kSamplePixel};
+}
 
 // Sample s of the pixel at a place of the standard pattern, whatever the profile's own.
 GridPoint AtStandard(const Sample& sample, std::size_t s) {
   static const SamplePattern pattern = *StandardPattern(4);
   const GridPoint corner = CornerOf(sample);
-  return {corner.x + static_cast<std::int64_t>(pattern.locations[s].x * kPixel),
-          corner.y + static_cast<std::int64_t>(pattern.locations[s].y * kPixel)};
+  return {corner.x + static_cast<std::int64_t>(pattern.locations[s].x * kSamplePixel),
+          corner.y + static_cast<std::int64_t>(pattern.locations[s].y * kSamplePixel)};
 }
 
 GridPoint Mirrored(const Sample& sample) {
   const GridPoint corner = CornerOf(sample);
-  return {2 * corner.x + kPixel - sample.at.x, sample.at.y};
+  return {2 * corner.x + kSamplePixel - sample.at.x, sample.at.y};
 }
 
 FixedStages Sampling(FixedStages stages, GridPoint (*sample)(const Sample&)) {
@@ -53,7 +55,7 @@ GridPoint MirroredInOddColumns(const Sample& sample) {
 
 GridPoint InTheCorners(const Sample& sample) {
   const GridPoint corner = CornerOf(sample);
-  constexpr std::array<std::int64_t, 2> kFar{0, kPixel - 1};
+  constexpr std::array<std::int64_t, 2> kFar{0, kSamplePixel - 1};
   const auto s = static_cast<std::size_t>(sample.s);
   return {corner.x + kFar[s % 2], corner.y + kFar[s / 2]};
 }
@@ -62,7 +64,7 @@ GridPoint InTheCorners(const Sample& sample) {
 FixedStages SamplingByTriangle(FixedStages stages) {
   stages.facing = [](GridTriangle& triangle) {
     if (triangle.number % 2 == 0) return;
-    for (GridPoint& p : triangle.v) p.x += kPixel / 4;
+    for (GridPoint& p : triangle.v) p.x += kSamplePixel / 4;
   };
   return stages;
 }
@@ -98,52 +100,52 @@ FixedStages SixtyFour() {
 std::vector<Mutant> SampleMutants() {
   return {
       {"samples-one-reused", "the third of four samples lies where the second does", "",
-       Sampling(Of("d3d11-4x"),
+       Sampling(StagesOf("d3d11-4x"),
                 [](const Sample& at) { return at.s == 2 ? AtStandard(at, 1) : at.at; })},
       {"samples-centre-for-all", "coverage is decided in the pixel's centre for all four samples",
        "",
-       Sampling(Of("d3d11-4x"),
+       Sampling(StagesOf("d3d11-4x"),
                 [](const Sample& at) {
                   const GridPoint corner = CornerOf(at);
-                  return GridPoint{corner.x + kPixel / 2, corner.y + kPixel / 2};
+                  return GridPoint{corner.x + kSamplePixel / 2, corner.y + kSamplePixel / 2};
                 })},
       {"samples-exchanged-under-vulkan", "the first and the last standard location are exchanged",
        "",
        Sampling(
-           Of("vulkan-standard-4x"),
+           StagesOf("vulkan-standard-4x"),
            [](const Sample& at) {
              return AtStandard(at, static_cast<std::size_t>(at.s == 0 ? 3 : at.s == 3 ? 0 : at.s));
            })},
       {"samples-vary", "stated locations are mirrored in every other column", "",
-       Sampling(Of("d3d11-4x"), MirroredInOddColumns)},
+       Sampling(StagesOf("d3d11-4x"), MirroredInOddColumns)},
       {"samples-vary-where-fixed",
        "locations that are said to be fixed are mirrored in every other column", "",
        Sampling(Unstated(SamplePositions::kFixed), MirroredInOddColumns)},
       {"samples-by-triangle", "a sample lies elsewhere for every other triangle", "",
-       SamplingByTriangle(Of("vulkan-4x"))},
+       SamplingByTriangle(StagesOf("vulkan-4x"))},
       {"facing-by-sample", "the last of four samples sees the other facing", "",
-       TurningTheLastSample(Of("d3d11-4x"))},
+       TurningTheLastSample(StagesOf("d3d11-4x"))},
       {"facing-by-sample-where-open",
        "the last of four samples, wherever it lies, sees the other "
        "facing",
-       "", TurningTheLastSample(Of("vulkan-4x"))},
+       "", TurningTheLastSample(StagesOf("vulkan-4x"))},
   };
 }
 
 std::vector<Mutant> SampleVariants() {
   return {
-      {"samples-standard-8", "eight samples lie as Direct3D says", "", Of("d3d11-8x")},
+      {"samples-standard-8", "eight samples lie as Direct3D says", "", StagesOf("d3d11-8x")},
       {"samples-standard-16", "16 samples lie as Vulkan's table says", "",
-       Of("vulkan-standard-16x")},
+       StagesOf("vulkan-standard-16x")},
       {"samples-64", "64 samples lie on multiples of 1/256", "", SixtyFour()},
       {"samples-mirrored-under-gl", "samples lie elsewhere, in every pixel alike", "OpenGL",
        Sampling(Unstated(SamplePositions::kFixed), Mirrored)},
       {"samples-in-corners", "samples lie in the corners of the pixel", "Vulkan",
-       Sampling(Of("vulkan-4x"), InTheCorners)},
+       Sampling(StagesOf("vulkan-4x"), InTheCorners)},
       {"samples-vary-under-gl", "samples lie elsewhere in every other column", "OpenGL",
-       Sampling(Of("gl-4x"), MirroredInOddColumns)},
+       Sampling(StagesOf("gl-4x"), MirroredInOddColumns)},
       {"samples-centre-under-vulkan", "all four samples lie in one place of their pixel", "Vulkan",
-       Sampling(Of("vulkan-4x"), [](const Sample& at) { return AtStandard(at, 0); })},
+       Sampling(StagesOf("vulkan-4x"), [](const Sample& at) { return AtStandard(at, 0); })},
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -52,6 +53,13 @@ const props::Property& PropertyNamed(std::string_view name) {
   const props::Property* const property = props::FindProperty(name);
   if (property == nullptr) Fail("no such property: " + std::string(name));
   return *property;
+}
+
+// FNV-1a.
+std::uint32_t HashOf(std::span<const std::uint8_t> bytes) {
+  std::uint32_t hash = 2166136261U;
+  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 16777619U;
+  return hash;
 }
 
 // Whether any bytes mean the same case to both.
@@ -107,22 +115,27 @@ void Bound::Bind(Subject& subject, const props::Property& property) {
   ++slots_;
 }
 
+int Bound::LookAt(const Group& group, std::span<const std::uint8_t> bytes,
+                  const std::function<void(const Group&, const Case&)>& look) const {
+  shown_bytes = bytes;
+  const Case c = props::DecodeCase(bytes, group.info);
+  if (!limits_.Admit(c)) return kPassedOver;
+  shown_case = &c;
+  // A fault of ours is no finding about the subject, and no input to go past either.
+  try {
+    look(group, c);
+  } catch (const std::exception& error) {
+    Fail(std::string("a fault of the program itself: ") + error.what());
+  }
+  shown_case = nullptr;
+  return kLookedAt;
+}
+
 int Bound::ForEachCase(std::span<const std::uint8_t> bytes,
                        const std::function<void(const Group&, const Case&)>& look) const {
   int looked_at = kPassedOver;
-  shown_bytes = bytes;
   for (const Group& group : groups_) {
-    const Case c = props::DecodeCase(bytes, group.info);
-    if (!limits_.Admit(c)) continue;
-    looked_at = kLookedAt;
-    shown_case = &c;
-    // A fault of ours is no finding about the subject, and no input to go past either.
-    try {
-      look(group, c);
-    } catch (const std::exception& error) {
-      Fail(std::string("a fault of the program itself: ") + error.what());
-    }
-    shown_case = nullptr;
+    if (LookAt(group, bytes, look) == kLookedAt) looked_at = kLookedAt;
   }
   return looked_at;
 }
@@ -131,6 +144,20 @@ int Bound::PutToTheTest(std::span<const std::uint8_t> bytes) const {
   return ForEachCase(bytes, [](const Group& group, const Case& c) {
     for (const BoundSubject& bound : group.subjects) fuzz::PutToTheTest(bound, c);
   });
+}
+
+int Bound::PutOneToTheTest(std::span<const std::uint8_t> bytes) const {
+  std::size_t left = HashOf(bytes) % slots_;
+  for (const Group& group : groups_) {
+    for (const BoundSubject& bound : group.subjects) {
+      if (left < bound.properties.size()) {
+        return LookAt(group, bytes,
+                      [&](const Group&, const Case& c) { fuzz::PutToTheTest(bound, left, c); });
+      }
+      left -= bound.properties.size();
+    }
+  }
+  return kPassedOver;
 }
 
 std::vector<std::string_view> ContractPropertiesOf(Subject& subject) {
@@ -149,17 +176,19 @@ void RequireApplies(Subject& subject, std::string_view property) {
 }
 
 void PutToTheTest(const BoundSubject& bound, const Case& c) {
-  std::size_t slot = bound.slot;
-  for (const props::Property* const property : bound.properties) {
-    const props::Trial trial = props::TryCase(*bound.subject, *property, c);
-    NoteErrorOverBound(slot++, trial.verdict.worst_ratio);
-    if (trial.verdict.outcome != Outcome::kViolated) continue;
-    const std::string name(property->name);
-    const std::string& subject = bound.subject->Info().name;
-    std::fprintf(stderr, "to see it: rasterproof replay INPUT --subject %s --property %s\n",
-                 subject.c_str(), name.c_str());
-    Fail(name + " is violated by " + subject + ": " + trial.verdict.message);
-  }
+  for (std::size_t k = 0; k < bound.properties.size(); ++k) PutToTheTest(bound, k, c);
+}
+
+void PutToTheTest(const BoundSubject& bound, std::size_t index, const Case& c) {
+  const props::Property& property = *bound.properties[index];
+  const props::Trial trial = props::TryCase(*bound.subject, property, c);
+  NoteErrorOverBound(bound.slot + index, trial.verdict.worst_ratio);
+  if (trial.verdict.outcome != Outcome::kViolated) return;
+  const std::string name(property.name);
+  const std::string& subject = bound.subject->Info().name;
+  std::fprintf(stderr, "to see it: rasterproof replay INPUT --subject %s --property %s\n",
+               subject.c_str(), name.c_str());
+  Fail(name + " is violated by " + subject + ": " + trial.verdict.message);
 }
 
 void Fail(std::string_view what) {

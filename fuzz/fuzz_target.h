@@ -75,8 +75,13 @@ class Bound {
   /// Error:      a violated property prints the case, its vertices in hex and the command that
   ///             shows it, and aborts.
   int PutToTheTest(std::span<const std::uint8_t> bytes) const;
+  /// Checks one property of one subject, which a hash of the bytes chooses: each in its turn, and
+  /// the same one each time that the bytes are replayed. Otherwise as PutToTheTest.
+  int PutOneToTheTest(std::span<const std::uint8_t> bytes) const;
 
  private:
+  int LookAt(const Group& group, std::span<const std::uint8_t> bytes,
+             const std::function<void(const Group&, const Case&)>& look) const;
   void Bind(Subject& subject, const props::Property& property);
 
   Limits limits_;
@@ -92,9 +97,10 @@ std::vector<std::string_view> ContractPropertiesOf(Subject& subject);
 /// Aborts, and says why, if there is no such property or it does not apply to the subject.
 void RequireApplies(Subject& subject, std::string_view property);
 
-/// Judges the case by the properties of the bound subject. As Bound::PutToTheTest. How far each
-/// error went is noted for libFuzzer.
+/// Judges the case by the properties of the bound subject, or by the one at an index. As
+/// Bound::PutToTheTest. How far each error went is noted for libFuzzer.
 void PutToTheTest(const BoundSubject& bound, const Case& c);
+void PutToTheTest(const BoundSubject& bound, std::size_t index, const Case& c);
 
 /// Prints what failed, with the case that is being looked at, and aborts.
 [[noreturn]] void Fail(std::string_view what);

@@ -26,6 +26,11 @@ inline int LookAtProperties(const Bound& bound, std::span<const std::uint8_t> by
   return bound.PutToTheTest(bytes);
 }
 
+/// For properties that cost much: one of them, chosen by the bytes.
+inline int LookAtOneProperty(const Bound& bound, std::span<const std::uint8_t> bytes) {
+  return bound.PutOneToTheTest(bytes);
+}
+
 }  // namespace rasterproof::fuzz
 
 #endif  // RASTERPROOF_FUZZ_TARGET_MACRO_H_

@@ -228,8 +228,16 @@ double AfterIncrement(const WalkTerms& w, double error, int n) {
       before + SumRoundingError(w.precision, RoundBoundUp(w.Magnitude(n) + before), w.lattice));
 }
 
+/// Room for the bounds of a walk, and the first of them.
+std::vector<double> FirstBound(const WalkTerms& w, int steps) {
+  std::vector<double> bounds;
+  bounds.reserve(static_cast<std::size_t>(steps) + 1);
+  bounds.push_back(w.Fresh(EdgeArithmetic::kDirect, 0));
+  return bounds;
+}
+
 std::vector<double> IncrementalBounds(const WalkTerms& w, int steps, int reanchor) {
-  std::vector<double> bounds{w.Fresh(EdgeArithmetic::kDirect, 0)};
+  std::vector<double> bounds = FirstBound(w, steps);
   for (int n = 1; n <= steps; ++n) {
     const bool fresh = reanchor != 0 && n % reanchor == 0;
     const double previous = bounds.back();
@@ -246,7 +254,7 @@ std::vector<double> IncrementalBounds(const WalkTerms& w, int steps, int reancho
 /// TwoSum is exact: e_n + t_n = e_{n-1} + LD. So the pair e + l is off by the error of LD each step
 /// and by the rounding of l, which is at most the sum of the half ulps that the t_n are.
 std::vector<double> CompensatedBounds(const WalkTerms& w, int steps) {
-  std::vector<double> bounds{w.Fresh(EdgeArithmetic::kDirect, 0)};
+  std::vector<double> bounds = FirstBound(w, steps);
   double pair_error = bounds.front();
   double low = 0;  // bound on |l|
   for (int n = 1; n <= steps; ++n) {
@@ -269,7 +277,7 @@ std::vector<double> CompensatedBounds(const WalkTerms& w, int steps) {
 }
 
 std::vector<double> IndexBounds(const WalkTerms& w, int steps, bool fused) {
-  std::vector<double> bounds{w.Fresh(EdgeArithmetic::kDirect, 0)};
+  std::vector<double> bounds = FirstBound(w, steps);
   const Format f = FormatFor(w.precision);
   for (int n = 1; n <= steps; ++n) {
     const double k = double{static_cast<double>(n)} * w.step.length;
@@ -288,6 +296,7 @@ std::vector<double> IndexBounds(const WalkTerms& w, int steps, bool fused) {
 
 std::vector<double> FreshBounds(EdgeArithmetic arithmetic, const WalkTerms& w, int steps) {
   std::vector<double> bounds;
+  bounds.reserve(static_cast<std::size_t>(steps) + 1);
   for (int n = 0; n <= steps; ++n) bounds.push_back(w.Fresh(arithmetic, n));
   return bounds;
 }

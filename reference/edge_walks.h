@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -107,6 +108,7 @@ class FreshWalk {
 
   static std::vector<double> Values(const F& form, T x, T y, const Step& step, int steps) {
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(steps) + 1);
     for (int n = 0; n <= steps; ++n) values.push_back(FreshValue(form, x, y, step, n));
     return values;
   }
@@ -146,6 +148,7 @@ class CornerWalk {
     const T add = StepValue(form, step);
     Sum<T> e(form.At(x, y));
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(steps) + 1);
     for (int n = 0; n <= steps; ++n, e.Add(add)) values.push_back(e.Rounded());
     return values;
   }
@@ -222,6 +225,7 @@ class AnchoredWalk {
   static std::vector<double> Values(const F& form, T x, T y, const Step& step, int steps) {
     const T add = StepValue(form, step);
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(steps) + 1);
     T e = 0;
     for (int n = 0; n <= steps; ++n) {
       e = n % kReanchorSteps == 0 ? FreshValue(form, x, y, step, n) : e + add;
@@ -268,6 +272,7 @@ class IndexWalk {
     const T start = form.At(x, y);
     const T one_pixel = step.along_y ? form.StepY() : form.StepX();
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(steps) + 1);
     for (int n = 0; n <= steps; ++n) {
       values.push_back(Sum<T>::Apply(StepsInPixels<T>(step, n), one_pixel, start));
     }

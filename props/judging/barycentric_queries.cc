@@ -118,6 +118,8 @@ bool AreFinite(const std::array<double, 3>& barycentrics) {
 
 Distance DistanceFromSumOne(const std::array<double, 3>& barycentrics, double bound) {
   using exact::Rational;
+  const Estimate expected = Estimate(1) - Estimate(barycentrics[0]) - Estimate(barycentrics[1]);
+  if (const auto near = CompareWithEstimate(barycentrics[2], expected, bound)) return *near;
   return CompareWithExact(
       barycentrics[2], Rational(1) - Rational(barycentrics[0]) - Rational(barycentrics[1]), bound);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/ulp.h"
 #include "exact/edge.h"
@@ -29,39 +30,6 @@ Pair TwoSum(double x, double y) {
 Pair TwoProduct(double x, double y) {
   const double product = x * y;
   return {product, std::fma(x, y, -product)};
-}
-
-// (x.high + x.low)(y.high + y.low) without the product of the low parts: relative error below
-// 4 * 2^-106, the sum of one dropped term (2^-106) and three roundings of terms below 2^-52.
-Pair Product(const Pair& x, const Pair& y) {
-  const Pair leading = TwoProduct(x.high, y.high);
-  const double cross = x.high * y.low + x.low * y.high;
-  return TwoSum(leading.high, leading.low + cross);
-}
-
-// E(a, b; p) as a pair, with a bound on what the pair misses.
-struct EdgeEstimate {
-  Pair value;
-  double error;
-  bool usable;
-};
-
-// Both products carry a relative error below 2^-102 (Product, and TwoSum's second rounding), and
-// the final sum one below 2^-104 of either: 2^-98 S is generous. Products below 2^-900 could lose
-// bits to underflow, above 2^900 to overflow; then the estimate is not used.
-constexpr double kEdgeEstimateRelError = 0x1p-98;
-constexpr double kLeastProductSum = 0x1p-850;
-constexpr double kLargestProductSum = 0x1p900;
-
-EdgeEstimate EstimateEdge(Point2 a, Point2 b, Point2 p) {
-  const Pair first = Product(TwoSum(p.x, -a.x), TwoSum(b.y, -a.y));
-  const Pair second = Product(TwoSum(p.y, -a.y), TwoSum(b.x, -a.x));
-  const double size = std::fabs(first.high) + std::fabs(second.high);
-  const Pair leading = TwoSum(first.high, -second.high);
-  const Pair trailing = TwoSum(first.low, -second.low);
-  const Pair value = TwoSum(leading.high, leading.low + trailing.high);
-  const bool usable = size >= kLeastProductSum && size <= kLargestProductSum;
-  return {value, kEdgeEstimateRelError * size, usable};
 }
 
 // With differences and products that lost nothing, E itself is first - second.
@@ -92,19 +60,22 @@ Distance CompareWithExact(double observed, const Rational& exact, double bound) 
   return {distance <= Rational(bound), (distance / Rational(bound)).ToDouble()};
 }
 
+std::optional<Distance> CompareWithEstimate(double observed, const Estimate& estimate,
+                                            double bound) {
+  // What the pair of the estimate leaves of the observed value takes two roundings.
+  const Pair rest = TwoSum(observed, -estimate.high());
+  const double low = rest.low - estimate.low();
+  const double distance = std::fabs(rest.high + low);
+  const double slack =
+      estimate.error() + 2 * rounding_epsilon<double>() * (distance + std::fabs(low));
+  if (!(distance + slack <= bound * (1 - 4 * rounding_epsilon<double>()))) return std::nullopt;
+  return Distance{true, distance == 0 ? 0 : distance / bound};
+}
+
 Distance CompareWithEdge(double observed, Point2 a, Point2 b, Point2 p, double bound) {
   if (!std::isfinite(observed)) return {false, kInfinity};
   if (IsExactly(observed, a, b, p)) return {true, 0};
-  const EdgeEstimate estimate = EstimateEdge(a, b, p);
-  if (estimate.usable && bound > 0) {
-    // Two roundings, each within 2^-53 of a value that the first one bounds.
-    const double distance = std::fabs((observed - estimate.value.high) - estimate.value.low);
-    const double slack = estimate.error + 4 * rounding_epsilon<double>() * distance +
-                         2 * rounding_epsilon<double>() * std::fabs(estimate.value.low);
-    if (distance + slack <= bound * (1 - 4 * rounding_epsilon<double>())) {
-      return {true, distance / bound};
-    }
-  }
+  if (const auto near = CompareWithEstimate(observed, EstimatedEdge(a, b, p), bound)) return *near;
   return CompareWithExact(observed, exact::EdgeValue(a, b, p), bound);
 }
 

@@ -2,8 +2,11 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_EXACT_COMPARISON_H_
 #define RASTERPROOF_PROPS_JUDGING_EXACT_COMPARISON_H_
 
+#include <optional>
+
 #include "core/vertex.h"
 #include "exact/rational.h"
+#include "props/judging/estimate.h"
 
 namespace rasterproof::props {
 
@@ -16,6 +19,11 @@ struct Distance {
 
 /// Domain:     finite, non-negative bound; an observed value that is not finite is never within.
 Distance CompareWithExact(double observed, const exact::Rational& exact, double bound);
+
+/// The same, if the observed value is within the bound whatever the estimate misses; else nothing,
+/// and CompareWithExact decides.
+std::optional<Distance> CompareWithEstimate(double observed, const Estimate& estimate,
+                                            double bound);
 
 /// The same for the edge function E(a, b; p) as the exact value.
 ///

@@ -11,6 +11,7 @@
 #include "core/verdict.h"
 #include "exact/rational.h"
 #include "props/judging/barycentric_queries.h"
+#include "props/judging/estimate.h"
 #include "props/placed_case.h"
 #include "props/property.h"
 
@@ -32,6 +33,9 @@ std::string_view InterpolationName(InterpolationForm form);
 /// The exact value under a form; nothing where the perspective denominator vanishes.
 std::optional<exact::Rational> ExactInterpolation(InterpolationForm form,
                                                   const InterpolationQuery& q);
+
+/// The same as an estimate, whose error is infinite where the denominator could vanish.
+Estimate EstimatedInterpolation(InterpolationForm form, const InterpolationQuery& q);
 
 /// A value that the subject interpolates, and the bound that it states on its error.
 struct InterpolationAnswer {

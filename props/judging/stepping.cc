@@ -65,6 +65,27 @@ Verdict WithinItsBound(const SteppingQuery& stepping, const std::vector<double>&
   return Verdict::Held(exercised, worst);
 }
 
+// A stepping with the bounds that the subject states on its values.
+struct BoundedStepping {
+  SteppingQuery stepping;
+  std::vector<double> bounds;
+};
+
+Verdict AllWithinTheirBounds(const std::vector<BoundedStepping>& steppings,
+                             const Answers& answers) {
+  std::uint64_t exercised = 0;
+  double worst = 0;
+  for (std::size_t k = 0; k < steppings.size(); ++k) {
+    Verdict verdict = WithinItsBound(steppings[k].stepping, answers.steps[k], steppings[k].bounds);
+    exercised += verdict.exercised;
+    worst = std::max(worst, verdict.worst_ratio);
+    if (verdict.outcome != Outcome::kViolated) continue;
+    verdict.exercised = exercised;
+    return verdict;
+  }
+  return Verdict::Held(exercised, worst);
+}
+
 }  // namespace
 
 Point2 AfterSteps(const SteppingQuery& stepping, int n) {
@@ -141,16 +162,16 @@ std::optional<Verdict> WrongLength(const SteppingQuery& stepping, std::size_t va
 
 Checks StepsStayWithinTheirBound(std::span<const SteppingQuery> steppings,
                                  const EdgeBounds& bounds) {
-  Checks asked;
+  if (steppings.empty()) return {};
+  Questions questions;
+  std::vector<BoundedStepping> bounded;
   for (const SteppingQuery& stepping : steppings) {
-    Check check;
-    check.questions.steps.push_back(StepsOf(stepping));
-    check.judge = [stepping, stated = BoundsOf(stepping, bounds)](const Answers& answers) {
-      return WithinItsBound(stepping, answers.steps[0], stated);
-    };
-    asked.checks.push_back(std::move(check));
+    questions.steps.push_back(StepsOf(stepping));
+    bounded.push_back({stepping, BoundsOf(stepping, bounds)});
   }
-  return asked;
+  return OneCheck(std::move(questions), [bounded = std::move(bounded)](const Answers& answers) {
+    return AllWithinTheirBounds(bounded, answers);
+  });
 }
 
 }  // namespace rasterproof::props

@@ -45,7 +45,7 @@ StepsQuestion StepsOf(const SteppingQuery& stepping);
 /// The bounds that the subject states on them.
 std::vector<double> BoundsOf(const SteppingQuery& stepping, const EdgeBounds& bounds);
 
-/// Whether each value met is within the bound stated for it: a check for each stepping.
+/// Whether each value met is within the bound stated for it: all steppings in one check.
 Checks StepsStayWithinTheirBound(std::span<const SteppingQuery> steppings,
                                  const EdgeBounds& bounds);
 

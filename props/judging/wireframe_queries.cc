@@ -29,13 +29,6 @@ using exact::Rational;
 // Where the larger square is a normal number, the other adds u at most if it underflows.
 constexpr double kWireframeErrorMultiplier = 16;
 
-// Compares by squares: |observed - sqrt(square)| <= bound.
-bool IsWithin(double observed, const Rational& square, double bound) {
-  const Rational low = Rational(observed) - Rational(bound);
-  const Rational high = Rational(observed) + Rational(bound);
-  return high.Sign() >= 0 && high * high >= square && (low.Sign() <= 0 || low * low <= square);
-}
-
 // Whether the squares of a side's components are of the precision: nothing is stated of others.
 bool HasSquares(Point2 from, Point2 to, Precision precision) {
   const bool single = precision == Precision::kFloat32;
@@ -50,14 +43,18 @@ struct ExpectedDistance {
   BarycentricQuery query;
   int edge = 0;
   std::size_t question = 0;  // the number of the query's question
-  Rational square;           // of the exact distance
+  WireframeMeaning meaning;  // says the exact distance
   double rounded = 0;        // the exact distance, for the reader
   double bound = 0;          // how far off it may be
 };
 
-double BoundOf(const WireframeScale& exact, double barycentric_bound, double distance,
-               Precision precision) {
-  return 2 * barycentric_bound * exact.scale +
+bool IsAsExpected(const ExpectedDistance& e, double observed) {
+  return IsSurelyWithin(observed, e.rounded, e.bound) ||
+         IsWithin(observed, e.meaning.exact(e.query, e.edge).square, e.bound);
+}
+
+double BoundOf(double scale, double barycentric_bound, double distance, Precision precision) {
+  return 2 * barycentric_bound * scale +
          kWireframeErrorMultiplier * UnitRoundoff(precision) * distance +
          SmallestSubnormal(precision);
 }
@@ -69,7 +66,7 @@ Verdict AreAsExpected(const std::vector<ExpectedDistance>& expected, const Answe
   for (const ExpectedDistance& e : expected) {
     const double observed = answers.distances[e.question][static_cast<std::size_t>(e.edge)];
     ++exercised;
-    if (!std::isfinite(observed) || !IsWithin(observed, e.square, e.bound)) {
+    if (!std::isfinite(observed) || !IsAsExpected(e, observed)) {
       return BarycentricViolation(e.query, e.edge, exercised, property, HexText(observed),
                                   HexText(e.rounded) + " within " + HexText(e.bound));
     }
@@ -80,10 +77,35 @@ Verdict AreAsExpected(const std::vector<ExpectedDistance>& expected, const Answe
 
 }  // namespace
 
+double Nearest(const Rational& x) { return x.ToDouble(); }
+
+double Nearest(const Estimate& x) {
+  const double off = (std::fabs(x.low()) + x.error()) * (1 + 0x1p-40);
+  const bool settled = x.high() + off == x.high() && x.high() - off == x.high();
+  return settled ? x.high() : std::numeric_limits<double>::quiet_NaN();
+}
+
+double RoundedRoot(const Estimate& square) {
+  const double rounded = Nearest(square);
+  const bool in_range = rounded == 0 || rounded >= std::numeric_limits<double>::min();
+  return in_range ? std::sqrt(rounded) : std::numeric_limits<double>::quiet_NaN();
+}
+
 double RoundedRoot(const Rational& square) {
   const double rounded = square.ToDouble();
   const bool in_range = rounded >= std::numeric_limits<double>::min() && std::isfinite(rounded);
   return in_range ? std::sqrt(rounded) : exact::NearestSquareRoot(square);
+}
+
+bool IsSurelyWithin(double observed, double rounded_root, double bound) {
+  const double off = std::fabs(observed - rounded_root);
+  return off + 0x1p-51 * (off + rounded_root) <= bound * (1 - 0x1p-50);
+}
+
+bool IsWithin(double observed, const Rational& square, double bound) {
+  const Rational low = Rational(observed) - Rational(bound);
+  const Rational high = Rational(observed) + Rational(bound);
+  return high.Sign() >= 0 && high * high >= square && (low.Sign() <= 0 || low * low <= square);
 }
 
 Checks AskDistances(const PlacedCase& c, const Description& subject, WireframeForm form,
@@ -100,12 +122,15 @@ Checks AskDistances(const PlacedCase& c, const Description& subject, WireframeFo
           !HasSquares(EdgeStart(q.v, i), EdgeEnd(q.v, i), subject.info.input)) {
         continue;
       }
-      const std::optional<WireframeScale> exact = meaning(q, i);
-      if (!exact || !IsStated(barycentric_bound)) continue;
-      const double rounded = RoundedRoot(exact->exact_square);
-      const double bound = BoundOf(*exact, barycentric_bound, rounded, subject.info.input);
-      if (!IsStated(bound)) continue;
-      expected.push_back({q, i, questions.distances.size(), exact->exact_square, rounded, bound});
+      if (!IsStated(barycentric_bound)) continue;
+      const auto expect = [&](const auto& scale) {
+        const double rounded = RoundedRoot(scale.square);
+        const double bound = BoundOf(scale.scale, barycentric_bound, rounded, subject.info.input);
+        if (!IsStated(bound)) return false;
+        expected.push_back({q, i, questions.distances.size(), meaning, rounded, bound});
+        return true;
+      };
+      if (!expect(meaning.estimated(q, i))) expect(meaning.exact(q, i));
     }
     questions.distances.push_back({form, q.v, q.place.at});
   }

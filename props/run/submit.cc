@@ -232,7 +232,7 @@ class Submission {
   }
 
   Subject& subject_;
-  SubjectInfo info_;
+  const SubjectInfo& info_;
   bool is_outside_;
   std::span<const Request> requests_;
   std::vector<Answers> answers_;

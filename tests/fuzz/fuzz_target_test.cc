@@ -68,6 +68,17 @@ TEST(Bound, NotesHowWrongEachSubjectIsUnderEachProperty) {
   EXPECT_NE(LargestErrorOverBound(0), LargestErrorOverBound(2));
 }
 
+TEST(Bound, PutsEachPropertyOfEachSubjectToTheTestInItsTurn) {
+  constexpr std::string_view kError = "EdgeErrorStaysWithinItsBound";
+  const Bound bound = BoundTo(std::array{
+      Checked{"f32-direct", kError}, Checked{"f32-direct", "ReversedEdgeChangesSign"},
+      Checked{"f32-kahan", kError}, Checked{"f32-affine", kError}, Checked{"f64-direct", kError}});
+  EXPECT_EQ(LargestErrorOverBound(3) + LargestErrorOverBound(4), 0);
+  for (std::uint64_t k = 0; k < 300; ++k) bound.PutOneToTheTest(RandomBytes(k));
+  EXPECT_GT(LargestErrorOverBound(3), 0);
+  EXPECT_GT(LargestErrorOverBound(4), 0);
+}
+
 TEST(Bound, PassesOverWhatIsLargerThanItsLimits) {
   const std::array checked{Checked{"f32-direct", "DrawStaysInsideItsTarget"}};
   EXPECT_EQ(Bound(checked, Limits{144, 4}).PutToTheTest(kFanOnACentre), kLookedAt);
@@ -105,6 +116,25 @@ TEST(ScreensDeathTest, FindWhatIsPlanted) {
   EXPECT_DEATH(LookForAFault(ScreenWinding,
                              {"mutant:ties-inclusive", "SignedCoverageEqualsTheWindingNumber"}),
                "is violated by mutant:ties-inclusive");
+}
+
+// Estimates decide what is far from its bound: nothing that is planted may be.
+TEST(BoundDeathTest, OneChosenPropertyFindsWhatIsPlanted) {
+  const auto one = [](const Bound& bound, std::span<const std::uint8_t> bytes) {
+    return bound.PutOneToTheTest(bytes);
+  };
+  for (const Checked& row : std::to_array<Checked>(
+           {{"mutant:barycentrics-reciprocal", "BarycentricsStayWithinTheirBound"},
+            {"mutant:barycentrics-one-minus", "BarycentricsSumToOne"},
+            {"mutant:perspective-affine", "PerspectiveInterpolationStaysWithinItsBound"},
+            {"mutant:depth-16-bits", "InterpolationStaysWithinItsBound"},
+            {"mutant:distance-in-l2", "DerivativeDistanceMeasuresInTheL1Norm"},
+            {"mutant:distance-of-next-edge", "HeightDistanceIsTheDistanceInPixels"},
+            {"mutant:distance-of-barycentric-exchanged",
+             "BarycentricDistanceIsTheSmallestCoordinate"},
+            {"mutant:stepping-last-lost", "SteppingStaysWithinItsBound"}})) {
+    EXPECT_DEATH(LookForAFault(one, row), "is violated by " + std::string(row.subject));
+  }
 }
 
 // What libFuzzer reads: the linker names a section's ends.

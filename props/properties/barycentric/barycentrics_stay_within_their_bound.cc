@@ -4,10 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "exact/rational.h"
 #include "props/judging/barycentric_queries.h"
+#include "props/judging/estimate.h"
 #include "props/judging/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
@@ -22,19 +25,24 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
   std::uint64_t exercised = 0;
   double worst = 0;
   for (const auto& [q, forms] : answers) {
-    const std::array<exact::Rational, 3> lambda = ExactBarycentrics(q);
+    const std::array<Estimate, 3> near = EstimatedBarycentrics(q.v, q.place.at);
+    std::optional<std::array<exact::Rational, 3>> lambda;
     for (const auto& [form, barycentrics, bounds] : forms) {
       for (std::size_t i = 0; i < 3; ++i) {
         if (!IsStated(bounds[i])) continue;
         ++exercised;
-        const Distance distance = CompareWithExact(barycentrics[i], lambda[i], bounds[i]);
-        if (!distance.within) {
+        auto distance = CompareWithEstimate(barycentrics[i], near[i], bounds[i]);
+        if (!distance) {
+          if (!lambda) lambda = ExactBarycentrics(q);
+          distance = CompareWithExact(barycentrics[i], (*lambda)[i], bounds[i]);
+        }
+        if (!distance->within) {
           return BarycentricViolation(
               q, static_cast<int>(i), exercised,
               "barycentric (" + std::string(FormName(form)) + ") outside its proven bound",
-              HexText(barycentrics[i]), lambda[i].ToString() + " within " + HexText(bounds[i]));
+              HexText(barycentrics[i]), (*lambda)[i].ToString() + " within " + HexText(bounds[i]));
         }
-        worst = std::max(worst, distance.ratio);
+        worst = std::max(worst, distance->ratio);
       }
     }
   }

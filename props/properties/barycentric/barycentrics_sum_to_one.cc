@@ -32,17 +32,14 @@ Verdict Judge(const std::vector<BoundedSum>& sums, const Answers& answers) {
     const auto& [q, form, bound] = sums[k];
     const std::array<double, 3>& l = answers.barycentrics[k];
     ++exercised;
-    const std::string property =
-        "barycentrics (" + std::string(FormName(form)) + ") do not sum to one";
-    if (!AreFinite(l)) {
-      return BarycentricViolation(q, -1, exercised, property, BarycentricsText(l),
-                                  "finite barycentrics");
-    }
+    const auto violated = [&](const std::string& expected) {
+      return BarycentricViolation(
+          q, -1, exercised, "barycentrics (" + std::string(FormName(form)) + ") do not sum to one",
+          BarycentricsText(l), expected);
+    };
+    if (!AreFinite(l)) return violated("finite barycentrics");
     const Distance distance = DistanceFromSumOne(l, bound);
-    if (!distance.within) {
-      return BarycentricViolation(q, -1, exercised, property, BarycentricsText(l),
-                                  "a sum of 1 within " + HexText(bound));
-    }
+    if (!distance.within) return violated("a sum of 1 within " + HexText(bound));
     worst = std::max(worst, distance.ratio);
   }
   return Verdict::Held(exercised, worst);

@@ -1,10 +1,11 @@
 // Each form of the distance to an edge measures what it is said to: a share of the height, pixels
 // in the L1 norm of the gradient, or pixels.
-#include <cstddef>
-#include <optional>
+#include <array>
 
-#include "exact/attributes.h"
+#include "core/vertex.h"
 #include "exact/edge.h"
+#include "exact/rational.h"
+#include "props/judging/estimate.h"
 #include "props/judging/wireframe_queries.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
@@ -14,33 +15,56 @@
 namespace rasterproof::props {
 namespace {
 
-std::optional<WireframeScale> InBarycentricSpace(const BarycentricQuery& q, int edge) {
-  const exact::Rational lambda = ExactBarycentrics(q)[static_cast<std::size_t>(edge)];
-  return WireframeScale{lambda * lambda, 1};
+using exact::Rational;
+
+Rational EdgeIn(Rational, Point2 a, Point2 b, Point2 p) { return exact::EdgeValue(a, b, p); }
+Estimate EdgeIn(Estimate, Point2 a, Point2 b, Point2 p) { return EstimatedEdge(a, b, p); }
+
+// The formulas below are of N: Rational or Estimate. The queries have no triangle of zero area, so
+// no edge without a length.
+template <class N>
+N Square(const N& x) {
+  return x * x;
 }
 
-using exact::Rational;
+template <class N>
+N Area(const BarycentricQuery& q) {
+  return EdgeIn(N(), q.v[0], q.v[1], q.v[2]);
+}
+
+template <class N>
+N EdgeAt(const BarycentricQuery& q, int edge) {
+  return EdgeIn(N(), EdgeStart(q.v, edge), EdgeEnd(q.v, edge), q.place.at);
+}
+
+// (dX, dY) of an edge.
+template <class N>
+std::array<N, 2> Side(const BarycentricQuery& q, int edge) {
+  const Point2 a = EdgeStart(q.v, edge);
+  const Point2 b = EdgeEnd(q.v, edge);
+  return {N(b.x) - N(a.x), N(b.y) - N(a.y)};
+}
+
+template <class N>
+WireframeScale<N> InBarycentricSpace(const BarycentricQuery& q, int edge) {
+  return {Square<N>(EdgeAt<N>(q, edge) / Area<N>(q)), 1};
+}
 
 // lambda_i = E_i / area with gradient (dY, -dX) / area: over the L1 norm of the gradient that is
 // |E_i| / (|dX| + |dY|).
-std::optional<WireframeScale> InTheL1Norm(const BarycentricQuery& q, int edge) {
-  const Point2 a = EdgeStart(q.v, edge);
-  const Point2 b = EdgeEnd(q.v, edge);
-  const Rational reach =
-      (Rational(b.x) - Rational(a.x)).Abs() + (Rational(b.y) - Rational(a.y)).Abs();
-  if (reach.Sign() == 0) return std::nullopt;
-  const Rational area = exact::EdgeValue(q.v[0], q.v[1], q.v[2]).Abs();
-  const Rational distance = exact::EdgeValue(a, b, q.place.at) / reach;
-  return WireframeScale{distance * distance, (area / reach).ToDouble()};
+template <class N>
+WireframeScale<N> InTheL1Norm(const BarycentricQuery& q, int edge) {
+  const auto [dx, dy] = Side<N>(q, edge);
+  const N reach = dx.Abs() + dy.Abs();
+  return {Square<N>(EdgeAt<N>(q, edge) / reach), Nearest(Area<N>(q).Abs() / reach)};
 }
 
-std::optional<WireframeScale> InPixels(const BarycentricQuery& q, int edge) {
-  const Point2 a = EdgeStart(q.v, edge);
-  const Point2 b = EdgeEnd(q.v, edge);
-  const auto distance = exact::SquaredLineDistance(a, b, q.place.at);
-  const auto height = exact::SquaredLineDistance(a, b, q.v[static_cast<std::size_t>(edge)]);
-  if (!distance || !height) return std::nullopt;
-  return WireframeScale{*distance, RoundedRoot(*height)};
+// The distance is |E_i| over the edge's length, the height |area| over it.
+template <class N>
+WireframeScale<N> InPixels(const BarycentricQuery& q, int edge) {
+  const auto [dx, dy] = Side<N>(q, edge);
+  const N length = Square(dx) + Square(dy);
+  return {Square<N>(EdgeAt<N>(q, edge)) / length, RoundedRoot(Square<N>(Area<N>(q)) / length)};
 }
 
 }  // namespace
@@ -57,7 +81,8 @@ extern constinit const Property kBarycentricDistanceIsTheSmallestCoordinate{
     .gate = Where(kAsksBarycentrics, kInTheTriangle),
     .ask =
         [](const PlacedCase& c, const Description& subject) {
-          return AskDistances(c, subject, WireframeForm::kBarycentric, InBarycentricSpace,
+          return AskDistances(c, subject, WireframeForm::kBarycentric,
+                              {InBarycentricSpace<Rational>, InBarycentricSpace<Estimate>},
                               "barycentric-space distance is not the barycentric");
         },
 };
@@ -76,7 +101,8 @@ extern constinit const Property kDerivativeDistanceMeasuresInTheL1Norm{
     .gate = Where(kAsksBarycentrics, kInTheTriangle),
     .ask =
         [](const PlacedCase& c, const Description& subject) {
-          return AskDistances(c, subject, WireframeForm::kDerivative, InTheL1Norm,
+          return AskDistances(c, subject, WireframeForm::kDerivative,
+                              {InTheL1Norm<Rational>, InTheL1Norm<Estimate>},
                               "derivative-weighted distance is not that of the L1 norm");
         },
 };
@@ -91,7 +117,8 @@ extern constinit const Property kHeightDistanceIsTheDistanceInPixels{
     .gate = Where(kAsksBarycentrics, kInTheTriangle),
     .ask =
         [](const PlacedCase& c, const Description& subject) {
-          return AskDistances(c, subject, WireframeForm::kHeight, InPixels,
+          return AskDistances(c, subject, WireframeForm::kHeight,
+                              {InPixels<Rational>, InPixels<Estimate>},
                               "height-compensated distance is not the distance in pixels");
         },
 };

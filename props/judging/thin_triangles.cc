@@ -103,7 +103,7 @@ double Width(const std::vector<Point2>& polygon) {
 }
 
 // Convex, either way round. Points within `reach` of it count.
-bool IsWithin(const std::vector<Point2>& polygon, Point2 p, double reach) {
+bool LiesWithin(const std::vector<Point2>& polygon, Point2 p, double reach) {
   bool left = true;
   bool right = true;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -156,7 +156,7 @@ ThinTriangles::ThinTriangles(const PlacedCase& c, double reach) : reach_(reach) 
 bool ThinTriangles::AreNear(Point2 p) const {
   if (everywhere_) return true;
   return std::ranges::any_of(outlines_, [&](const std::vector<Point2>& outline) {
-    return IsWithin(outline, p, 1.25 * reach_);
+    return LiesWithin(outline, p, 1.25 * reach_);
   });
 }
 

@@ -50,7 +50,7 @@ struct ExpectedDistance {
 
 bool IsAsExpected(const ExpectedDistance& e, double observed) {
   return IsSurelyWithin(observed, e.rounded, e.bound) ||
-         IsWithinBound(observed, e.meaning.exact(e.query, e.edge).square, e.bound);
+         IsWithin(observed, e.meaning.exact(e.query, e.edge).square, e.bound);
 }
 
 double BoundOf(double scale, double barycentric_bound, double distance, Precision precision) {
@@ -102,7 +102,7 @@ bool IsSurelyWithin(double observed, double rounded_root, double bound) {
   return off + 0x1p-51 * (off + rounded_root) <= bound * (1 - 0x1p-50);
 }
 
-bool IsWithinBound(double observed, const Rational& square, double bound) {
+bool IsWithin(double observed, const Rational& square, double bound) {
   const Rational low = Rational(observed) - Rational(bound);
   const Rational high = Rational(observed) + Rational(bound);
   return high.Sign() >= 0 && high * high >= square && (low.Sign() <= 0 || low * low <= square);

@@ -64,8 +64,9 @@ struct Proof {
 };
 
 /// Leading triangles of the longest list that a subject is given, unless it is asked for another:
-/// more than 16 bits number.
+/// more than 16 bits number, or than 8 bits where a program reads each as text in its own time.
 inline constexpr std::size_t kUsualListLength = (std::size_t{1} << 16) + 1;
+inline constexpr std::size_t kListLengthOfPrograms = (std::size_t{1} << 8) + 1;
 
 /// The description of a subject: its profile, the scenes it takes and the outputs it shows.
 struct SubjectInfo {

@@ -16,9 +16,9 @@ namespace rasterproof::exact {
 namespace {
 
 // One of the three half planes, as a function of the column in a row.
-class HalfPlane {
+class ClipHalfPlane {
  public:
-  HalfPlane(const Vertex& vi, const Vertex& vj, int facing)
+  ClipHalfPlane(const Vertex& vi, const Vertex& vj, int facing)
       : vi_(&vi), vj_(&vj), crossing_(vi, vj), facing_(facing) {
     x_sign_ = facing * ProductDifferenceSign(vj.y, vi.w, vj.w, vi.y);
   }
@@ -76,15 +76,16 @@ void AddHomogeneousSpans(const std::array<Vertex, 3>& v, int facing, const Sampl
                          SpanTarget& target) {
   // A positive combination of vertices with w <= 0 never reaches w = t > 0.
   if (std::ranges::all_of(v, [](const Vertex& c) { return c.w <= 0; })) return;
-  const std::array<HalfPlane, 3> sides{HalfPlane(v[0], v[1], facing), HalfPlane(v[1], v[2], facing),
-                                       HalfPlane(v[2], v[0], facing)};
+  const std::array<ClipHalfPlane, 3> sides{ClipHalfPlane(v[0], v[1], facing),
+                                           ClipHalfPlane(v[1], v[2], facing),
+                                           ClipHalfPlane(v[2], v[0], facing)};
   std::uint64_t certain = 0;
   for (std::size_t s = 0; s < frame.offsets.size(); ++s) {
     const RowRange rows = RowsOf(v, frame.clip, frame.offsets[s].y);
     for (int row = rows.begin; row < rows.end; ++row) {
       int first = frame.clip.x0;
       int last = frame.clip.x1;
-      for (const HalfPlane& side : sides) {
+      for (const ClipHalfPlane& side : sides) {
         if (first < last) side.Narrow(frame, row, s, first, last, certain);
       }
       target.Row(row, static_cast<int>(s), facing).Add(first, last);

@@ -29,7 +29,7 @@ Range Shrink(Range range, double low, double high, double least_offset, double l
           last < range.end - 1 ? static_cast<int>(last) + 1 : range.end};
 }
 
-PixelRect Box(const std::array<Vertex, 3>& v, const SampleFrame& frame) {
+PixelRect BoxOf(const std::array<Vertex, 3>& v, const SampleFrame& frame) {
   const auto [x_low, x_high] = std::minmax({v[0].x, v[1].x, v[2].x});
   const auto [y_low, y_high] = std::minmax({v[0].y, v[1].y, v[2].y});
   const auto [x_least, x_largest] = std::ranges::minmax(frame.offsets, {}, &Point2::x);
@@ -43,7 +43,7 @@ PixelRect Box(const std::array<Vertex, 3>& v, const SampleFrame& frame) {
 
 void ScanSamples(const std::array<Vertex, 3>& v, bool clip_space, int facing,
                  const SampleFrame& frame, Decider decider, CoverageCounts& counts) {
-  const PixelRect box = clip_space ? frame.clip : Box(v, frame);
+  const PixelRect box = clip_space ? frame.clip : BoxOf(v, frame);
   const std::array<Point2, 3> window{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
   std::vector<std::uint32_t>& plane = facing > 0 ? counts.front : counts.back;
   for (int row = box.y0; row < box.y1; ++row) {

@@ -15,10 +15,10 @@ namespace {
 
 using Triangle2 = std::array<Point2, 3>;
 
-constexpr double kNoBound = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNothingStated = std::numeric_limits<double>::quiet_NaN();
 
 /// A bound that came out infinite says nothing.
-double Stated(double bound) { return std::isfinite(bound) ? bound : kNoBound; }
+double Stated(double bound) { return std::isfinite(bound) ? bound : kNothingStated; }
 
 template <class T>
 bool IsValueOf(double x) {
@@ -163,22 +163,22 @@ class BarycentricsOf final : public BarycentricEvaluator {
 
   Barycentrics3 BarycentricErrorBounds(BarycentricForm form, const Triangle2& v,
                                        Point2 p) const override {
-    if (!AreValuesOf<T>(v, p)) return {kNoBound, kNoBound, kNoBound};
+    if (!AreValuesOf<T>(v, p)) return {kNothingStated, kNothingStated, kNothingStated};
     const auto l = BarycentricsIn<Running>(form, v, p);
     Barycentrics3 bounds{l[0].error, l[1].error, l[2].error};
     if (form == BarycentricForm::kUnsignedArea) {
       for (std::size_t i = 0; i < 3; ++i) bounds[i] += UnsignedExcess(v, p, i);
       // Outside, at least one barycentric has lost its sign; which one, the form cannot say.
-      if (std::isnan(bounds[0] + bounds[1] + bounds[2])) bounds.fill(kNoBound);
+      if (std::isnan(bounds[0] + bounds[1] + bounds[2])) bounds.fill(kNothingStated);
     }
     for (double& bound : bounds) bound = Stated(bound);
     return bounds;
   }
 
   double SumErrorBound(BarycentricForm form, const Triangle2& v, Point2 p) const override {
-    if (!AreValuesOf<T>(v, p)) return kNoBound;
+    if (!AreValuesOf<T>(v, p)) return kNothingStated;
     const std::array<T, 3> l = BarycentricsIn<T>(form, v, p);
-    if (!std::isfinite(l[0]) || !std::isfinite(l[1]) || !std::isfinite(l[2])) return kNoBound;
+    if (!std::isfinite(l[0]) || !std::isfinite(l[1]) || !std::isfinite(l[2])) return kNothingStated;
     switch (form) {
       case BarycentricForm::kSum:
         return NormalizedSumError(v, p, l);
@@ -188,7 +188,7 @@ class BarycentricsOf final : public BarycentricEvaluator {
       case BarycentricForm::kUnsignedArea:
         return AreaSumError(form, v, p, l);
     }
-    return kNoBound;
+    return kNothingStated;
   }
 
   double Interpolate(InterpolationForm form, const std::array<Corner, 3>& v,
@@ -198,9 +198,9 @@ class BarycentricsOf final : public BarycentricEvaluator {
 
   double InterpolationErrorBound(InterpolationForm form, const std::array<Corner, 3>& v,
                                  const Barycentrics3& attribute, Point2 p) const override {
-    if (!AreValuesOf<T>({v[0].at, v[1].at, v[2].at}, p)) return kNoBound;
+    if (!AreValuesOf<T>({v[0].at, v[1].at, v[2].at}, p)) return kNothingStated;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!IsValueOf<T>(attribute[i]) || !IsValueOf<T>(v[i].w)) return kNoBound;
+      if (!IsValueOf<T>(attribute[i]) || !IsValueOf<T>(v[i].w)) return kNothingStated;
     }
     return Stated(InterpolateIn<Running>(form, v, attribute, p).error);
   }
@@ -217,7 +217,7 @@ class BarycentricsOf final : public BarycentricEvaluator {
     if (form == WireframeForm::kBarycentric) {
       return BarycentricErrorBounds(BarycentricForm::kVertexArea, v, p);
     }
-    if (!AreValuesOf<T>(v, p)) return {kNoBound, kNoBound, kNoBound};
+    if (!AreValuesOf<T>(v, p)) return {kNothingStated, kNothingStated, kNothingStated};
     return {DistanceError(form, v, p, 0), DistanceError(form, v, p, 1),
             DistanceError(form, v, p, 2)};
   }
@@ -229,9 +229,10 @@ class BarycentricsOf final : public BarycentricEvaluator {
     const Running edge = OppositeEdges<Running>(v, p)[i];
     const Running area = Area<Running>(v);
     const int side = ProvedSide(edge, area);
-    if (side != 0) return side > 0 ? 0 : kNoBound;
+    if (side != 0) return side > 0 ? 0 : kNothingStated;
     const double divisor = area.Magnitude() - area.error;
-    return divisor > 0 ? RoundBoundUp(2 * (edge.Magnitude() + edge.error) / divisor) : kNoBound;
+    return divisor > 0 ? RoundBoundUp(2 * (edge.Magnitude() + edge.error) / divisor)
+                       : kNothingStated;
   }
 
   /// sum e_i'/A' - 1 = (sum (e_i' - e_i) - (A' - A)) / A', and each quotient is rounded once.
@@ -239,7 +240,7 @@ class BarycentricsOf final : public BarycentricEvaluator {
                              const std::array<T, 3>& l) {
     const auto e = OppositeEdges<Running>(v, p);
     const Running area = Area<Running>(v);
-    if (!(area.Magnitude() > area.error)) return kNoBound;
+    if (!(area.Magnitude() > area.error)) return kNothingStated;
     double bound = (e[0].error + e[1].error + e[2].error + area.error) / area.Magnitude();
     for (std::size_t i = 0; i < 3; ++i) {
       bound += QuotientRounding(l[i]);
@@ -253,7 +254,7 @@ class BarycentricsOf final : public BarycentricEvaluator {
     const std::array<T, 3> e = OppositeEdges<T>(v, p);
     const T first = e[0] + e[1];
     const T sum = first + e[2];
-    if (sum == 0 || !std::isfinite(sum)) return kNoBound;
+    if (sum == 0 || !std::isfinite(sum)) return kNothingStated;
     const auto [least, largest] = std::ranges::minmax(e);
     constexpr double kUnderflow = 2 * double{std::numeric_limits<T>::denorm_min()};
     if (least >= 0 || largest <= 0) {
@@ -276,10 +277,11 @@ class BarycentricsOf final : public BarycentricEvaluator {
     const Running edge = OppositeEdges<Running>(v, p)[i];
     const Running area = Area<Running>(v);
     const Running measure = SideMeasure<Running>(form, v, i);
-    if (!(area.Magnitude() > area.error)) return kNoBound;
+    if (!(area.Magnitude() > area.error)) return kNothingStated;
     const T barycentric = edge.value / area.value;
     const T scale = DistancePerBarycentric<T>(form, v, i);
-    if (!std::isnormal(scale) || !(std::isnormal(barycentric) || edge.value == 0)) return kNoBound;
+    if (!std::isnormal(scale) || !(std::isnormal(barycentric) || edge.value == 0))
+      return kNothingStated;
     const double quotient = RoundBoundUp(edge.Magnitude() / measure.Magnitude());
     const double bound = Running::QuotientError(edge, measure) +
                          kEdgeDistanceErrorMultiplier<T> * rounding_epsilon<T>() * quotient;

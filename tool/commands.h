@@ -78,10 +78,10 @@ struct CheckOptions {
   std::string profile;              ///< judge by this one instead of the subject's own
   bool device = false;              ///< with the numbers of its device in it
   props::CampaignOptions campaign;
-  std::string save;        ///< folder for counterexamples; those there are asked first
-  std::string cases_json;  ///< file for a line of JSON a drawn case; empty: none
-  int jobs = 1;            ///< properties at once
-  std::size_t list_length = kUsualListLength;
+  std::string save;             ///< folder for counterexamples; those there are asked first
+  std::string cases_json;       ///< file for a line of JSON a drawn case; empty: none
+  int jobs = 1;                 ///< properties at once
+  std::size_t list_length = 0;  ///< 0: the subject's own
   FailOn fail_on = FailOn::kStated;
   bool catalogue = false;                ///< families of stiff cases, not properties
   std::vector<std::string> families;     ///< these alone; empty: all
@@ -146,7 +146,7 @@ struct CaseChoice {
   std::string typed;    ///< the command line as the user gave it, quoted for a shell
   /// The file is a fuzz input, as a fuzzer saves it, whatever it looks like.
   bool is_fuzz_input = false;
-  std::size_t list_length = kUsualListLength;
+  std::size_t list_length = 0;  ///< 0: the subject's own
 };
 
 struct ReplayOptions {

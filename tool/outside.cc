@@ -91,6 +91,7 @@ SubjectMaker Executed(const ProgramDescription& description, const std::string& 
   RequireProgram(description.command, name);
   SubjectInfo info = description.info;
   info.name = name;
+  info.list_length = kListLengthOfPrograms;
   return InAProcess({"/bin/sh", "-c", "exec " + description.command}, info, Program::kTheUsers);
 }
 

@@ -195,7 +195,7 @@ SubjectFactory ResolveSubject(const std::string& name, const std::string& profil
         fmt::format("{}give plugin:PATH, exec:COMMAND, FILE.subject, or choose one of{}",
                     Suggestion(name, SubjectNames()), ListedNames(SubjectNames())));
   }
-  if (list_length != kUsualListLength) {
+  if (list_length != 0) {
     make = [make = std::move(make), list_length] {
       std::unique_ptr<Subject> subject = make();
       SubjectInfo info = subject->Info();

@@ -44,15 +44,15 @@ class SubjectFactory {
 
 /// The subject of that name, judged by another profile than its own ("": its own), with `device` by
 /// that legal set with the numbers that the subject states (FilledIn). Its longest list has
-/// `list_length` triangles before the mesh.
+/// `list_length` triangles before the mesh (0: what the subject's own has).
 ///
 /// Error:      InputError naming the subjects there are, or what is wrong with the profile.
 SubjectFactory ResolveSubject(const std::string& name, const std::string& profile = "",
-                              bool device = false, std::size_t list_length = kUsualListLength);
+                              bool device = false, std::size_t list_length = 0);
 
 /// The same, made at once: for a verb that needs one.
 std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile = "",
-                                     std::size_t list_length = kUsualListLength);
+                                     std::size_t list_length = 0);
 
 /// Says on standard error, once for each of them, that the preset of an API is one of the models
 /// that it leaves legal, so that nobody takes another legal one for wrong.

@@ -190,7 +190,7 @@ void AddListLength(CLI::App* app, std::size_t& length) {
          "--list-length", [&length](const std::string& text) { length = ParseListLength(text); },
          "Triangles before the mesh in the longest list that is drawn")
       ->type_name("COUNT")
-      ->default_str(std::to_string(length));
+      ->default_str("65537, of a program 257");
 }
 
 void AddSceneVerbs(CLI::App& app, Run& run) {

@@ -208,7 +208,7 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   add(" --profile", choice.profile);
   add(" --case", choice.name);
   if (choice.is_fuzz_input) command += " --fuzz-input";
-  if (choice.list_length != kUsualListLength) {
+  if (choice.list_length != 0) {
     command += fmt::format(" --list-length {}", choice.list_length);
   }
   return command;

@@ -139,7 +139,7 @@ std::optional<PlacedVertex> Placed(const Vertex& v, bool clip_space, const Profi
 using Places = std::array<LegalPlaces, 3>;
 
 // The corners of the rectangle, each once.
-std::vector<Point2> CornersOf(const LegalPlaces& places) {
+std::vector<Point2> CornersOfPlaces(const LegalPlaces& places) {
   const auto [low, high] = places;
   std::vector<Point2> corners{low};
   if (high.x != low.x) corners.push_back({high.x, low.y});
@@ -152,8 +152,8 @@ std::vector<Point2> CornersOf(const LegalPlaces& places) {
 // The sign of the area in every legal model, or nothing if two differ in it. Affine in each of six
 // coordinates, the area has its extremes where each is at an end.
 std::optional<int> FacingInEveryModel(const Places& places) {
-  const std::array<std::vector<Point2>, 3> corners{CornersOf(places[0]), CornersOf(places[1]),
-                                                   CornersOf(places[2])};
+  const std::array<std::vector<Point2>, 3> corners{
+      CornersOfPlaces(places[0]), CornersOfPlaces(places[1]), CornersOfPlaces(places[2])};
   std::optional<int> facing;
   for (const Point2 a : corners[0]) {
     for (const Point2 b : corners[1]) {
@@ -195,13 +195,13 @@ bool LeavesBy(const LegalPlaces& places, const Vertex& v, const std::optional<Wi
                   box->Contains(places.high.x, places.high.y) && box->Contains(v.x, v.y));
 }
 
-double Distance(Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double Apart(Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 double SegmentDistance(Point2 a, Point2 b, Point2 p) {
   const Point2 d{b.x - a.x, b.y - a.y};
   const double along = ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / (d.x * d.x + d.y * d.y);
   const double part = along > 0 ? std::min(along, 1.0) : 0.0;
-  return Distance(p, {a.x + part * d.x, a.y + part * d.y});
+  return Apart(p, {a.x + part * d.x, a.y + part * d.y});
 }
 
 // 0 inside.
@@ -251,8 +251,8 @@ std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool
     low = {low.x - clipped, low.y - clipped};
     high = {high.x + clipped, high.y + clipped};
     triangle.places[k] = placed[k].legal;
-    for (const Point2 corner : CornersOf(placed[k].legal)) {
-      triangle.most_moved = std::max(triangle.most_moved, Distance(corner, placed[k].given));
+    for (const Point2 corner : CornersOfPlaces(placed[k].legal)) {
+      triangle.most_moved = std::max(triangle.most_moved, Apart(corner, placed[k].given));
     }
   }
   return triangle;
@@ -311,7 +311,7 @@ OpenTriangles::OpenTriangles(const PlacedCase& c) {
     double farthest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       open.at[k] = Middle(placed->places[k]);
-      farthest = std::max(farthest, Distance(open.at[k], placed->places[k].high));
+      farthest = std::max(farthest, Apart(open.at[k], placed->places[k].high));
     }
     open.reach += farthest;
     open_.push_back(open);

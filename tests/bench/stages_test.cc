@@ -13,6 +13,7 @@
 
 #include "core/bench_result.h"
 #include "exact/rational.h"
+#include "tests/share.h"
 
 namespace rasterproof::bench {
 namespace {
@@ -67,7 +68,7 @@ BenchStage Judged(const FrameInput& frame, const InexactStages& inexact,
 }
 
 TEST(JudgeStages, FindsNothingWrongWhereEveryStageIsExact) {
-  for (const FrameInput& frame : {TorusFrame(8), Grazing()}) {
+  for (const FrameInput& frame : {TorusFrame(kOneCaseIn > 1 ? 32 : 8), Grazing()}) {
     const BenchStage exact = Judged(frame, {});
     EXPECT_EQ(exact.wrong, 0U);
     EXPECT_EQ(exact.displacement, 0);
@@ -118,7 +119,7 @@ TEST(JudgeStages, MovesASnappedEdgeByAtMostHalfTheDiagonalOfACell) {
 }
 
 TEST(JudgeStages, IsTheSameByASecondDecider) {
-  for (const FrameInput& frame : {TorusFrame(16), Grazing()}) {
+  for (const FrameInput& frame : {TorusFrame(kOneCaseIn > 1 ? 32 : 16), Grazing()}) {
     for (const InexactStages& inexact : OneByOne()) {
       const BenchStage first = Judged(frame, inexact);
       const BenchStage second = Judged(frame, inexact, exact::Decider::kCgal);

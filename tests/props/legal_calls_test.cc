@@ -11,26 +11,28 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
+#include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
 
-PropertyResult CampaignOn(const std::string& name, const Property& property, std::uint64_t seed) {
+PropertyResult CampaignOn(const std::string& name, const Property& property, std::uint64_t seed,
+                          std::uint64_t cases) {
   const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
-  return RunCampaign(*subject, property, {.seed = seed, .cases = 200, .shrink_budget = 20});
+  return RunCampaign(*subject, property, {.seed = seed, .cases = cases, .shrink_budget = 20});
 }
 
 void ExpectLegal(const std::string& name, const Property& property) {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const PropertyResult result = CampaignOn(name, property, seed);
+  for (std::uint64_t seed = 1; seed <= Cases(3U); ++seed) {
+    const PropertyResult result = CampaignOn(name, property, seed, Cases(200U));
     EXPECT_EQ(result.outcome, Outcome::kHolds)
         << name << ", " << property.name << ", seed " << seed << ": " << result.message;
   }
 }
 
 void ExpectFound(const std::string& name, const Property& property) {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    EXPECT_EQ(CampaignOn(name, property, seed).outcome, Outcome::kViolated)
+  for (std::uint64_t seed = 1; seed <= Cases(3U); ++seed) {
+    EXPECT_EQ(CampaignOn(name, property, seed, 200).outcome, Outcome::kViolated)
         << name << ", " << property.name << ", seed " << seed;
   }
 }

@@ -121,6 +121,7 @@ TEST(SamplePlaces, SharedOnesAreNamed) {
 
 TEST(SamplePlaces, VaryingOnesAreShownInTwoPixels) {
   for (const std::string_view name : {"mutant:samples-vary", "legal:samples-vary-under-gl"}) {
+    if (kOneCaseIn > 1 && name.starts_with("legal:")) continue;
     const Inference found = InferOf(name);
     EXPECT_FALSE(found.Fits()) << name;
     ASSERT_TRUE(found.sample_places) << name;

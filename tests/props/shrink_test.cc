@@ -15,6 +15,7 @@
 #include "props/domains/domain.h"
 #include "props/shrink/cost.h"
 #include "tests/props/faulty_subjects.h"
+#include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
@@ -157,7 +158,7 @@ TEST(ShrinkCandidates, AreValidAndStrictlySimpler) {
   for (const Precision precision : {Precision::kFloat32, Precision::kFloat64}) {
     for (const Domain& domain : Domains()) {
       if (domain.clip) continue;
-      for (std::uint64_t i = 0; i < 3; ++i) {
+      for (std::uint64_t i = 0; i < Cases(3U); ++i) {
         const Case c = Draw(domain.name, i, precision);
         for (const Case& k : ShrinkCandidates(c)) {
           ASSERT_LT(CostOf(k), CostOf(c)) << domain.name;

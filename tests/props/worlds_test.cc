@@ -104,6 +104,7 @@ TEST(Worlds, AreExhaustedBySoundSubjects) {
   for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8)}) {
     FakeSubject sound = testing::Sound(info);
     for (const std::string_view world : {"pairs-3x3", "pairs-4x4"}) {
+      if (kOneCaseIn > 1 && world == "pairs-4x4") continue;
       const PropertyResult result = Exhaust(sound, world, "CoverageEqualsTheModel");
       EXPECT_TRUE(IsExhausted(result)) << result.message;
       EXPECT_EQ(result.cases, FindWorld(world)->cases);
@@ -175,13 +176,16 @@ TEST(Worlds, OfSizesShowNumbersThatAreCutOff) {
                          {"numbers of triangles", "long-lists", CutTriangles},
                          {"columns", "long-targets", CutColumns},
                          {"rows", "long-targets", CutRows}}) {
+    // The same paths as without a cut, and half a minute under sanitizers.
+    if (kOneCaseIn > 1 && one.world == "long-lists" && one.what != "no cut") continue;
     FakeSubject subject(
         info, [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
           counts = exact::Coverage(one.cut(scene), info.profile, options);
         });
     CampaignOptions options;
     options.world = FindWorld(one.world);
-    options.cases = options.world->cases;
+    // Those with a cut end with the case that shows it.
+    options.cases = one.what == "no cut" ? Cases(options.world->cases) : options.world->cases;
     options.shrink_budget = 0;
     const PropertyResult result =
         RunCampaign(subject, *FindProperty("CoverageEqualsTheModel"), options);

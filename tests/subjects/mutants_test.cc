@@ -114,14 +114,17 @@ TEST(Mutants, OfLegalSetsAreFoundByTheirPropertyAndTheirTwinsHold) {
            Twins{"FragmentDepthFollowsItsBarycentrics", "mutant:vulkan-depth-off",
                  "legal:vulkan-fragments-snapped"},
        }) {
-    for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      const auto outcome_of = [&, property = props::FindProperty(name)](const char* subject) {
-        const PropertyResult result = props::RunCampaign(*subjects::MakeMutant(subject), *property,
-                                                         {.seed = seed, .cases = 300});
-        return result.outcome;
+    for (std::uint64_t seed = 1; seed <= Cases(3U); ++seed) {
+      const auto outcome_of = [&, property = props::FindProperty(name)](const char* subject,
+                                                                        std::uint64_t cases) {
+        return props::RunCampaign(*subjects::MakeMutant(subject), *property,
+                                  {.seed = seed, .cases = cases})
+            .outcome;
       };
-      EXPECT_EQ(outcome_of(mutant), Outcome::kViolated) << name << ", " << mutant << ", " << seed;
-      EXPECT_EQ(outcome_of(variant), Outcome::kHolds) << name << ", " << variant << ", " << seed;
+      EXPECT_EQ(outcome_of(mutant, 300), Outcome::kViolated)
+          << name << ", " << mutant << ", " << seed;
+      EXPECT_EQ(outcome_of(variant, Cases(300U)), Outcome::kHolds)
+          << name << ", " << variant << ", " << seed;
     }
   }
 }
@@ -201,15 +204,17 @@ TEST(ConformanceBaseline, FindsWhatIsGrosslyWrong) {
   EXPECT_EQ(PiglitLike(*subjects::MakeMutant("mutant:ties-inclusive")), Baseline::kSkips);
 }
 
-// The table of the two beside the catalogue, whose sums README.md and docs/selftest.md quote.
+// The table of the two beside the catalogue, whose sums README.md and docs/selftest.md quote. A
+// share of the mutants has other sums.
 TEST(ConformanceBaseline, IsCountedOverAllMutants) {
-  int mutants = 0, by_cts = 0, by_piglit = 0, skipped = 0;
+  int number = 0, mutants = 0, by_cts = 0, by_piglit = 0, skipped = 0;
   std::string missed;
   for (const MutantInfo& mutant : Mutants()) {
     const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
     const Contract contract = subject->Info().profile.contract;
     // They ask about points, and would find fault with what is right of squares.
     if (mutant.legal || contract == Contract::kNone || contract == Contract::kSquares) continue;
+    if (number++ % kOneCaseIn != 0) continue;
     ++mutants;
     const Baseline cts = CtsLike(*subject);
     const Baseline piglit = PiglitLike(*subjects::MakeMutant(mutant.name));
@@ -223,6 +228,7 @@ TEST(ConformanceBaseline, IsCountedOverAllMutants) {
   }
   std::printf("of %d mutants that draw: CTS-like %d, Piglit-like %d (skips %d)\n", mutants, by_cts,
               by_piglit, skipped);
+  if (mutants != number) return;
   std::ifstream file("README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
   const std::string of = "Of " + std::to_string(mutants) + " bugs of coverage";

@@ -151,8 +151,12 @@ inline std::string DescriptionOf(const Suite& suite) {
   return description;
 }
 
-inline bool BeginsWith(const std::string& text, const char* word) {
-  return text.rfind(word, 0) == 0;
+// The line of the output that begins with these words; empty if there is none.
+inline std::string LineOf(const std::string& output, const std::string& words) {
+  const std::string after = "\n" + output;
+  const std::size_t begin = after.find("\n" + words);
+  if (begin == std::string::npos) return "";
+  return after.substr(begin + 1, after.find('\n', begin + 1) - begin - 1);
 }
 
 class PropertyTest : public ::testing::Test {
@@ -168,8 +172,9 @@ class PropertyTest : public ::testing::Test {
                                     Quoted(description.path()) + " --property " + property_ +
                                     " --cases " + std::to_string(suite_.cases) + " --jobs 1 2>&1");
     if (ended.status == 0) return;
-    if (BeginsWith(ended.output, "not applicable") || BeginsWith(ended.output, "not exercised")) {
-      GTEST_SKIP() << ended.output.substr(0, ended.output.find('\n'));
+    for (const char* words : {"not applicable ", "not exercised "}) {
+      const std::string line = LineOf(ended.output, words);
+      if (ended.status == 4 && !line.empty()) GTEST_SKIP() << line;
     }
     description.Keep();  // the command to type again names it
     ADD_FAILURE() << ended.output;

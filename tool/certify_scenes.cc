@@ -276,7 +276,7 @@ const CoverageCounts& MeasuredScene::Truth(const Profile& profile) {
 }
 
 MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
-  const std::optional<std::string> found = path.empty() ? FindShared(kSceneSet) : path;
+  const std::optional<std::string> found = path.empty() ? FindShared(kSceneSet) : Located(path);
   if (!found) {
     throw InputError(kSceneSet,
                      fmt::format("no scene set lies beside the command (looked in {})",

@@ -19,6 +19,7 @@
 #include "tool/progress.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
+#include "tool/shared_files.h"
 
 namespace rasterproof::tool {
 
@@ -26,7 +27,7 @@ namespace {
 
 std::optional<Case> CaseToSetOutFrom(const std::string& path, const Subject& subject) {
   if (path.empty()) return std::nullopt;
-  Case from = io::ReadCase(path).value;
+  Case from = io::ReadCase(Located(path)).value;
   if (!Takes(subject.Info(), from.scene) || !WithinLimits(from.scene, from.profile)) {
     throw InputError("--from " + path, "the subject does not take this scene",
                      "give a case of its precision and size");

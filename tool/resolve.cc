@@ -31,6 +31,7 @@
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/session.h"
+#include "tool/shared_files.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -285,7 +286,7 @@ ResolvedCheck ResolveCheck(const CheckOptions& options) {
   for (const std::string& path : options.scenes) {
     GivenCase& given = asked.cases.emplace_back();
     given.place = path;
-    given.value = io::ReadCase(path).value;
+    given.value = io::ReadCase(Located(path)).value;
   }
   for (const std::string& name : options.named) {
     GivenCase& given = asked.cases.emplace_back();

@@ -9,10 +9,11 @@ struct Mine {
       };
       for (int row = 0; row < scene.height; ++row) {
         for (int column = 0; column < scene.width; ++column) {
+          const float x = static_cast<float>(column) + 0.5F, y = static_cast<float>(row) + 0.5F;
           int inside = 0, outside = 0;
           for (std::size_t k = 0; k < 3; ++k) {
-            const float e = (column + 0.5F - at(k, 0)) * (at(k + 1, 1) - at(k, 1)) -
-                            (row + 0.5F - at(k, 1)) * (at(k + 1, 0) - at(k, 0));
+            const float e = (x - at(k, 0)) * (at(k + 1, 1) - at(k, 1)) -
+                            (y - at(k, 1)) * (at(k + 1, 0) - at(k, 0));
             inside += e >= 0, outside += e <= 0;
           }
           target.front[row * target.stride + column] += inside == 3 || outside == 3;

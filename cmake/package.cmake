@@ -28,9 +28,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "the authors of rasterproof <rasterproof@example.org>")
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "verification of triangle rasterizers against exact arithmetic
- Properties of any triangle rasterizer on generated cases, judged by exact
- arithmetic: a shared library, a program on a pipe, or a C++ type. Exact
- coverage as a library; properties as GoogleTest cases and as fuzz targets.")
+Properties of any triangle rasterizer on generated cases, judged by exact
+arithmetic: a shared library, a program on a pipe, or a C++ type. Exact
+coverage as a library; properties as GoogleTest cases and as fuzz targets.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, libgtest-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libgmp-dev, libmpfr-dev, picosat, clang-19")

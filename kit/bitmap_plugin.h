@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_KIT_BITMAP_PLUGIN_H_
 #define RASTERPROOF_KIT_BITMAP_PLUGIN_H_
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -35,6 +36,21 @@ concept TriangleBitmap = requires(T bitmap, const Corners& corners, int n) {
   { bitmap.Covered(n, n) } -> std::same_as<bool>;
 };
 
+/// Pixels [x0, x1) x [y0, y1).
+struct PixelBox {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+};
+
+/// A bitmap that knows where it may be set: no pixel outside Touched() is, since Clear. A draw then
+/// costs what its triangles cover, and not the target once for each triangle.
+template <class T>
+concept TouchedBitmap = TriangleBitmap<T> && requires(const T bitmap) {
+  { bitmap.Touched() } -> std::same_as<PixelBox>;
+};
+
 /// Returns whether all coordinates are in [least, greatest]; false if any is a NaN.
 inline bool AllWithin(const Corners& corners, double least, double greatest) {
   for (const Corner& c : corners) {
@@ -62,9 +78,15 @@ std::int32_t CountOneByOne(Bitmap& bitmap, const rasterproof_scene& scene,
   for (std::size_t t = 0; t < scene.triangle_count; ++t) {
     bitmap.Clear();
     if (!bitmap.Fill(CornersOf(scene, t))) return 1;
-    for (int y = 0; y < scene.height; ++y) {
+    PixelBox box{0, 0, scene.width, scene.height};
+    if constexpr (TouchedBitmap<Bitmap>) {
+      const PixelBox touched = bitmap.Touched();
+      box = {std::max(0, touched.x0), std::max(0, touched.y0), std::min(box.x1, touched.x1),
+             std::min(box.y1, touched.y1)};
+    }
+    for (int y = box.y0; y < box.y1; ++y) {
       std::uint32_t* const row = target.front + static_cast<std::size_t>(y) * target.stride;
-      for (int x = 0; x < scene.width; ++x) row[x] += bitmap.Covered(x, y) ? 1U : 0U;
+      for (int x = box.x0; x < box.x1; ++x) row[x] += bitmap.Covered(x, y) ? 1U : 0U;
     }
   }
   return 0;

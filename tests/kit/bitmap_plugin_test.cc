@@ -35,6 +35,26 @@ class FirstCorner {
   std::vector<bool> pixels_;
 };
 
+// Knows where its pixel lies, and counts how often it is read.
+class Touching : public FirstCorner {
+ public:
+  bool Fill(const Corners& corners) {
+    const int x = static_cast<int>(corners[0].x), y = static_cast<int>(corners[0].y);
+    touched_ = {x - 1, y - 1, x + 1, y + 1};
+    return FirstCorner::Fill(corners);
+  }
+  bool Covered(int x, int y) const {
+    ++reads;
+    return FirstCorner::Covered(x, y);
+  }
+  PixelBox Touched() const { return touched_; }
+
+  static inline int reads = 0;
+
+ private:
+  PixelBox touched_;
+};
+
 class NeverThere : public FirstCorner {
  public:
   NeverThere() { throw std::runtime_error("no such library"); }
@@ -75,6 +95,12 @@ TEST(BitmapPlugin, CountsEveryTriangleOnItsOwn) {
   EXPECT_EQ(drawing.status, 0);
   // Two triangles begin with (1, 2), one with (0, 0). The counts beside the rows stay as they are.
   EXPECT_EQ(drawing.front, (std::array<std::uint32_t, 12>{1, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0}));
+}
+
+TEST(BitmapPlugin, ReadsWhereTheBitmapWasTouchedAlone) {
+  EXPECT_EQ(Draw<Touching>(1).front, Draw<FirstCorner>(1).front);
+  // A box of 2 x 2 at (1, 2) twice, and what lies on the target of the one around (0, 0).
+  EXPECT_EQ(Touching::reads, 2 * 4 + 1);
 }
 
 TEST(BitmapPlugin, RefusesWhatTheBitmapRefuses) {

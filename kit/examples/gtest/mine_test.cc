@@ -1,7 +1,7 @@
 // A rasterizer's properties as GoogleTest cases:  ./mine_test --gtest_filter='*SharedEdge*'
 #include "rasterproof/kit/gtest.h"
 
-struct Mine {
+struct Inclusive {
   static bool Draw(const rasterproof_scene& scene, const rasterproof_target& target) {
     for (std::size_t t = 0; t < 3 * scene.triangle_count; t += 3) {
       const auto at = [&](std::size_t k, int axis) {
@@ -24,4 +24,4 @@ struct Mine {
   }
 };
 
-RASTERPROOF_TEST(Textbook, Mine, "real", 50)
+RASTERPROOF_TEST(Textbook, Inclusive, "real", 50)

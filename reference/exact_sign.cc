@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/own_precision.h"
+
 namespace rasterproof::reference {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/own_precision.h"
 #include "reference/decode.h"
 
 namespace rasterproof::reference {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/own_precision.h"
 #include "core/vertex.h"
 
 namespace rasterproof::reference {

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_REFERENCE_KERNELS_KERNELS_H_
 #define RASTERPROOF_REFERENCE_KERNELS_KERNELS_H_
 
+#include "core/own_precision.h"
 #include "reference/kernels/exact_spans.h"
 #include "reference/kernels/fill.h"
 #include "reference/kernels/fixed_tiles.h"

@@ -16,6 +16,7 @@
 
 #include "core/error.h"
 #include "core/float_environment.h"
+#include "core/own_precision.h"
 #include "reference/kernels/kernel.h"
 #include "reference/kernels/kernel_table.h"
 

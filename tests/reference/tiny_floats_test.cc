@@ -168,7 +168,7 @@ void DifferencesOfProducts(int binades) {
 TEST(TinyFloats, KahansDifferenceOfProductsIsWithinTwoUnitsOfItself) {
   DifferencesOfProducts<3>(4);
   DifferencesOfProducts<4>(3);
-  DifferencesOfProducts<5>(2);
+  if (kOneCaseIn == 1) DifferencesOfProducts<5>(2);
 }
 
 // Any four numbers of p bits, but for what scaling and exchanging signs leave alike: a, b and c in

@@ -1,6 +1,7 @@
 // Each form of the distance to an edge measures what it is said to: a share of the height, pixels
 // in the L1 norm of the gradient, or pixels.
 #include <array>
+#include <type_traits>
 
 #include "core/vertex.h"
 #include "exact/edge.h"
@@ -17,11 +18,17 @@ namespace {
 
 using exact::Rational;
 
-Rational EdgeIn(Rational, Point2 a, Point2 b, Point2 p) { return exact::EdgeValue(a, b, p); }
-Estimate EdgeIn(Estimate, Point2 a, Point2 b, Point2 p) { return EstimatedEdge(a, b, p); }
-
 // The formulas below are of N: Rational or Estimate. The queries have no triangle of zero area, so
 // no edge without a length.
+template <class N>
+N EdgeIn(Point2 a, Point2 b, Point2 p) {
+  if constexpr (std::is_same_v<N, Rational>) {
+    return exact::EdgeValue(a, b, p);
+  } else {
+    return EstimatedEdge(a, b, p);
+  }
+}
+
 template <class N>
 N Square(const N& x) {
   return x * x;
@@ -29,12 +36,12 @@ N Square(const N& x) {
 
 template <class N>
 N Area(const BarycentricQuery& q) {
-  return EdgeIn(N(), q.v[0], q.v[1], q.v[2]);
+  return EdgeIn<N>(q.v[0], q.v[1], q.v[2]);
 }
 
 template <class N>
 N EdgeAt(const BarycentricQuery& q, int edge) {
-  return EdgeIn(N(), EdgeStart(q.v, edge), EdgeEnd(q.v, edge), q.place.at);
+  return EdgeIn<N>(EdgeStart(q.v, edge), EdgeEnd(q.v, edge), q.place.at);
 }
 
 // (dX, dY) of an edge.

@@ -15,7 +15,8 @@
 // this test program begun again. A crash or a hang fails that test alone, and the text of a failure
 // is the command's. A property that does not apply, or that no case exercised, is skipped with the
 // reason. Filters, shards and repeats are GoogleTest's. Seed and number of cases are fixed, so that
-// a run is the same tomorrow.
+// a run is the same tomorrow; more options of `check` are taken from the environment variable
+// RASTERPROOF_CHECK_OPTIONS ("--time-limit 1": what hangs costs ten times that once a test).
 //
 // The command is the one in the environment variable RASTERPROOF_COMMAND, else the one that the
 // macro of that name says (CMake's rasterproof::gtest does), else `rasterproof` in PATH.
@@ -32,6 +33,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <cstdio>
@@ -57,6 +59,7 @@ struct Suite {
 namespace gtest_internal {
 
 inline constexpr const char* kServe = "RASTERPROOF_GTEST_SERVE";
+inline constexpr int kNothingJudged = 4;  // the command's exit status
 
 inline std::string Quoted(const std::string& word) {
   std::string quoted = "'";
@@ -151,12 +154,19 @@ inline std::string DescriptionOf(const Suite& suite) {
   return description;
 }
 
-// The line of the output that begins with these words; empty if there is none.
-inline std::string LineOf(const std::string& output, const std::string& words) {
-  const std::string after = "\n" + output;
-  const std::size_t begin = after.find("\n" + words);
-  if (begin == std::string::npos) return "";
-  return after.substr(begin + 1, after.find('\n', begin + 1) - begin - 1);
+// The command's line that says why nothing was judged, or nothing. It names the description, whose
+// name a rasterizer that prints such a line of its own can't know before it draws.
+inline std::string WhyNotJudged(const std::string& output, const std::string& description) {
+  std::size_t begin = 0;
+  while (begin < output.size()) {
+    const std::size_t end = std::min(output.find('\n', begin), output.size());
+    const std::string line = output.substr(begin, end - begin);
+    const bool says_so =
+        line.rfind("not applicable ", 0) == 0 || line.rfind("not exercised ", 0) == 0;
+    if (says_so && line.find(" " + description + " ") != std::string::npos) return line;
+    begin = end + 1;
+  }
+  return "";
 }
 
 class PropertyTest : public ::testing::Test {
@@ -168,14 +178,14 @@ class PropertyTest : public ::testing::Test {
     TemporaryFile description(DescriptionOf(suite_));
     ASSERT_TRUE(description.is_written())
         << "rasterproof: " << description.path() << " can't be written; set TEST_TMPDIR";
-    const Ended ended = ShellOutput(Quoted(Command()) + " check --subject " +
-                                    Quoted(description.path()) + " --property " + property_ +
-                                    " --cases " + std::to_string(suite_.cases) + " --jobs 1 2>&1");
+    const char* const more = std::getenv("RASTERPROOF_CHECK_OPTIONS");
+    const Ended ended =
+        ShellOutput(Quoted(Command()) + " check --subject " + Quoted(description.path()) +
+                    " --property " + property_ + " --cases " + std::to_string(suite_.cases) +
+                    " --jobs 1 " + (more == nullptr ? "" : more) + " 2>&1");
     if (ended.status == 0) return;
-    for (const char* words : {"not applicable ", "not exercised "}) {
-      const std::string line = LineOf(ended.output, words);
-      if (ended.status == 4 && !line.empty()) GTEST_SKIP() << line;
-    }
+    const std::string why = WhyNotJudged(ended.output, description.path());
+    if (ended.status == kNothingJudged && !why.empty()) GTEST_SKIP() << why;
     description.Keep();  // the command to type again names it
     ADD_FAILURE() << ended.output;
   }

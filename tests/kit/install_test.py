@@ -117,11 +117,14 @@ class Installed(unittest.TestCase):
         self.assertEqual(again.returncode, 1, again.stderr)
         self.assertIn("observed covered 2 times, expected exactly once", again.stdout)
 
-    def test_a_crash_and_a_refusal_fail_their_tests_alone(self):
+    def test_a_crash_a_hang_and_a_refusal_fail_their_tests_alone(self):
         done = self.suite("suites_test", "--gtest_filter=Crashing.ClosedMeshCancels:"
                           "Crashing.DegenerateTrianglesCoverNothing:"
-                          "Refusing.CoverageEqualsTheModel")  # fmt: skip
+                          "Refusing.CoverageEqualsTheModel:Hanging.ClosedMeshCancels",
+                          RASTERPROOF_CHECK_OPTIONS="--time-limit 0.2")  # fmt: skip
         found = outcomes(done)
+        self.assertIn("Hanging.ClosedMeshCancels", found["FAILED"])
+        self.assertIn("it hangs: ", done.stdout)
         self.assertIn("Refusing.CoverageEqualsTheModel", found["FAILED"])
         self.assertIn("Crashing.ClosedMeshCancels", found["FAILED"])
         self.assertIn("Crashing.DegenerateTrianglesCoverNothing", found["OK"], done.stdout)

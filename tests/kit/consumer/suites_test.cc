@@ -34,8 +34,19 @@ struct Crashing {
 };
 RASTERPROOF_TEST(Crashing, Crashing, "gl-canonical", 60)
 
-// Refuses all.
+// Refuses all, and says what the command says of properties that do not apply.
 struct Refusing {
-  static bool Draw(const rasterproof_scene&, const rasterproof_target&) { return false; }
+  static bool Draw(const rasterproof_scene&, const rasterproof_target&) {
+    std::fputs("not applicable   Refusing it takes no scene: all properties\n", stderr);
+    return false;
+  }
 };
 RASTERPROOF_TEST(Refusing, Refusing, "real", 60)
+
+struct Hanging {
+  static bool Draw(const rasterproof_scene&, const rasterproof_target&) {
+    for (volatile int k = 0;; k = 1 - k) {
+    }
+  }
+};
+RASTERPROOF_TEST(Hanging, Hanging, "real", 60)

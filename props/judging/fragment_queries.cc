@@ -13,6 +13,7 @@
 #include "exact/edge.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/gate.h"
+#include "props/judging/one_by_one.h"
 #include "props/judging/precision_units.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
@@ -358,17 +359,8 @@ Verdict JudgeReadings(const Readings& readings, FragmentJudge judge) {
 }
 
 Verdict JudgeAll(const std::vector<Readings>& fragments, FragmentJudge judge) {
-  std::uint64_t exercised = 0;
-  double worst = 0;
-  for (const Readings& readings : fragments) {
-    Verdict verdict = JudgeReadings(readings, judge);
-    exercised += verdict.exercised;
-    worst = std::max(worst, verdict.worst_ratio);
-    if (verdict.outcome != Outcome::kViolated) continue;
-    verdict.exercised = exercised;
-    return verdict;
-  }
-  return Verdict::Held(exercised, worst);
+  return OneByOne(fragments.size(),
+                  [&](std::size_t k) { return JudgeReadings(fragments[k], judge); });
 }
 
 // With the draw whose fragment it is.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "props/judging/exact_comparison.h"
+#include "props/judging/one_by_one.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 
@@ -73,17 +74,9 @@ struct BoundedStepping {
 
 Verdict AllWithinTheirBounds(const std::vector<BoundedStepping>& steppings,
                              const Answers& answers) {
-  std::uint64_t exercised = 0;
-  double worst = 0;
-  for (std::size_t k = 0; k < steppings.size(); ++k) {
-    Verdict verdict = WithinItsBound(steppings[k].stepping, answers.steps[k], steppings[k].bounds);
-    exercised += verdict.exercised;
-    worst = std::max(worst, verdict.worst_ratio);
-    if (verdict.outcome != Outcome::kViolated) continue;
-    verdict.exercised = exercised;
-    return verdict;
-  }
-  return Verdict::Held(exercised, worst);
+  return OneByOne(steppings.size(), [&](std::size_t k) {
+    return WithinItsBound(steppings[k].stepping, answers.steps[k], steppings[k].bounds);
+  });
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ namespace rasterproof::props {
 /// infinite error, as have those above 2^900. Sums don't underflow. A bound is a sum of products of
 /// non-negative doubles: its own roundings are below a factor 1 + 2^-40, its underflows below
 /// 2^-1000. What overflows is infinite or NaN, and so is its error: it decides nothing.
+///
+/// Largest error over its bound, as estimate_test prints it: sums 1.0000, products 0.0420,
+/// quotients 0.0691.
 class Estimate {
  public:
   Estimate() = default;

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <string>
 
+#include "core/own_precision.h"
+
 namespace rasterproof::exact {
 namespace {
 

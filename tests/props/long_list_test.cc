@@ -48,7 +48,7 @@ std::unique_ptr<Subject> WithIds(const std::function<std::size_t(std::size_t)>& 
   return subject;
 }
 
-// The case as it would come from a file: it is drawn behind the longest list.
+// The case as it would come from a file: it is drawn after the longest list.
 Case OneTriangle(const SubjectInfo& info) {
   Case c;
   c.profile = info.profile;
@@ -72,7 +72,7 @@ TEST(ALongList, FindsIdsOfFewBitsWhereItIsLongerThanTheyNumber) {
       const Verdict found = Judge(*WithIds(id, all));
       ASSERT_EQ(found.outcome, Outcome::kViolated) << bits;
       EXPECT_EQ(found.witness->triangle, 0);
-      EXPECT_NE(found.message.find("behind " + std::to_string(all + 1)), std::string::npos)
+      EXPECT_NE(found.message.find("after " + std::to_string(all + 1)), std::string::npos)
           << found.message;
     }
   }

@@ -1,4 +1,4 @@
-// A mesh behind a long list of triangles that cover nothing is drawn as it is drawn alone, with
+// A mesh after a long list of triangles that cover nothing is drawn as it is drawn alone, with
 // primitive ids that are as much larger as the list is long.
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ namespace rasterproof::props {
 namespace long_list_draws_like_its_end {
 
 constexpr std::array<std::size_t, 3> kShortLengths{1, 255, 256};
-// One in so many drawn cases is drawn behind the longest list, in every domain another one.
+// One in so many drawn cases is drawn after the longest list, in every domain another one.
 constexpr std::size_t kOneLongIn = 32;
 // So many pixels beyond the target nothing reaches it, wherever a vertex may be put.
 constexpr double kAway = 8;
@@ -104,7 +104,7 @@ std::vector<Triangle> IdleTriangles(const PlacedCase& c, Scene& scene) {
 
 Verdict LikeItsEnd(const PlacedCase& c, const Drawing& drawn, const Drawing& alone,
                    const OpenByCall& open, std::size_t length) {
-  const std::string behind = " (behind " + std::to_string(length) + " that cover nothing)";
+  const std::string after = " (after " + std::to_string(length) + " that cover nothing)";
   const std::uint64_t decisions = open.Judged(DecisionsOf(c));
   Verdict verdict = SameCounts(drawn.counts, open.Expected(drawn.counts, alone.counts), decisions,
                                "that of the mesh alone");
@@ -120,7 +120,7 @@ Verdict LikeItsEnd(const PlacedCase& c, const Drawing& drawn, const Drawing& alo
       seen->triangle = alone.primitive_ids[drawn.counts.Index(seen->x, seen->y, seen->sample)];
     }
   }
-  if (verdict.outcome == Outcome::kViolated) verdict.message += behind;
+  if (verdict.outcome == Outcome::kViolated) verdict.message += after;
   return verdict;
 }
 
@@ -161,7 +161,7 @@ extern constinit const Property kLongListDrawsLikeItsEnd{
     .name = "LongListDrawsLikeItsEnd",
     .group = "coverage",
     .clause =
-        "Triangles that cover nothing change nothing but the numbers of those behind them, "
+        "Triangles that cover nothing change nothing but the numbers of those after them, "
         "however many they are.",
     .required_by = kIndependentClauses,
     .tolerance = kExact,

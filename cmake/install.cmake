@@ -10,8 +10,8 @@ include(GNUInstallDirs)
 set(rasterproof_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rasterproof)
 
 # rasterproof_install_headers(HEADER ...): these and what they include, below include/rasterproof.
-# There each includes the others by relative paths, so that no folder of ours (core/, model/) must
-# be searched by who includes one.
+# There each includes the others by relative paths: <rasterproof/kit/rasterize.h> needs include/
+# alone.
 function(rasterproof_install_headers)
   if(NOT RASTERPROOF_INSTALL)
     return()

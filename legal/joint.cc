@@ -190,6 +190,9 @@ std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& 
       profile.contract == Contract::kWatertight && !profile.freedom.IsNone();
   if (profile.contract != Contract::kSampleExact && !is_free_and_watertight)
     return "the contract does not state single samples";
+  if (profile.sample_positions != SamplePositions::kStated)
+    return "the profile leaves the places of samples open";
+  if (TakesToWindow(profile, scene)) return "the profile has a transform of its own";
   if (!scene.clip_space) {
     const auto is_beyond = [&](const Vertex& v) {
       return IsFinite(v) && std::max(std::fabs(v.x), std::fabs(v.y)) > profile.coordinate_limit;
@@ -198,7 +201,6 @@ std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& 
       return "a coordinate lies beyond the profile's coordinate_limit";
     return std::nullopt;
   }
-  if (profile.transform) return "the profile has a transform of its own";
   if (profile.snap.IsNone()) return "the profile has no grid in clip space";
   if (const auto error = exact::SnapClipError(scene, profile)) return error->what();
   return WhyNoPlaces(scene, profile);

@@ -133,6 +133,17 @@ TEST(JointVerdict, GridsOfMoreThanSixteenBitsAreLegal) {
   }
 }
 
+TEST(JointVerdict, NothingIsSaidOfAMapOrOfSamplesThatLieAnywhere) {
+  const Scene scene = PinnedScene(19);
+  Profile profile = *PresetProfile("vulkan");
+  EXPECT_FALSE(WhyNotJoint(scene, {profile, scene}).has_value());
+  profile.transform = Transform{};
+  profile.transform->map = MapGrid{};
+  EXPECT_TRUE(WhyNotJoint(scene, {profile, scene}).has_value()) << "window space is not the map's";
+  profile = *PresetProfile("vulkan-4x");
+  EXPECT_TRUE(WhyNotJoint(scene, {profile, scene}).has_value());
+}
+
 TEST(JointVerdict, NothingIsSaidBeyondTheCoordinateLimit) {
   Scene scene = PinnedScene(19);
   scene.vertices[2].x = 32768.5;

@@ -100,6 +100,16 @@ class AnswerLines {
     is_held_ = false;
     return line_;
   }
+  // After a line that announces an array.
+  std::string_view NextBytes(std::size_t count) {
+    bytes_.resize(count);
+    std::cin.read(bytes_.data(), static_cast<std::streamsize>(count));
+    if (static_cast<std::size_t>(std::cin.gcount()) < count) {
+      is_short_ = true;
+      BreakDown("what it said ends within an array");
+    }
+    return bytes_;
+  }
   void RequireEndOfAnswer() {
     if (!Peek() || subjects::AnsweredRequest(line_) != 0) return;
     BreakDown("it said more than its answer: " + Quoted(line_, 60));
@@ -136,6 +146,7 @@ class AnswerLines {
   }
 
   std::string line_;
+  std::string bytes_;
   std::uint64_t number_ = 0;  // of the line, from 1
   bool is_held_ = false;      // the line is to be read, again or for the first time
   bool is_short_ = false;     // there was none where one was needed
@@ -152,8 +163,9 @@ class Answering final : public FarEnd {
       auto& [drawing, end] = outcomes[k];
       Drawing& drawn = drawing;
       end = EndOf([&] {
-        drawn = subjects::ReadAnswer(++id_, jobs[k], info(),
-                                     [this](std::size_t /*most_bytes*/) { return lines_.Next(); });
+        drawn = subjects::ReadAnswer(
+            ++id_, jobs[k], info(), [this](std::size_t /*most_bytes*/) { return lines_.Next(); },
+            [this](std::size_t count) { return lines_.NextBytes(count); });
         if (jobs[k].onto != nullptr) drawn.counts += *jobs[k].onto;
         lines_.RequireEndOfAnswer();
       });

@@ -1,5 +1,6 @@
 // Answers: written on the far side, read on this one.
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "core/call_end.h"
@@ -96,10 +97,45 @@ void ReadCounts(const CoverageCounts& shape, std::vector<std::uint32_t>& side,
            });
 }
 
-void RequirePrimitiveId(std::int32_t id, std::size_t triangles) {
+// The shapes that an array of these counts may have, of each facing if there are several.
+std::vector<std::vector<std::size_t>> ShapesOf(const CoverageCounts& shape, bool has_facings) {
+  const auto height = static_cast<std::size_t>(shape.height);
+  const auto width = static_cast<std::size_t>(shape.width);
+  const auto samples = static_cast<std::size_t>(shape.samples);
+  std::vector<std::vector<std::size_t>> shapes{{height, width * samples}, {height, width, samples}};
+  if (has_facings) {
+    for (std::vector<std::size_t>& sides : shapes) sides.insert(sides.begin(), 2);
+  }
+  return shapes;
+}
+
+void ReadCountsArray(CoverageCounts& counts, bool has_facings, const NextBytes& next_bytes) {
+  const std::vector<std::int64_t> numbers =
+      ReadNpyIntegers(ShapesOf(counts, has_facings), next_bytes);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (numbers[k] < 0 || numbers[k] > std::numeric_limits<std::uint32_t>::max()) {
+      BreakDown("its answer counts " + std::to_string(numbers[k]) + " triangles at a sample");
+    }
+    auto& side = k < counts.size() ? counts.front : counts.back;
+    side[k % counts.size()] = static_cast<std::uint32_t>(numbers[k]);
+  }
+}
+
+void RequirePrimitiveId(std::int64_t id, std::size_t triangles) {
   if (id >= kNoPrimitive && id < static_cast<std::int64_t>(triangles)) return;
   BreakDown("it says that triangle " + std::to_string(id) +
             " is visible at a sample, of a scene of " + std::to_string(triangles) + " triangles");
+}
+
+void ReadPrimitiveIdsArray(Drawing& drawing, std::size_t triangles, const NextBytes& next_bytes) {
+  const std::vector<std::int64_t> ids =
+      ReadNpyIntegers(ShapesOf(drawing.counts, false), next_bytes);
+  drawing.primitive_ids.resize(ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    RequirePrimitiveId(ids[k], triangles);
+    drawing.primitive_ids[k] = static_cast<std::int32_t>(ids[k]);
+    if (ids[k] != kNoPrimitive) drawing.counts.front[k] = 1;
+  }
 }
 
 std::array<double, 3> NextBarycentrics(RowReader& row, std::size_t column, std::size_t columns) {
@@ -206,17 +242,29 @@ std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind ki
 }
 
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
-                   const NextLine& next_line) {
+                   const NextLine& next_line, const NextBytes& next_bytes) {
   const Outputs answered = Answered(info.coverage, Requested(job.wants, info));
-  RequireHead(next_line(kMostOfAHead), AnswerWord(answered), id, info.name);
+  const bool has_facings = info.coverage == CoverageKind::kFacingCounts;
+  WordReader rest(RequireHead(next_line(kMostOfAHead), AnswerWord(answered), id, info.name));
+  const bool is_array = rest.Word() == "npy";
   Drawing drawing;
   drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
+  if (is_array && IsOfFragments(answered))
+    BreakDown("it gives fragments as an array; only counts and primitive ids may come so");
   if (answered.primitive_ids) {
-    ReadPrimitiveIds(drawing, job.Triangles().size(), answered, job.wants, next_line);
+    if (is_array) {
+      ReadPrimitiveIdsArray(drawing, job.Triangles().size(), next_bytes);
+    } else {
+      ReadPrimitiveIds(drawing, job.Triangles().size(), answered, job.wants, next_line);
+    }
+    return drawing;
+  }
+  if (is_array) {
+    ReadCountsArray(drawing.counts, has_facings, next_bytes);
     return drawing;
   }
   ReadCounts(drawing.counts, drawing.counts.front, next_line);
-  if (info.coverage == CoverageKind::kFacingCounts) {
+  if (has_facings) {
     ReadCounts(drawing.counts, drawing.counts.back, next_line);
   }
   return drawing;

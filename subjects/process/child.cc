@@ -185,15 +185,30 @@ PipeEnd ChildProcess::ReadLine(Patience& patience, std::size_t most_bytes, std::
       return PipeEnd::kOpen;
     }
     searched = unread.size();
-    std::copy(unread.begin(), unread.end(), heard_.begin());
-    heard_from_ = 0;
-    heard_to_ = searched;
-    const PipeEnd state = Exchange(patience);
-    if (state != PipeEnd::kOpen) {
-      lost_ = state != PipeEnd::kClosed;
-      return state;
-    }
+    const PipeEnd state = ReadMore(patience);
+    if (state != PipeEnd::kOpen) return state;
   }
+}
+
+PipeEnd ChildProcess::ReadBytes(Patience& patience, std::size_t count, std::string_view& bytes) {
+  while (Unread().size() < count) {
+    const PipeEnd state = ReadMore(patience);
+    if (state != PipeEnd::kOpen) return state;
+  }
+  bytes = Unread().substr(0, count);
+  heard_from_ += count;
+  return PipeEnd::kOpen;
+}
+
+// Moves what is unread to the front and adds what comes.
+PipeEnd ChildProcess::ReadMore(Patience& patience) {
+  const std::string_view unread = Unread();
+  if (heard_from_ != 0) std::copy(unread.begin(), unread.end(), heard_.begin());
+  heard_from_ = 0;
+  heard_to_ = unread.size();
+  const PipeEnd state = Exchange(patience);
+  if (state != PipeEnd::kOpen) lost_ = state != PipeEnd::kClosed;
+  return state;
 }
 
 bool ChildProcess::HasUnread(std::string& first_line) {

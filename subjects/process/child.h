@@ -72,6 +72,8 @@ class ChildProcess {
   /// Reads a line of at most this many bytes, without its newline. kOpen: `line` holds it, valid
   /// until the next call.
   PipeEnd ReadLine(Patience& patience, std::size_t most_bytes, std::string_view& line);
+  /// Reads exactly so many bytes. kOpen: `bytes` holds them, valid until the next call.
+  PipeEnd ReadBytes(Patience& patience, std::size_t count, std::string_view& bytes);
 
   /// Returns the output received after the lines that were read, up to the next newline, without
   /// waiting. Nothing if there is none.
@@ -84,6 +86,7 @@ class ChildProcess {
 
  private:
   PipeEnd Exchange(Patience& patience);
+  PipeEnd ReadMore(Patience& patience);
   bool WriteSome();
   PipeEnd ReadSome(bool& moved);
   bool HasEnded() const;

@@ -81,9 +81,31 @@ class ProcessSubject::Child {
 
   std::string_view Line(Patience& patience, std::size_t most_bytes) {
     std::string_view line;
-    switch (process_.ReadLine(patience, most_bytes, line)) {
+    const PipeEnd end = process_.ReadLine(patience, most_bytes, line);
+    RequireOpen(end, patience, most_bytes);
+    return line;
+  }
+  std::string_view Bytes(Patience& patience, std::size_t count) {
+    std::string_view bytes;
+    const PipeEnd end = process_.ReadBytes(patience, count, bytes);
+    RequireOpen(end, patience, count);
+    return bytes;
+  }
+
+  // Whoever says more than it was asked would be taken for an answer to what comes next.
+  void RequireSilence() {
+    std::string more;
+    if (!process_.HasUnread(more)) return;
+    if (!process_.WasTold()) BreakDown("it spoke before it was asked: " + Quoted(more, 60));
+    BreakDown("it said more than its answer: " + Quoted(more, 60) +
+              "; rows of back faces want `coverage facing-counts`");
+  }
+
+ private:
+  void RequireOpen(PipeEnd end, const Patience& patience, std::size_t most_bytes) {
+    switch (end) {
       case PipeEnd::kOpen:
-        return line;
+        return;
       case PipeEnd::kTimedOut:
         if (process_.ReadsNoMore()) BreakDown("it closed its input and gave no answer");
         throw OutOfTime(patience.time);
@@ -104,16 +126,6 @@ class ProcessSubject::Child {
     BreakDown(what);
   }
 
-  // Whoever says more than it was asked would be taken for an answer to what comes next.
-  void RequireSilence() {
-    std::string more;
-    if (!process_.HasUnread(more)) return;
-    if (!process_.WasTold()) BreakDown("it spoke before it was asked: " + Quoted(more, 60));
-    BreakDown("it said more than its answer: " + Quoted(more, 60) +
-              "; rows of back faces want `coverage facing-counts`");
-  }
-
- private:
   ChildProcess process_;
 };
 
@@ -285,8 +297,9 @@ ProcessSubject::Call ProcessSubject::Ask(std::span<const DrawJob> jobs, double s
       child->Ask(CallText(first_id, jobs));
     }
     Patience patience = child->Wait(seconds, deadline_);
-    drawing = ReadAnswer(first_id + k, jobs[k], info_,
-                         [&](std::size_t most) { return child->Line(patience, most); });
+    drawing = ReadAnswer(
+        first_id + k, jobs[k], info_, [&](std::size_t most) { return child->Line(patience, most); },
+        [&](std::size_t count) { return child->Bytes(patience, count); });
     may_not_run_ = false;
     if (jobs[k].onto != nullptr) drawing.counts += *jobs[k].onto;
     call.counted = patience.time.Counted();

@@ -23,6 +23,15 @@
 //                after each index come W0 W1 W2 alone, or DEPTH alone. centroids among them, for a
 //                program that shows them: C0 C1 C2, the barycentrics at the fragment's centroid,
 //                come last. No request without that word asks for them.
+// Version 3 is version 2, and a word at the end of a request's line for lists that come as arrays:
+//     npy        the vertices, unless they are the same, and then the triangles follow as arrays of
+//                NumPy's format NPY 1.0, '<f8' of VERTICES rows of four and '<i4' of TRIANGLES rows
+//                of three, in place of the lines
+//
+// In every version an answer's line may end with the same word: `counts ID npy` and one array of
+// integers of any size follow, (HEIGHT, WIDTH * SAMPLES) or (HEIGHT, WIDTH, SAMPLES), and of a
+// program that reports facings (2, HEIGHT, ...); `primitive-ids ID npy` likewise.
+//
 // Only a host of a library is sent float=MODE (core/float_mode.h), the mode in which it calls it.
 //
 // The first request of a call has its own vertices. A program's answers to requests of version 1
@@ -59,11 +68,12 @@
 #include "core/scene.h"
 #include "core/subject_info.h"
 #include "core/vertex.h"
+#include "subjects/process/npy.h"
 
 namespace rasterproof::subjects {
 
 /// The newest version; all from 1 on are spoken.
-inline constexpr int kProtocol = 2;
+inline constexpr int kProtocol = 3;
 
 struct DrawRequest {
   std::uint64_t id = 0;
@@ -116,12 +126,20 @@ class RequestReader {
   bool Peek();
   bool NextLine();
   DrawRequest NextRequest();
+  // The lists of a request: as lines, or as arrays.
+  struct Lists {
+    std::uint64_t id = 0;
+    bool as_arrays = false;
+  };
   std::shared_ptr<const Scene> SceneFor(Scene target, std::optional<std::size_t> vertices,
-                                        std::uint64_t id);
-  std::vector<Triangle> NextTriangles(std::size_t count, std::size_t vertices, std::uint64_t id);
+                                        Lists lists);
+  std::vector<Vertex> NextVertices(std::size_t count, Lists lists);
+  std::vector<Triangle> NextTriangles(std::size_t count, Lists lists);
+  std::string_view NextBytesOf(std::size_t count);
 
   std::istream& in_;
   std::string line_;
+  std::string bytes_;
   bool has_line_ = false;              ///< line_ is still to be read
   std::shared_ptr<const Scene> last_;  ///< of the request before: vertices alone
 };
@@ -137,9 +155,9 @@ using NextLine = std::function<std::string_view(std::size_t most_bytes)>;
 /// Reads the answer to a request, line by line. Outputs that the job does not want may be left out.
 ///
 /// Error:      SubjectStop if it is not an answer to request `id` of this kind and shape, or
-///             reports a fault or a refusal; any exception of next_line.
+///             reports a fault or a refusal; any exception of next_line and next_bytes.
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
-                   const NextLine& next_line);
+                   const NextLine& next_line, const NextBytes& next_bytes);
 /// Returns the id of the request whose answer the line begins; 0 if it begins none.
 std::uint64_t AnsweredRequest(std::string_view line);
 /// Reads the answer to an edge request.

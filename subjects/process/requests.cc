@@ -1,10 +1,13 @@
 // Requests: written on this side, read on the other.
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <istream>
+#include <limits>
 #include <streambuf>
 #include <utility>
 
+#include "core/call_end.h"
 #include "core/error.h"
 #include "core/target_size.h"
 #include "subjects/process/protocol.h"
@@ -18,6 +21,7 @@ constexpr int kMostSteps = 1 << 20;
 constexpr int kMostRepeats = 1 << 20;
 constexpr std::size_t kMostInABatch = std::size_t{1} << 16;
 constexpr std::string_view kSame = "same";
+constexpr std::string_view kAsArrays = "npy";
 
 static_assert(sizeof(Vertex) == 4 * sizeof(double), "its bytes are its numbers'");
 
@@ -79,6 +83,28 @@ void AddLine(TextWriter& text, const Numbers& numbers) {
   text.Add('\n');
 }
 
+void AddVertices(TextWriter& text, const std::vector<Vertex>& vertices, bool as_array) {
+  if (!as_array) {
+    for (const Vertex& v : vertices) AddLine(text, std::array{v.x, v.y, v.z, v.w});
+    return;
+  }
+  std::vector<double> numbers(4 * vertices.size());
+  if (!vertices.empty())
+    std::memcpy(numbers.data(), vertices.data(), numbers.size() * sizeof(double));
+  text.Add(NpyOf(numbers, 4));
+}
+
+void AddTriangles(TextWriter& text, std::span<const Triangle> triangles, bool as_array) {
+  if (!as_array) {
+    for (const Triangle& t : triangles) AddLine(text, t);
+    return;
+  }
+  std::vector<std::int32_t> numbers;
+  numbers.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) numbers.insert(numbers.end(), t.begin(), t.end());
+  text.Add(NpyOf(numbers, 3));
+}
+
 void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                 bool has_same_vertices) {
   const Scene& scene = *job.scene;
@@ -102,11 +128,14 @@ void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const Su
     text.Add(" repeats=");
     text.AddNumber(job.repeats);
   }
-  text.Add('\n');
-  if (!has_same_vertices) {
-    for (const Vertex& v : scene.vertices) AddLine(text, std::array{v.x, v.y, v.z, v.w});
+  const bool as_arrays = info.protocol >= 3;
+  if (as_arrays) {
+    text.Add(' ');
+    text.Add(kAsArrays);
   }
-  for (const Triangle& t : job.Triangles()) AddLine(text, t);
+  text.Add('\n');
+  if (!has_same_vertices) AddVertices(text, scene.vertices, as_arrays);
+  AddTriangles(text, job.Triangles(), as_arrays);
 }
 
 [[noreturn]] void Malformed(const std::string& where, const std::string& expected) {
@@ -143,6 +172,17 @@ std::array<T, n> NumbersOf(const std::string& line, const char* what, std::size_
   const std::string word(words.Word());
   if (fits || word.empty()) Malformed(where, std::to_string(n) + " numbers");
   Malformed(where, "a number, not " + word);
+}
+
+// What an array of a request holds. Readers of arrays blame a subject; here standard input is it.
+template <class Read>
+auto OfArray(std::uint64_t id, const std::string& what, const Read& read) {
+  try {
+    return read();
+  } catch (const SubjectStop& stop) {
+    throw InputError("standard input: request " + std::to_string(id) + ", its " + what, stop.what(),
+                     "give arrays of the format NPY 1.0");
+  }
 }
 
 PixelRect ParseRect(std::string_view text, const std::string& where) {
@@ -299,21 +339,29 @@ DrawRequest RequestReader::NextRequest() {
   if (own_vertices.value_or(0) > kMostListed || triangles > kMostListed) {
     Malformed(where, "at most 2^26 vertices and triangles");
   }
-  while (!words.AtEnd()) ParseOption(words.Word(), where, request.job);
+  Lists lists{request.id};
+  while (!words.AtEnd()) {
+    const std::string_view word = words.Word();
+    if (word == kAsArrays) {
+      lists.as_arrays = true;
+    } else {
+      ParseOption(word, where, request.job);
+    }
+  }
   RequireTargetSize("standard input: " + where, target.width, target.height, request.job.samples);
-  last_ = SceneFor(std::move(target), own_vertices, request.id);
+  last_ = SceneFor(std::move(target), own_vertices, lists);
   request.job.scene = last_;
-  request.job.triangles = NextTriangles(triangles, last_->vertices.size(), request.id);
+  request.job.triangles = NextTriangles(triangles, lists);
   return request;
 }
 
 // The target with the vertices whose lines follow, or those of the request before.
 std::shared_ptr<const Scene> RequestReader::SceneFor(Scene target,
                                                      std::optional<std::size_t> vertices,
-                                                     std::uint64_t id) {
+                                                     Lists lists) {
   if (!vertices) {
     if (last_ == nullptr) {
-      Malformed("request " + std::to_string(id),
+      Malformed("request " + std::to_string(lists.id),
                 "vertices: there is no request before it to have the same");
     }
     if (target.width == last_->width && target.height == last_->height &&
@@ -323,23 +371,62 @@ std::shared_ptr<const Scene> RequestReader::SceneFor(Scene target,
     target.vertices = last_->vertices;
     return std::make_shared<const Scene>(std::move(target));
   }
-  for (std::size_t n = 0; n < *vertices; ++n) {
-    if (!std::getline(in_, line_)) line_.clear();
-    const auto [x, y, z, w] = NumbersOf<double, 4>(line_, "vertex", n, id);
-    target.vertices.push_back({x, y, z, w});
-  }
+  target.vertices = NextVertices(*vertices, lists);
   return std::make_shared<const Scene>(std::move(target));
 }
 
-std::vector<Triangle> RequestReader::NextTriangles(std::size_t count, std::size_t vertices,
-                                                   std::uint64_t id) {
-  std::vector<Triangle> triangles;
+// The next bytes of the stream; fewer at its end.
+std::string_view RequestReader::NextBytesOf(std::size_t count) {
+  bytes_.resize(count);
+  in_.read(bytes_.data(), static_cast<std::streamsize>(count));
+  const auto got = static_cast<std::size_t>(in_.gcount());
+  if (got < count) {
+    throw InputError("standard input", "it ends within an array",
+                     "give as many bytes as the array's head says");
+  }
+  return bytes_;
+}
+
+std::vector<Vertex> RequestReader::NextVertices(std::size_t count, Lists lists) {
+  std::vector<Vertex> vertices(count);
+  if (lists.as_arrays) {
+    const std::vector<double> numbers = OfArray(lists.id, "vertices", [&] {
+      return ReadNpyDoubles(count, 4, [&](std::size_t n) { return NextBytesOf(n); });
+    });
+    for (std::size_t n = 0; n < count; ++n)
+      vertices[n] = {numbers[4 * n], numbers[4 * n + 1], numbers[4 * n + 2], numbers[4 * n + 3]};
+    return vertices;
+  }
   for (std::size_t n = 0; n < count; ++n) {
     if (!std::getline(in_, line_)) line_.clear();
-    triangles.push_back(NumbersOf<std::int32_t, 3>(line_, "triangle", n, id));
-    for (const std::int32_t index : triangles.back()) {
+    const auto [x, y, z, w] = NumbersOf<double, 4>(line_, "vertex", n, lists.id);
+    vertices[n] = {x, y, z, w};
+  }
+  return vertices;
+}
+
+std::vector<Triangle> RequestReader::NextTriangles(std::size_t count, Lists lists) {
+  const std::size_t vertices = last_->vertices.size();
+  std::vector<std::int64_t> numbers;
+  if (lists.as_arrays) {
+    const std::vector<std::vector<std::size_t>> shapes{{count, 3}};
+    numbers = OfArray(lists.id, "triangles", [&] {
+      return ReadNpyIntegers(shapes, [&](std::size_t n) { return NextBytesOf(n); });
+    });
+  }
+  std::vector<Triangle> triangles(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    if (lists.as_arrays) {
+      for (std::size_t k = 0; k < 3; ++k)
+        triangles[n][k] = static_cast<std::int32_t>(std::clamp<std::int64_t>(
+            numbers[3 * n + k], -1, std::numeric_limits<std::int32_t>::max()));
+    } else {
+      if (!std::getline(in_, line_)) line_.clear();
+      triangles[n] = NumbersOf<std::int32_t, 3>(line_, "triangle", n, lists.id);
+    }
+    for (const std::int32_t index : triangles[n]) {
       if (index >= 0 && static_cast<std::size_t>(index) < vertices) continue;
-      Malformed("request " + std::to_string(id) + ", triangle " + std::to_string(n),
+      Malformed("request " + std::to_string(lists.id) + ", triangle " + std::to_string(n),
                 "indices of its " + std::to_string(vertices) + " vertices");
     }
   }

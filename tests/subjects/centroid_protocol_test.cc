@@ -34,10 +34,12 @@ struct CentroidsAsked {
   Drawing Reads(const std::string& answer) const {
     std::istringstream lines(answer);
     std::string line;
-    return ReadAnswer(12, job, info, [&](std::size_t) {
-      std::getline(lines, line);
-      return std::string_view(line);
-    });
+    return ReadAnswer(12, job, info,
+                      [&](std::size_t) {
+                        std::getline(lines, line);
+                        return std::string_view(line);
+                      },
+                      {});
   }
 
   SubjectInfo info;

@@ -203,10 +203,20 @@ Drawing Read(const std::string& answer, CoverageKind kind, int width, int protoc
   job.wants = wants;
   std::istringstream lines(answer);
   std::string line;
-  return ReadAnswer(12, job, Info(kind, protocol), [&](std::size_t) {
-    if (!std::getline(lines, line)) line.clear();
-    return std::string_view(line);
-  });
+  std::string bytes;
+  const auto next_bytes = [&](std::size_t count) {
+    bytes.resize(count);
+    lines.read(bytes.data(), static_cast<std::streamsize>(count));
+    if (static_cast<std::size_t>(lines.gcount()) < count) BreakDown("it ends within an array");
+    return std::string_view(bytes);
+  };
+  return ReadAnswer(
+      12, job, Info(kind, protocol),
+      [&](std::size_t) {
+        if (!std::getline(lines, line)) line.clear();
+        return std::string_view(line);
+      },
+      next_bytes);
 }
 
 TEST(Protocol, ReadsCountsAndNothingElse) {

@@ -1,6 +1,7 @@
 # What `cmake --install` and `cpack` install, and the package that find_package(rasterproof) finds:
 #
 #   rasterize  exact coverage as a library           rasterproof::rasterize
+#   oracle     the oracle in C, shared and static    rasterproof::oracle, rasterproof::oracle_static
 #   kit        the C interface of a plugin           rasterproof::kit, rasterproof_add_test()
 #   gtest      properties as GoogleTest cases        rasterproof::gtest (needs GTest)
 #   fuzz       fuzz targets of your own              rasterproof::fuzz_target
@@ -48,7 +49,8 @@ function(rasterproof_component name)
     return()
   endif()
   install(TARGETS ${ARG_TARGETS} EXPORT rasterproof-${name}
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(EXPORT rasterproof-${name} NAMESPACE rasterproof::
     DESTINATION ${rasterproof_package_dir})
   export(EXPORT rasterproof-${name} NAMESPACE rasterproof::

@@ -1,7 +1,7 @@
 # find_package(rasterproof [COMPONENTS ...]) of an installed package: cmake/install.cmake lists the
 # components. Without COMPONENTS: all that are installed, but gtest only where GTest is found.
 include(CMakeFindDependencyMacro)
-set(rasterproof_components rasterize kit gtest fuzz)
+set(rasterproof_components rasterize oracle kit gtest fuzz)
 set(rasterproof_wanted ${rasterproof_FIND_COMPONENTS})
 if(NOT rasterproof_wanted)
   set(rasterproof_wanted ${rasterproof_components})
@@ -17,6 +17,9 @@ endmacro()
 
 if("fuzz" IN_LIST rasterproof_wanted OR "rasterize" IN_LIST rasterproof_wanted)
   rasterproof_find_component(rasterize)
+endif()
+if("oracle" IN_LIST rasterproof_wanted)
+  rasterproof_find_component(oracle)
 endif()
 if("kit" IN_LIST rasterproof_wanted OR "gtest" IN_LIST rasterproof_wanted)
   rasterproof_find_component(kit)

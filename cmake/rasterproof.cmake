@@ -85,6 +85,10 @@ function(rasterproof_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
+# The code of libraries may become a part of a shared one (kit/oracle), whose functions nobody may
+# replace: calls among them stay direct.
+set(for_shared -fno-semantic-interposition)
+
 # Headers of the standard library are precompiled where files are compiled in lumps, and with
 # GoogleTest's for tests everywhere. Where a file is compiled alone it must include what it uses.
 set(standard_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory>
@@ -93,6 +97,8 @@ file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cc "")
 if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
   add_library(rasterproof_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
   target_link_libraries(rasterproof_precompiled PRIVATE rasterproof_flags)
+  target_compile_options(rasterproof_precompiled PRIVATE ${for_shared})
+  set_target_properties(rasterproof_precompiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_precompile_headers(rasterproof_precompiled PRIVATE ${standard_headers})
 endif()
 # What takes long in a test is the libraries' code, and in compiling it what sanitizers insert.
@@ -133,6 +139,8 @@ function(rasterproof_library name)
   add_library(rasterproof_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(rasterproof_${name}
     PUBLIC ${ARG_LINK} PRIVATE rasterproof_flags ${ARG_PRIVATE_LINK})
+  target_compile_options(rasterproof_${name} PRIVATE ${for_shared})
+  set_target_properties(rasterproof_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   rasterproof_headers(rasterproof_${name} PUBLIC)
   rasterproof_lump(rasterproof_${name} ${ARG_LUMP})
   if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)

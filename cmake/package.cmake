@@ -32,8 +32,10 @@ Properties of any triangle rasterizer on generated cases, judged by exact
 arithmetic: a shared library, a program on a pipe, or a C++ type. Exact
 coverage as a library; properties as GoogleTest cases and as fuzz targets.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, libgtest-dev")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libgmp-dev, libmpfr-dev, picosat, clang-19")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, libgtest-dev, python3-numpy")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+  "libgmp-dev, libmpfr-dev, picosat, clang-19, python3-hypothesis, python3-pytest")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+include(cmake/python.cmake)
 include(CPack)

@@ -1,0 +1,238 @@
+"""check() and certify(): the command's verdicts on a function of this process.
+
+The command starts a relay as its program on a pipe. For each one this process forks, and the copy,
+which has the function, answers on the relay's pipe. A crash, a hang or an exception is a finding,
+and the next copy is a fresh one.
+"""
+
+import contextlib
+import json
+import os
+import pathlib
+import selectors
+import shlex
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+from typing import NamedTuple
+
+from . import serve
+from ._oracle import BadArgument, profile_text
+
+_RELAY = pathlib.Path(__file__).with_name("_relay.py")
+
+
+class Report(NamedTuple):
+    """What the command found. It is true if every property that was asked holds."""
+
+    status: int  # of the command: 0 holds, 1 violated, 3 a fault of its own, 4 inconclusive
+    text: str  # what it printed
+    violated: tuple  # names of properties
+
+    def __bool__(self):
+        return self.status == 0
+
+    def require(self):
+        """Raises AssertionError with the command's text unless every property holds."""
+        assert self.status == 0, "\n" + self.text
+        return self
+
+
+def command():
+    """The command's path: RASTERPROOF_COMMAND in the environment, or `rasterproof` in PATH."""
+    found = os.environ.get("RASTERPROOF_COMMAND") or shutil.which("rasterproof")
+    if not found or not os.access(found, os.X_OK):
+        raise FileNotFoundError(
+            f"the command {found or 'rasterproof'} was not found; install rasterproof, or name it "
+            "in the environment variable RASTERPROOF_COMMAND")  # fmt: skip
+    return os.path.abspath(found)
+
+
+class _Host:
+    """Forks a copy of this process for each relay that calls, until the command ends."""
+
+    def __init__(self, folder, act):
+        self.act, self.copies = act, {}  # pidfd: (pid, connection)
+        self.path = os.path.join(folder, "socket")
+        self.listener = socket.socket(socket.AF_UNIX)
+        self.listener.bind(self.path)
+        self.listener.listen()
+        self.looks = selectors.DefaultSelector()
+        self.looks.register(self.listener, selectors.EVENT_READ, self.begin)
+
+    def begin(self, _):
+        connection, _ = self.listener.accept()
+        told, files, _, _ = socket.recv_fds(connection, 16, 2)
+        if len(files) != 2:
+            connection.close()
+            return
+        sys.stdout.flush()
+        sys.stderr.flush()
+        pid = os.fork()
+        if pid == 0:
+            self.draw(connection, int(told), files)
+        for file in files:
+            os.close(file)
+        end = os.pidfd_open(pid)
+        self.copies[end] = (pid, connection)
+        self.looks.register(end, selectors.EVENT_READ, self.end)
+        self.looks.register(connection, selectors.EVENT_READ, lambda _, end=end: self.abandon(end))
+
+    def draw(self, connection, group, files):
+        """In the copy. It belongs to the relay's group, whose time the command counts."""
+        status = 1
+        try:
+            with contextlib.suppress(OSError):
+                os.setpgid(0, group)
+            connection.close()
+            self.listener.close()
+            os.dup2(2, 1)  # what a draw prints is no answer
+            self.act(os.fdopen(files[0], "rb"), os.fdopen(files[1], "wb"))
+            status = 0
+        except (BrokenPipeError, KeyboardInterrupt):
+            pass
+        except BaseException as error:
+            print(serve.where(error), file=sys.stderr)
+        finally:
+            sys.stderr.flush()
+            os._exit(status)
+
+    def abandon(self, end):
+        """The relay is gone: the command has given this copy up."""
+        pid, connection = self.copies[end]
+        self.looks.unregister(connection)
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+
+    def end(self, end):
+        pid, connection = self.copies.pop(end)
+        _, status = os.waitpid(pid, 0)
+        self.looks.unregister(end)
+        with contextlib.suppress(KeyError):
+            self.looks.unregister(connection)
+        os.close(end)
+        with connection, contextlib.suppress(OSError):
+            connection.send(str(os.waitstatus_to_exitcode(status)).encode())
+
+    def run(self, process):
+        """Serves until the process ends."""
+        ended = os.pidfd_open(process.pid)
+        self.looks.register(ended, selectors.EVENT_READ, None)
+        try:
+            while True:
+                for key, _ in self.looks.select():
+                    if key.fd == ended:
+                        return process.wait()
+                    if key.data:
+                        key.data(key.fd)
+        finally:
+            if process.poll() is None:
+                process.terminate()
+                process.wait()
+            self.close()
+            os.close(ended)
+
+    def close(self):
+        for pid, connection in self.copies.values():
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+            os.waitpid(pid, 0)
+            connection.close()
+        self.copies = {}
+        self.listener.close()
+
+
+def _name_of(draw, name):
+    name = name or getattr(draw, "__name__", type(draw).__name__)
+    return (name if name.isidentifier() else "draw") + ".subject"
+
+
+def _description(profile, *, format, coverage, clip, batches, relay):  # noqa: A002
+    if format not in ("float32", "float64") and not format.startswith("fixed "):
+        raise BadArgument(f"format: {format!r}; give float32, float64 or fixed N.M signed")
+    takes = ("clip" if clip else "window") + (" batches" if batches else "")
+    text = profile_text(profile)
+    if text.lstrip().startswith("{"):
+        text = json.dumps(json.loads(text))  # on one line
+    lines = [f"command {relay}", f"input {format}", f"coverage {coverage}",
+             f"takes {takes}", "protocol 3", f"profile {text}"]  # fmt: skip
+    return "\n".join(lines) + "\n"
+
+
+def _run(verb, draw, profile, options, stream, *, name, format, coverage,  # noqa: A002
+         clip, batches):  # fmt: skip
+    if not callable(draw):
+        raise BadArgument(f"draw: a {type(draw).__name__}; give a function of (triangles, size)")
+    program = command()
+
+    def act(requests, replies):
+        serve.serve(draw, requests, replies, clip=clip, batches=batches)
+
+    with tempfile.TemporaryDirectory(prefix="rasterproof-") as folder:
+        host = _Host(folder, act)
+        relay = shlex.join([sys.executable, "-S", "-E", str(_RELAY), host.path])
+        described = pathlib.Path(folder, _name_of(draw, name))
+        described.write_text(_description(profile, format=format, coverage=coverage, clip=clip,
+                                          batches=batches, relay=relay),
+                             encoding="utf-8")  # fmt: skip
+        said = pathlib.Path(folder, "said")
+        with open(said, "wb") as out:
+            process = subprocess.Popen([program, verb, "--subject", str(described), *options],
+                                       stdin=subprocess.DEVNULL, stdout=out,
+                                       stderr=out if stream is None else None)  # fmt: skip
+        status = host.run(process)
+        text = said.read_text(encoding="utf-8", errors="replace")
+        return status, text.replace(str(described), described.name)
+
+
+def _violated(text):
+    names = []
+    for line in text.splitlines():
+        words = line.split()
+        if words[:1] == ["violated"] and len(words) > 2 and words[2] not in names:
+            names.append(words[2])
+    return tuple(names)
+
+
+def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=None, save=None,
+          format="float32", coverage="counts", clip=False, batches=False, name=None,  # noqa: A002
+          options=(), progress=False):  # fmt: skip
+    """Puts all properties (or `properties`) to the test on a function that draws.
+
+    draw        draw(triangles, size): float64 (n, 3, 2) in pixels (with `clip` (n, 3, 4)) and
+                (width, height); returns how many triangles cover each sample, integers
+                (height, width) or (height, width, samples). With `batches` draw(scenes): a list of
+                such pairs, and a list of arrays comes back. Raise Refused for what it can't take.
+    profile     what it states; what legal rasterizers may differ in is not held against it.
+    cases       for each property. `scenes` are files: drawn as well.
+    format      the numbers that it takes: float32, float64 or "fixed 12.4 signed".
+    coverage    what it returns: counts, facing-counts (2, height, width), mask, primitive-id.
+    save        a folder: shrunk failures are kept there and asked first the next time.
+    options     more words for `rasterproof check`.
+
+    Returns a Report. Raises BadArgument for what the command says is bad input.
+    """
+    words = ["--cases", str(cases), "--memory-limit", "0"]
+    words += [word for each in properties for word in ("--property", each)]
+    words += [word for each in scenes for word in ("--scene", str(each))]
+    words += ["--seed", str(seed)] if seed is not None else []
+    words += ["--save", str(save)] if save else []
+    status, text = _run("check", draw, profile, [*words, *options], True if progress else None,
+                        name=name, format=format, coverage=coverage, clip=clip,
+                        batches=batches)  # fmt: skip
+    if status == 2:
+        raise BadArgument(text.strip())
+    return Report(status, text, _violated(text))
+
+
+def certify(draw, out, profile="real", *, format="float32", coverage="counts",  # noqa: A002
+            clip=False, batches=False, name=None, options=()):  # fmt: skip
+    """The whole catalogue and the bundled scenes: a certificate and a report page in `out`."""
+    status, text = _run("certify", draw, profile, ["--out", str(out), *options], True, name=name,
+                        format=format, coverage=coverage, clip=clip, batches=batches)  # fmt: skip
+    if status == 2:
+        raise BadArgument(text.strip())
+    return Report(status, text, _violated(text))

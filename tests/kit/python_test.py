@@ -1,0 +1,273 @@
+"""The Python package: arrays in and out, verdicts on functions of this process, strategies.
+
+usage: python_test.py PACKAGE_FOLDER ORACLE COMMAND EXAMPLES
+Without numpy, Hypothesis or pytest the tests that need them are skipped and say so.
+"""
+import contextlib
+import io
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PACKAGE, ORACLE, COMMAND, EXAMPLES = (os.path.abspath(path) for path in sys.argv[1:5])
+os.environ |= {"RASTERPROOF_ORACLE": ORACLE, "RASTERPROOF_COMMAND": COMMAND,
+               "PYTHONPATH": PACKAGE, "PYTHONDONTWRITEBYTECODE": "1"}  # fmt: skip
+sys.path[:0] = [PACKAGE, EXAMPLES]
+sys.dont_write_bytecode = True
+try:
+    import numpy as np
+    import rasterproof as rp
+    from numpy_rasterizer import draw as textbook
+except ModuleNotFoundError as lacking:
+    print(f"skipped: {lacking}; install python3-numpy")
+    sys.exit(77)
+
+SIZE = (8, 8)
+SQUARE = np.array([[[0, 0], [8, 0], [0, 8]], [[8, 0], [8, 8], [0, 8]]], float)
+
+
+def exact(triangles, size):
+    return rp.coverage(triangles, size, "real")
+
+
+class Arrays(unittest.TestCase):
+    def test_counts_have_the_shape_of_the_target(self):
+        counts = rp.coverage(SQUARE, (8, 6))
+        self.assertEqual((counts.shape, counts.dtype), ((6, 8), np.uint32))
+        self.assertTrue((counts == 1).all())
+        self.assertEqual(rp.coverage(SQUARE, SIZE, "d3d11-canonical-4x").shape, (8, 8, 4))
+        facings = rp.coverage(SQUARE, SIZE, facings=True)
+        self.assertEqual([int(side.sum()) for side in facings], [0, 64])
+        self.assertEqual(rp.coverage(np.zeros((0, 3, 2)), SIZE).sum(), 0)
+
+    def test_a_mesh_is_the_same_with_indices_of_its_vertices(self):
+        vertices = np.array([[0, 0], [8, 0], [0, 8], [8, 8]], np.float32)
+        mesh = (vertices, np.array([[0, 1, 2], [1, 3, 2]]))
+        self.assertTrue((rp.coverage(mesh, SIZE) == rp.coverage(SQUARE, SIZE)).all())
+
+    def test_decisions_say_what_is_open(self):
+        decisions = rp.decided(SQUARE, SIZE, "vulkan")
+        self.assertEqual(decisions.shape, (2, 8, 8))
+        self.assertEqual(decisions[0, 0, 0], rp.MUST)
+        self.assertEqual(decisions[0, 7, 7], rp.MUST_NOT)
+        self.assertTrue((decisions[:, range(8), range(7, -1, -1)] == rp.MAY).all(), "the diagonal")
+        least, most = rp.bounds(SQUARE, SIZE, "vulkan")
+        self.assertTrue((least == 1).all() and (most == 1).all(), "each has one owner")
+
+    def test_drawings_are_judged_together(self):
+        counts = rp.coverage(SQUARE, SIZE)
+        self.assertTrue(rp.legal(SQUARE, SIZE, counts, "gl"))
+        counts[0, 7] = 2
+        verdict = rp.legal(SQUARE, SIZE, counts, "gl")
+        self.assertFalse(verdict)
+        self.assertTrue(verdict.is_judged)
+        self.assertIn("column 7 row 0: covered 2 times", verdict.reason)
+        self.assertTrue(rp.legal(SQUARE, SIZE, counts > 0, "gl", mask=True))
+
+    def test_single_questions_are_exact(self):
+        tiny = 5e-324
+        self.assertEqual([rp.edge_sign((0, 0), (1, 0), (0, y)) for y in (-tiny, 0, tiny)],
+                         [1, 0, -1])  # fmt: skip
+        self.assertEqual(rp.barycentrics(((0, 0), (3, 0), (0, 3)), (1, 1)), (1 / 3,) * 3)
+        floor = {"name": "floor", "subpixel_bits": 2, "snap_rule": "floor"}
+        self.assertEqual(rp.place((1.49, -0.01), SIZE, floor), (1.25, -0.25))
+
+    def test_bad_arguments_are_named_with_the_remedy(self):
+        for said, act in (
+            ("give (n, 3, 2)", lambda: rp.coverage(np.zeros((3, 2)), SIZE)),
+            ("two to four numbers", lambda: rp.coverage(np.zeros((1, 3, 5)), SIZE)),
+            ("index 4 of 3", lambda: rp.coverage((np.zeros((3, 2)), [[0, 1, 4]]), SIZE)),
+            ("give (width, height)", lambda: rp.coverage(SQUARE, 8)),
+            ("65536", lambda: rp.coverage(SQUARE, (8, 70000))),
+            ("vulkan", lambda: rp.coverage(SQUARE, SIZE, "vulcan")),
+            ("subpixel_bits", lambda: rp.Profile({"name": "n", "subpixel_bits": -1})),
+            ("give integers", lambda: rp.legal(SQUARE, SIZE, np.zeros(SIZE), "gl")),
+            ("give (8, 8)", lambda: rp.legal(SQUARE, SIZE, np.zeros((4, 4), int), "gl")),
+            ("below 0", lambda: rp.legal(SQUARE, SIZE, np.full(SIZE, -1), "gl")),
+            ("not finite", lambda: rp.edge_sign((0, 0), (1, 0), (0, np.nan))),
+            ("a function of", lambda: rp.check(7)),
+            ("give float32", lambda: rp.check(exact, format="half")),
+        ):
+            with self.subTest(said), self.assertRaises(rp.BadArgument) as raised:
+                act()
+            self.assertIn(said, str(raised.exception))
+        with self.assertRaisesRegex(rp.NotDecided, "places of samples open"):
+            rp.decided(SQUARE, SIZE, "vulkan-4x")
+
+
+class Verdicts(unittest.TestCase):
+    def test_a_right_function_holds(self):
+        report = rp.check(exact, "real", cases=20).require()
+        self.assertIn("holds            exact.subject", report.text)
+        self.assertEqual(report.violated, ())
+
+    def test_many_scenes_a_call_are_judged_alike(self):
+        calls = []
+
+        def many(scenes):
+            calls.append(len(scenes))
+            return [exact(*scene) for scene in scenes]
+
+        report = rp.check(many, cases=10, batches=True,
+                          properties=["CoverageEqualsTheModel", "BatchDrawsLikeSingleCalls"])
+        self.assertTrue(report, report.text)
+        self.assertEqual(calls, [], "only copies of this process draw")
+
+    def test_the_example_covers_a_shared_edge_twice(self):
+        report = rp.check(textbook, "real", cases=20)
+        self.assertEqual(report.status, 1)
+        self.assertIn("SharedEdgeSamplesAreCoveredOnce", report.violated)
+        with self.assertRaisesRegex(AssertionError, "observed covered 2 times, expected exactly"):
+            report.require()
+
+    def test_exceptions_crashes_and_hangs_are_findings_with_their_cause(self):
+        def raises(triangles, size):
+            raise KeyError("not mine")
+
+        def crashes(triangles, size):
+            os.kill(os.getpid(), signal.SIGSEGV)
+
+        def hangs(triangles, size):
+            while True:
+                pass
+
+        def floats(triangles, size):
+            return exact(triangles, size) * 1.0
+
+        def transposed(triangles, size):
+            return exact(triangles, size[::-1])
+
+        def refuses(triangles, size):
+            raise rp.Refused("never")
+
+        for draw, said, status in (
+            (raises, "KeyError: 'not mine' (python_test.py, line", 1),
+            (crashes, "was killed by signal 11", 1),
+            (hangs, "hangs", 1),
+            (floats, "float64 numbers, not integers", 1),
+            (transposed, "its answer's array has shape", 1),
+            (refuses, "refused", 4),
+        ):
+            with self.subTest(draw.__name__), contextlib.redirect_stderr(io.StringIO()):
+                report = rp.check(draw, cases=5, properties=["CoverageEqualsTheModel"],
+                                  options=["--time-limit", "0.2"])
+                self.assertEqual(report.status, status, report.text)
+                self.assertIn(said, report.text)
+
+    def test_what_a_draw_prints_is_no_answer(self):
+        def chatty(triangles, size):
+            print("drawing")
+            return exact(triangles, size)
+
+        with open(os.devnull, "w", encoding="utf-8") as nowhere:
+            kept = os.dup(2)
+            os.dup2(nowhere.fileno(), 2)
+            report = rp.check(chatty, cases=3, properties=["CoverageEqualsTheModel"])
+            os.dup2(kept, 2)
+        self.assertTrue(report, report.text)
+
+    def test_bad_input_of_the_command_is_an_error(self):
+        with self.assertRaisesRegex(rp.BadArgument, "NoSuchProperty"):
+            rp.check(exact, properties=["NoSuchProperty"])
+        with unittest.mock.patch.dict(os.environ, RASTERPROOF_COMMAND="/nowhere/rasterproof"):
+            with self.assertRaisesRegex(FileNotFoundError, "RASTERPROOF_COMMAND"):
+                rp.check(exact)
+
+    def test_as_a_program_the_module_serves_a_named_function(self):
+        with tempfile.TemporaryDirectory() as folder:
+            described = pathlib.Path(folder, "mine.subject")
+            described.write_text(f"command {sys.executable} -m rasterproof.serve "
+                                 "numpy_rasterizer:draw\nprotocol 3\n", encoding="utf-8")
+            done = subprocess.run(
+                [COMMAND, "check", "--subject", described, "--cases", "10", "--memory-limit", "0",
+                 "--property", "SharedEdgeSamplesAreCoveredOnce"], text=True, capture_output=True,
+                env=os.environ | {"PYTHONPATH": f"{PACKAGE}:{EXAMPLES}"}, check=False)  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("observed covered 2 times", done.stdout)
+
+
+class Strategies(unittest.TestCase):
+    def setUp(self):
+        try:
+            import hypothesis
+        except ModuleNotFoundError:
+            self.skipTest("no Hypothesis; install python3-hypothesis")
+        self.settings = hypothesis.settings(max_examples=300, deadline=None, database=None,
+                                            derandomize=True)  # fmt: skip
+
+    def test_triangles_near_edges_find_a_wrong_tie_and_shrink_it(self):
+        from hypothesis import find
+
+        from rasterproof.strategies import triangles
+
+        def is_wrong(triangle):
+            return not rp.legal(triangle, (16, 16), textbook(triangle, (16, 16)), "gl-canonical")
+
+        smallest = find(triangles(near_edge=True), is_wrong, settings=self.settings)
+        self.assertEqual(smallest.shape, (1, 3, 2))
+        self.assertLessEqual(np.abs(smallest).max(), 2, smallest)
+
+    def test_a_mesh_covers_nothing_twice(self):
+        from hypothesis import given
+
+        from rasterproof.strategies import meshes
+
+        seen = []
+
+        @self.settings
+        @given(meshes())
+        def once(mesh):
+            seen.append(len(mesh))
+            assert rp.coverage(mesh, (16, 16)).max() <= 1
+
+        once()
+        self.assertGreater(max(seen), 2)
+
+    def test_plain_triangles_stay_on_their_grid(self):
+        from hypothesis import given
+
+        from rasterproof.strategies import meshes, triangles
+
+        @self.settings
+        @given(triangles(bits=4, margin=2), meshes(shared_edges=False))
+        def on_grid(triangle, soup):
+            assert (triangle * 16 == np.round(triangle * 16)).all()
+            assert -2 <= triangle.min() and triangle.max() <= 18
+            assert len(soup) >= 2
+
+        on_grid()
+
+
+class Fixture(unittest.TestCase):
+    def test_what_failed_is_kept_and_asked_first(self):
+        try:
+            import pytest  # noqa: F401
+        except ModuleNotFoundError:
+            self.skipTest("no pytest; install python3-pytest")
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "test_mine.py").write_text(
+                "from numpy_rasterizer import draw\n\n\n"
+                "def test_mine(rasterproof_check):\n"
+                "    rasterproof_check(draw, 'real', 20,\n"
+                "                      properties=['SharedEdgeSamplesAreCoveredOnce'])\n",
+                encoding="utf-8")  # fmt: skip
+            environment = os.environ | {"PYTHONPATH": f"{PACKAGE}:{EXAMPLES}"}
+            for n in range(2):
+                done = subprocess.run(
+                    [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p",
+                     "rasterproof.pytest_plugin", folder], text=True, capture_output=True,
+                    env=environment, cwd=folder, check=False)  # fmt: skip
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                self.assertIn("observed covered 2 times", done.stdout)
+                kept = list(pathlib.Path(folder, ".rasterproof").rglob("*.json"))
+                self.assertEqual(len(kept), 1, f"run {n}: {kept}")
+
+
+if __name__ == "__main__":
+    import unittest.mock
+
+    unittest.main(argv=sys.argv[:1])

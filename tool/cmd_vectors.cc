@@ -28,7 +28,7 @@ constexpr std::uint64_t kCasesOfLevel1 = 500;
 constexpr std::uint64_t kCasesOfLevel2 = 50'000;
 // Of a world, without --yes; and of its file, which is put together in memory.
 constexpr std::uint64_t kMostUnasked = 1'000'000;
-constexpr double kMostBytes = 4e9;
+constexpr double kMostBytes = 16e9;
 
 VectorsHeader HeaderOf(const GenerateOptions& options, const Profile& profile) {
   VectorsHeader header;
@@ -68,11 +68,11 @@ WorldCost CostOf(const props::StatedWorld& world, const VectorsHeader& header) {
 void RequireAffordable(const props::StatedWorld& world, const GenerateOptions& options,
                        const VectorsHeader& header) {
   const WorldCost cost = CostOf(world, header);
-  const std::string costs = fmt::format("{} triangles, about {:.2g} s and {:.2g} MB as jsonl",
+  const std::string costs = fmt::format("{} triangles, about {:.0f} s and {:.0f} MB as jsonl",
                                         world.Cases(), cost.seconds, cost.bytes / 1e6);
   Tell(fmt::format("world {}: {}\n", world.Name(), costs));
   if (cost.bytes > kMostBytes) {
-    throw InputError("--world " + options.world, "it has " + costs + ", more than 4 GB",
+    throw InputError("--world " + options.world, "it has " + costs + ", more than 16 GB",
                      "give fewer bits: each one less is 64 times fewer triangles");
   }
   if (world.Cases() > kMostUnasked && !options.yes) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <set>
@@ -15,6 +16,7 @@
 #include "exact/coverage.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
+#include "props/vectors/stated_world.h"
 
 namespace rasterproof::props {
 namespace {
@@ -170,6 +172,34 @@ TEST(Vectors, AreRefusedToProfilesThatStateNoSingleSamples) {
   EXPECT_THROW(RequireStatesSamples(closed), InputError);
   for (const char* name : {"real", "vulkan", "vulkan-standard-4x", "d3d11-8x", "gl", "webgpu"})
     EXPECT_NO_THROW(RequireStatesSamples(*PresetProfile(name))) << name;
+}
+
+TEST(StatedWorld, HasEveryTriangleOnce) {
+  for (const char* name : {"u1.0", "s1.0", "1.1"}) {
+    const StatedWorld world = ParseStatedWorld(name);
+    const std::uint64_t cases = std::min<std::uint64_t>(world.Cases(), 4096);
+    std::set<std::vector<double>> triangles;
+    for (std::uint64_t k = 0; k < cases; ++k) {
+      const Case c = CaseOfStatedWorld(world, k, *PresetProfile("d3d11-canonical"));
+      std::vector<double> coordinates;
+      for (const Vertex& v : c.scene.vertices) coordinates.insert(coordinates.end(), {v.x, v.y});
+      const double least = world.has_sign ? -2 : 0;
+      EXPECT_EQ(c.scene.width, 2);
+      EXPECT_GE(std::ranges::min(coordinates), least);
+      EXPECT_LE(std::ranges::max(coordinates), 2 - std::ldexp(1.0, -world.fraction_bits));
+      triangles.insert(coordinates);
+    }
+    EXPECT_EQ(triangles.size(), cases) << name;
+  }
+  EXPECT_EQ(ParseStatedWorld("1.0").Cases(), 64U);
+  EXPECT_EQ(ParseStatedWorld("2.1").Cases(), 262'144U);
+  EXPECT_EQ(ParseStatedWorld("s2.1").Name(), "s2.1");
+}
+
+TEST(StatedWorld, OfOtherWordsIsRefused) {
+  for (const char* text :
+       {"", "3", "3.", "x3.2", "3.2.1", "0.4", "7.0", "6.5", "s5.5", "-1.2", "s"})
+    EXPECT_THROW(ParseStatedWorld(text), InputError) << text;
 }
 
 TEST(Vectors, NameTheClausesThatRequireThem) {

@@ -126,6 +126,35 @@ class VectorsTest(unittest.TestCase):
         self.assertEqual(alone.returncode, 0)
         self.assertIn(f"{CASES} cases, 0 joint constraints", alone.stdout)
 
+    def test_other_samples_and_the_other_axis(self):
+        profile = {"subpixel_bits": 8, "coordinate_limit": "0x1p+15"}
+        for name, keys in (("y-up", {"y_axis": "up"}),
+                           ("samples-four", {"sample_locations": "standard-4"})):  # fmt: skip
+            path = self.write("mine.json", json.dumps({"name": name, **profile, **keys}))
+            out = os.path.join(self.folder.name, "mine.jsonl")
+            done = run("generate", "--profile", path, "--cases", "120", "--out", out)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            done = run("verify", out, "--subject", f"legal:{name}")
+            self.assertEqual(done.returncode, 0, name + done.stdout + done.stderr)
+            self.refused(run("verify", out, "--subject", "i64-snap8"), "sample locations")
+
+    def test_worlds(self):
+        out = os.path.join(self.folder.name, "world.jsonl")
+        made = run("generate", "--profile", "d3d11-canonical", "--world", "1.1", "--out", out)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertRegex(made.stderr, r"\Aworld u1\.1: 4096 triangles, about \d+ s and \d+ MB")
+        done = run("verify", out, "--subject", "i64-snap8")
+        self.assertEqual(done.stdout, "no contradiction in 4096 cases, 0 joint constraints among "
+                         "them\n", done.stderr)  # fmt: skip
+        done = run("verify", out, "--subject", "textbook", "--show", "1")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"\Au1\.1:\d+@0 triangle 0, column \d row \d: covered")
+        none = os.path.join(self.folder.name, "none.jsonl")
+        for world, word in (("2.2", "--yes"), ("3.2", "more than 16 GB"), ("9.9", "as 3.2")):
+            done = run("generate", "--profile", "d3d11-canonical", "--world", world, "--out", none)
+            self.refused(done, "--world", world, word)
+            self.assertFalse(os.path.exists(none))
+
     def test_a_wrong_tie_rule_is_convicted(self):
         done = run("verify", self.vectors["d3d11-canonical"][0], "--subject", "textbook")
         self.assertEqual(done.returncode, 1, done.stderr)

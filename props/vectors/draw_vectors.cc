@@ -49,7 +49,7 @@ std::vector<TriangleVector> ByTheOracle(const Scene& scene, const Profile& profi
     alone.triangles = {scene.triangles[t]};
     const CoverageCounts counts = exact::Coverage(alone, profile);
     TriangleVector& triangle = triangles.emplace_back();
-    triangle.facing = placed.facings[t];
+    triangle.facing = placed.facings[t] > 0 ? 1 : placed.facings[t] < 0 ? -1 : 0;
     for (std::size_t s = 0; s < counts.size(); ++s) {
       if (counts.Count(s) != 0) triangle.must.push_back(s);
     }

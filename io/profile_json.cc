@@ -330,6 +330,16 @@ bool IsWritten(const ProfileKey& key, const Profile& profile) {
   return key.name == "front_face" && !profile.specification.empty();
 }
 
+std::string KeysToJson(const Profile& profile, std::string_view between) {
+  std::string json;
+  for (const ProfileKey& key : kProfileKeys) {
+    if (!IsWritten(key, profile)) continue;
+    if (!json.empty()) json += between;
+    json += MemberToJson(key, profile);
+  }
+  return json;
+}
+
 bool IsOfTarget(std::string_view name) { return std::ranges::count(kTargetKeys, name) != 0; }
 
 // Reads the keys that are there and that `is_read` is true of.
@@ -442,16 +452,15 @@ Profile ProfileFromJson(const JsonValue& value) {
       "give it another name, or write " + Quoted(profile.name) + " alone for the preset");
 }
 
+std::string WholeProfileLine(const Profile& profile) {
+  return '{' + KeysToJson(profile, ", ") + '}';
+}
+
 std::string ProfileToJson(const Profile& profile) {
   if (PresetProfile(profile.name) == profile) return JsonString(profile.name);
   Profile named = profile;
   named.name = ProfileName(profile);
-  std::string json;
-  for (const ProfileKey& key : kProfileKeys) {
-    if (!IsWritten(key, named)) continue;
-    json += (json.empty() ? "{\n    " : ",\n    ") + MemberToJson(key, named);
-  }
-  return json + "\n  }";
+  return "{\n    " + KeysToJson(named, ",\n    ") + "\n  }";
 }
 
 }  // namespace rasterproof::io

@@ -17,6 +17,9 @@ namespace rasterproof::io {
 /// Error:      InputError with place, reason and remedy.
 Profile ProfileFromJson(const JsonValue& value);
 
+/// The profile on one line as an object, presets too: for readers that do not know them.
+std::string WholeProfileLine(const Profile& profile);
+
 std::vector<std::string_view> PresetNames();
 
 }  // namespace rasterproof::io

@@ -94,6 +94,7 @@ void AddTriangles(const FamilySamples& all, bool is_first,
     }
     triangle.may.assign(may.begin(), may.end());
     triangle.is_anything = triangle.is_anything || all.covers_anything[t];
+    triangle.facing = is_first || triangle.facing == all.facing[t] ? all.facing[t] : 0;
   }
 }
 

@@ -28,6 +28,9 @@ struct TriangleDecided {
   std::vector<std::size_t> must;  ///< samples that every legal model covers, in rising order
   std::vector<std::size_t> may;   ///< samples that some cover and others do not, in rising order
   bool is_anything = false;       ///< some legal model may cover any samples: `may` is not listed
+  /// +1 or -1: counter-clockwise or clockwise on screen in every legal model; 0: they differ, or it
+  /// has no area.
+  int facing = 0;
 };
 
 struct Decided {

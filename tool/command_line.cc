@@ -443,6 +443,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddClimb(app, run);
   AddSweep(app, run);
   AddPipeVerb(app, run);
+  AddVectorsVerb(app, run);
   end_group("Campaign");
   AddConvert(app, run, typed);
   AddSelftest(app, run);

@@ -248,4 +248,54 @@ void AddPipeVerb(CLI::App& app, Run& run) {
   answer->callback([&run] { run = [] { return HostSubject(host); }; });
 }
 
+void AddVectorsVerb(CLI::App& app, Run& run) {
+  static GenerateOptions generate_options;
+  static VerifyOptions verify_options;
+  CLI::App* verb = app.add_subcommand(
+      "vectors", "Cases and what is required of them as files, for your own test bench");
+  verb->require_subcommand(1);
+  CLI::App* generate = verb->add_subcommand("generate", "Write cases drawn for a profile");
+  generate->add_option("--profile", generate_options.profile, "Profile")->required();
+  generate->add_option("--level", generate_options.level, "1: 500 cases, 2: 50,000")
+      ->check(CLI::IsMember({1, 2}))
+      ->capture_default_str();
+  generate->add_option("--cases", generate_options.cases, "Cases, in place of the level's number")
+      ->check(Positive());
+  AddSeed(generate, generate_options.seed);
+  CLI::Option* const world = generate->add_option(
+      "--world", generate_options.world,
+      "Every triangle with coordinates of so many bits before and after the point (2.1; with a "
+      "sign s2.1), in place of drawn cases");
+  for (const char* of_drawn : {"--level", "--cases", "--seed"})
+    world->excludes(generate->get_option(of_drawn));
+  generate->add_flag("--yes", generate_options.yes, "However many cases the world has")
+      ->needs(world);
+  generate->add_option("--format", generate_options.format, "Format of the files")
+      ->check(CLI::IsMember({"jsonl", "c", "readmemh"}))
+      ->capture_default_str();
+  generate
+      ->add_option("-o,--out", generate_options.output,
+                   "File (- for standard output); of readmemh a folder")
+      ->capture_default_str();
+  generate->callback([&run] { run = [] { return RunGenerate(generate_options); }; });
+  CLI::App* verify = verb->add_subcommand(
+      "verify", "Look for answers that contradict every legal drawing; this never acquits");
+  verify->add_option("vectors", verify_options.vectors, "File that generate wrote as jsonl")
+      ->required();
+  CLI::Option* const answers =
+      verify->add_option("answers", verify_options.answers,
+                         "File of what your rasterizer covered (- for standard input)");
+  AddSubject(verify, verify_options.subject, "Subject that draws in place of a file of answers");
+  for (const char* subject : {"--subject", "--plugin", "--exec"})
+    answers->excludes(verify->get_option(subject));
+  verify
+      ->add_flag("--alone", verify_options.alone,
+                 "Each answer is from a call of its own: joint constraints, which are about one "
+                 "call, are not judged")
+      ->excludes(verify->get_option("--subject"));
+  verify->add_option("--show", verify_options.shown, "Contradictions printed, at most")
+      ->capture_default_str();
+  verify->callback([&run] { run = [] { return RunVerify(verify_options); }; });
+}
+
 }  // namespace rasterproof::tool

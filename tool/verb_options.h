@@ -41,6 +41,9 @@ void AddListLength(CLI::App* app, std::size_t& length);
 /// Adds pipe ask, judge and answer.
 void AddPipeVerb(CLI::App& app, Run& run);
 
+/// Adds vectors generate and verify.
+void AddVectorsVerb(CLI::App& app, Run& run);
+
 /// Adds the verbs that take one scene: coverage, legal, plan.
 void AddSceneVerbs(CLI::App& app, Run& run);
 

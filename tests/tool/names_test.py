@@ -82,7 +82,7 @@ class Names(unittest.TestCase):
         self.assertEqual(groups, [
             ("Every day", ["check", "explain", "replay", "infer", "certify", "list"]),
             ("One scene", ["coverage", "legal", "plan"]),
-            ("Campaign", ["survey", "bench", "climb", "sweep", "pipe"]),
+            ("Campaign", ["survey", "bench", "climb", "sweep", "pipe", "vectors"]),
             ("Development", ["convert", "selftest", "doctor"])])  # fmt: skip
 
     def test_keys_of_files(self):

@@ -1,0 +1,83 @@
+// A case as a conformance test takes it along: what is drawn, and what legal drawings agree on.
+#ifndef RASTERPROOF_CORE_TEST_VECTOR_H_
+#define RASTERPROOF_CORE_TEST_VECTOR_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/counters.h"
+#include "core/profile.h"
+#include "core/sample_pattern.h"
+#include "core/scene.h"
+
+namespace rasterproof {
+
+/// The version of the format of vectors: a reader refuses any other.
+inline constexpr int kVectorsVersion = 1;
+
+/// One triangle of a vector, drawn alone.
+struct TriangleVector {
+  /// +1 counter-clockwise on screen, -1 clockwise, in every legal drawing; 0: they differ, or it
+  /// has no area.
+  int facing = 0;
+  std::vector<std::size_t> must;  ///< samples that every legal drawing covers, in rising order
+  std::vector<std::size_t> may;   ///< samples that some cover and others do not, in rising order
+
+  friend bool operator==(const TriangleVector&, const TriangleVector&) = default;
+};
+
+/// Triangles that may each cover a sample, and how many of them do in legal drawings.
+struct JointVector {
+  std::size_t sample = 0;
+  std::vector<std::size_t> triangles;  ///< in rising order, at least two
+  std::vector<int> counts;             ///< legal numbers of covering triangles, in rising order
+
+  friend bool operator==(const JointVector&, const JointVector&) = default;
+};
+
+/// A scene with what is required of it.
+///
+/// Shape:      samples are indices in counts of the scene's target: [row][column][sample].
+struct TestVector {
+  std::string name;  ///< of the drawn case: "near-edge:17@1"
+  Scene scene;       ///< window space
+  SamplePattern pattern;
+  YAxis y_axis = YAxis::kDown;
+  /// Vertices in units of the file's lattice: where the model places them, or, if several models
+  /// are legal, where they lie. Nothing: one of them lies on no point of it.
+  std::optional<std::vector<std::array<std::int32_t, 2>>> on_lattice;
+  std::vector<TriangleVector> triangles;
+  std::vector<JointVector> joint;
+  std::string domain;  ///< why it is hard, in words
+  NearEdgeCounts near_edges;
+};
+
+/// What all vectors of a file share: its first line.
+struct VectorsHeader {
+  std::string program;  ///< "rasterproof 1.0.0"
+  Profile profile;
+  std::uint64_t seed = 1;
+  int level = 1;
+  std::string world;                        ///< "u2.1": all of it; empty: drawn cases
+  int lattice_bits = 8;                     ///< `on_lattice` is in units of 2^-lattice_bits pixels
+  std::vector<std::string> sample_clauses;  ///< what is required of single triangles
+  std::vector<std::string> joint_clauses;   ///< what is required of several at one sample
+  std::uint64_t cases = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t joint = 0;
+};
+
+/// The hash of a file's text after its first line, as files state it: FNV-1a of 64 bits, in
+/// hexadecimal.
+///
+/// Source:     http://www.isthe.com/chongo/tech/comp/fnv/
+std::string HashText(std::string_view body);
+
+}  // namespace rasterproof
+
+#endif  // RASTERPROOF_CORE_TEST_VECTOR_H_

@@ -1,0 +1,82 @@
+"""The readers of vectors in kit/examples/vectors: each judges its rasterizer, and convicts it once
+its tie rule is wrong. Those whose language is not installed are skipped, which is said.
+
+usage: vectors_test.py PROGRAM SOURCES C-COMPILER
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv[1])
+READERS = os.path.join(os.path.abspath(sys.argv[2]), "kit/examples/vectors")
+COMPILER = sys.argv[3]
+CASES = "50"
+
+
+class ReadersTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_here(self, *command):
+        return subprocess.run(command, capture_output=True, cwd=self.folder.name, timeout=120,
+                              text=True)  # fmt: skip
+
+    def generate(self, profile, form, out):
+        done = self.run_here(PROGRAM, "vectors", "generate", "--profile", profile,
+                             "--cases", CASES, "--format", form, "--out", out)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def judge(self, profile, right, wrong):
+        """Both are commands, run where the vectors lie."""
+        done = self.run_here(*right)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"\Ano contradiction in \d+ cases\n\Z")
+        done = self.run_here(*wrong)
+        self.assertRegex(done.stdout, r"\n\d+ contradictions in \d+ cases\n\Z", profile)
+
+    def both_profiles(self, form, out):
+        for profile in ("vulkan", "d3d11-canonical"):
+            with self.subTest(profile):
+                self.generate(profile, form, out)
+                yield profile
+
+    def test_python(self):
+        reader = [sys.executable, os.path.join(READERS, "reader.py"), "v.jsonl"]
+        for profile in self.both_profiles("jsonl", "v.jsonl"):
+            self.judge(profile, reader, [*reader, "inclusive"])
+
+    @unittest.skipUnless(shutil.which("node"), "node is not installed")
+    def test_javascript(self):
+        reader = ["node", os.path.join(READERS, "reader.mjs"), "v.jsonl"]
+        for profile in self.both_profiles("jsonl", "v.jsonl"):
+            self.judge(profile, reader, [*reader, "inclusive"])
+
+    def test_c(self):
+        for profile in self.both_profiles("c", "vectors.h"):
+            for inclusive in ("0", "1"):
+                done = self.run_here(COMPILER, "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror",
+                                     "-I.", f"-DINCLUSIVE={inclusive}",
+                                     os.path.join(READERS, "reader.c"),
+                                     "-o", f"reader{inclusive}")  # fmt: skip
+                self.assertEqual(done.returncode, 0, done.stderr)
+            self.judge(profile, ["./reader0"], ["./reader1"])
+
+    @unittest.skipUnless(shutil.which("iverilog"), "iverilog is not installed")
+    def test_systemverilog(self):
+        for profile in self.both_profiles("readmemh", "."):
+            for inclusive in ("0", "1"):
+                done = self.run_here("iverilog", "-g2012", "-I.", "-P",
+                                     f"reader.INCLUSIVE={inclusive}", "-o", f"reader{inclusive}",
+                                     os.path.join(READERS, "reader.sv"))  # fmt: skip
+                self.assertEqual(done.returncode, 0, done.stderr)
+            self.judge(profile, ["vvp", "-n", "reader0"], ["vvp", "-n", "reader1"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)  # names what is skipped

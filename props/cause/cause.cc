@@ -1,0 +1,276 @@
+#include "props/cause/cause.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/error.h"
+#include "props/cause/suspect.h"
+#include "props/judging/redraw.h"
+#include "props/run/campaign.h"
+#include "props/run/submit.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kSplits = 160;  // cases that are looked at to tell suspects apart
+constexpr std::uint64_t kFirstSplit = std::uint64_t{1} << 21;
+constexpr std::size_t kFewestInPart = 2;  // wrong draws that a suspect of a part must reproduce
+constexpr std::chrono::seconds kLongestFit{6};
+
+// A suspect that is still in the race.
+struct Fitting {
+  std::string name;
+  std::string what;
+  SuspectStages stages;
+  std::unique_ptr<Subject> draws;
+  std::size_t reproduced = 0;        // wrong observations
+  std::vector<std::size_t> covered;  // failures, all of whose wrong draws it reproduces
+};
+
+class Investigation {
+ public:
+  Investigation(const MakesSubject& make, std::span<const FailedProperty> failures)
+      : make_(make),
+        failures_(failures),
+        end_(std::chrono::steady_clock::now() + 2 * kLongestFit) {}
+
+  Explanation Run();
+
+ private:
+  void Sort();
+  void Race();
+  bool IsConsistent(Fitting& fitting) const;
+  void TellApart(std::vector<Fitting>& left);
+  void Split(std::vector<Fitting>& left, const Case& c);
+  bool FindWhole();
+  void FindParts();
+  void FindRest();
+  Cause Of(CauseKind kind, const std::vector<Fitting>& left) const;
+  bool IsLate() const { return std::chrono::steady_clock::now() > end_; }
+
+  const MakesSubject& make_;
+  std::span<const FailedProperty> failures_;
+  std::chrono::steady_clock::time_point end_;
+  std::unique_ptr<Subject> subject_;
+  std::vector<Observation> observations_;  // modelled wrong ones first
+  std::size_t wrong_ = 0;
+  std::size_t modelled_ = 0;
+  std::vector<Suspect> suspects_;
+  std::vector<Fitting> partly_;  // consistent ones that reproduce some wrong draws
+  std::set<std::size_t> open_;   // failures without a cause
+  Explanation found_;
+};
+
+// Wrong observations first, then modelled right ones, then the others. Equal ones keep their order.
+void Investigation::Sort() {
+  const std::unique_ptr<Subject> stated = MakeSuspect(subject_->Info(), {});
+  for (Observation& o : observations_) o.is_wrong = o.is_modelled && !Reproduces(*stated, o);
+  const auto rank = [](const Observation& o) { return o.is_wrong ? 0 : o.is_modelled ? 1 : 2; };
+  std::vector<Observation> sorted;
+  for (const int wanted : {0, 1, 2}) {
+    for (Observation& o : observations_) {
+      if (rank(o) == wanted) sorted.push_back(std::move(o));
+    }
+    if (wanted == 0) wrong_ = sorted.size();
+    if (wanted == 1) modelled_ = sorted.size();
+  }
+  observations_ = std::move(sorted);
+}
+
+// Whether no draw that is as stated refutes it; counts what it reproduces of the others.
+bool Investigation::IsConsistent(Fitting& fitting) const {
+  std::set<std::size_t> failed, missed;
+  for (std::size_t k = 0; k < wrong_; ++k) {
+    const Observation& o = observations_[k];
+    const bool reproduces = Reproduces(*fitting.draws, o);
+    fitting.reproduced += reproduces ? 1 : 0;
+    if (o.failure == Observation::kAround) {
+      if (fitting.reproduced == 0) return false;  // the failing cases come first
+      continue;
+    }
+    failed.insert(o.failure);
+    if (!reproduces) missed.insert(o.failure);
+  }
+  if (fitting.reproduced == 0) return false;
+  for (std::size_t k = wrong_; k < modelled_; ++k) {
+    if (!Reproduces(*fitting.draws, observations_[k])) return false;
+  }
+  std::ranges::set_difference(failed, missed, std::back_inserter(fitting.covered));
+  return true;
+}
+
+void Investigation::Race() {
+  suspects_ = SuspectsOf(subject_->Info().profile);
+  found_.suspects = suspects_.size();
+  for (const Suspect& suspect : suspects_) {
+    if (IsLate()) return;
+    Fitting fitting{suspect.cause,
+                    suspect.what,
+                    suspect.stages,
+                    MakeSuspect(subject_->Info(), suspect.stages),
+                    0,
+                    {}};
+    if (IsConsistent(fitting)) partly_.push_back(std::move(fitting));
+  }
+}
+
+// Asks the subject where the suspects draw differently.
+void Investigation::Split(std::vector<Fitting>& left, const Case& c) {
+  const auto placed = std::make_shared<const PlacedCase>(Place(c, true));
+  Observation o{Observation::kAround, placed};
+  o.check.questions.draws = {CountsOf(placed->scene, placed->profile, placed->options)};
+  if (!Takes(subject_->Info(), c.scene) || !WithinLimits(c.scene, c.profile) ||
+      !SuspectsDraw(placed->scene, subject_->Info())) {
+    return;
+  }
+  const Request request{placed.get(), &o.check, nullptr};
+  Answers first = std::move(Submit(*left.front().draws, {&request, 1}).front());
+  if (first.end.stop != Stop::kNone) return;
+  o.seen = first.draws;
+  const bool agree = std::ranges::all_of(
+      left, [&](const Fitting& fitting) { return Reproduces(*fitting.draws, o); });
+  if (agree) return;
+  Answers answers = std::move(Submit(*subject_, {&request, 1}).front());
+  if (answers.end.stop != Stop::kNone) return;
+  o.seen = std::move(answers.draws);
+  ++found_.draws;
+  std::vector<bool> stays;
+  for (const Fitting& fitting : left) stays.push_back(Reproduces(*fitting.draws, o));
+  std::size_t k = 0;
+  std::erase_if(left, [&](const Fitting&) { return !stays[k++]; });
+}
+
+void Investigation::TellApart(std::vector<Fitting>& left) {
+  for (const char* name : {"CoverageEqualsTheModel"}) {
+    for (std::uint64_t k = 0; k < kSplits && left.size() > 1 && !IsLate(); ++k) {
+      try {
+        Split(left, DrawCase(subject_->Info(), *FindProperty(name), 1, kFirstSplit + k));
+      } catch (const InputError&) {
+        return;
+      }
+    }
+  }
+}
+
+Cause Investigation::Of(CauseKind kind, const std::vector<Fitting>& left) const {
+  Cause cause;
+  cause.kind = kind;
+  cause.name = left.front().name;
+  for (const Fitting& fitting : left) {
+    if (std::ranges::find(cause.what, fitting.what) == cause.what.end())
+      cause.what.push_back(fitting.what);
+  }
+  cause.draws = DrawsOf(std::span(observations_).first(modelled_));
+  cause.reproduced = cause.draws;
+  cause.only_with = OnlyWith(observations_);
+  return cause;
+}
+
+bool Investigation::FindWhole() {
+  std::vector<Fitting> whole;
+  std::erase_if(partly_, [&](Fitting& fitting) {
+    if (fitting.reproduced < wrong_) return false;
+    whole.push_back(std::move(fitting));
+    return true;
+  });
+  if (whole.empty()) return false;
+  TellApart(whole);
+  if (whole.empty()) return false;  // a draw more refuted all of them
+  Cause cause = Of(CauseKind::kModel, whole);
+  cause.properties.assign(open_.begin(), open_.end());
+  open_.clear();
+  found_.causes.push_back(std::move(cause));
+  return true;
+}
+
+// Greedily: the suspect that reproduces all failing draws of most properties first.
+void Investigation::FindParts() {
+  while (!open_.empty()) {
+    const auto news = [&](const Fitting& fitting) {
+      return std::ranges::count_if(fitting.covered,
+                                   [&](std::size_t k) { return open_.contains(k); });
+    };
+    const auto best = std::ranges::max_element(
+        partly_, {}, [&](const Fitting& f) { return std::pair(news(f), f.reproduced); });
+    if (best == partly_.end() || news(*best) == 0 || best->reproduced < kFewestInPart) return;
+    std::vector<Fitting> equal;
+    const std::pair most(news(*best), best->reproduced);
+    std::erase_if(partly_, [&](Fitting& f) {
+      if (std::pair(news(f), f.reproduced) != most) return false;
+      equal.push_back(std::move(f));
+      return true;
+    });
+    Cause cause = Of(CauseKind::kPart, equal);
+    cause.draws = wrong_;
+    cause.reproduced = equal.front().reproduced;
+    for (const std::size_t k : equal.front().covered) {
+      if (open_.erase(k) != 0) cause.properties.push_back(k);
+    }
+    found_.causes.push_back(std::move(cause));
+  }
+}
+
+void Investigation::FindRest() {
+  while (!open_.empty()) {
+    const std::size_t k = *open_.begin();
+    open_.erase(open_.begin());
+    std::vector<const Observation*> wrong;
+    bool is_asked = false;
+    for (const Observation& o : observations_) {
+      is_asked |= o.failure == k;
+      if (o.failure == k && o.is_wrong) wrong.push_back(&o);
+    }
+    Cause cause;
+    cause.draws = modelled_;
+    cause.properties = {k};
+    if (!wrong.empty()) {
+      Circumstance circumstance = FindCircumstance(make_, wrong);
+      cause.kind = circumstance.name.empty() ? CauseKind::kUnexplained : CauseKind::kCircumstance;
+      cause.name = circumstance.name;
+      if (!cause.name.empty()) cause.what = {circumstance.what};
+      cause.only_with = OnlyWith(observations_);
+    } else if (AsksForValues(*subject_, failures_[k])) {
+      cause.kind = CauseKind::kShownValues;
+      cause.name = "shown-values";
+      cause.what = {std::string(failures_[k].property->group)};
+    }
+    const auto same = std::ranges::find_if(found_.causes, [&](const Cause& other) {
+      return other.kind == cause.kind && other.name == cause.name && other.what == cause.what;
+    });
+    if (same != found_.causes.end()) {
+      same->properties.push_back(k);
+    } else {
+      found_.causes.push_back(std::move(cause));
+    }
+  }
+}
+
+Explanation Investigation::Run() {
+  subject_ = make_();
+  observations_ = Gather(*subject_, failures_);
+  Sort();
+  found_.draws = DrawsOf(observations_);
+  found_.wrong = DrawsOf(std::span(observations_).first(wrong_));
+  for (std::size_t k = 0; k < failures_.size(); ++k) open_.insert(k);
+  if (wrong_ != 0) {
+    Race();
+    if (!FindWhole()) FindParts();
+  }
+  FindRest();
+  std::ranges::stable_sort(found_.causes, std::ranges::greater(),
+                           [](const Cause& cause) { return cause.properties.size(); });
+  return std::move(found_);
+}
+
+}  // namespace
+
+Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures) {
+  if (failures.empty()) return {};
+  return Investigation(make, failures).Run();
+}
+
+}  // namespace rasterproof::props

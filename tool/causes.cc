@@ -37,6 +37,12 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
       return fmt::format("your answers equal those of {} ({} of {} draws)", Suspected(cause),
                          cause.reproduced, cause.draws);
     case CauseKind::kPart:
+      if (cause.together != 0) {
+        return fmt::format(
+            "your answers equal those of a rasterizer with {} faults at once ({} of {} draws); one "
+            "of them: it {}",
+            cause.together, cause.reproduced, cause.draws, cause.what.front());
+      }
       return fmt::format("{} of the {} wrong draws equal those of {}, and no other draw refutes it",
                          cause.reproduced, cause.draws, Suspected(cause));
     case CauseKind::kCircumstance:

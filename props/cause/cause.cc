@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -18,7 +21,10 @@ namespace {
 
 constexpr std::uint64_t kSplits = 160;  // cases that are looked at to tell suspects apart
 constexpr std::uint64_t kFirstSplit = std::uint64_t{1} << 21;
-constexpr std::size_t kFewestInPart = 2;  // wrong draws that a suspect of a part must reproduce
+constexpr std::size_t kMostCombined = 4;   // suspects at once
+constexpr std::size_t kMostCompared = 80;  // draws, while the next of them is looked for
+constexpr std::ptrdiff_t kLeastGain = 2;   // fewer draws more are chance
+constexpr std::size_t kFewestInPart = 2;   // wrong draws that a suspect of a part must reproduce
 constexpr std::chrono::seconds kLongestFit{6};
 
 // A suspect that is still in the race.
@@ -46,9 +52,15 @@ class Investigation {
   bool IsConsistent(Fitting& fitting) const;
   void TellApart(std::vector<Fitting>& left);
   void Split(std::vector<Fitting>& left, const Case& c);
+  bool HasWrongDraws(std::size_t failure) const;
   bool FindWhole();
+  bool FindCombination();
   void FindParts();
   void FindRest();
+  std::vector<bool> ReproducedBy(const SuspectStages& stages) const;
+  std::optional<std::size_t> BestWith(const SuspectStages& stages,
+                                      const std::vector<bool>& reproduced) const;
+  void Share(const std::vector<std::size_t>& combined);
   Cause Of(CauseKind kind, const std::vector<Fitting>& left) const;
   bool IsLate() const { return std::chrono::steady_clock::now() > end_; }
 
@@ -170,6 +182,18 @@ Cause Investigation::Of(CauseKind kind, const std::vector<Fitting>& left) const 
   return cause;
 }
 
+// Whether the property's own draws differ from the stated model. Of those that were not asked it
+// is taken for granted.
+bool Investigation::HasWrongDraws(std::size_t failure) const {
+  bool is_asked = false;
+  for (const Observation& o : observations_) {
+    if (o.failure != failure) continue;
+    is_asked = true;
+    if (o.is_wrong) return true;
+  }
+  return !is_asked && !AsksForValues(*subject_, failures_[failure]);
+}
+
 bool Investigation::FindWhole() {
   std::vector<Fitting> whole;
   std::erase_if(partly_, [&](Fitting& fitting) {
@@ -181,10 +205,89 @@ bool Investigation::FindWhole() {
   TellApart(whole);
   if (whole.empty()) return false;  // a draw more refuted all of them
   Cause cause = Of(CauseKind::kModel, whole);
-  cause.properties.assign(open_.begin(), open_.end());
-  open_.clear();
+  for (std::size_t k = 0; k < failures_.size(); ++k) {
+    if (HasWrongDraws(k)) cause.properties.push_back(k);
+  }
+  if (cause.properties.empty()) return true;
+  for (const std::size_t k : cause.properties) open_.erase(k);
   found_.causes.push_back(std::move(cause));
   return true;
+}
+
+// Which of the modelled observations a rasterizer of these stages reproduces.
+std::vector<bool> Investigation::ReproducedBy(const SuspectStages& stages) const {
+  const std::unique_ptr<Subject> suspect = MakeSuspect(subject_->Info(), stages);
+  std::vector<bool> reproduced(modelled_);
+  for (std::size_t k = 0; k < modelled_; ++k)
+    reproduced[k] = Reproduces(*suspect, observations_[k]);
+  return reproduced;
+}
+
+// The suspect that, beside the stages so far, reproduces most draws more than it loses.
+std::optional<std::size_t> Investigation::BestWith(const SuspectStages& stages,
+                                                   const std::vector<bool>& reproduced) const {
+  std::vector<std::size_t> open, kept;
+  for (std::size_t k = 0; k < modelled_; ++k) (reproduced[k] ? kept : open).push_back(k);
+  open.resize(std::min(open.size(), kMostCompared));
+  kept.resize(std::min(kept.size(), kMostCompared));
+  std::optional<std::size_t> best;
+  std::ptrdiff_t most = kLeastGain;
+  for (std::size_t n = 0; n < suspects_.size() && !IsLate(); ++n) {
+    const std::optional<SuspectStages> both = Composed(stages, suspects_[n].stages);
+    if (!both) continue;
+    const std::unique_ptr<Subject> draws = MakeSuspect(subject_->Info(), *both);
+    const auto reproduces = [&](std::size_t k) { return Reproduces(*draws, observations_[k]); };
+    const std::ptrdiff_t gain = std::ranges::count_if(open, reproduces);
+    if (gain <= most) continue;
+    const std::ptrdiff_t loss =
+        static_cast<std::ptrdiff_t>(kept.size()) - std::ranges::count_if(kept, reproduces);
+    if (gain - loss <= most) continue;
+    most = gain - loss;
+    best = n;
+  }
+  return best;
+}
+
+// Several suspects at once that reproduce every draw, found one after the other.
+bool Investigation::FindCombination() {
+  SuspectStages stages;
+  std::vector<bool> reproduced(modelled_, true);
+  std::fill_n(reproduced.begin(), wrong_, false);
+  std::vector<std::size_t> combined;
+  while (!std::ranges::all_of(reproduced, std::identity())) {
+    if (combined.size() == kMostCombined) return false;
+    const std::optional<std::size_t> next = BestWith(stages, reproduced);
+    if (!next) return false;
+    combined.push_back(*next);
+    stages = *Composed(stages, suspects_[*next].stages);
+    reproduced = ReproducedBy(stages);
+  }
+  Share(combined);
+  return true;
+}
+
+// Gives each property to the first of the suspects without which its failing draws are others.
+void Investigation::Share(const std::vector<std::size_t>& combined) {
+  std::vector<Cause> causes;
+  for (const std::size_t n : combined) {
+    Cause& cause = causes.emplace_back();
+    cause.kind = CauseKind::kPart;
+    cause.name = suspects_[n].cause;
+    cause.what = {suspects_[n].what};
+    cause.draws = DrawsOf(std::span(observations_).first(modelled_));
+    cause.reproduced = cause.draws;
+    cause.together = combined.size();
+    SuspectStages others;
+    for (const std::size_t other : combined) {
+      if (other != n) others = *Composed(others, suspects_[other].stages);
+    }
+    const std::vector<bool> without = ReproducedBy(others);
+    for (std::size_t k = 0; k < wrong_; ++k) {
+      const std::size_t failure = observations_[k].failure;
+      if (!without[k] && open_.erase(failure) != 0) cause.properties.push_back(failure);
+    }
+  }
+  for (Cause& cause : causes) found_.causes.push_back(std::move(cause));
 }
 
 // Greedily: the suspect that reproduces all failing draws of most properties first.
@@ -256,13 +359,22 @@ Explanation Investigation::Run() {
   found_.draws = DrawsOf(observations_);
   found_.wrong = DrawsOf(std::span(observations_).first(wrong_));
   for (std::size_t k = 0; k < failures_.size(); ++k) open_.insert(k);
-  if (wrong_ != 0) {
+  const bool are_points = subject_->Info().profile.contract != Contract::kSquares;
+  if (wrong_ != 0 && are_points) {
     Race();
-    if (!FindWhole()) FindParts();
+    if (!FindWhole() && !FindCombination()) FindParts();
   }
   FindRest();
-  std::ranges::stable_sort(found_.causes, std::ranges::greater(),
-                           [](const Cause& cause) { return cause.properties.size(); });
+  // clang calls what std::stable_sort uses deprecated.
+  std::vector<std::pair<std::pair<bool, std::size_t>, std::size_t>> order;
+  for (std::size_t k = 0; k < found_.causes.size(); ++k) {
+    const Cause& cause = found_.causes[k];
+    order.push_back({{cause.name.empty(), failures_.size() - cause.properties.size()}, k});
+  }
+  std::ranges::sort(order);
+  std::vector<Cause> sorted;
+  for (const auto& [rank, k] : order) sorted.push_back(std::move(found_.causes[k]));
+  found_.causes = std::move(sorted);
   return std::move(found_);
 }
 

@@ -31,11 +31,12 @@ struct Cause {
   std::vector<std::size_t> properties;  ///< by their places in what was asked
   std::size_t reproduced = 0;           ///< draws of `draws` that it reproduces
   std::size_t draws = 0;
+  std::size_t together = 0;  ///< if not 0, so many suspects at once reproduce them
   /// What all draws have that differ from the stated model, and hardly others: "x < 0".
   std::vector<std::string> only_with = {};
 };
 
-/// Causes of violations, the one of most properties first.
+/// Causes of violations, those with a name first, and of these the one of most properties.
 struct Explanation {
   std::vector<Cause> causes;
   std::size_t suspects = 0;  ///< that were tried

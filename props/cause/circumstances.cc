@@ -47,6 +47,13 @@ bool Each(Questions& questions, const Change& change) {
 }
 
 constexpr auto kToggles = std::to_array<Toggle>({
+    {"target-contents", "on a target that holds nothing yet",
+     [](Questions& q) {
+       return Each(q, [](DrawQuestion& d) {
+         const bool fills = std::exchange(d.fill, 0U) != 0;
+         return std::exchange(d.onto_the_last, false) || fills;
+       });
+     }},
     {"scissor", "without the scissor",
      [](Questions& q) {
        return Each(q, [](DrawQuestion& d) {
@@ -66,13 +73,6 @@ constexpr auto kToggles = std::to_array<Toggle>({
     {"tile-size", "where the size of tiles is left to the subject",
      [](Questions& q) {
        return Each(q, [](DrawQuestion& d) { return std::exchange(d.job.options.tile, 0) != 0; });
-     }},
-    {"target-contents", "on a target that holds nothing yet",
-     [](Questions& q) {
-       return Each(q, [](DrawQuestion& d) {
-         const bool fills = std::exchange(d.fill, 0U) != 0;
-         return std::exchange(d.onto_the_last, false) || fills;
-       });
      }},
 });
 
@@ -96,6 +96,12 @@ class Toggling {
  public:
   Toggling(const MakesSubject& make, const SubjectInfo& info)
       : make_(make), stated_(MakeSuspect(info, {})) {}
+
+  // The same draws once more, by a subject that has drawn nothing else.
+  std::optional<bool> Again(const Observation& o) {
+    const std::unique_ptr<Subject> fresh = make_();
+    return IsRight(*fresh, *stated_, *o.placed, o.check.questions);
+  }
 
   // Every draw by itself, by a subject that has drawn nothing else.
   std::optional<bool> ByItself(const Observation& o) {
@@ -151,12 +157,15 @@ Circumstance FindCircumstance(const MakesSubject& make, std::span<const Observat
   constexpr std::size_t kMostTried = 6;
   const auto tried = wrong.first(std::min(kMostTried, wrong.size()));
   Toggling toggling(make, make()->Info());
+  if (AllRight(tried, [&](const Observation& o) { return toggling.Again(o); }))
+    return {"earlier-draws", "if no other draw comes before it"};
   for (const Toggle& toggle : kToggles) {
+    if (toggle.name == "scissor" &&
+        AllRight(tried, [&](const Observation& o) { return toggling.ByItself(o); })) {
+      return {"earlier-draws", "if no other draw comes before it"};
+    }
     if (AllRight(tried, [&](const Observation& o) { return toggling.With(toggle, o); }))
       return {std::string(toggle.name), std::string(toggle.what)};
-  }
-  if (AllRight(tried, [&](const Observation& o) { return toggling.ByItself(o); })) {
-    return {"earlier-draws", "if no other draw comes before it"};
   }
   if (AllRight(tried, [&](const Observation& o) { return toggling.ByTriangles(o); })) {
     return {"list", "if each triangle is drawn alone"};

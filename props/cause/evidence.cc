@@ -182,7 +182,10 @@ std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty
     for (const Case& c : failures[k].cases) gathering.AskAll(k, *failures[k].property, c);
   }
   for (std::size_t k = 0; k < asked; ++k) {
-    for (const Case& c : failures[k].cases) gathering.AskOnce(k, c);
+    // What is violated there need not be the coverage.
+    const bool of_values = AsksForValues(subject, failures[k]);
+    for (const Case& c : failures[k].cases)
+      gathering.AskOnce(of_values ? Observation::kAround : k, c);
   }
   for (std::size_t k = 0; k < asked; ++k) {
     for (const Case& c : Neighbours(failures[k].cases.front()))

@@ -254,18 +254,47 @@ bool Merge(Stage& into, const Stage& from) {
   return true;
 }
 
+// Both changes, one after the other.
+template <class... Arguments>
+std::function<void(Arguments...)> InTurn(std::function<void(Arguments...)> first,
+                                         std::function<void(Arguments...)> second) {
+  if (!first) return second;
+  if (!second) return first;
+  return [first = std::move(first), second = std::move(second)](Arguments... arguments) {
+    first(arguments...);
+    second(arguments...);
+  };
+}
+
 }  // namespace
 
 std::optional<SuspectStages> Composed(const SuspectStages& a, const SuspectStages& b) {
   SuspectStages both = a;
   both.draws_flat = a.draws_flat || b.draws_flat;
-  const bool is_one =
-      Merge(both.profile, b.profile) && Merge(both.clip, b.clip) &&
-      Merge(both.options, b.options) && Merge(both.input, b.input) && Merge(both.snap, b.snap) &&
-      Merge(both.place, b.place) && Merge(both.drops, b.drops) && Merge(both.area, b.area) &&
-      Merge(both.facing, b.facing) && Merge(both.box, b.box) && Merge(both.sample, b.sample) &&
-      Merge(both.value, b.value) && Merge(both.owns, b.owns) && Merge(both.times, b.times) &&
-      Merge(both.after, b.after);
+  both.profile = InTurn(a.profile, b.profile);
+  both.options = InTurn(a.options, b.options);
+  both.input = InTurn(a.input, b.input);
+  both.place = InTurn(a.place, b.place);
+  both.facing = InTurn(a.facing, b.facing);
+  both.box = InTurn(a.box, b.box);
+  both.after = InTurn(a.after, b.after);
+  if (a.drops && b.drops) {
+    both.drops = [one = a.drops, two = b.drops](const SuspectTriangle& t, const Scene& scene) {
+      return one(t, scene) || two(t, scene);
+    };
+  } else if (b.drops) {
+    both.drops = b.drops;
+  }
+  if (a.times && b.times) {
+    both.times = [one = a.times, two = b.times](const SuspectSample& s, const SuspectTriangle& t) {
+      return one(s, t) * two(s, t);
+    };
+  } else if (b.times) {
+    both.times = b.times;
+  }
+  const bool is_one = Merge(both.clip, b.clip) && Merge(both.snap, b.snap) &&
+                      Merge(both.area, b.area) && Merge(both.sample, b.sample) &&
+                      Merge(both.value, b.value) && Merge(both.owns, b.owns);
   return is_one ? std::optional(both) : std::nullopt;
 }
 

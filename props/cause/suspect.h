@@ -87,7 +87,7 @@ struct Suspect {
   SuspectStages stages;
 };
 
-/// Both at once. Nothing if they change the same stage.
+/// Both at once. Nothing if they change the same stage in two ways that exclude each other.
 std::optional<SuspectStages> Composed(const SuspectStages& a, const SuspectStages& b);
 
 /// Whether suspects are drawn stage by stage: samples are points, edges are not rounded where they

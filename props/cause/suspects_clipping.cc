@@ -44,6 +44,21 @@ void AddBehindTheEye(std::vector<Suspect>& list) {
     changing("raises w to 2^" + std::to_string(power),
              [limit](Vertex& p) { p.w = std::max(p.w, limit); });
   }
+  changing("projects vertices behind the eye like the others", [](Vertex& p) {
+    if (p.w < 0) p = {-p.x, -p.y, -p.z, -p.w};
+  });
+  list.push_back({"clip-space",
+                  "projects a single vertex behind the eye like the others",
+                  {.clip = [](const SuspectClip& v) {
+                    SuspectClip projected = v;
+                    const auto is_behind = [](const Vertex& p) { return p.w < 0; };
+                    if (std::ranges::count_if(v, is_behind) == 1) {
+                      for (Vertex& p : projected) {
+                        if (is_behind(p)) p = {-p.x, -p.y, -p.z, -p.w};
+                      }
+                    }
+                    return Pieces{projected};
+                  }}});
   changing("does not divide by w", [](Vertex& p) { p.w = 1; });
   changing("takes the size of w", [](Vertex& p) { p.w = std::fabs(p.w); });
   changing("takes w = 0 for 1", [](Vertex& p) { p.w = p.w == 0 ? 1 : p.w; });

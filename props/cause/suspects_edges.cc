@@ -48,6 +48,18 @@ void AddKindsOfEdges(std::vector<Suspect>& list) {
   const auto add = [&](const std::string& what, OwnsEdge owns) {
     list.push_back({"tie-rule", what, OwningBy(owns)});
   };
+  add("covers samples on every vertical left edge",
+      [](const SuspectEdge& e) { return e.owns || (IsUpright(e) && e.b.y > e.a.y); });
+  add("covers samples on no vertical left edge",
+      [](const SuspectEdge& e) { return e.owns && !(IsUpright(e) && e.b.y > e.a.y); });
+  add("covers samples on every vertical right edge",
+      [](const SuspectEdge& e) { return e.owns || (IsUpright(e) && e.b.y < e.a.y); });
+  add("covers samples on every top edge",
+      [](const SuspectEdge& e) { return e.owns || (IsLevel(e) && e.b.x < e.a.x); });
+  add("covers samples on no top edge",
+      [](const SuspectEdge& e) { return e.owns && !(IsLevel(e) && e.b.x < e.a.x); });
+  add("covers samples on every bottom edge",
+      [](const SuspectEdge& e) { return e.owns || (IsLevel(e) && e.b.x > e.a.x); });
   add("covers samples on every horizontal edge",
       [](const SuspectEdge& e) { return e.owns || IsLevel(e); });
   add("covers samples on no horizontal edge",
@@ -152,10 +164,15 @@ void AddIntegers(const Profile& profile, std::vector<Suspect>& list) {
   if (grid < 0) return;
   const double scale = std::ldexp(1.0, std::max(grid, 1));
   const auto add = [&](const std::string& cause, const std::string& what, auto value) {
-    list.push_back(
-        {cause, what, {.value = [value, scale](const SuspectEdge& e, const SuspectSample& s) {
-           return SignOf(value(StepsOf(e, s, scale)));
-         }}});
+    SuspectStages stages{.value = [value, scale](const SuspectEdge& e, const SuspectSample& s) {
+      return SignOf(value(StepsOf(e, s, scale)));
+    }};
+    list.push_back({cause, what, stages});
+    if (cause != "overflow") return;
+    stages.box = [](PixelRect& box, const SuspectTriangle&, const Scene& scene) {
+      box = {0, 0, scene.width, scene.height};
+    };
+    list.push_back({cause, what + ", at all samples of the target", stages});
   };
   for (const int bits : {32, 31, 33, 30, 24, 28, 48, 40, 34}) {
     const std::string of = " to " + std::to_string(bits) + " bits";

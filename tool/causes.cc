@@ -49,8 +49,12 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
       return fmt::format("no suspect explains it; what is drawn wrong is right {}",
                          cause.what.front());
     case CauseKind::kShownValues:
-      return fmt::format("{} are as stated; the fault is in the values that are shown: {}",
-                         Counted(explanation.draws, "draw", "draws"), cause.what.front());
+      return fmt::format(
+          "{}the fault is in values that are shown beside coverage: {}",
+          explanation.wrong == 0
+              ? fmt::format("all {} are as stated; ", Counted(explanation.draws, "draw", "draws"))
+              : "",
+          cause.what.front());
     case CauseKind::kUnexplained:
       break;
   }
@@ -60,10 +64,16 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
 
 }  // namespace
 
+bool IsWrong(const Verdict& verdict) {
+  return verdict.outcome == Outcome::kViolated &&
+         !verdict.message.starts_with("the subject failed: ");
+}
+
 std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
                                               const SubjectInfo& subject) {
   if (result.outcome != Outcome::kViolated || !result.counterexample) return std::nullopt;
   const Counterexample& found = *result.counterexample;
+  if (!IsWrong(found.verdict)) return std::nullopt;
   props::FailedProperty failure{props::FindProperty(result.property), {found.value}};
   if (failure.property == nullptr) return std::nullopt;
   if (!found.failing_case.empty()) {

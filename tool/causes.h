@@ -13,6 +13,9 @@
 
 namespace rasterproof::tool {
 
+/// Whether the subject drew something wrong. A breakdown needs no other cause.
+bool IsWrong(const Verdict& verdict);
+
 /// The violated property with its shrunken case and the one that was drawn; nothing if the result
 /// has no counterexample, or the subject broke down on it.
 std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,

@@ -313,7 +313,7 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
                            verdict.message.empty() ? "" : "; ", report::CleanText(verdict.message),
                            report::AuthorityText(result));
   if (verdict.outcome != Outcome::kViolated) return;
-  share.failed = {&property, {c}};
+  if (IsWrong(verdict)) share.failed = {&property, {c}};
   CaseChoice choice;
   (given.name ? choice.name : choice.path) = given.place;
   choice.subject = name;

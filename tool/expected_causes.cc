@@ -54,6 +54,7 @@ constexpr auto kPlanted = std::to_array<Planted>({
     {"stepping-last-lost", "shown-values"},
     {"stepping-bound-too-small", "shown-values"},
     {"scissor-", "scissor"},
+    {"mode-", "float-mode"},
     {"cull-", "culling"},
     {"target-", "target-border"},
     {"target-wraps", ""},

@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t kSplits = 160;  // cases that are looked at to tell suspects apart
 constexpr std::uint64_t kFirstSplit = std::uint64_t{1} << 21;
 constexpr std::size_t kMostCombined = 4;   // suspects at once
-constexpr std::size_t kMostCompared = 80;  // draws, while the next of them is looked for
+constexpr std::size_t kMostCompared = 48;  // draws, while the next of them is looked for
 constexpr std::ptrdiff_t kLeastGain = 2;   // fewer draws more are chance
 constexpr std::size_t kFewestInPart = 2;   // wrong draws that a suspect of a part must reproduce
 constexpr std::chrono::seconds kLongestFit{6};
@@ -322,9 +322,7 @@ void Investigation::FindRest() {
     const std::size_t k = *open_.begin();
     open_.erase(open_.begin());
     std::vector<const Observation*> wrong;
-    bool is_asked = false;
     for (const Observation& o : observations_) {
-      is_asked |= o.failure == k;
       if (o.failure == k && o.is_wrong) wrong.push_back(&o);
     }
     Cause cause;
@@ -336,6 +334,11 @@ void Investigation::FindRest() {
       cause.name = circumstance.name;
       if (!cause.name.empty()) cause.what = {circumstance.what};
       cause.only_with = OnlyWith(observations_);
+    } else if (failures_[k].property->gate.shows == Shows::kFloatModes) {
+      // It compares draws in other modes with those in the usual one.
+      cause.kind = CauseKind::kCircumstance;
+      cause.name = "float-mode";
+      cause.what = {"in the usual floating-point mode"};
     } else if (AsksForValues(*subject_, failures_[k])) {
       cause.kind = CauseKind::kShownValues;
       cause.name = "shown-values";

@@ -255,7 +255,7 @@ void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
   if (WasNotAsked(result)) return;
   share.text = ResultLine(result, options.fail_on);
   if (!result.counterexample) return;
-  share.failed = FailedBy(result, subject.Info());
+  if (IsFailure(result, options.fail_on)) share.failed = FailedBy(result, subject.Info());
   const auto& found = *result.counterexample;
   CaseChoice choice;
   choice.subject = result.subject;
@@ -313,7 +313,7 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
                            verdict.message.empty() ? "" : "; ", report::CleanText(verdict.message),
                            report::AuthorityText(result));
   if (verdict.outcome != Outcome::kViolated) return;
-  if (IsWrong(verdict)) share.failed = {&property, {c}};
+  if (IsWrong(verdict) && IsFailure(result, options.fail_on)) share.failed = {&property, {c}};
   CaseChoice choice;
   (given.name ? choice.name : choice.path) = given.place;
   choice.subject = name;

@@ -185,6 +185,9 @@ void AddLost(std::vector<Suspect>& list) {
     for (int power = feature.least; power <= feature.most; ++power) {
       const double limit = std::ldexp(1.0, power);
       std::string what(feature.what);
+      const bool is_one = power == 0;
+      if (const auto at = what.find("pixels"); is_one && at != std::string::npos)
+        what.replace(at, 6, "pixel");
       what.replace(what.find("{}"), 2, PowerText(power));
       for (const bool is_strict : {true, false}) {
         list.push_back(

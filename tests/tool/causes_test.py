@@ -50,6 +50,15 @@ class Causes(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertNotIn("cause", done.stdout)
 
+    def test_a_lack_of_quality_has_a_cause_only_where_it_fails_the_run(self):
+        about = ("mutant:mode-magic-snap", "--property", "EnvironmentKeepsCoverage")
+        done = check(*about, cases=200)
+        self.assertIn(" 1 short of quality;", done.stdout, done.stderr)
+        self.assertNotIn("cause", done.stdout)
+        done = check(*about, "--fail-on", "quality", cases=200)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertTrue(causes(done.stdout)[0].endswith("; docs/causes.md#float-mode"), done.stdout)
+
     def test_nobody_asks_with_no_cause(self):
         done = check("mutant:snap-truncates", "--property", MODEL, "--no-cause")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)

@@ -18,6 +18,7 @@
 #include "exact/coverage.h"
 #include "props/cause/evidence.h"
 #include "props/cause/suspect.h"
+#include "props/infer/infer.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/mutants.h"
@@ -166,6 +167,16 @@ TEST(Cause, OfThreeBugsIsToldAsThree) {
   }
   std::ranges::sort(names);
   EXPECT_EQ(names, (std::vector<std::string>{"lost-triangles", "scissor", "tie-rule"}));
+}
+
+TEST(Infer, NamesTheDrawThatRefutedTheModelThatWasLeftLast) {
+  const std::unique_ptr<Subject> subject = subjects::MakeMutant("mutant:lost-small");
+  const Inference inference = Infer(*subject, {.checks = 100, .nearest_checks = 64});
+  ASSERT_TRUE(!inference.Fits() && inference.last_refuted.has_value());
+  const Case& last = *inference.last_refuted;
+  CoverageCounts drawn(last.scene.width, last.scene.height);
+  DrawOnto(*subject, last.scene, {}, drawn);
+  EXPECT_NE(drawn, exact::Coverage(last.scene, last.profile));
 }
 
 TEST(OnlyWith, NamesWhatTheWrongDrawsShare) {

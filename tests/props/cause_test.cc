@@ -171,7 +171,7 @@ TEST(Cause, OfThreeBugsIsToldAsThree) {
 
 TEST(Infer, NamesTheDrawThatRefutedTheModelThatWasLeftLast) {
   const std::unique_ptr<Subject> subject = subjects::MakeMutant("mutant:lost-small");
-  const Inference inference = Infer(*subject, {.checks = 100, .nearest_checks = 64});
+  const Inference inference = Infer(*subject, {.nearest_checks = 64});
   ASSERT_TRUE(!inference.Fits() && inference.last_refuted.has_value());
   const Case& last = *inference.last_refuted;
   CoverageCounts drawn(last.scene.width, last.scene.height);

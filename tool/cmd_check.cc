@@ -22,6 +22,8 @@
 #include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "props/cause/cause.h"
+#include "props/cause/evidence.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/conclude.h"
@@ -33,6 +35,7 @@
 #include "report/json_writer.h"
 #include "report/text.h"
 #include "tool/catalogue.h"
+#include "tool/causes.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -58,6 +61,7 @@ struct Report {
   std::vector<PropertyResult> results = {};
   std::string cases = {};  // for --cases-json
   bool is_contract_untested = false;
+  std::vector<props::FailedProperty> failed = {};  // for their causes
 };
 
 // Violations that fail nothing are none.
@@ -173,6 +177,7 @@ struct Share {
   std::string text;
   std::string cases = {};  // for --cases-json
   bool is_whole = false;
+  std::optional<props::FailedProperty> failed = {};
 };
 
 using Ask = std::function<void(std::size_t worker, const props::Property& property, Share& share)>;
@@ -250,6 +255,7 @@ void TellOf(Subject& subject, const CheckOptions& options, Share& share) {
   if (WasNotAsked(result)) return;
   share.text = ResultLine(result, options.fail_on);
   if (!result.counterexample) return;
+  if (IsFailure(result, options.fail_on)) share.failed = FailedBy(result, subject.Info());
   const auto& found = *result.counterexample;
   CaseChoice choice;
   choice.subject = result.subject;
@@ -284,6 +290,7 @@ void Add(const std::vector<Share>& shares, const std::string& subject, const std
     const PropertyResult& result = found.results.emplace_back(*share.result);
     found.text += share.text;
     found.cases += share.cases;
+    if (share.failed) found.failed.push_back(*share.failed);
     if (WasNotAsked(result)) not_asked.Add(result.message, result.property);
   }
   found.text += not_asked.Lines(subject, of);
@@ -306,6 +313,7 @@ void AskOfGiven(Subject& subject, const props::Property& property, const GivenCa
                            verdict.message.empty() ? "" : "; ", report::CleanText(verdict.message),
                            report::AuthorityText(result));
   if (verdict.outcome != Outcome::kViolated) return;
+  if (IsWrong(verdict) && IsFailure(result, options.fail_on)) share.failed = {&property, {c}};
   CaseChoice choice;
   (given.name ? choice.name : choice.path) = given.place;
   choice.subject = name;
@@ -368,6 +376,13 @@ void CheckGiven(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& 
   }
 }
 
+// What explains the violations. No suspect is made for a subject that passes.
+std::string Causes(const SubjectFactory& subject, const Report& found,
+                   const CheckOptions& options) {
+  if (options.no_cause || found.failed.empty() || Interrupted()) return "";
+  return CausesText(props::Explain([&] { return subject.Make(); }, found.failed), found.failed);
+}
+
 // What finds out more about a subject of the user's own that does not draw as it states.
 std::string Hint(const std::string& subject, const Report& found, const std::string& profile) {
   if (CountOf(found, Outcome::kViolated) == 0 || !IsOutside(subject)) return "";
@@ -413,9 +428,9 @@ int RunCheck(const CheckOptions& options) {
     if (Interrupted()) break;
     const Report found = Check(subject, asked, options);
     cases += found.cases;
-    io::WriteStandardOutput(found.text + report::AssumptionLines(found.profile) +
-                            LastLine(found, subject.name()) +
-                            Hint(subject.name(), found, options.profile));
+    io::WriteStandardOutput(
+        found.text + Causes(subject, found, options) + report::AssumptionLines(found.profile) +
+        LastLine(found, subject.name()) + Hint(subject.name(), found, options.profile));
     status = WorseStatus(status, StatusOf(found));
   }
   if (!options.cases_json.empty()) io::WriteFile(options.cases_json, cases);

@@ -47,6 +47,22 @@ std::string FittingText(const props::Inference& inference) {
   return text;
 }
 
+// "(0x1p+0, 0x1p-1) ...": the vertices of a scene.
+std::string VerticesText(const Scene& scene) {
+  std::string text;
+  for (const Vertex& v : scene.vertices)
+    text += fmt::format("{}({:a}, {:a})", text.empty() ? "" : " ", v.x, v.y);
+  return text;
+}
+
+std::string LastRefutedText(const props::Inference& inference) {
+  if (!inference.last_refuted) return "";
+  const Case& last = *inference.last_refuted;
+  return fmt::format("last refuted     {}, by the draw of {} on {}x{}\n",
+                     props::ModelText(last.profile), VerticesText(last.scene), last.scene.width,
+                     last.scene.height);
+}
+
 std::string NoFitText(const props::Inference& inference) {
   if (inference.is_inconclusive) return fmt::format("inconclusive: {}\n", inference.message);
   std::string text = fmt::format("no model fits: {}\n", inference.message);
@@ -59,7 +75,18 @@ std::string NoFitText(const props::Inference& inference) {
             ? ", where nothing is aimed; one that was aimed is, below"
             : "");
   }
-  return text;
+  return text + LastRefutedText(inference);
+}
+
+// The model that is nearest, whether it fits or not.
+std::string FirstLine(const props::Inference& inference, const std::string& subject) {
+  if (inference.Fits()) {
+    return fmt::format("{}: {}{}\n", subject, props::ModelText(inference.remaining.front()),
+                       inference.remaining.size() == 1 ? "" : ", or others that draw the same");
+  }
+  if (!inference.nearest) return fmt::format("{}: no model was found\n", subject);
+  return fmt::format("{}: no model fits; nearest is {}\n", subject,
+                     props::ModelText(inference.nearest->profile));
 }
 
 std::string PlacesText(const props::Inference& inference) {
@@ -136,8 +163,9 @@ int RunInfer(const InferOptions& options) {
   const props::Inference inference = props::Infer(*subject, choice);
   if (Interrupted()) return InterruptStatus();
   const SubjectInfo& info = subject->Info();
-  std::string text = fmt::format("{}: {} models, {} draws, {:.2f} s\n", info.name, inference.models,
-                                 inference.experiments, inference.seconds);
+  std::string text = FirstLine(inference, info.name);
+  text += fmt::format("{} models, {} draws, {:.2f} s\n", inference.models, inference.experiments,
+                      inference.seconds);
   text += inference.Fits() ? FittingText(inference) : NoFitText(inference);
   text += PlacesText(inference);
   if (inference.witness) {

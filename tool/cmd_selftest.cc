@@ -78,12 +78,31 @@ HuntResult HuntOne(const Task& task, Progress& progress, std::size_t worker) {
   return result;
 }
 
+// Hunts each mutant and explains what was found. Nothing that it prints fails the run.
+int SelftestCauses(std::vector<subjects::MutantInfo> mutants, const SelftestOptions& options) {
+  std::erase_if(mutants, [](const subjects::MutantInfo& mutant) { return mutant.legal; });
+  std::vector<CauseFound> causes(mutants.size());
+  {
+    Progress progress(static_cast<std::size_t>(options.jobs));
+    const std::vector<std::size_t> order =
+        OrderOfWork(options.jobs, mutants.size(), [](std::size_t) { return false; });
+    ShareWork(options.jobs, order, [&](std::size_t worker, std::size_t k) {
+      const HuntResult hunted =
+          HuntOne({mutants[k], options.seed, options.cases}, progress, worker);
+      causes[k] = FindCauseOf(hunted, [&] { return MakeSubject(mutants[k].name); });
+    });
+  }
+  io::WriteStandardOutput(CausesTable(causes));
+  return kExitHolds;
+}
+
 }  // namespace
 
 int RunSelftest(const SelftestOptions& options) {
   RequireHonestEnvironment();
   const std::vector<subjects::MutantInfo> chosen = Chosen(options.only);
   const Clock::time_point start = Clock::now();
+  if (options.causes) return SelftestCauses(chosen, options);
   const std::uint64_t legal_cases = std::max<std::uint64_t>(1, options.cases / kLegalShare);
   const std::vector<Task> tasks = TasksOf(chosen, options, legal_cases);
   std::vector<HuntResult> results(tasks.size());

@@ -131,6 +131,8 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
                  "bits, sample locations, coordinate limit and guard band");
   verb->add_option("--save", options.save,
                    "Folder for shrunk counterexamples; those already there are replayed first");
+  verb->add_flag("--no-cause", options.no_cause,
+                 "Don't look for what explains the violations, which takes a few seconds");
   CLI::Option* const cases_json = verb->add_option(
       "--cases-json", options.cases_json,
       "File for a line of JSON a drawn case: its name, its samples on and near edges, its outcome");
@@ -369,6 +371,8 @@ void AddSelftest(CLI::App& app, Run& run) {
       ->capture_default_str();
   verb->add_option("--only", options.only, "Mutants and legal variants (default: all)");
   verb->add_option("--json", options.json, "Result as JSON");
+  verb->add_flag("--causes", options.causes,
+                 "Explain each mutant's violation, and compare with what was planted in it");
   AddJobs(verb, options.jobs, "Mutants or legal variants");
   verb->callback([&run] { run = [] { return RunSelftest(options); }; });
 }

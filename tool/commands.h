@@ -83,6 +83,7 @@ struct CheckOptions {
   int jobs = 1;                 ///< properties at once
   std::size_t list_length = 0;  ///< 0: the subject's own
   FailOn fail_on = FailOn::kStated;
+  bool no_cause = false;                 ///< violations are not explained
   bool catalogue = false;                ///< families of stiff cases, not properties
   std::vector<std::string> families;     ///< these alone; empty: all
   std::vector<std::string> float_modes;  ///< what --fp-env names, not properties
@@ -271,7 +272,8 @@ struct SelftestOptions {
   std::uint64_t seed = 1;
   std::uint64_t cases = 1000;  ///< most cases a property
   std::string json;
-  int jobs = 1;  ///< mutants and variants at once
+  int jobs = 1;         ///< mutants and variants at once
+  bool causes = false;  ///< of mutants alone: is what explains them found?
 };
 int RunSelftest(const SelftestOptions& options);
 

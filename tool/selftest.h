@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/result.h"
 #include "core/subject.h"
+#include "props/cause/cause.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
 
@@ -40,6 +42,19 @@ struct HuntResult {
 
   bool AsItShould() const { return hunt.violation.has_value() != mutant.legal; }
 };
+
+/// What was found to explain a mutant's violation.
+struct CauseFound {
+  subjects::MutantInfo mutant;
+  std::string name;  ///< of docs/causes.md; empty: none was named
+  std::string what;
+  std::string property = {};  ///< the violated one
+};
+/// Explains the violation that a hunt ended with.
+CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make);
+/// A table row a mutant, then how many causes were named rightly, wrongly or not at all, in the
+/// half that suspects were tuned on (an even FNV-1a hash of the name) and in the other one.
+std::string CausesTable(std::span<const CauseFound> all);
 
 /// What a self-test found, as Markdown: a table row a mutant, then the figures.
 std::string SelftestText(const std::vector<HuntResult>& results, std::uint64_t cases,

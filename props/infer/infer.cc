@@ -141,6 +141,10 @@ void RaceModels(Observer& observer, const Location& location, const InferOptions
                          std::to_string(location.per_pixel) +
                          " pixel, as the stated ranges leave no room for finer ones";
   }
+  if (const auto& last = race.last_refuted()) {
+    inference.last_refuted =
+        CaseOf(race.experiments()[last->experiment].scene, space.ProfileOf(last->model));
+  }
   NameNearest(observer, location, race.experiments(), options, inference);
 }
 

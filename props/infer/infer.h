@@ -52,6 +52,8 @@ struct Inference {
   std::string message;
   std::optional<Case> witness;
   std::optional<NearestModel> nearest;
+  /// Where none fits: the model that was left last, and the scene whose draw refuted it.
+  std::optional<Case> last_refuted;
   /// Filled for several samples, and for one sample if no model fits.
   std::optional<SamplePlaces> sample_places;
   /// Each statement of the subject's profile compared with the models found; empty if none fits.

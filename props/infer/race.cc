@@ -30,8 +30,14 @@ bool Race::Run(const Scene& scene) {
 
 bool Race::Learn(const Scene& scene, CoverageCounts seen) {
   if (seen.size() == 0) return false;  // refused
+  if (left_.empty()) {
+    experiments_.push_back({scene, std::move(seen)});
+    return true;
+  }
   Prediction prediction(scene, space_, observer_.facing());
+  const Model simplest = left_.front();
   std::erase_if(left_, [&](const Model& model) { return !prediction.Explains(model, seen); });
+  if (left_.empty()) last_refuted_ = LastRefuted{simplest, experiments_.size()};
   experiments_.push_back({scene, std::move(seen)});
   return true;
 }

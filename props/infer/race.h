@@ -2,7 +2,9 @@
 #ifndef RASTERPROOF_PROPS_INFER_RACE_H_
 #define RASTERPROOF_PROPS_INFER_RACE_H_
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/coverage.h"
@@ -34,6 +36,12 @@ class Race {
   void Check(int count);
 
   const std::vector<Model>& left() const { return left_; }
+  /// The simplest of the models that were left last, and the experiment that refuted them all.
+  struct LastRefuted {
+    Model model;
+    std::size_t experiment = 0;
+  };
+  const std::optional<LastRefuted>& last_refuted() const { return last_refuted_; }
   const std::vector<Experiment>& experiments() const { return experiments_; }
 
  private:
@@ -47,6 +55,7 @@ class Race {
   std::uint64_t drawn_ = 0;  ///< cases drawn so far: the next one's index
   std::vector<Model> left_;
   std::vector<Experiment> experiments_;
+  std::optional<LastRefuted> last_refuted_;
 };
 
 }  // namespace rasterproof::props

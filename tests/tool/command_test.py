@@ -60,7 +60,9 @@ class InferTest(TemporaryFolder):
     def test_where_no_model_fits_the_draw_that_refuted_the_last_is_reported_and_replays(self):
         subject = ("--subject", "mutant:overflow-int16-deltas")
         text = run("infer", *subject).stdout.decode()
-        self.assertIn("no model fits", text)
+        first = text.splitlines()[0]
+        self.assertIn(": no model fits; nearest is 8 subpixel bits, nearest-even", first)
+        self.assertRegex(text, r"(?m)^last refuted     .*, by the draw of \(.*\) on \d+x\d+$")
         self.assertIn(" 0 of 307200 samples, 0 of 1200 draws wrong, where nothing is aimed", text)
         case, _, replay = text.partition("a case that it draws in another way:\n")[2].partition(
             "replay: save it as case.json, then: rasterproof ")
@@ -70,7 +72,8 @@ class InferTest(TemporaryFolder):
     def test_a_subject_is_found_as_it_declares_itself(self):
         result = run("infer", "--subject", "i32-snap4")
         self.assertEqual(result.returncode, 0, result.stdout)
-        self.assertIn(b"4 subpixel bits, nearest-even", result.stdout)
+        first = result.stdout.splitlines()[0]
+        self.assertIn(b"i32-snap4: 4 subpixel bits, nearest-even", first)
         self.assertNotIn(b"CONTRADICTED", result.stdout)
 
     def test_an_untrue_declaration_is_contradicted_with_a_case(self):

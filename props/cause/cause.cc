@@ -1,0 +1,391 @@
+#include "props/cause/cause.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/error.h"
+#include "props/cause/suspect.h"
+#include "props/judging/redraw.h"
+#include "props/run/campaign.h"
+#include "props/run/submit.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kSplits = 160;  // cases that are looked at to tell suspects apart
+constexpr std::uint64_t kFirstSplit = std::uint64_t{1} << 21;
+constexpr std::size_t kMostCombined = 4;   // suspects at once
+constexpr std::size_t kMostCompared = 48;  // draws, while the next of them is looked for
+constexpr std::ptrdiff_t kLeastGain = 2;   // fewer draws more are chance
+constexpr std::size_t kFewestInPart = 2;   // wrong draws that a suspect of a part must reproduce
+constexpr std::chrono::seconds kLongestFit{6};
+
+// A suspect that is still in the race.
+struct Fitting {
+  std::string name;
+  std::string what;
+  SuspectStages stages;
+  std::unique_ptr<Subject> draws;
+  std::size_t reproduced = 0;        // wrong observations
+  std::vector<std::size_t> covered;  // failures, all of whose wrong draws it reproduces
+};
+
+class Investigation {
+ public:
+  Investigation(const MakesSubject& make, std::span<const FailedProperty> failures)
+      : make_(make),
+        failures_(failures),
+        end_(std::chrono::steady_clock::now() + 2 * kLongestFit) {}
+
+  Explanation Run();
+
+ private:
+  void Sort();
+  void Race();
+  bool IsConsistent(Fitting& fitting) const;
+  void TellApart(std::vector<Fitting>& left);
+  void Split(std::vector<Fitting>& left, const Case& c);
+  bool HasWrongDraws(std::size_t failure) const;
+  bool FindWhole();
+  bool FindCombination();
+  void FindParts();
+  void FindRest();
+  std::vector<bool> ReproducedBy(const SuspectStages& stages) const;
+  std::optional<std::size_t> BestWith(const SuspectStages& stages,
+                                      const std::vector<bool>& reproduced) const;
+  void Share(const std::vector<std::size_t>& combined);
+  Cause Of(CauseKind kind, const std::vector<Fitting>& left) const;
+  bool IsLate() const { return std::chrono::steady_clock::now() > end_; }
+
+  const MakesSubject& make_;
+  std::span<const FailedProperty> failures_;
+  std::chrono::steady_clock::time_point end_;
+  std::unique_ptr<Subject> subject_;
+  std::vector<Observation> observations_;  // modelled wrong ones first
+  std::size_t wrong_ = 0;
+  std::size_t modelled_ = 0;
+  std::vector<Suspect> suspects_;
+  std::vector<Fitting> partly_;  // consistent ones that reproduce some wrong draws
+  std::set<std::size_t> open_;   // failures without a cause
+  Explanation found_;
+};
+
+// Wrong observations first, then modelled right ones, then the others. Equal ones keep their order.
+void Investigation::Sort() {
+  const std::unique_ptr<Subject> stated = MakeSuspect(subject_->Info(), {});
+  for (Observation& o : observations_) o.is_wrong = o.is_modelled && !Reproduces(*stated, o);
+  const auto rank = [](const Observation& o) { return o.is_wrong ? 0 : o.is_modelled ? 1 : 2; };
+  std::vector<Observation> sorted;
+  for (const int wanted : {0, 1, 2}) {
+    for (Observation& o : observations_) {
+      if (rank(o) == wanted) sorted.push_back(std::move(o));
+    }
+    if (wanted == 0) wrong_ = sorted.size();
+    if (wanted == 1) modelled_ = sorted.size();
+  }
+  observations_ = std::move(sorted);
+}
+
+// Whether no draw that is as stated refutes it; counts what it reproduces of the others.
+bool Investigation::IsConsistent(Fitting& fitting) const {
+  std::set<std::size_t> failed, missed;
+  for (std::size_t k = 0; k < wrong_; ++k) {
+    const Observation& o = observations_[k];
+    const bool reproduces = Reproduces(*fitting.draws, o);
+    fitting.reproduced += reproduces ? 1 : 0;
+    if (o.failure == Observation::kAround) {
+      if (fitting.reproduced == 0) return false;  // the failing cases come first
+      continue;
+    }
+    failed.insert(o.failure);
+    if (!reproduces) missed.insert(o.failure);
+  }
+  if (fitting.reproduced == 0) return false;
+  for (std::size_t k = wrong_; k < modelled_; ++k) {
+    if (!Reproduces(*fitting.draws, observations_[k])) return false;
+  }
+  std::ranges::set_difference(failed, missed, std::back_inserter(fitting.covered));
+  return true;
+}
+
+void Investigation::Race() {
+  suspects_ = SuspectsOf(subject_->Info().profile);
+  found_.suspects = suspects_.size();
+  for (const Suspect& suspect : suspects_) {
+    if (IsLate()) return;
+    Fitting fitting{suspect.cause,
+                    suspect.what,
+                    suspect.stages,
+                    MakeSuspect(subject_->Info(), suspect.stages),
+                    0,
+                    {}};
+    if (IsConsistent(fitting)) partly_.push_back(std::move(fitting));
+  }
+}
+
+// Asks the subject where the suspects draw differently.
+void Investigation::Split(std::vector<Fitting>& left, const Case& c) {
+  const auto placed = std::make_shared<const PlacedCase>(Place(c, true));
+  Observation o{Observation::kAround, placed};
+  o.check.questions.draws = {CountsOf(placed->scene, placed->profile, placed->options)};
+  if (!Takes(subject_->Info(), c.scene) || !WithinLimits(c.scene, c.profile) ||
+      !SuspectsDraw(placed->scene, subject_->Info())) {
+    return;
+  }
+  const Request request{placed.get(), &o.check, nullptr};
+  Answers first = std::move(Submit(*left.front().draws, {&request, 1}).front());
+  if (first.end.stop != Stop::kNone) return;
+  o.seen = first.draws;
+  const bool agree = std::ranges::all_of(
+      left, [&](const Fitting& fitting) { return Reproduces(*fitting.draws, o); });
+  if (agree) return;
+  Answers answers = std::move(Submit(*subject_, {&request, 1}).front());
+  if (answers.end.stop != Stop::kNone) return;
+  o.seen = std::move(answers.draws);
+  ++found_.draws;
+  std::vector<bool> stays;
+  for (const Fitting& fitting : left) stays.push_back(Reproduces(*fitting.draws, o));
+  std::size_t k = 0;
+  std::erase_if(left, [&](const Fitting&) { return !stays[k++]; });
+}
+
+void Investigation::TellApart(std::vector<Fitting>& left) {
+  for (const char* name : {"CoverageEqualsTheModel"}) {
+    for (std::uint64_t k = 0; k < kSplits && left.size() > 1 && !IsLate(); ++k) {
+      try {
+        Split(left, DrawCase(subject_->Info(), *FindProperty(name), 1, kFirstSplit + k));
+      } catch (const InputError&) {
+        return;
+      }
+    }
+  }
+}
+
+Cause Investigation::Of(CauseKind kind, const std::vector<Fitting>& left) const {
+  Cause cause;
+  cause.kind = kind;
+  cause.name = left.front().name;
+  for (const Fitting& fitting : left) {
+    if (std::ranges::find(cause.what, fitting.what) == cause.what.end())
+      cause.what.push_back(fitting.what);
+  }
+  cause.draws = DrawsOf(std::span(observations_).first(modelled_));
+  cause.reproduced = cause.draws;
+  cause.only_with = OnlyWith(observations_);
+  return cause;
+}
+
+// Whether the property's own draws differ from the stated model. Of those that were not asked it
+// is taken for granted.
+bool Investigation::HasWrongDraws(std::size_t failure) const {
+  bool is_asked = false;
+  for (const Observation& o : observations_) {
+    if (o.failure != failure) continue;
+    is_asked = true;
+    if (o.is_wrong) return true;
+  }
+  return !is_asked && !AsksForValues(*subject_, failures_[failure]);
+}
+
+bool Investigation::FindWhole() {
+  std::vector<Fitting> whole;
+  std::erase_if(partly_, [&](Fitting& fitting) {
+    if (fitting.reproduced < wrong_) return false;
+    whole.push_back(std::move(fitting));
+    return true;
+  });
+  if (whole.empty()) return false;
+  TellApart(whole);
+  if (whole.empty()) return false;  // a draw more refuted all of them
+  Cause cause = Of(CauseKind::kModel, whole);
+  for (std::size_t k = 0; k < failures_.size(); ++k) {
+    if (HasWrongDraws(k)) cause.properties.push_back(k);
+  }
+  if (cause.properties.empty()) return true;
+  for (const std::size_t k : cause.properties) open_.erase(k);
+  found_.causes.push_back(std::move(cause));
+  return true;
+}
+
+// Which of the modelled observations a rasterizer of these stages reproduces.
+std::vector<bool> Investigation::ReproducedBy(const SuspectStages& stages) const {
+  const std::unique_ptr<Subject> suspect = MakeSuspect(subject_->Info(), stages);
+  std::vector<bool> reproduced(modelled_);
+  for (std::size_t k = 0; k < modelled_; ++k)
+    reproduced[k] = Reproduces(*suspect, observations_[k]);
+  return reproduced;
+}
+
+// The suspect that, beside the stages so far, reproduces most draws more than it loses.
+std::optional<std::size_t> Investigation::BestWith(const SuspectStages& stages,
+                                                   const std::vector<bool>& reproduced) const {
+  std::vector<std::size_t> open, kept;
+  for (std::size_t k = 0; k < modelled_; ++k) (reproduced[k] ? kept : open).push_back(k);
+  open.resize(std::min(open.size(), kMostCompared));
+  kept.resize(std::min(kept.size(), kMostCompared));
+  std::optional<std::size_t> best;
+  std::ptrdiff_t most = kLeastGain;
+  for (std::size_t n = 0; n < suspects_.size() && !IsLate(); ++n) {
+    const std::optional<SuspectStages> both = Composed(stages, suspects_[n].stages);
+    if (!both) continue;
+    const std::unique_ptr<Subject> draws = MakeSuspect(subject_->Info(), *both);
+    const auto reproduces = [&](std::size_t k) { return Reproduces(*draws, observations_[k]); };
+    const std::ptrdiff_t gain = std::ranges::count_if(open, reproduces);
+    if (gain <= most) continue;
+    const std::ptrdiff_t loss =
+        static_cast<std::ptrdiff_t>(kept.size()) - std::ranges::count_if(kept, reproduces);
+    if (gain - loss <= most) continue;
+    most = gain - loss;
+    best = n;
+  }
+  return best;
+}
+
+// Several suspects at once that reproduce every draw, found one after the other.
+bool Investigation::FindCombination() {
+  SuspectStages stages;
+  std::vector<bool> reproduced(modelled_, true);
+  std::fill_n(reproduced.begin(), wrong_, false);
+  std::vector<std::size_t> combined;
+  while (!std::ranges::all_of(reproduced, std::identity())) {
+    if (combined.size() == kMostCombined) return false;
+    const std::optional<std::size_t> next = BestWith(stages, reproduced);
+    if (!next) return false;
+    combined.push_back(*next);
+    stages = *Composed(stages, suspects_[*next].stages);
+    reproduced = ReproducedBy(stages);
+  }
+  Share(combined);
+  return true;
+}
+
+// Gives each property to the first of the suspects without which its failing draws are others.
+void Investigation::Share(const std::vector<std::size_t>& combined) {
+  std::vector<Cause> causes;
+  for (const std::size_t n : combined) {
+    Cause& cause = causes.emplace_back();
+    cause.kind = CauseKind::kPart;
+    cause.name = suspects_[n].cause;
+    cause.what = {suspects_[n].what};
+    cause.draws = DrawsOf(std::span(observations_).first(modelled_));
+    cause.reproduced = cause.draws;
+    cause.together = combined.size();
+    SuspectStages others;
+    for (const std::size_t other : combined) {
+      if (other != n) others = *Composed(others, suspects_[other].stages);
+    }
+    const std::vector<bool> without = ReproducedBy(others);
+    for (std::size_t k = 0; k < wrong_; ++k) {
+      const std::size_t failure = observations_[k].failure;
+      if (!without[k] && open_.erase(failure) != 0) cause.properties.push_back(failure);
+    }
+  }
+  for (Cause& cause : causes) found_.causes.push_back(std::move(cause));
+}
+
+// Greedily: the suspect that reproduces all failing draws of most properties first.
+void Investigation::FindParts() {
+  while (!open_.empty()) {
+    const auto news = [&](const Fitting& fitting) {
+      return std::ranges::count_if(fitting.covered,
+                                   [&](std::size_t k) { return open_.contains(k); });
+    };
+    const auto best = std::ranges::max_element(
+        partly_, {}, [&](const Fitting& f) { return std::pair(news(f), f.reproduced); });
+    if (best == partly_.end() || news(*best) == 0 || best->reproduced < kFewestInPart) return;
+    std::vector<Fitting> equal;
+    const std::pair most(news(*best), best->reproduced);
+    std::erase_if(partly_, [&](Fitting& f) {
+      if (std::pair(news(f), f.reproduced) != most) return false;
+      equal.push_back(std::move(f));
+      return true;
+    });
+    Cause cause = Of(CauseKind::kPart, equal);
+    cause.draws = wrong_;
+    cause.reproduced = equal.front().reproduced;
+    for (const std::size_t k : equal.front().covered) {
+      if (open_.erase(k) != 0) cause.properties.push_back(k);
+    }
+    found_.causes.push_back(std::move(cause));
+  }
+}
+
+void Investigation::FindRest() {
+  while (!open_.empty()) {
+    const std::size_t k = *open_.begin();
+    open_.erase(open_.begin());
+    std::vector<const Observation*> wrong;
+    for (const Observation& o : observations_) {
+      if (o.failure == k && o.is_wrong) wrong.push_back(&o);
+    }
+    Cause cause;
+    cause.draws = modelled_;
+    cause.properties = {k};
+    if (!wrong.empty()) {
+      Circumstance circumstance = FindCircumstance(make_, wrong);
+      cause.kind = circumstance.name.empty() ? CauseKind::kUnexplained : CauseKind::kCircumstance;
+      cause.name = circumstance.name;
+      if (!cause.name.empty()) cause.what = {circumstance.what};
+      cause.only_with = OnlyWith(observations_);
+    } else if (failures_[k].property->gate.shows == Shows::kFloatModes) {
+      // It compares draws in other modes with those in the usual one.
+      cause.kind = CauseKind::kCircumstance;
+      cause.name = "float-mode";
+      cause.what = {"in the usual floating-point mode"};
+    } else if (AsksForValues(*subject_, failures_[k])) {
+      cause.kind = CauseKind::kShownValues;
+      cause.name = "shown-values";
+      cause.what = {std::string(failures_[k].property->group)};
+    }
+    const auto same = std::ranges::find_if(found_.causes, [&](const Cause& other) {
+      return other.kind == cause.kind && other.name == cause.name && other.what == cause.what;
+    });
+    if (same != found_.causes.end()) {
+      same->properties.push_back(k);
+    } else {
+      found_.causes.push_back(std::move(cause));
+    }
+  }
+}
+
+Explanation Investigation::Run() {
+  subject_ = make_();
+  observations_ = Gather(*subject_, failures_);
+  Sort();
+  found_.draws = DrawsOf(observations_);
+  found_.wrong = DrawsOf(std::span(observations_).first(wrong_));
+  for (std::size_t k = 0; k < failures_.size(); ++k) open_.insert(k);
+  const bool are_points = subject_->Info().profile.contract != Contract::kSquares;
+  if (wrong_ != 0 && are_points) {
+    Race();
+    if (!FindWhole() && !FindCombination()) FindParts();
+  }
+  FindRest();
+  // clang calls what std::stable_sort uses deprecated.
+  std::vector<std::pair<std::pair<bool, std::size_t>, std::size_t>> order;
+  for (std::size_t k = 0; k < found_.causes.size(); ++k) {
+    const Cause& cause = found_.causes[k];
+    order.push_back({{cause.name.empty(), failures_.size() - cause.properties.size()}, k});
+  }
+  std::ranges::sort(order);
+  std::vector<Cause> sorted;
+  for (const auto& [rank, k] : order) sorted.push_back(std::move(found_.causes[k]));
+  found_.causes = std::move(sorted);
+  return std::move(found_);
+}
+
+}  // namespace
+
+Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures) {
+  if (failures.empty()) return {};
+  return Investigation(make, failures).Run();
+}
+
+}  // namespace rasterproof::props

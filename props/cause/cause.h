@@ -1,0 +1,77 @@
+// What explains the violations of a subject: a suspect that draws as it does, or what must vary.
+#ifndef RASTERPROOF_PROPS_CAUSE_CAUSE_H_
+#define RASTERPROOF_PROPS_CAUSE_CAUSE_H_
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/subject.h"
+#include "props/cause/evidence.h"
+
+namespace rasterproof::props {
+
+/// How a cause was found.
+enum class CauseKind : std::uint8_t {
+  kModel,         ///< a suspect reproduces every draw of the evidence
+  kPart,          ///< one reproduces the failing draws of its properties, and no draw refutes it
+  kCircumstance,  ///< the failing draws are right once one thing about them is changed
+  kShownValues,   ///< every draw is as stated: what fails is in the values that are shown
+  kUnexplained    ///< no suspect
+};
+
+/// One cause, with the violated properties that it explains.
+struct Cause {
+  CauseKind kind = CauseKind::kUnexplained;
+  std::string name;                     ///< its section of docs/causes.md; "" if unexplained
+  std::vector<std::string> what;        ///< one, or several that no draw tells apart
+  std::vector<std::size_t> properties;  ///< by their places in what was asked
+  std::size_t reproduced = 0;           ///< draws of `draws` that it reproduces
+  std::size_t draws = 0;
+  std::size_t together = 0;  ///< if not 0, so many suspects at once reproduce them
+  /// What all draws have that differ from the stated model, and hardly others: "x < 0".
+  std::vector<std::string> only_with = {};
+};
+
+/// Causes of violations, those with a name first, and of these the one of most properties.
+struct Explanation {
+  std::vector<Cause> causes;
+  std::size_t suspects = 0;  ///< that were tried
+  std::size_t draws = 0;     ///< of the subject
+  std::size_t wrong = 0;     ///< of these, draws that differ from the stated model
+};
+
+using MakesSubject = std::function<std::unique_ptr<Subject>()>;
+
+/// Finds what explains the failed properties of the subject.
+///
+/// Each suspect (suspect.h) is compared with the subject on the same draws: those of the failing
+/// cases, and others around them. A suspect that draws one of them otherwise is refuted. What is
+/// left explains all; if none is, suspects that explain some of the properties are looked for, and
+/// then what about the failing draws must be so.
+///
+/// Domain:     properties that subjects of `make` violate; each call makes another of them, which
+///             has drawn nothing.
+/// Returns:    each failed property in one cause.
+/// Cost:       a few hundred draws of the subject, and a few seconds.
+Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures);
+
+/// What was changed about a wrong draw that made it right.
+struct Circumstance {
+  std::string name;
+  std::string what;  ///< completes "it is right ..."
+};
+
+/// Finds what must be so for the draws to be wrong: other draws before them, an option, a list.
+/// nullptr-like empty name if nothing makes all of them right.
+Circumstance FindCircumstance(const MakesSubject& make, std::span<const Observation* const> wrong);
+
+/// What the draws that differ from the stated model have in common, and most others lack.
+std::vector<std::string> OnlyWith(std::span<const Observation> observations);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CAUSE_CAUSE_H_

@@ -1,0 +1,229 @@
+#include "props/cause/evidence.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "core/error.h"
+#include "model/snap_scene.h"
+#include "props/cause/suspect.h"
+#include "props/judging/redraw.h"
+#include "props/run/campaign.h"
+#include "props/run/description.h"
+#include "props/run/judge.h"
+#include "props/run/submit.h"
+
+namespace rasterproof::props {
+namespace {
+
+using CauseClock = std::chrono::steady_clock;
+constexpr std::chrono::seconds kLongestGathering{4};
+constexpr std::size_t kMostAsked = 12;      // properties whose own checks are asked
+constexpr std::uint64_t kCasesOfEach = 24;  // of the failed property's own campaign
+constexpr std::uint64_t kCasesAround = 160;
+constexpr double kMostWorkAround = 0x1p14;  // of a draw: every suspect may have to draw it
+constexpr std::uint64_t kSeedOfCauses = 1;
+// No case that the campaign itself has judged.
+constexpr std::uint64_t kFirstAround = std::uint64_t{1} << 20;
+
+// What is asked about a case, and put to the subject check by check.
+class Gathering {
+ public:
+  Gathering(Subject& subject, std::vector<Observation>& found)
+      : subject_(subject), found_(found), end_(CauseClock::now() + kLongestGathering) {}
+
+  bool IsOver() const { return broke_down_ || CauseClock::now() > end_; }
+  void AskAll(std::size_t failure, const Property& property, const Case& c);
+  void AskOnce(std::size_t failure, const Case& c);
+
+ private:
+  bool Put(Observation observation);
+
+  Subject& subject_;
+  std::vector<Observation>& found_;
+  CauseClock::time_point end_;
+  bool broke_down_ = false;
+};
+
+bool IsOpen(const PlacedCase& c) {
+  const Profile& p = c.profile;
+  if (!c.flat.empty() && p.degenerate_triangles == DegenerateTriangles::kUnspecified) return true;
+  if (StatesGuardBand(p) && !IsUnclipped(c.placed, c.profile)) return true;
+  const bool is_finite = std::ranges::all_of(c.scene.vertices, IsFinite);
+  if (is_finite && !WithinLimits(c.scene, c.profile)) return true;
+  return std::ranges::any_of(c.scene.vertices, [&](const Vertex& v) {
+    if (IsFinite(v)) return p.nan_z == NanZ::kUnspecified && std::isnan(v.z);
+    const bool is_nan = std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w);
+    return is_nan ? p.nan_vertex == NanVertex::kUnspecified
+                  : p.infinite_vertex == InfiniteVertex::kUnspecified;
+  });
+}
+
+bool AreModelled(const Observation& o, const SubjectInfo& info) {
+  return !IsOpen(*o.placed) && std::ranges::all_of(o.check.questions.draws, [&](const auto& q) {
+    return q.job.options.float_mode == FloatMode::kUsual && SuspectsDraw(*q.job.scene, info);
+  });
+}
+
+// Returns whether the subject can be asked on.
+bool Gathering::Put(Observation observation) {
+  const Request request{observation.placed.get(), &observation.check, &observation.bases};
+  Answers answers = std::move(Submit(subject_, {&request, 1}).front());
+  if (EndsTheCall(answers.end.stop)) broke_down_ = true;
+  if (answers.end.stop != Stop::kNone) return false;
+  observation.is_modelled = AreModelled(observation, subject_.Info());
+  observation.seen = std::move(answers.draws);
+  found_.push_back(std::move(observation));
+  return true;
+}
+
+void Gathering::AskAll(std::size_t failure, const Property& property, const Case& c) {
+  const Description description = DescriptionOf(subject_);
+  const auto judge = std::make_shared<CaseJudge>(property, c, description);
+  const std::shared_ptr<const PlacedCase> placed(judge, &judge->Placed());
+  std::vector<std::shared_ptr<const Drawing>> drawn;
+  for (const Check& check : judge->AllChecks()) {
+    if (check.questions.draws.empty() || IsOver()) continue;
+    Observation observation{failure, placed, {}, drawn};
+    observation.check.questions.company = check.questions.company;
+    observation.check.questions.draws = check.questions.draws;
+    if (!Put(std::move(observation))) return;
+    const auto& seen = found_.back().seen;
+    drawn.insert(drawn.end(), seen.begin(), seen.end());
+  }
+}
+
+void Gathering::AskOnce(std::size_t failure, const Case& c) {
+  if (IsOver() || !Takes(subject_.Info(), c.scene)) return;
+  const auto placed = std::make_shared<const PlacedCase>(Place(c, true));
+  if (failure == Observation::kAround) {
+    const bool is_cheap = WorkOf(placed->scene, subject_.Info()) <= kMostWorkAround;
+    if (!is_cheap || !SuspectsDraw(placed->scene, subject_.Info()) || IsOpen(*placed)) return;
+  }
+  Observation observation{failure, placed};
+  observation.check.questions.draws = {CountsOf(placed->scene, placed->profile, placed->options)};
+  Put(std::move(observation));
+}
+
+// The case with its vertices moved a little or far, and by parts.
+std::vector<Case> Neighbours(const Case& c) {
+  std::vector<Case> cases;
+  const auto add = [&](auto change) {
+    Case moved = c;
+    moved.origin.clear();
+    change(moved.scene);
+    for (Vertex& v : moved.scene.vertices) {
+      if (moved.scene.precision != Precision::kFloat32) continue;
+      v.x = static_cast<float>(v.x);
+      v.y = static_cast<float>(v.y);
+    }
+    if (WithinLimits(moved.scene, moved.profile)) cases.push_back(std::move(moved));
+  };
+  constexpr Point2 kMoves[] = {{1, 0},      {0, 1},      {-1, 0},      {0, -1},
+                               {0x1p-8, 0}, {0, 0x1p-8}, {-0x1p-8, 0}, {0, -0x1p-8},
+                               {0.5, 0.5},  {0x1p-9, 0}, {0, 0x1p-9},  {-64, 0},
+                               {0, -64},    {256, 256},  {-4096, 0},   {4096, 4096}};
+  for (const Point2& by : kMoves) {
+    const auto moved = [&](Vertex& v) {
+      v.x += by.x * v.w;
+      v.y += by.y * v.w;
+    };
+    add([&](Scene& scene) { std::ranges::for_each(scene.vertices, moved); });
+    add([&](Scene& scene) {
+      if (!scene.vertices.empty()) moved(scene.vertices.front());
+    });
+  }
+  add([](Scene& scene) {
+    for (Triangle& t : scene.triangles) std::swap(t[1], t[2]);
+  });
+  add([](Scene& scene) {
+    for (Triangle& t : scene.triangles) t = {t[1], t[2], t[0]};
+  });
+  add([](Scene& scene) {
+    for (Vertex& v : scene.vertices) v.x = scene.width * v.w - v.x;
+  });
+  add([](Scene& scene) {
+    for (Vertex& v : scene.vertices) v.y = scene.height * v.w - v.y;
+  });
+  for (std::size_t t = 0; t < c.scene.triangles.size() && t < 8; ++t) {
+    add([&](Scene& scene) { scene.triangles = {c.scene.triangles[t]}; });
+  }
+  return cases;
+}
+
+// Cases of the property's own campaign that it has not judged.
+std::vector<Case> CasesOf(const SubjectInfo& info, const Property& property, std::uint64_t count) {
+  std::vector<Case> cases;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    try {
+      cases.push_back(DrawCase(info, property, kSeedOfCauses, kFirstAround + k));
+    } catch (const InputError&) {  // none of its domains suits the subject
+      break;
+    }
+  }
+  return cases;
+}
+
+bool SameDrawing(const Drawing& a, const Drawing& b) {
+  return a.counts == b.counts &&
+         (a.primitive_ids.empty() || b.primitive_ids.empty() || a.primitive_ids == b.primitive_ids);
+}
+
+}  // namespace
+
+std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures) {
+  std::vector<Observation> found;
+  Gathering gathering(subject, found);
+  const std::size_t asked = std::min(failures.size(), kMostAsked);
+  for (std::size_t k = 0; k < asked; ++k) {
+    for (const Case& c : failures[k].cases) gathering.AskAll(k, *failures[k].property, c);
+  }
+  for (std::size_t k = 0; k < asked; ++k) {
+    // What is violated there need not be the coverage.
+    const bool of_values = AsksForValues(subject, failures[k]);
+    for (const Case& c : failures[k].cases)
+      gathering.AskOnce(of_values ? Observation::kAround : k, c);
+  }
+  for (std::size_t k = 0; k < asked; ++k) {
+    for (const Case& c : Neighbours(failures[k].cases.front()))
+      gathering.AskOnce(Observation::kAround, c);
+    const std::uint64_t count = std::max<std::uint64_t>(6, kCasesOfEach / asked);
+    for (const Case& c : CasesOf(subject.Info(), *failures[k].property, count))
+      gathering.AskOnce(Observation::kAround, c);
+  }
+  const Property* any = FindProperty("CoverageEqualsTheModel");
+  for (const Case& c : CasesOf(subject.Info(), *any, kCasesAround))
+    gathering.AskOnce(Observation::kAround, c);
+  return found;
+}
+
+bool Reproduces(Subject& suspect, const Observation& observation) {
+  const Request request{observation.placed.get(), &observation.check, &observation.bases};
+  const Answers answers = std::move(Submit(suspect, {&request, 1}).front());
+  return std::ranges::equal(answers.draws, observation.seen,
+                            [](const auto& a, const auto& b) { return SameDrawing(*a, *b); });
+}
+
+bool AsksForValues(Subject& subject, const FailedProperty& failure) {
+  const Description description = DescriptionOf(subject);
+  const CaseJudge judge(*failure.property, failure.cases.front(), description);
+  const bool shows = failure.property->group == "barycentric";  // of the fragments of a draw
+  return shows || std::ranges::any_of(judge.AllChecks(), [](const Check& check) {
+           const Questions& q = check.questions;
+           return !q.edges.empty() || !q.steps.empty() || !q.barycentrics.empty() ||
+                  !q.interpolations.empty() || !q.distances.empty() ||
+                  std::ranges::any_of(
+                      q.draws, [](const DrawQuestion& draw) { return draw.job.wants.centroids; });
+         });
+}
+
+std::size_t DrawsOf(std::span<const Observation> observations) {
+  std::size_t draws = 0;
+  for (const Observation& o : observations) draws += o.seen.size();
+  return draws;
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,60 @@
+// What a subject drew of the failing cases, and of others around them.
+#ifndef RASTERPROOF_PROPS_CAUSE_EVIDENCE_H_
+#define RASTERPROOF_PROPS_CAUSE_EVIDENCE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/case.h"
+#include "core/drawing.h"
+#include "core/subject.h"
+#include "props/placed_case.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+
+/// A property that a subject violates, by the cases that show it.
+struct FailedProperty {
+  const Property* property = nullptr;
+  std::vector<Case> cases;  ///< the shrunk one first, then the one that was drawn, if it is known
+};
+
+/// Some draws of one check, in their order, and what the subject answered.
+struct Observation {
+  static constexpr std::size_t kAround = ~std::size_t{0};
+
+  std::size_t failure = kAround;  ///< the failed property that asked, or one of the draws around
+  std::shared_ptr<const PlacedCase> placed = nullptr;
+  Check check = {};                                        ///< its questions alone count
+  std::vector<std::shared_ptr<const Drawing>> bases = {};  ///< what earlier checks drew
+  std::vector<std::shared_ptr<const Drawing>> seen = {};
+  bool is_modelled = true;  ///< suspects can draw all of it
+  bool is_wrong = false;    ///< seen otherwise than the stated model draws it
+};
+
+/// Gathers what the subject draws: of each failed property's cases all checks, of a case around
+/// them one draw. The failing cases come first.
+///
+/// Domain:     failed properties of the subject.
+/// Returns:    fewer observations if the subject breaks down or takes long.
+std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures);
+
+/// Puts the observation's questions to another subject.
+///
+/// Returns:    whether it answers the same: counts, and primitive ids where both show them.
+bool Reproduces(Subject& suspect, const Observation& observation);
+
+/// Whether the property asks for values beside coverage about the first of its cases: edge values,
+/// barycentrics, depths.
+bool AsksForValues(Subject& subject, const FailedProperty& failure);
+
+/// The number of draws in some observations.
+std::size_t DrawsOf(std::span<const Observation> observations);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_CAUSE_EVIDENCE_H_

@@ -1,0 +1,190 @@
+// Suspects that visit the wrong samples: box, target, scissor, tiles.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "props/cause/suspect.h"
+
+namespace rasterproof::props {
+namespace {
+
+// The sides of a rectangle, and how the reader calls them.
+struct Side {
+  int PixelRect::* end;
+  int inward;
+  std::string_view word;
+};
+constexpr Side kRectangleSides[] = {{&PixelRect::x0, 1, "left"},
+                                    {&PixelRect::y0, 1, "top"},
+                                    {&PixelRect::x1, -1, "right"},
+                                    {&PixelRect::y1, -1, "bottom"}};
+
+void AddBoxes(std::vector<Suspect>& list) {
+  for (const Side& side : kRectangleSides) {
+    for (const int by : {1, 2}) {
+      list.push_back({"bounding-box",
+                      "ends a triangle's box " + std::to_string(by) + " pixel" +
+                          (by == 1 ? "" : "s") + " early on the " + std::string(side.word),
+                      {.box = [side, by](PixelRect& box, const SuspectTriangle&, const Scene&) {
+                        box.*side.end += by * side.inward;
+                      }}});
+    }
+  }
+  list.push_back({"bounding-box",
+                  "takes a box of one column for empty",
+                  {.box = [](PixelRect& box, const SuspectTriangle&, const Scene&) {
+                    if (box.x1 - box.x0 == 1) box.x1 = box.x0;
+                  }}});
+  list.push_back({"bounding-box",
+                  "takes a box of one row for empty",
+                  {.box = [](PixelRect& box, const SuspectTriangle&, const Scene&) {
+                    if (box.y1 - box.y0 == 1) box.y1 = box.y0;
+                  }}});
+  // From the pixel of the least coordinate to that of the largest, one end left out.
+  list.push_back({"bounding-box",
+                  "leaves out the pixels that hold the largest x and y",
+                  {.box = [](PixelRect& box, const SuspectTriangle& t, const Scene&) {
+                    box.x1 =
+                        std::min(box.x1, static_cast<int>(std::ranges::max(t.v, {}, &Point2::x).x));
+                    box.y1 =
+                        std::min(box.y1, static_cast<int>(std::ranges::max(t.v, {}, &Point2::y).y));
+                  }}});
+  for (const bool y : {false, true}) {
+    list.push_back({"bounding-box",
+                    std::string("takes only pixels whose centre lies strictly within the box in ") +
+                        (y ? "y" : "x"),
+                    {.box = [y](PixelRect& box, const SuspectTriangle& t, const Scene&) {
+                      const auto axis = y ? &Point2::y : &Point2::x;
+                      const auto [least, most] = std::ranges::minmax(t.v, {}, axis);
+                      (y ? box.y0 : box.x0) = static_cast<int>(std::floor(least.*axis + 0.5));
+                      (y ? box.y1 : box.x1) = static_cast<int>(std::ceil(most.*axis - 0.5));
+                    }}});
+  }
+}
+
+using InPicture = bool (*)(const SuspectSample&);
+
+void AddTargets(std::vector<Suspect>& list) {
+  const auto add = [&](const std::string& what, auto is_lost) {
+    list.push_back({"target-border",
+                    what,
+                    {.times = [is_lost](const SuspectSample& s, const SuspectTriangle&) {
+                      return is_lost(s) ? 0U : 1U;
+                    }}});
+  };
+  add("never draws the first row", [](const SuspectSample& s) { return s.row == 0; });
+  add("never draws the first column", [](const SuspectSample& s) { return s.x == 0; });
+  add("never draws the last row", [](const SuspectSample& s) { return s.row == s.height - 1; });
+  add("never draws the last column", [](const SuspectSample& s) { return s.x == s.width - 1; });
+  for (const int odd : {0, 1}) {
+    const std::string of = odd == 1 ? "odd" : "even";
+    add("never draws the last column of targets of " + of + " width",
+        [odd](const SuspectSample& s) { return s.width % 2 == odd && s.x == s.width - 1; });
+    add("never draws the last row of targets of " + of + " height",
+        [odd](const SuspectSample& s) { return s.height % 2 == odd && s.row == s.height - 1; });
+  }
+  add("draws nothing on targets of one column",
+      [](const SuspectSample& s) { return s.width == 1; });
+  add("draws nothing on targets of one row", [](const SuspectSample& s) { return s.height == 1; });
+  for (int k = 6; k <= 13; ++k) {
+    const int from = 1 << k;
+    add("never draws pixels from column " + std::to_string(from) + " on",
+        [from](const SuspectSample& s) { return s.x >= from; });
+    add("never draws pixels from row " + std::to_string(from) + " on",
+        [from](const SuspectSample& s) { return s.row >= from; });
+  }
+}
+
+void AddTiles(std::vector<Suspect>& list) {
+  for (const int side : {2, 4, 8, 16, 32, 64}) {
+    for (const bool last : {false, true}) {
+      for (const bool y : {false, true}) {
+        for (const bool twice : {false, true}) {
+          const std::string what =
+              std::string(twice ? "counts samples twice in " : "leaves out samples in ") +
+              (last ? "the last " : "the first ") + (y ? "row" : "column") + " of tiles of " +
+              std::to_string(side) + " pixels";
+          list.push_back(
+              {"tile-borders", what, {.times = [=](const SuspectSample& s, const SuspectTriangle&) {
+                 const int at = y ? s.row : s.x;
+                 const bool hits = last ? at % side == side - 1 : at % side == 0 && at > 0;
+                 return !hits ? 1U : twice ? 2U : 0U;
+               }}});
+        }
+      }
+    }
+  }
+}
+
+void AddScissors(std::vector<Suspect>& list) {
+  const auto add = [&](const std::string& what, auto change) {
+    list.push_back({"scissor", what, {.options = [change](DrawOptions& o, const Scene& scene) {
+                      if (o.scissor) change(o, scene);
+                    }}});
+  };
+  add("ignores the scissor", [](DrawOptions& o, const Scene&) { o.scissor.reset(); });
+  for (const Side& side : kRectangleSides) {
+    for (const int by : {-1, 1}) {
+      add("ends the scissor one pixel " + std::string(by < 0 ? "late" : "early") + " on the " +
+              std::string(side.word),
+          [side, by](DrawOptions& o, const Scene&) { (*o.scissor).*side.end += by * side.inward; });
+    }
+  }
+  add("exchanges the scissor's axes", [](DrawOptions& o, const Scene&) {
+    const PixelRect s = *o.scissor;
+    o.scissor = PixelRect{s.y0, s.x0, s.y1, s.x1};
+  });
+  add("counts the scissor's rows from the bottom", [](DrawOptions& o, const Scene& scene) {
+    const PixelRect s = *o.scissor;
+    o.scissor = PixelRect{s.x0, scene.height - s.y1, s.x1, scene.height - s.y0};
+  });
+}
+
+void AddCounting(std::vector<Suspect>& list) {
+  list.push_back({"counting",
+                  "counts a sample once, however many triangles cover it",
+                  {.after = [](CoverageCounts& counts) {
+                    for (std::uint32_t& n : counts.front) n = std::min(n, 1U);
+                    for (std::uint32_t& n : counts.back) n = std::min(n, 1U);
+                  }}});
+  list.push_back({"y-axis", "draws the picture upside down", {.after = [](CoverageCounts& counts) {
+                    const CoverageCounts drawn = counts;
+                    for (int row = 0; row < counts.height; ++row) {
+                      for (int x = 0; x < counts.width; ++x) {
+                        for (int s = 0; s < counts.samples; ++s) {
+                          const auto to = counts.Index(x, row, s);
+                          const auto from = counts.Index(x, counts.height - 1 - row, s);
+                          counts.front[to] = drawn.front[from];
+                          counts.back[to] = drawn.back[from];
+                        }
+                      }
+                    }
+                  }}});
+  list.push_back({"counting",
+                  "counts samples level with the middle vertex twice",
+                  {.times = [](const SuspectSample& s, const SuspectTriangle& t) {
+                    std::array<double, 3> y{t.v[0].y, t.v[1].y, t.v[2].y};
+                    std::ranges::sort(y);
+                    return s.at.y == y[1] && y[0] < y[1] && y[1] < y[2] ? 2U : 1U;
+                  }}});
+  list.push_back({"vertices",
+                  "does not draw a sample exactly on a vertex",
+                  {.times = [](const SuspectSample& s, const SuspectTriangle& t) {
+                    return std::ranges::find(t.v, s.at) == t.v.end() ? 1U : 0U;
+                  }}});
+}
+
+}  // namespace
+
+void AddTraversal(const Profile&, std::vector<Suspect>& list) {
+  AddBoxes(list);
+  AddTargets(list);
+  AddTiles(list);
+  AddScissors(list);
+  AddCounting(list);
+}
+
+}  // namespace rasterproof::props

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "fmt/format.h"
+#include "tool/i386.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -242,6 +243,8 @@ std::string WhatIsMissing(const Choices& choices, bool has_cxx) {
   for (const std::string& name : names) {
     if (std::string missing = Missing(name); !missing.empty()) return missing;
   }
+  if (ValueOf(choices, Kind::kTarget, "x86-64") == "i386" && !RunsI386())
+    return "this machine runs no programs of i386";
   for (const Choice& c : choices) {
     constexpr std::string_view kMarch = "-march=";
     if (c.value.starts_with(kMarch) && !HasLevel(c.value.substr(kMarch.size()))) {

@@ -109,7 +109,7 @@ void Gathering::AskOnce(std::size_t failure, const Case& c) {
 }
 
 // The case with its vertices moved a little or far, and by parts.
-std::vector<Case> Neighbours(const Case& c) {
+std::vector<Case> CasesNearby(const Case& c) {
   std::vector<Case> cases;
   const auto add = [&](auto change) {
     Case moved = c;
@@ -188,7 +188,7 @@ std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty
       gathering.AskOnce(of_values ? Observation::kAround : k, c);
   }
   for (std::size_t k = 0; k < asked; ++k) {
-    for (const Case& c : Neighbours(failures[k].cases.front()))
+    for (const Case& c : CasesNearby(failures[k].cases.front()))
       gathering.AskOnce(Observation::kAround, c);
     const std::uint64_t count = std::max<std::uint64_t>(6, kCasesOfEach / asked);
     for (const Case& c : CasesOf(subject.Info(), *failures[k].property, count))

@@ -135,7 +135,7 @@ class Installed(unittest.TestCase):
         self.assertIn("/nowhere/rasterproof can't be run; set RASTERPROOF_COMMAND", done.stdout)
 
     def test_a_component_that_is_not_there_is_named(self):
-        for wanted, said in (("oracel", "There is no component oracel; there are rasterize, kit"),
+        for wanted, said in (("oracel", "There is no component oracel; there are rasterize, oracle, kit"),
                              ("rasterize", None)):  # fmt: skip
             with tempfile.TemporaryDirectory() as folder:
                 with open(os.path.join(folder, "CMakeLists.txt"), "w", encoding="utf-8") as file:

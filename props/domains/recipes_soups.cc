@@ -22,10 +22,14 @@ struct PatchEdge {
   double bulge = 0;
 };
 
+// A line through a sample that is on the lattice may be that sample alone: it has no direction, and
+// nothing is displaced from it.
+double LengthOf(Point2 d) { return d == Point2{} ? 1 : std::hypot(d.x, d.y); }
+
 Point2 PlaceOn(const CaseBuilder& builder, const PatchEdge& edge, std::int64_t part) {
   const double t = static_cast<double>(part) / static_cast<double>(edge.parts);
   const Point2 d{edge.ends.b.x - edge.ends.a.x, edge.ends.b.y - edge.ends.a.y};
-  const double off = 4 * t * (1 - t) * edge.bulge / std::hypot(d.x, d.y);
+  const double off = 4 * t * (1 - t) * edge.bulge / LengthOf(d);
   return OnLattice(builder,
                    {edge.ends.a.x + t * d.x - off * d.y, edge.ends.a.y + t * d.y + off * d.x});
 }
@@ -117,7 +121,7 @@ Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
   const Segment common = SegmentThrough(builder, builder.Sample());
   const Point2 d{common.b.x - common.a.x, common.b.y - common.a.y};
   const auto beside = [&](double sign) {
-    const double off = sign * builder.Uniform(3, 16) / std::hypot(d.x, d.y);
+    const double off = sign * builder.Uniform(3, 16) / soups::LengthOf(d);
     return Segment{{common.a.x - off * d.y, common.a.y + off * d.x},
                    {common.b.x - off * d.y, common.b.y + off * d.x}};
   };

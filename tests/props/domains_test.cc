@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fixed_input.h"
 #include "core/ulp.h"
 #include "exact/coverage.h"
 #include "model/snap.h"
@@ -152,6 +153,27 @@ TEST(Domains, MakeAValidCaseOfEveryBitString) {
         ExpectValid(domain.draw(source, info), info);
       }
       for (std::uint64_t i = 0; i < 20; ++i) ExpectValid(Draw(domain, info, i), info);
+    }
+  }
+}
+
+// The same choice again and again puts places on top of each other, where directions have no length.
+TEST(Domains, MakeFiniteCasesWhereEveryChoiceIsTheSame) {
+  std::vector<SubjectInfo> infos = Infos();
+  infos.push_back(SnappedInfo(4));
+  infos.back().profile.fixed = FixedInput{11, 4, true, true};
+  infos.push_back(SnappedInfo(4));
+  infos.back().profile.fixed = FixedInput{5, 0, false, true};
+  for (const SubjectInfo& info : infos) {
+    for (const Domain& domain : Domains()) {
+      if (!Suits(domain, info) || domain.non_finite) continue;
+      for (int byte = 0; byte < 256; byte += 5) {
+        const std::vector<std::uint8_t> bytes(4096, static_cast<std::uint8_t>(byte));
+        ByteSource source(bytes);
+        const Case c = domain.draw(source, info);
+        const bool is_finite = std::ranges::all_of(c.scene.vertices, IsFinite);
+        ASSERT_TRUE(is_finite || domain.beyond_limits) << domain.name << " of bytes " << byte;
+      }
     }
   }
 }

@@ -479,7 +479,7 @@ class BadNames(unittest.TestCase):
                 ("command true\ncoverage fragments\ndepth-error much\n", "much"),
                 ("command true\ncoverage primitive-id\nvisible all\n", "first-drawn"),
                 ("command true\ntakes tiles\n", "neither window nor clip"),
-                ("command true\nprotocol 3\n", "does not speak version '3' of the protocol"),
+                ("command true\nprotocol 4\n", "does not speak version '4' of the protocol"),
                 ("command true\ninput fixed 12 signed\n", "line 2: the fixed-point format is not"),
                 ("command true\ninput fixed 32.4 signed\n", "N from 1 to 31"),
                 ("command true\ninput fixed 12.4\n", "whether the fixed-point format is signed"),

@@ -4,8 +4,8 @@
 
 namespace rasterproof::tool {
 
-/// Runs the smallest program for i386, once, and returns whether it ended as it should: a kernel may
-/// be built without them, or a container not allow them.
+/// Runs the smallest program for i386, once, and returns whether it ended as it should: a kernel
+/// may be built without them, or a container not allow them.
 bool RunsI386();
 
 }  // namespace rasterproof::tool

@@ -27,7 +27,7 @@ fn main() {
             let line: String = (0..4)
                 .map(|column| {
                     let decision = rasterproof_oracle_covers(
-                        vulkan, 4, 4, 0.0, 0.0, 3.5, 0.0, 0.0, 3.5, column, row, 0,
+                        vulkan, 4, 4, 0.0, 0.0, 4.0, 0.0, 0.0, 4.0, column, row, 0,
                     );
                     ['.', '#', '?'][decision as usize]
                 })

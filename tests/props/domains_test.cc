@@ -157,7 +157,7 @@ TEST(Domains, MakeAValidCaseOfEveryBitString) {
   }
 }
 
-// The same choice again and again puts places on top of each other, where directions have no length.
+// The same choice again and again puts places on top of each other; directions have no length then.
 TEST(Domains, MakeFiniteCasesWhereEveryChoiceIsTheSame) {
   std::vector<SubjectInfo> infos = Infos();
   infos.push_back(SnappedInfo(4));

@@ -51,11 +51,17 @@ def command():
     return os.path.abspath(found)
 
 
+class _Copy(NamedTuple):
+    pid: int
+    end: int  # readable when it has ended
+    connection: socket.socket  # to its relay
+
+
 class _Host:
     """Forks a copy of this process for each relay that calls, until the command ends."""
 
     def __init__(self, folder, act):
-        self.act, self.copies = act, {}  # pidfd: (pid, connection)
+        self.act, self.copies = act, []
         self.path = os.path.join(folder, "socket")
         self.listener = socket.socket(socket.AF_UNIX)
         self.listener.bind(self.path)
@@ -76,10 +82,10 @@ class _Host:
             self.draw(connection, int(told), files)
         for file in files:
             os.close(file)
-        end = os.pidfd_open(pid)
-        self.copies[end] = (pid, connection)
-        self.looks.register(end, selectors.EVENT_READ, self.end)
-        self.looks.register(connection, selectors.EVENT_READ, lambda _, end=end: self.abandon(end))
+        copy = _Copy(pid, os.pidfd_open(pid), connection)
+        self.copies.append(copy)
+        self.looks.register(copy.end, selectors.EVENT_READ, lambda _: self.end(copy))
+        self.looks.register(connection, selectors.EVENT_READ, lambda _: self.abandon(copy))
 
     def draw(self, connection, group, files):
         """In the copy. It belongs to the relay's group, whose time the command counts."""
@@ -100,22 +106,23 @@ class _Host:
             sys.stderr.flush()
             os._exit(status)
 
-    def abandon(self, end):
+    def abandon(self, copy):
         """The relay is gone: the command has given this copy up."""
-        pid, connection = self.copies[end]
-        self.looks.unregister(connection)
+        if copy not in self.copies:
+            return  # it ended at the same time
+        self.looks.unregister(copy.connection)
         with contextlib.suppress(ProcessLookupError):
-            os.kill(pid, signal.SIGKILL)
+            os.kill(copy.pid, signal.SIGKILL)
 
-    def end(self, end):
-        pid, connection = self.copies.pop(end)
-        _, status = os.waitpid(pid, 0)
-        self.looks.unregister(end)
+    def end(self, copy):
+        self.copies.remove(copy)
+        _, status = os.waitpid(copy.pid, 0)
+        self.looks.unregister(copy.end)
         with contextlib.suppress(KeyError):
-            self.looks.unregister(connection)
-        os.close(end)
-        with connection, contextlib.suppress(OSError):
-            connection.send(str(os.waitstatus_to_exitcode(status)).encode())
+            self.looks.unregister(copy.connection)
+        os.close(copy.end)
+        with copy.connection, contextlib.suppress(OSError):
+            copy.connection.send(str(os.waitstatus_to_exitcode(status)).encode())
 
     def run(self, process):
         """Serves until the process ends."""
@@ -136,12 +143,13 @@ class _Host:
             os.close(ended)
 
     def close(self):
-        for pid, connection in self.copies.values():
+        for copy in self.copies:
             with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGKILL)
-            os.waitpid(pid, 0)
-            connection.close()
-        self.copies = {}
+                os.kill(copy.pid, signal.SIGKILL)
+            os.waitpid(copy.pid, 0)
+            os.close(copy.end)
+            copy.connection.close()
+        self.copies = []
         self.listener.close()
 
 

@@ -12,7 +12,8 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/installed/dist-info/
   DESTINATION ${python_folder}/rasterproof-${PROJECT_VERSION}.dist-info)
 
 # In a wheel the libraries lie beside the modules.
-find_package(Python3 QUIET COMPONENTS Interpreter)
+find_program(RASTERPROOF_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH) # Debian's has its packages
+find_program(RASTERPROOF_PYTHON python3)
 set(wheel ${PROJECT_BINARY_DIR}/wheel)
 set(wheel_package ${wheel}/tree/rasterproof)
 get_filename_component(picosat_file ${PICOSAT_SHARED_LIBRARY} REALPATH)
@@ -25,7 +26,7 @@ add_custom_target(python_wheel
   COMMAND ${CMAKE_COMMAND} -E copy ${picosat_file} ${wheel_package}/libpicosat.so.1
   COMMAND ${CMAKE_COMMAND} -E copy ${PROJECT_SOURCE_DIR}/cmake/package/copyright
     ${wheel_package}/copyright
-  COMMAND ${Python3_EXECUTABLE} -m pip wheel --quiet --no-build-isolation --no-deps --no-index
+  COMMAND ${RASTERPROOF_PYTHON} -m pip wheel --quiet --no-build-isolation --no-deps --no-index
     --wheel-dir ${wheel} ${wheel}/tree
   COMMENT "Building the wheel in ${wheel}"
   VERBATIM)

@@ -32,6 +32,9 @@ Properties of any triangle rasterizer on generated cases, judged by exact
 arithmetic: a shared library, a program on a pipe, or a C++ type. Exact
 coverage as a library; properties as GoogleTest cases and as fuzz targets.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3:any")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/package/triggers)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, libgtest-dev, python3-numpy")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
   "libgmp-dev, libmpfr-dev, picosat, clang-19, python3-hypothesis, python3-pytest")

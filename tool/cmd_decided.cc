@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,20 @@ io::Image Paint(const legal::Decided& decided) {
   return report::PaintDifference(most, least);
 }
 
+// For a program that compares pictures: black where nothing may be covered, white where something
+// must be, grey 128 where it is open whether anything is. A sample is a pixel.
+io::Image MaskOf(const legal::Decided& decided) {
+  io::Image mask(decided.width * decided.samples, decided.height);
+  for (std::size_t s = 0; s < decided.counts.size(); ++s) {
+    constexpr std::uint8_t kOpen = 128;
+    const bool may_be_free = decided.Least(s) == 0;
+    const bool may_be_covered = decided.Most(s) > 0;
+    const std::uint8_t level = !may_be_covered ? 0 : may_be_free ? kOpen : 255;
+    mask.pixels[s] = {level, level, level};
+  }
+  return mask;
+}
+
 // The picture that the options ask for.
 io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profile& profile,
                   const LegalOptions& options) {
@@ -143,7 +158,7 @@ io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profi
 }  // namespace
 
 int TellDecided(const LegalOptions& options) {
-  const Profile profile = io::ReadProfile(options.profile);
+  const Profile profile = WithAssumptions(io::ReadProfile(options.profile), options);
   const Scene scene = LoadScene(options.scene);
   if (const auto why = legal::WhyNotJoint(scene, {profile, scene})) {
     throw InputError("--profile " + options.profile, *why,
@@ -153,6 +168,7 @@ int TellDecided(const LegalOptions& options) {
   if (!options.json.empty()) WriteOutput(options.json, ToJson(decided, profile));
   if (!options.png.empty())
     io::WriteFile(options.png, io::EncodePng(Picture(decided, scene, profile, options)));
+  if (!options.mask.empty()) io::WriteFile(options.mask, io::EncodePng(MaskOf(decided)));
   if (options.json != "-") io::WriteStandardOutput(Letters(decided));
   const std::uint64_t open = decided.NumberOpen();
   Tell(fmt::format(
@@ -160,6 +176,7 @@ int TellDecided(const LegalOptions& options) {
       "several{}\n",
       decided.counts.size() - open, decided.counts.size(), profile.name, open,
       decided.bounded == 0 ? "" : fmt::format(", of {} only bounds are known", decided.bounded)));
+  Tell(AssumedErrorLine(options));
   constexpr std::size_t kMostTold = 3;
   for (std::size_t k = 0; k < decided.open.size() && k < kMostTold; ++k) {
     const legal::OpenDecision& why = decided.open[k];

@@ -84,13 +84,15 @@ std::string Text(const legal::JointVerdict& verdict, std::optional<std::uint64_t
 }
 
 std::string ToJson(const legal::JointVerdict& verdict, std::optional<std::uint64_t> open,
-                   const Profile& profile) {
+                   const Profile& profile, const LegalOptions& options) {
   report::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_legal").Integer(1);
   json.Key("verdict").Text(LegalityName(verdict.legality));
   json.Key("profile").Value(io::ProfileToJson(profile));
   report::WriteEvidence(json, "assumed", report::AssumptionsUnder(profile));
+  if (options.transform_error)
+    json.Key("assumed_transform_error").Rounded(*options.transform_error);
   json.Key("model").Text(FamilyText(verdict.family, profile));
   json.Key("models_tried").Integer(verdict.families);
   json.Key("samples").Integer(verdict.samples);
@@ -169,6 +171,25 @@ OneCall Read(const LegalOptions& options, const Scene& scene, const Profile& pro
 
 }  // namespace
 
+Profile WithAssumptions(Profile profile, const LegalOptions& options) {
+  if (!options.transform_error) return profile;
+  if (profile.freedom.transform_error) {
+    throw InputError("--assume-transform-error",
+                     fmt::format("profile {} states the error of its transform", profile.name),
+                     "leave it out: an assumption is for a profile that states none");
+  }
+  profile.freedom.transform_error = options.transform_error;
+  return profile;
+}
+
+std::string AssumedErrorLine(const LegalOptions& options) {
+  if (!options.transform_error) return "";
+  return fmt::format(
+      "assumed, for no specification states it: the transform from clip space puts x and y off by "
+      "at most {} x 2^-24 of their size before they are snapped\n",
+      *options.transform_error);
+}
+
 int RunLegal(const LegalOptions& options) {
   RequireHonestEnvironment();
   const int drawings = (options.image.empty() ? 0 : 1) + (options.subject.empty() ? 0 : 1);
@@ -192,7 +213,8 @@ int RunLegal(const LegalOptions& options) {
     subject = MakeSubject(options.subject, options.profile);
     RequireTakes(*subject, scene, options.scene.path);
   }
-  const Profile profile = subject ? subject->Info().profile : io::ReadProfile(options.profile);
+  const Profile profile = WithAssumptions(
+      subject ? subject->Info().profile : io::ReadProfile(options.profile), options);
   if (const auto why = legal::WhyNotJoint(scene, {profile, scene})) {
     throw InputError("profile " + profile.name, *why,
                      "give a profile whose models state single samples of this scene");
@@ -203,10 +225,11 @@ int RunLegal(const LegalOptions& options) {
   std::optional<std::uint64_t> open;
   if (verdict.legality != legal::Legality::kLegal)
     open = legal::DecidedSamples(scene, {profile, scene}).NumberOpen();
-  if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, open, profile));
+  if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, open, profile, options));
   if (!options.save.empty() && verdict.core) Save(options, scene, profile, *verdict.core);
   if (options.json != "-") {
-    io::WriteStandardOutput(Text(verdict, open, profile, scene) + report::AssumptionLines(profile));
+    io::WriteStandardOutput(Text(verdict, open, profile, scene) + report::AssumptionLines(profile) +
+                            AssumedErrorLine(options));
   }
   switch (verdict.legality) {
     case legal::Legality::kLegal:

@@ -59,14 +59,21 @@ struct LegalOptions {
   std::string subject;  ///< empty: `image` is given
   std::string profile;  ///< empty: the subject's own
   std::string background = "000000";
-  std::string json;       ///< file; empty: none
-  std::string save;       ///< the part that no model explains, as a case file
-  bool decided = false;   ///< no drawing is judged
-  std::string png;        ///< where legal models differ; empty: none
+  std::string json;      ///< file; empty: none
+  std::string save;      ///< the part that no model explains, as a case file
+  bool decided = false;  ///< no drawing is judged
+  std::string png;       ///< where legal models differ; empty: none
+  std::string mask;      ///< the same as grey levels of data; empty: none
+  /// In roundings of float32: the profile states none, and the verdict rests on this.
+  std::optional<double> transform_error = {};
   std::vector<int> view;  ///< of that picture: column, row, width, height; empty: the target
   int scale = 1;          ///< side of a pixel in it
 };
 int RunLegal(const LegalOptions& options);
+/// The profile, with the error of the transform from clip space that the options assume.
+Profile WithAssumptions(Profile profile, const LegalOptions& options);
+/// The line that says what is assumed; empty if nothing is.
+std::string AssumedErrorLine(const LegalOptions& options);
 /// What `legal --decided` does.
 int TellDecided(const LegalOptions& options);
 

@@ -148,6 +148,12 @@ void AddLegal(CLI::App& app, Run& run) {
           ->excludes(save);
   CLI::Option* png =
       verb->add_option("--png", options.png, "Picture: where legal models differ")->needs(decided);
+  verb->add_option("--mask", options.mask,
+                   "PNG for a comparison of pictures: 255 must be covered, 0 must not, 128 is open")
+      ->needs(decided);
+  verb->add_option("--assume-transform-error", options.transform_error,
+                   "Judge clip space: x and y may be off by N x 2^-24 of their size, then snapped")
+      ->check(CLI::Range(0.0, 0x1p20));
   verb->add_option("--view", options.view, "The picture's part: COLUMN,ROW,WIDTH,HEIGHT")
       ->delimiter(',')
       ->expected(4)

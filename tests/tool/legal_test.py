@@ -151,6 +151,69 @@ class LegalTest(unittest.TestCase):
             else:
                 self.assertIn("contradict", row["message"])
 
+    def grey_levels(self, path, width, height):
+        """Of a PNG of RGB whose three channels are equal and whose rows are not filtered."""
+        done = subprocess.run(
+            [sys.executable, "-c", "import sys, struct, zlib\n"
+             "data = open(sys.argv[1], 'rb').read()\n"
+             "at, lines = 8, b''\n"
+             "while at < len(data):\n"
+             "    size = struct.unpack('>I', data[at:at + 4])[0]\n"
+             "    if data[at + 4:at + 8] == b'IDAT': lines += data[at + 8:at + 8 + size]\n"
+             "    at += 12 + size\n"
+             "print(*zlib.decompress(lines))\n", path],
+            capture_output=True, text=True, check=True)  # fmt: skip
+        numbers = [int(word) for word in done.stdout.split()]
+        rows = [numbers[k:k + 1 + 3 * width] for k in range(0, len(numbers), 1 + 3 * width)]
+        self.assertEqual(len(rows), height)
+        levels, above = [], [0] * 3 * width
+        for row in rows:
+            kind, row = row[0], row[1:]
+            for k in range(3 * width):
+                left = row[k - 3] if k >= 3 else 0
+                corner = above[k - 3] if k >= 3 else 0
+                nearest = min((left, above[k], corner),
+                              key=lambda x, k=k, left=left, corner=corner:
+                              abs(left + above[k] - corner - x))  # fmt: skip
+                row[k] = (row[k] + (0, left, above[k], (left + above[k]) // 2, nearest)[kind]) % 256
+            levels.append(row[::3])
+            above = row
+        return levels
+
+    def test_a_mask_says_what_a_comparison_may_look_at(self):
+        # One step beside the square's left side is open; the rest is decided.
+        scene = dict(SQUARE, vertices=[[0.5, 0.25], [3.25, 0.25], [3.25, 3.25], [0.5, 3.25]])
+        done = run("legal", self.write("beside.json", json.dumps(scene)), "--decided", "--profile",
+                   "vulkan", "--mask", self.path("mask.png"))  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.grey_levels(self.path("mask.png"), 4, 4),
+                         [[128, 255, 255, 0]] * 3 + [[0, 0, 0, 0]])  # fmt: skip
+        done = run("legal", self.scene, "--mask", self.path("other.png"), "--profile", "gl")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--decided", done.stderr)
+
+    def test_clip_space_is_judged_under_an_error_that_is_assumed_and_said(self):
+        scene = dict(SQUARE, vertices=[[2 * x, 2 * y, 0, 2] for x, y in SQUARE["vertices"]])
+        clip = self.write("clip.json", json.dumps(scene))
+        right = self.write("right.txt", "1 1 1 0\n" * 3 + "0 0 0 0\n")
+        wrong = self.write("wrong.txt", "1 1 1 0\n" * 2 + "1 0 1 0\n" + "0 0 0 0\n")
+        judged = ("--profile", "d3d11", "--assume-transform-error", "2")
+        done = run("legal", clip, right, "--profile", "d3d11")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("states no error of its transform", done.stderr)
+        done = run("legal", clip, right, *judged, "--json", self.path("legal.json"))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("assumed, for no specification states it: the transform", done.stdout)
+        with open(self.path("legal.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["assumed_transform_error"], 2)
+        self.assertEqual(run("legal", clip, wrong, *judged).returncode, 1)
+        done = run("legal", clip, "--decided", *judged)
+        self.assertIn("assumed, for no", done.stderr)
+        stated = self.write("stated.json", '{"name": "mine", "subpixel_bits": 8}')
+        done = run("legal", clip, right, "--profile", stated, "--assume-transform-error", "2")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("states the error of its transform", done.stderr)
+
     def test_a_picture_says_where_and_not_how_often(self):
         rows = self.drawn("vulkan-canonical")
         image = self.write("image.png", png([[255 * bool(n) for n in row] for row in rows]))

@@ -60,7 +60,7 @@ extern "C" const rasterproof_plugin* rasterproof_plugin_describe(void) {
     made.size = sizeof made;
     made.name = "verilog";
     made.summary = "triangle.sv: signed 12.4 coordinates, targets up to 2048 by 2048";
-    made.profile = "{\"name\": \"verilog\"}";
+    made.profile = "{\"name\": \"verilog\", \"max_target\": [2048, 2048]}";
     made.input = RASTERPROOF_FIXED;
     made.coverage = RASTERPROOF_FACING_COUNTS;
     made.draw = Draw;

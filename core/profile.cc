@@ -166,6 +166,7 @@ std::optional<WindowBox> UnclippedBox(const Profile& profile, int width, int hei
 }
 
 bool WithinLimits(const Scene& scene, const Profile& profile) {
+  if (!profile.max_target.Holds(scene.width, scene.height)) return false;
   return CanBeGiven(scene, profile) && std::ranges::all_of(scene.vertices, [&](const Vertex& v) {
            const bool has_z = profile.nan_z == NanZ::kIgnored || !std::isnan(v.z);
            return IsFinite(v) && has_z && std::fabs(v.x) <= profile.coordinate_limit &&

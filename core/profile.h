@@ -75,6 +75,15 @@ struct MaxPrimitiveExtent {
   friend bool operator==(const MaxPrimitiveExtent&, const MaxPrimitiveExtent&) = default;
 };
 
+/// The largest target that a rasterizer takes, in pixels.
+struct LargestTarget {
+  int width = kMaxTargetSide;
+  int height = kMaxTargetSide;
+
+  bool Holds(int w, int h) const { return w <= width && h <= height; }
+  friend bool operator==(const LargestTarget&, const LargestTarget&) = default;
+};
+
 /// A rectangle of window coordinates, its sides included.
 struct WindowBox {
   double x0 = 0;
@@ -170,6 +179,8 @@ struct Profile {
   /// The integer format of coordinates, for a subject that takes no floats.
   std::optional<FixedInput> fixed;
   std::optional<MaxPrimitiveExtent> max_primitive_extent;
+  /// Nothing is stated of larger targets, whose coordinates its registers need not hold.
+  LargestTarget max_target;
   /// The subject may clip a triangle with a vertex outside, and its edges that leave may move: then
   /// meshes are judged, single samples are not. None: nothing is clipped. Where grid points are
   /// left free, so are those of vertices that clipping makes: see MovesClippedEdges.
@@ -247,7 +258,7 @@ inline bool HasOneModel(const Profile& profile) {
 bool SameModel(const Profile& a, const Profile& b);
 
 /// Returns whether every coordinate of the scene is finite, within the profile's limit, and
-/// accepted by its fixed-point input.
+/// accepted by its fixed-point input, and the target is no larger than the profile's largest.
 bool WithinLimits(const Scene& scene, const Profile& profile);
 
 /// Returns whether a subject of this profile can be given the scene at all: a fixed-point input

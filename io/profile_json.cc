@@ -116,6 +116,17 @@ MaxPrimitiveExtent MaxPrimitiveExtentFromJson(const JsonValue& value) {
   throw value.Error("is not the size of a triangle", "write two positive numbers");
 }
 
+LargestTarget LargestTargetFromJson(const JsonValue& value) {
+  const JsonValue::Items items = value.RequireArray();
+  if (items.size() != 2) {
+    throw value.Error("has " + std::to_string(items.size()) + " numbers", "write [width, height]");
+  }
+  std::array<int, 2> sides{};
+  std::size_t k = 0;
+  for (const JsonValue side : items) sides[k++] = Integer(side, 1, kMaxTargetSide);
+  return {sides[0], sides[1]};
+}
+
 constexpr std::string_view kTargetBand = "viewport";
 constexpr std::string_view kUnknownBand = "unknown";
 constexpr std::size_t kMostDigits = 9;
@@ -139,6 +150,10 @@ std::optional<GuardBand> NamedGuardBand(const JsonValue& value) {
 
 std::string MaxPrimitiveExtentToJson(const MaxPrimitiveExtent& most) {
   return NumbersToJson({most.width, most.height});
+}
+
+std::string LargestTargetToJson(const LargestTarget& most) {
+  return '[' + std::to_string(most.width) + ", " + std::to_string(most.height) + ']';
 }
 
 std::string GuardBandToJson(const GuardBand& band) {
@@ -286,6 +301,7 @@ constexpr auto kKeyFormats = std::to_array<KeyFormat>({
     Value<FixedInputFromJson, FixedToJson, &Profile::fixed>("fixed"),
     Value<MaxPrimitiveExtentFromJson, MaxPrimitiveExtentToJson, &Profile::max_primitive_extent>(
         "max_primitive_extent"),
+    Value<LargestTargetFromJson, LargestTargetToJson, &Profile::max_target>("max_target"),
     Value<GuardBandFromJson, GuardBandToJson, &Profile::guard_band>("guard_band"),
     Value<ScanlineRoundingFromJson, ScanlineRoundingToJson, &Profile::scanline_rounding>(
         "scanline_rounding"),

@@ -225,7 +225,7 @@ std::string SharedName(const std::string& file, const std::string& scene_set) {
 
 std::string WhyNotStated(const Scene& scene, const Profile& profile) {
   if (!WithinLimits(scene, profile)) {
-    return "coordinates beyond what the profile states" + std::string(kNotJudged);
+    return "coordinates or a target beyond what the profile states" + std::string(kNotJudged);
   }
   if (!IsUnclipped(scene, {profile, scene})) {
     return "triangles leave the profile's guard-band rectangle" + std::string(kNotJudged);

@@ -451,6 +451,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   end_group("Campaign");
   AddConvert(app, run, typed);
   AddSelftest(app, run);
+  AddWidthsVerb(app, run);
   AddDoctor(app, run);
   end_group("Development");
   if (argc > 1 && argv[1][0] != '-') RequireVerb(app, argv[1]);

@@ -284,6 +284,17 @@ struct SelftestOptions {
 };
 int RunSelftest(const SelftestOptions& options);
 
+/// How many bits the values of an integer edge function take.
+struct WidthsOptions {
+  std::string fixed;  ///< "12.4"
+  bool is_signed = true;
+  std::string target;  ///< "4096x4096"
+  int tile = 8;
+  std::string json;  ///< file; empty: none
+  std::string save;  ///< folder for the inputs as cases; empty: none
+};
+int RunWidths(const WidthsOptions& options);
+
 int RunDoctor();
 
 }  // namespace rasterproof::tool

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene.h"
 #include "tool/commands.h"
 #include "tool/outside.h"
 #include "tool/typed_number.h"
@@ -252,6 +253,26 @@ void AddPipeVerb(CLI::App& app, Run& run) {
                "Floating-point mode of the plugin's own threads, before each call",
                host.float_mode);
   answer->callback([&run] { run = [] { return HostSubject(host); }; });
+}
+
+void AddWidthsVerb(CLI::App& app, Run& run) {
+  static WidthsOptions options;
+  CLI::App* verb = app.add_subcommand(
+      "widths", "Fewest bits of every value of an integer edge function, with the input for each");
+  verb->add_option("--fixed", options.fixed,
+                   "Bits of a coordinate before and after the point, 12.4; with --signed the sign "
+                   "is one of those before it")
+      ->required();
+  verb->add_flag("--signed,!--unsigned", options.is_signed, "Coordinates have a sign (default)");
+  verb->add_option("--target", options.target, "Width and height of the largest target: 4096x4096")
+      ->required();
+  verb->add_option("--tile", options.tile, "Pixels of a tile's side, and of the larger step")
+      ->check(CLI::Range(1, kMaxTargetSide))
+      ->capture_default_str();
+  verb->add_option("--json", options.json, "File of the same as JSON (- for standard output)");
+  verb->add_option("--save", options.save,
+                   "Folder for a case of each value: the input that needs the last bit");
+  verb->callback([&run] { run = [] { return RunWidths(options); }; });
 }
 
 void AddVectorsVerb(CLI::App& app, Run& run) {

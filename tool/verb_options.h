@@ -44,6 +44,9 @@ void AddPipeVerb(CLI::App& app, Run& run);
 /// Adds vectors generate and verify.
 void AddVectorsVerb(CLI::App& app, Run& run);
 
+/// Adds widths.
+void AddWidthsVerb(CLI::App& app, Run& run);
+
 /// Adds the verbs that take one scene: coverage, legal, plan.
 void AddSceneVerbs(CLI::App& app, Run& run);
 

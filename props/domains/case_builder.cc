@@ -32,8 +32,9 @@ Precision DrawPrecision(BitSource& bits, const SubjectInfo& info) {
 
 CaseBuilder::CaseBuilder(BitSource& source, const SubjectInfo& info)
     : CaseBuilder(source, info, 1, 1) {
-  case_.scene.width = DrawSide(source);
-  case_.scene.height = DrawSide(source);
+  const LargestTarget& most = info.profile.max_target;
+  case_.scene.width = std::min(DrawSide(source), most.width);
+  case_.scene.height = std::min(DrawSide(source), most.height);
   if (info.profile.by_target_size.empty()) return;
   profile_ = TargetProfile(info.profile, width(), height());
   lattice_ = InputLattice(profile_, lattice_.precision());
@@ -42,10 +43,11 @@ CaseBuilder::CaseBuilder(BitSource& source, const SubjectInfo& info)
 CaseBuilder::CaseBuilder(BitSource& source, const SubjectInfo& info, int width, int height)
     : bits_(&source),
       info_(&info),
-      profile_(info.profile, width, height),
+      profile_(info.profile, std::min(width, info.profile.max_target.width),
+               std::min(height, info.profile.max_target.height)),
       lattice_(profile_, DrawPrecision(source, info)) {
-  case_.scene.width = width;
-  case_.scene.height = height;
+  case_.scene.width = std::min(width, info.profile.max_target.width);
+  case_.scene.height = std::min(height, info.profile.max_target.height);
   case_.scene.precision = lattice_.precision();
   case_.profile = info.profile;
 }

@@ -124,10 +124,12 @@ Case Caps(BitSource& bits, const SubjectInfo& info) {
 }
 
 Case LongRows(BitSource& bits, const SubjectInfo& info) {
-  const int length = 1 << bits.Int(9, 14);
-  const int across = static_cast<int>(bits.Int(1, 4));
+  const int longest = 1 << bits.Int(9, 14);
+  const int widest = static_cast<int>(bits.Int(1, 4));
   const bool along_y = bits.Chance(64);
-  CaseBuilder builder(bits, info, along_y ? across : length, along_y ? length : across);
+  CaseBuilder builder(bits, info, along_y ? widest : longest, along_y ? longest : widest);
+  const int length = along_y ? builder.height() : builder.width();
+  const int across = along_y ? builder.width() : builder.height();
   const auto place = [&](double along, double beside) {
     return along_y ? Point2{beside, along} : Point2{along, beside};
   };

@@ -218,7 +218,9 @@ std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, con
 
 std::optional<Verdict> OutsideLimits(const PlacedCase& c) {
   if (!WithinLimits(c.scene, c.profile)) {
-    return NotExercisedVerdict("a coordinate is not finite or beyond the profile's limit");
+    return NotExercisedVerdict(
+        "a coordinate is not finite or beyond the profile's limit, or the "
+        "target is larger than its largest");
   }
   if (c.scene.clip_space && !c.profile.snap.IsNone() && !ProjectsWithinLimits(c.scene, c.profile)) {
     return NotExercisedVerdict("snapped clip space: a vertex projects beyond the profile's limit");

@@ -95,6 +95,7 @@ Checks CompareVariations(const PlacedCase& c, const std::vector<Variation>& vari
 
 bool HasTheModelOf(const PlacedCase& c, int width, int height) {
   return IsTargetSize(width, height, c.profile.pattern.samples()) &&
+         c.stated.max_target.Holds(width, height) &&
          TargetProfile(c.stated, width, height) == c.profile;
 }
 

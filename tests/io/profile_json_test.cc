@@ -26,6 +26,7 @@ TEST(ProfileJson, RareKeysReadBack) {
   ExpectReadsBack(profile);
   profile.fixed = FixedInput{31, 16, false, true};
   profile.max_primitive_extent = MaxPrimitiveExtent{1023.5, 511};
+  profile.max_target = {2048, 1};
   profile.guard_band = WindowBox{-1024, -0.1, 1023, 0x1p30};
   profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
   profile.infinite_vertex = InfiniteVertex::kUnspecified;
@@ -296,6 +297,9 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("max_primitive_extent": [1024, 0])",
                "max_primitive_extent: is not the size of a triangle"},
            Bad{R"("max_primitive_extent": ["nan", 1])", "max_primitive_extent[0]: is not finite"},
+           Bad{R"("max_target": [64])", "max_target: has 1 numbers; write [width, height]"},
+           Bad{R"("max_target": [64, 0])", "max_target[1]"},
+           Bad{R"("max_target": [65537, 1])", "max_target[0]"},
            Bad{R"("guard_band": [0, 0, 1])", "guard_band: has 3 numbers"},
            Bad{R"("guard_band": [0, 0, 0, 1])", "guard_band: is empty; write x0 < x1 and y0 < y1"},
            Bad{R"("guard_band": [0, 0, "inf", 1])", "guard_band[2]: is not finite"},

@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/call_end.h"
+#include "core/drawing.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "model/target_profile.h"
@@ -383,6 +386,56 @@ TEST(Infer, IsInconclusiveWhereThereIsTooLittleRoom) {
     EXPECT_FALSE(inference.message.empty());
     EXPECT_EQ(inference.experiments, 0U);
   }
+}
+
+TEST(MaxTarget, IsKeptByEveryDomain) {
+  SubjectInfo info = SnappedInfo(4);
+  info.profile.max_target = {12, 9};
+  int at_the_limit = 0;
+  for (const Domain& domain : Domains()) {
+    if (!Suits(domain, info)) continue;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      PhiloxSource bits(kKeysSeed, i);
+      const Case c = domain.draw(bits, info);
+      EXPECT_LE(c.scene.width, 12) << domain.name << ", case " << i;
+      EXPECT_LE(c.scene.height, 9) << domain.name << ", case " << i;
+      at_the_limit += c.scene.width == 12 && c.scene.height == 9 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(at_the_limit, 100);
+}
+
+TEST(MaxTarget, IsNeverExceededByADrawThatAPropertyAsksFor) {
+  SubjectInfo info = FixedInfo({12, 4, true, false});
+  info.profile.max_target = {14, 10};
+  FakeSubject subject = Sound(info);
+  std::size_t drawn = 0;
+  std::size_t larger = 0;
+  subject.on_call = [&](std::span<const DrawJob> jobs) {
+    drawn += jobs.size();
+    for (const DrawJob& job : jobs) {
+      larger += info.profile.max_target.Holds(job.scene->width, job.scene->height) ? 0 : 1;
+    }
+  };
+  for (const char* name : {"TargetWidthKeepsCoverage", "TargetHeightKeepsCoverage",
+                           "DrawStaysInsideItsTarget", "IntegerTranslationMovesCoverage",
+                           "TilesDrawnApartEqualTheWhole", "LongListDrawsLikeItsEnd"}) {
+    RunCampaign(subject, *FindProperty(name), {.cases = 100});
+  }
+  EXPECT_GT(drawn, 400U);
+  EXPECT_EQ(larger, 0U);
+}
+
+TEST(MaxTarget, LeavesLargerOnesUnjudged) {
+  SubjectInfo info = SnappedInfo(4);
+  FakeSubject subject = testing::DropsLastColumn(info);
+  const std::vector<Vertex> corners = {{0, 0}, {0, 64}, {64, 0}};
+  Case c = CaseOf(info.profile, corners, {{0, 1, 2}}, 8);
+  EXPECT_EQ(Judged(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
+  c.profile.max_target = {8, 8};
+  EXPECT_EQ(Judged(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
+  c.profile.max_target = {8, 7};
+  EXPECT_EQ(Judged(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kNotExercised);
 }
 
 TEST(Infer, DoesNotStrikeOutWhatSharingAllows) {

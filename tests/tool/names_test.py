@@ -83,7 +83,7 @@ class Names(unittest.TestCase):
             ("Every day", ["check", "explain", "replay", "infer", "certify", "list"]),
             ("One scene", ["coverage", "legal", "plan"]),
             ("Campaign", ["survey", "bench", "climb", "sweep", "pipe", "vectors"]),
-            ("Development", ["convert", "selftest", "doctor"])])  # fmt: skip
+            ("Development", ["convert", "selftest", "widths", "doctor"])])  # fmt: skip
 
     def test_keys_of_files(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -89,8 +89,9 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
   // The case's own target as part of a larger one: what runs over its right end or wraps to the
   // previous row, and what runs over its bottom, lands in guarded samples of the same buffer.
   Scene framed = c.scene;
-  framed.width = std::min(w + kGuardColumns, kMaxTargetSide);
-  framed.height = std::min(h + kGuardRows, kMaxTargetSide);
+  const LargestTarget& most = c.profile.max_target;
+  framed.width = std::max(w, std::min(w + kGuardColumns, most.width));
+  framed.height = std::max(h, std::min(h + kGuardRows, most.height));
   asked.checks.push_back(GuardedDraw(c, framed, {0, 0, w, h}));
   asked.checks.push_back(GuardedDraw(c, c.scene, {w / 4, h / 4, w - w / 4, h - h / 4}));
   return asked;

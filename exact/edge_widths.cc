@@ -1,0 +1,304 @@
+#include "exact/edge_widths.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+
+namespace rasterproof::exact {
+namespace {
+
+// From the first to the last number of a coordinate.
+struct UnitRange {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
+struct PointPlace {
+  std::string id;
+  std::string words;
+  UnitRange x;
+  UnitRange y;
+};
+
+using EdgeFormula = std::function<EdgeInteger(const EdgeInput&)>;
+
+struct EdgeTerm {
+  std::string form;
+  std::string id;
+  std::string words;
+  // The value, and the one with x and y exchanged: both are held by a register of this width.
+  std::vector<EdgeFormula> formulas;
+  bool depends_on_p = true;
+};
+
+EdgeInteger Wide(std::int64_t x) { return x; }
+EdgeInteger A(const EdgeInput& e) { return Wide(e.by) - e.ay; }
+EdgeInteger B(const EdgeInput& e) { return Wide(e.ax) - e.bx; }
+EdgeInteger C(const EdgeInput& e) { return Wide(e.ay) * e.bx - Wide(e.ax) * e.by; }
+
+std::int64_t OnePixel(const EdgeUnit& unit) { return std::int64_t{1} << unit.UnitBits(); }
+
+// Of vertices a unit of the input may be two of these.
+std::int64_t VertexStep(const EdgeUnit& unit) {
+  return std::int64_t{1} << (unit.UnitBits() - unit.input.fraction_bits);
+}
+
+UnitRange VertexRange(const EdgeUnit& unit) {
+  const std::int64_t numbers = std::int64_t{1}
+                               << (unit.input.integer_bits + unit.input.fraction_bits);
+  const std::int64_t least = unit.input.is_signed ? -numbers / 2 : 0;
+  return {least * VertexStep(unit), (least + numbers - 1) * VertexStep(unit)};
+}
+
+UnitRange SamplesIn(const EdgeUnit& unit, int first, int end) {
+  const std::int64_t half = OnePixel(unit) / 2;
+  return {first * OnePixel(unit) + half, (end - 1) * OnePixel(unit) + half};
+}
+
+// Samples of the target that lie in the range of vertices, and so in the box of some triangle.
+UnitRange SamplesInReach(const EdgeUnit& unit, int side) {
+  const UnitRange vertices = VertexRange(unit);
+  UnitRange samples = SamplesIn(unit, 0, side);
+  const std::int64_t last = (vertices.last - samples.first) / OnePixel(unit);
+  if (vertices.last < samples.first) {
+    throw InputError("--fixed", "no sample lies in the range of vertices",
+                     "give one more bit before or after the point");
+  }
+  samples.last = std::min(samples.last, samples.first + last * OnePixel(unit));
+  return samples;
+}
+
+UnitRange TileCorners(const EdgeUnit& unit, int side, int past) {
+  const std::int64_t tiles = (side + unit.tile - 1) / unit.tile;
+  const std::int64_t tile = unit.tile * OnePixel(unit);
+  return {-past * tile, (tiles + past) * tile};
+}
+
+std::vector<PointPlace> Places(const EdgeUnit& unit) {
+  const int w = unit.width;
+  const int h = unit.height;
+  return {
+      {"box", "sample in the box", SamplesInReach(unit, w), SamplesInReach(unit, h)},
+      {"target", "sample on the target", SamplesIn(unit, 0, w), SamplesIn(unit, 0, h)},
+      {"corner", "corner of a tile", TileCorners(unit, w, 0), TileCorners(unit, h, 0)},
+      {"pixel-past", "a pixel past both ends", SamplesIn(unit, -1, w + 1),
+       SamplesIn(unit, -1, h + 1)},
+      {"tile-past", "a tile past both ends", TileCorners(unit, w, 1), TileCorners(unit, h, 1)},
+  };
+}
+
+EdgeFormula Multiple(std::int64_t factor, EdgeInteger (*value)(const EdgeInput&)) {
+  return [factor, value](const EdgeInput& e) { return factor * value(e); };
+}
+
+std::string CountOf(int tile) { return std::to_string(tile) + (tile == 1 ? " pixel" : " pixels"); }
+
+std::vector<EdgeTerm> EdgeTerms(const EdgeUnit& unit) {
+  using E = const EdgeInput&;
+  const std::int64_t pixel = OnePixel(unit);
+  std::vector<EdgeTerm> values = {
+      {"direct", "b-a", "b - a", {A, B}, false},
+      {"direct",
+       "p-a",
+       "p - a",
+       {[](E e) { return Wide(e.px) - e.ax; }, [](E e) { return Wide(e.py) - e.ay; }}},
+      {"direct",
+       "product",
+       "(p.x - a.x)(b.y - a.y)",
+       {[](E e) { return (Wide(e.px) - e.ax) * A(e); },
+        [](E e) { return (Wide(e.py) - e.ay) * B(e); }}},
+      {"direct", "e", "E", {EdgeOf}},
+      {"affine", "a", "A, B", {A, B}, false},
+      {"affine",
+       "c-product",
+       "a.y b.x",
+       {[](E e) { return Wide(e.ay) * e.bx; }, [](E e) { return Wide(e.ax) * e.by; }},
+       false},
+      {"affine", "c", "C = a.y b.x - a.x b.y", {C}, false},
+      {"affine",
+       "product",
+       "A p.x, B p.y",
+       {[](E e) { return A(e) * e.px; }, [](E e) { return B(e) * e.py; }}},
+      {"affine", "sum", "A p.x + B p.y", {[](E e) { return A(e) * e.px + B(e) * e.py; }}},
+      {"affine", "e", "E", {EdgeOf}},
+      {"stepped", "step", "step of 1 pixel", {Multiple(pixel, A), Multiple(pixel, B)}, false},
+  };
+  if (unit.tile > 1) {
+    values.push_back({"stepped",
+                      "tile-step",
+                      "step of " + CountOf(unit.tile),
+                      {Multiple(pixel * unit.tile, A), Multiple(pixel * unit.tile, B)},
+                      false});
+  }
+  values.push_back({"stepped", "e", "E, accumulated", {EdgeOf}});
+  return values;
+}
+
+// Calls take with each of the 64 inputs whose coordinates are ends of their ranges.
+template <class Take>
+void AtCorners(const UnitRange& vertices, const PointPlace& place, const Take& take) {
+  const std::array<UnitRange, 6> ranges = {vertices, vertices, vertices,
+                                           vertices, place.x,  place.y};
+  for (unsigned corner = 0; corner < 64; ++corner) {
+    std::array<std::int64_t, 6> at{};
+    for (unsigned k = 0; k < 6; ++k)
+      at[k] = (corner >> k & 1U) != 0 ? ranges[k].last : ranges[k].first;
+    take(EdgeInput{at[0], at[1], at[2], at[3], at[4], at[5]});
+  }
+}
+
+// The width of one formula at one place. Bits are those that least and most take together, so of
+// formulas for x and for y the wider one is kept.
+EdgeWidth WidthOf(const EdgeFormula& formula, const UnitRange& vertices, const PointPlace& place) {
+  EdgeWidth width;
+  std::optional<std::pair<EdgeInput, EdgeInput>> ends;
+  AtCorners(vertices, place, [&](const EdgeInput& input) {
+    const EdgeInteger value = formula(input);
+    if (!ends) {
+      ends.emplace(input, input);
+      width.least = width.most = value;
+    }
+    if (value < width.least) {
+      width.least = value;
+      ends->first = input;
+    }
+    if (value > width.most) {
+      width.most = value;
+      ends->second = input;
+    }
+  });
+  width.bits = SignedBits(width.least, width.most);
+  const bool is_most = SignedBits(width.most, width.most) == width.bits;
+  width.witness = is_most ? ends->second : ends->first;
+  width.extreme = is_most ? width.most : width.least;
+  return width;
+}
+
+EdgeWidth WidthOf(const EdgeTerm& value, const UnitRange& vertices, const PointPlace& place) {
+  EdgeWidth widest;
+  for (const EdgeFormula& formula : value.formulas) {
+    EdgeWidth width = WidthOf(formula, vertices, place);
+    if (width.bits > widest.bits) widest = std::move(width);
+  }
+  widest.id = value.form + '-' + value.id;
+  if (value.depends_on_p) widest.id += '-' + place.id;
+  widest.form = value.form;
+  widest.value = value.words;
+  widest.place = value.depends_on_p ? place.words : "";
+  widest.depends_on_p = value.depends_on_p;
+  return widest;
+}
+
+int WideSign(EdgeInteger x) { return (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0); }
+
+bool IsHeldBy(EdgeInteger value, int bits) { return SignedBits(value, value) <= bits; }
+
+// How well c serves: 2 where the sign of E(a, b; p) decides whether p is covered, 3 where a
+// register of one bit less holds the other two values.
+int WorthOf(const EdgeWidth& width, std::int64_t cx, std::int64_t cy) {
+  const EdgeInput& e = width.witness;
+  const int area = WideSign(EdgeOf({e.ax, e.ay, e.bx, e.by, cx, cy}));
+  if (area == 0) return 0;
+  const auto between = [](std::int64_t p, std::int64_t a, std::int64_t b, std::int64_t c) {
+    return p >= std::min({a, b, c}) && p <= std::max({a, b, c});
+  };
+  const bool holds_p = between(e.px, e.ax, e.bx, cx) && between(e.py, e.ay, e.by, cy);
+  if (width.id.ends_with("-box") && !holds_p) return 0;
+  const EdgeInteger second = EdgeOf({e.bx, e.by, cx, cy, e.px, e.py});
+  const EdgeInteger third = EdgeOf({cx, cy, e.ax, e.ay, e.px, e.py});
+  if (WideSign(second) != area || WideSign(third) != area) return 1;
+  return IsHeldBy(second, width.bits - 1) && IsHeldBy(third, width.bits - 1) ? 3 : 2;
+}
+
+// Numbers for c's coordinate: ends of the range; beside the middle of a and b, which halves the
+// other two values where p lies beyond the edge; beside p.
+std::vector<std::int64_t> Candidates(const EdgeUnit& unit, std::int64_t a, std::int64_t b,
+                                     std::int64_t p) {
+  const UnitRange range = VertexRange(unit);
+  const std::int64_t step = VertexStep(unit);
+  std::vector<std::int64_t> list = {range.last, range.first};
+  for (const std::int64_t near : {(a + b) / 2, p}) {
+    for (const std::int64_t by : {std::int64_t{0}, step, -step}) {
+      list.push_back(std::clamp(near / step * step + by, range.first, range.last));
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+EdgeInteger EdgeOf(const EdgeInput& e) {
+  return (Wide(e.px) - e.ax) * A(e) + (Wide(e.py) - e.ay) * B(e);
+}
+
+int SignedBits(EdgeInteger least, EdgeInteger most) {
+  const auto bits = [](EdgeInteger x) {
+    int count = 1;
+    for (EdgeInteger rest = x < 0 ? -(x + 1) : x; rest != 0; rest >>= 1) ++count;
+    return count;
+  };
+  return std::max(bits(least), bits(most));
+}
+
+EdgeInteger WrappedTo(EdgeInteger value, int bits) {
+  const EdgeInteger span = EdgeInteger{1} << bits;
+  EdgeInteger rest = value % span;
+  if (rest < 0) rest += span;
+  return rest >= span / 2 ? rest - span : rest;
+}
+
+std::vector<EdgeWidth> EdgeWidths(const EdgeUnit& unit) {
+  const UnitRange vertices = VertexRange(unit);
+  const std::vector<PointPlace> places = Places(unit);
+  std::vector<EdgeWidth> widths;
+  for (const EdgeTerm& value : EdgeTerms(unit)) {
+    if (!value.depends_on_p) {
+      widths.push_back(WidthOf(value, vertices, places.front()));
+      continue;
+    }
+    for (const PointPlace& place : places) widths.push_back(WidthOf(value, vertices, place));
+  }
+  const EdgeTerm area = {"area", "e", "E(a, b; c), twice it", {EdgeOf}};
+  widths.push_back(WidthOf(area, vertices, {"vertex", "third vertex", vertices, vertices}));
+  return widths;
+}
+
+Scene WitnessScene(const EdgeUnit& unit, const EdgeWidth& width) {
+  const EdgeInput& e = width.witness;
+  std::int64_t x = e.ax;
+  std::int64_t y = e.ay;
+  int worth = -1;
+  for (const std::int64_t cx : Candidates(unit, e.ax, e.bx, e.px)) {
+    for (const std::int64_t cy : Candidates(unit, e.ay, e.by, e.py)) {
+      const int now = WorthOf(width, cx, cy);
+      if (now <= worth) continue;
+      worth = now;
+      x = cx;
+      y = cy;
+    }
+  }
+  Scene scene;
+  scene.name = width.id;
+  scene.width = unit.width;
+  scene.height = unit.height;
+  const int bits = unit.input.integer_bits + unit.input.fraction_bits;
+  scene.precision = bits > 24 ? Precision::kFloat64 : Precision::kFloat32;
+  const auto pixels = [&](std::int64_t n) {
+    return std::ldexp(static_cast<double>(n), -unit.UnitBits());
+  };
+  for (const auto& [vx, vy] : {std::pair{e.ax, e.ay}, {e.bx, e.by}, {x, y}}) {
+    scene.vertices.push_back({pixels(vx), pixels(vy)});
+  }
+  scene.triangles = {{0, 1, 2}};
+  return scene;
+}
+
+}  // namespace rasterproof::exact

@@ -1,0 +1,208 @@
+// The widths of integer edge functions: the figures of a known unit, and every input of tiny ones.
+#include "exact/edge_widths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "core/profile.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
+#include "gtest/gtest.h"
+
+namespace rasterproof::exact {
+namespace {
+
+EdgeUnit UnitOf(int integer_bits, int fraction_bits, int side, int tile, bool is_signed = true) {
+  return {{integer_bits, fraction_bits, is_signed, false}, side, side, tile};
+}
+
+std::map<std::string, int> BitsOf(const EdgeUnit& unit) {
+  std::map<std::string, int> bits;
+  for (const EdgeWidth& width : EdgeWidths(unit)) bits[width.id] = width.bits;
+  return bits;
+}
+
+TEST(EdgeWidths, AreTheKnownOnesOfSigned12Point4On4096) {
+  const auto bits = BitsOf(UnitOf(12, 4, 4096, 8));
+  const std::map<std::string, int> known = {
+      {"direct-b-a", 17},       {"direct-p-a-box", 17},      {"direct-e-box", 33},
+      {"area-e-vertex", 33},    {"direct-e-target", 34},     {"direct-e-corner", 34},
+      {"affine-c", 32},         {"direct-e-pixel-past", 35}, {"stepped-e-tile-past", 35},
+      {"stepped-step", 21},     {"stepped-tile-step", 24},   {"affine-c-product", 32},
+      {"direct-p-a-target", 18}};
+  for (const auto& [id, value] : known) {
+    ASSERT_TRUE(bits.contains(id)) << id;
+    EXPECT_EQ(bits.at(id), value) << id;
+  }
+}
+
+TEST(SignedBits, AreThoseOfTwosComplement) {
+  EXPECT_EQ(SignedBits(0, 0), 1);
+  EXPECT_EQ(SignedBits(-1, 0), 1);
+  EXPECT_EQ(SignedBits(0, 1), 2);
+  EXPECT_EQ(SignedBits(-128, 127), 8);
+  EXPECT_EQ(SignedBits(-128, 128), 9);
+  EXPECT_EQ(SignedBits(-129, 0), 9);
+}
+
+// A second definition: the formulas as they are written, in 64 bits, at every input.
+struct Ends {
+  std::int64_t least = INT64_MAX;
+  std::int64_t most = INT64_MIN;
+  void Take(std::int64_t value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  int Bits() const {
+    int bits = 1;
+    while (least < -(std::int64_t{1} << (bits - 1)) || most >= std::int64_t{1} << (bits - 1)) {
+      ++bits;
+    }
+    return bits;
+  }
+};
+
+struct Axis {
+  std::vector<std::int64_t> vertices;
+  std::vector<std::int64_t> points;
+};
+
+using PlainEnds = std::map<std::string, Ends>;
+
+void TakeEdge(const Axis& of, std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by,
+              const std::string& place, PlainEnds& ends) {
+  for (const std::int64_t px : of.points) {
+    for (const std::int64_t py : of.points) {
+      const std::int64_t e = (px - ax) * (by - ay) - (py - ay) * (bx - ax);
+      ends["direct-e-" + place].Take(e);
+      ends["direct-p-a-" + place].Take(px - ax);
+      ends["direct-product-" + place].Take((px - ax) * (by - ay));
+      ends["affine-product-" + place].Take((by - ay) * px);
+      ends["affine-sum-" + place].Take((by - ay) * px + (ax - bx) * py);
+      ends["affine-c"].Take(ay * bx - ax * by);
+      ends["affine-c-product"].Take(ay * bx);
+      ends["direct-b-a"].Take(bx - ax);
+    }
+  }
+}
+
+// By every edge between grid points of the format, at every point of the place.
+PlainEnds ByEveryInput(const Axis& axis, const std::string& place) {
+  PlainEnds ends;
+  for (const std::int64_t ax : axis.vertices) {
+    for (const std::int64_t ay : axis.vertices) {
+      for (const std::int64_t bx : axis.vertices) {
+        for (const std::int64_t by : axis.vertices) TakeEdge(axis, ax, ay, bx, by, place, ends);
+      }
+    }
+  }
+  return ends;
+}
+
+std::vector<std::int64_t> Every(std::int64_t step, std::int64_t first, std::int64_t last) {
+  std::vector<std::int64_t> list;
+  for (std::int64_t n = first; n <= last; n += step) list.push_back(n);
+  return list;
+}
+
+void ExpectTheWidthsOfEveryInput(const EdgeUnit& unit, std::int64_t step, std::int64_t first,
+                                 std::int64_t last) {
+  const std::int64_t pixel = std::int64_t{1} << unit.UnitBits();
+  const std::int64_t half = pixel / 2;
+  const std::int64_t end = unit.width * pixel;
+  const std::int64_t tile = unit.tile * pixel;
+  const std::int64_t tiles = (unit.width + unit.tile - 1) / unit.tile;
+  std::map<std::string, std::vector<std::int64_t>> places = {
+      {"box", Every(pixel, half, std::min(last, end - half))},
+      {"target", Every(pixel, half, end - half)},
+      {"corner", Every(tile, 0, tiles * tile)},
+      {"pixel-past", Every(pixel, half - pixel, end + half)},
+      {"tile-past", Every(tile, -tile, (tiles + 1) * tile)}};
+  const auto bits = BitsOf(unit);
+  int compared = 0;
+  for (const auto& [place, points] : places) {
+    for (const auto& [id, ends] : ByEveryInput({Every(step, first, last), points}, place)) {
+      ASSERT_TRUE(bits.contains(id)) << id;
+      EXPECT_EQ(bits.at(id), ends.Bits()) << id << ": " << ends.least << " to " << ends.most;
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 5 * 8);
+}
+
+TEST(EdgeWidths, AreThoseOfEveryInputOfATinyFormat) {
+  ExpectTheWidthsOfEveryInput(UnitOf(3, 1, 4, 2), 1, -8, 7);
+}
+
+TEST(EdgeWidths, AreThoseOfEveryInputWithoutASign) {
+  ExpectTheWidthsOfEveryInput(UnitOf(2, 1, 3, 2, false), 1, 0, 7);
+}
+
+TEST(EdgeWidths, OfWholePixelsCountInHalves) {
+  ExpectTheWidthsOfEveryInput(UnitOf(3, 0, 4, 4), 2, -8, 6);
+}
+
+TEST(EdgeWidths, OneBitLessLosesTheWitness) {
+  for (const EdgeUnit& unit : {UnitOf(12, 4, 4096, 8), UnitOf(3, 1, 4, 2), UnitOf(24, 8, 600, 16),
+                               UnitOf(31, 16, 65536, 64), UnitOf(4, 2, 9, 4, false)}) {
+    for (const EdgeWidth& width : EdgeWidths(unit)) {
+      EXPECT_EQ(WrappedTo(width.extreme, width.bits), width.extreme) << width.id;
+      EXPECT_NE(WrappedTo(width.extreme, width.bits - 1), width.extreme) << width.id;
+      EXPECT_TRUE(width.extreme == width.least || width.extreme == width.most) << width.id;
+      if (width.value.starts_with("E")) {
+        EXPECT_EQ(EdgeOf(width.witness), width.extreme) << width.id;
+      }
+    }
+  }
+}
+
+// Whether the sample is covered, if E(a, b; p) of each edge is kept in so many bits.
+bool IsCoveredInBits(const Scene& scene, int x, int y, int unit_bits, int bits) {
+  const auto units = [&](double v) { return static_cast<std::int64_t>(std::ldexp(v, unit_bits)); };
+  const std::int64_t px = units(x + 0.5);
+  const std::int64_t py = units(y + 0.5);
+  int positive = 0;
+  int negative = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vertex& a = scene.vertices[k];
+    const Vertex& b = scene.vertices[(k + 1) % 3];
+    const EdgeInteger e =
+        WrappedTo(EdgeOf({units(a.x), units(a.y), units(b.x), units(b.y), px, py}), bits);
+    positive += e > 0 ? 1 : 0;
+    negative += e < 0 ? 1 : 0;
+  }
+  return positive == 3 || negative == 3;
+}
+
+// A planted narrowing: the witness's own sample is decided wrongly by one bit less, and rightly by
+// the width that is told. No sample may lie on an edge, or a tie rule would speak.
+TEST(WitnessScene, IsDrawnWronglyByARegisterOfOneBitLess) {
+  for (const EdgeUnit& unit : {UnitOf(12, 4, 64, 8), UnitOf(6, 2, 64, 8), UnitOf(5, 3, 64, 4)}) {
+    for (const EdgeWidth& width : EdgeWidths(unit)) {
+      if (width.id != "direct-e-box" && width.id != "direct-e-target") continue;
+      const Scene scene = WitnessScene(unit, width);
+      const std::int64_t pixel = std::int64_t{1} << unit.UnitBits();
+      const int x = static_cast<int>(width.witness.px / pixel);
+      const int y = static_cast<int>(width.witness.py / pixel);
+      const auto truth = Coverage(scene, Profile{});
+      const bool is_covered = truth.Count(truth.Index(x, y)) != 0;
+      EXPECT_EQ(IsCoveredInBits(scene, x, y, unit.UnitBits(), width.bits), is_covered) << width.id;
+      EXPECT_NE(IsCoveredInBits(scene, x, y, unit.UnitBits(), width.bits - 1), is_covered)
+          << width.id << " of " << unit.input.integer_bits << '.' << unit.input.fraction_bits;
+    }
+  }
+}
+
+TEST(EdgeWidths, WantASampleInTheRange) {
+  EXPECT_THROW(EdgeWidths(UnitOf(1, 0, 4, 2)), InputError);
+  EXPECT_NO_THROW(EdgeWidths(UnitOf(1, 1, 4, 2, false)));
+}
+
+}  // namespace
+}  // namespace rasterproof::exact

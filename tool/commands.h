@@ -84,6 +84,8 @@ struct CheckOptions {
   std::size_t list_length = 0;  ///< 0: the subject's own
   FailOn fail_on = FailOn::kStated;
   bool no_cause = false;                 ///< violations are not explained
+  bool verbose = false;                  ///< every line, and every failure in full
+  bool fail_fast = false;                ///< ends with the first violation
   bool catalogue = false;                ///< families of stiff cases, not properties
   std::vector<std::string> families;     ///< these alone; empty: all
   std::vector<std::string> float_modes;  ///< what --fp-env names, not properties

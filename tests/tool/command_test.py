@@ -366,7 +366,7 @@ class VerdictTest(TemporaryFolder):
         self.assertEqual(len(result.stdout.decode().splitlines()), 2)
 
     def test_a_check_ends_with_its_counts_and_a_line_for_each_reason_not_to_ask(self):
-        result = run("check", "--subject", "f32-direct", "--cases", "1")
+        result = run("check", "--subject", "f32-direct", "--cases", "1", "--verbose")
         lines = result.stdout.decode().splitlines()
         named = [l for l in lines if l.startswith("not applicable")]
         (fragments,) = (l for l in named if "the subject shows no fragments: " in l)
@@ -377,7 +377,8 @@ class VerdictTest(TemporaryFolder):
 
     def test_each_scene_says_for_itself_what_was_not_asked(self):
         scenes = [os.path.join(SOURCES, "scenes", name) for name in ("ties.json", "fan.json")]
-        lines = run("check", *scenes, "--subject", "f32-direct").stdout.decode().splitlines()
+        done = run("check", *scenes, "--subject", "f32-direct", "--verbose")
+        lines = done.stdout.decode().splitlines()
         printed = [l for l in lines if "the subject shows no fragments: " in l]
         self.assertEqual(len(printed), 2, lines)
         for scene, line in zip(scenes, printed):
@@ -397,7 +398,7 @@ class VerdictTest(TemporaryFolder):
         self.assertIn(" 1 violated, ", text)
         # Without a property: every one that applies.
         result = run("check", "--subject", "spans-exact", "--case", "near-edge:17@1",
-                     "--case", "fans:0@2")  # fmt: skip
+                     "--case", "fans:0@2", "--verbose")  # fmt: skip
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         for case in ("near-edge:17@1", "fans:0@2"):
             self.assertRegex(result.stdout.decode(), f"holds +spans-exact +{MODEL} +{case}: ")

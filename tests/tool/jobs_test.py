@@ -77,7 +77,7 @@ class Check(unittest.TestCase):
         """What is printed for every number of jobs and every batch: one text."""
         said = {}
         for n, batch in [(n, batches[0]) for n in jobs] + [(2, batch) for batch in batches[1:]]:
-            done = run("check", *arguments, "--jobs", str(n), "--batch", str(batch))
+            done = run("check", *arguments, "--jobs", str(n), "--batch", str(batch), "--verbose")
             self.assertEqual(done.returncode, status, done.stdout.decode() + done.stderr.decode())
             said.setdefault(done.stdout, []).append((n, batch))
         self.assertEqual(len(said), 1, f"{list(said.values())} differ")

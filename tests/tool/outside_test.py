@@ -38,13 +38,15 @@ def held(text):
 
 class SoundSubjects(unittest.TestCase):
     def test_the_c_example_keeps_what_its_profile_states(self):
-        done = run("check", "--plugin", f"{EXAMPLES}/example_plugin.so", "--cases", "70")
+        done = run("check", "--plugin", f"{EXAMPLES}/example_plugin.so", "--cases", "70",
+                   "--verbose")  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertIn(b"holds", done.stdout)
         self.assertIn(b" 0 violated,", done.stdout)
 
     def test_the_console_example_keeps_what_its_profile_states(self):
-        done = run("check", "--plugin", f"{EXAMPLES}/example_console.so", "--cases", "120")
+        done = run("check", "--plugin", f"{EXAMPLES}/example_console.so", "--cases", "120",
+                   "--verbose")  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertIn(b"holds", done.stdout)
         self.assertIn(b" 0 violated,", done.stdout)
@@ -55,7 +57,8 @@ class SoundSubjects(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
 
     def test_the_rust_example_keeps_what_its_profile_states(self):
-        done = run("check", "--plugin", f"{EXAMPLES}/example_rust.so", "--cases", "40")
+        done = run("check", "--plugin", f"{EXAMPLES}/example_rust.so", "--cases", "40",
+                   "--verbose")  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertGreater(held(done.stdout.decode()), 15, done.stdout)
 

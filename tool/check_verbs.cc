@@ -99,7 +99,12 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   for (CLI::Option* other : {properties, catalogue, cases_json, verb->get_option("scenes"),
                              verb->get_option("--case"), verb->get_option("--seconds")})
     fp_env->excludes(other);
-  for (CLI::Option* of_properties : {verbose, fail_fast}) {
+  CLI::Option* const json = verb->add_option(
+      "--json", options.json, "What was found as JSON (- for standard output, in place of text)");
+  CLI::Option* const known = verb->add_option(
+      "--known", options.known,
+      "File of known failures, each with who mends it and until when: only others fail the run");
+  for (CLI::Option* of_properties : {verbose, fail_fast, json, known}) {
     of_properties->excludes(catalogue);
     of_properties->excludes(fp_env);
   }
@@ -124,6 +129,9 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   verb->add_flag(
       "--all", options.all,
       "Every built-in subject; the exit status then covers only those that claim to be exact");
+  CLI::Option* const profile = verb->add_option("--profile", options.profile,
+                                                "Judge by this profile, not by the subject's own");
+  profile->excludes(verb->get_option("--all"));
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();

@@ -22,6 +22,7 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "io/scene_file.h"
 #include "props/cause/cause.h"
 #include "props/cause/evidence.h"
 #include "props/property.h"
@@ -35,6 +36,7 @@
 #include "report/json_writer.h"
 #include "tool/catalogue.h"
 #include "tool/causes.h"
+#include "tool/check_json.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -42,6 +44,7 @@
 #include "tool/findings.h"
 #include "tool/float_modes.h"
 #include "tool/interrupt.h"
+#include "tool/known_failures.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
@@ -76,16 +79,21 @@ struct Share {
 // Ends the run with the first violation, if that is asked for. Several threads look at once.
 class FailFast {
  public:
-  explicit FailFast(const CheckOptions& options)
-      : is_on_(options.fail_fast), fail_on_(options.fail_on) {}
+  FailFast(const CheckOptions& options, const ResolvedCheck& asked, const std::string& subject)
+      : is_on_(options.fail_fast), fail_on_(options.fail_on), asked_(asked), subject_(subject) {}
   bool HasFailed() const { return has_failed_; }
   void Look(const Share& share) {
-    if (is_on_ && share.finding && IsFailure(share.finding->result, fail_on_)) has_failed_ = true;
+    if (!is_on_ || !share.finding) return;
+    const PropertyResult& result = share.finding->result;
+    if (IsFailure(result, fail_on_) && !IsKnown(asked_.known, Today(), subject_, result.property))
+      has_failed_ = true;
   }
 
  private:
   bool is_on_;
   FailOn fail_on_;
+  const ResolvedCheck& asked_;
+  const std::string& subject_;
   std::atomic<bool> has_failed_ = false;
 };
 
@@ -161,6 +169,14 @@ bool WasNotAsked(const PropertyResult& result) {
   return result.outcome == Outcome::kNotApplicable && !result.counterexample;
 }
 
+// The shrunk case as one word of a command, if it is short and drawn the plain way; else "".
+std::string InlineCase(const Case& c) {
+  constexpr std::size_t kMost = 2000;  // characters
+  if (c.options != DrawOptions()) return "";
+  const std::string text = InOneLine(io::SceneToJson(c.scene));
+  return text.size() <= kMost ? text : "";
+}
+
 std::string Exercised(const PropertyResult& result) {
   return fmt::format("{} cases, exercised {} times in {}", result.cases, result.exercised,
                      result.cases_exercised);
@@ -187,11 +203,12 @@ Finding FindingOf(Subject& subject, PropertyResult result, const CheckOptions& o
   if (!finding.result.counterexample) return finding;
   const Counterexample& found = *finding.result.counterexample;
   CaseChoice choice;
-  choice.name = found.failing_case;
-  if (!options.save.empty()) SaveCounterexample(options.save, finding.result);
+  choice.path = options.save.empty() ? InlineCase(found.value)
+                                     : SaveCounterexample(options.save, finding.result);
+  if (choice.path.empty()) choice.name = found.failing_case;
   finding.failure =
       Shown(subject, finding.result.property, found.value, found.verdict, choice, options);
-  finding.failure->drawn_as = found.failing_case;
+  finding.failure->AddName(found.failing_case);
   if (IsFailure(finding.result, options.fail_on))
     finding.failure->failed = FailedBy(finding.result, subject.Info());
   return finding;
@@ -331,7 +348,7 @@ Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
   NotePreset(crew.Of(0).Info().profile);
   Findings found{subject.name(), options.fail_on, crew.Of(0).Info().profile};
-  FailFast fail_fast(options);
+  FailFast fail_fast(options, asked, subject.name());
   try {
     Progress progress(crew.size());
     if (asked.cases.empty()) {
@@ -358,20 +375,28 @@ int RunCheck(const CheckOptions& options) {
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   io::RequireFileCanBe(options.cases_json);
   int status = kExitHolds;
+  io::RequireFileCanBe(options.json);
   std::string cases;
+  std::vector<Findings> all;
   for (const SubjectFactory& subject : asked.subjects) {
     if (Interrupted()) break;
     Findings found = Check(subject, asked, options);
     cases += found.cases;
     const std::string causes = Causes(subject, options, found);
-    io::WriteStandardOutput(FindingsText(found, options.verbose) + causes +
-                            report::AssumptionLines(found.profile) + LastLine(found) +
-                            Hint(subject.name(), found, options.profile));
+    ApplyKnownFailures(asked.known, Today(), found);
+    if (options.json != "-") {
+      io::WriteStandardOutput(FindingsText(found, options.verbose) + causes +
+                              report::AssumptionLines(found.profile) + LastLine(found) +
+                              Hint(subject.name(), found, options.profile));
+    }
     status = WorseStatus(status, StatusOf(found));
+    all.push_back(std::move(found));
   }
   if (!options.cases_json.empty()) io::WriteFile(options.cases_json, cases);
+  if (Interrupted()) status = WorseStatus(status, kExitInconclusive);
+  if (!options.json.empty()) WriteOutput(options.json, CheckJson(all, status));
   if (!Interrupted()) return status;
-  io::WriteStandardOutput("interrupted: this is what was found so far\n");
+  if (options.json != "-") io::WriteStandardOutput("interrupted: this is what was found so far\n");
   return WorseStatus(status, kExitInconclusive);
 }
 

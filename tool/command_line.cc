@@ -39,7 +39,8 @@ namespace {
 
 void AddCase(CLI::App* app, CaseChoice& choice) {
   app->add_option("case", choice.path,
-                  "Case or scene file, or what a fuzzer saved (- for standard input)");
+                  "Case or scene file, or its JSON itself, or what a fuzzer saved (- for standard "
+                  "input)");
   AddSubject(app, choice.subject, "Subject (default: the one the file names)");
   app->add_option("--property", choice.property, "Property (default: the one the file names)");
   app->add_option("--profile", choice.profile,

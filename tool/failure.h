@@ -32,6 +32,9 @@ std::string FailureLine(const std::string& property, const Case& c, const Verdic
 /// more than anybody reads.
 std::string SceneLine(const Case& c);
 
+/// JSON of several lines as one.
+std::string InOneLine(const std::string& json);
+
 /// Returns the same for the case that the property drew instead, as a separate line; empty if it
 /// drew the case itself.
 std::string DrawnLine(const Case& c, const Verdict& verdict);

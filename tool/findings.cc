@@ -115,8 +115,23 @@ std::string Counted(std::size_t n, std::string_view one, std::string_view many) 
 
 }  // namespace
 
+void FailureShown::AddName(const std::string& name) {
+  drawn_as = name;
+  if (!name.empty()) text += "shrunk from " + name + "\n";
+}
+
 bool FailsTheRun(const Findings& found, const Finding& finding) {
   return IsFailure(finding.result, found.fail_on) && !finding.is_known;
+}
+
+const props::Cause* CauseOf(const Findings& found, std::size_t finding) {
+  const auto place = std::ranges::find(found.explained, finding);
+  if (place == found.explained.end()) return nullptr;
+  const auto k = static_cast<std::size_t>(place - found.explained.begin());
+  for (const props::Cause& cause : found.explanation.causes) {
+    if (std::ranges::find(cause.properties, k) != cause.properties.end()) return &cause;
+  }
+  return nullptr;
 }
 
 int StatusOf(const Findings& found) {
@@ -178,6 +193,12 @@ std::string FindingsText(const Findings& found, bool verbose) {
   std::size_t shortened = 0;
   for (const Finding* finding : order) {
     if (!all && !IsOfInterest(*finding)) continue;
+    if (finding->is_known) {
+      constexpr std::size_t kWord = 16;  // the width of a line's first word
+      text += fmt::format("{:<{}}", "known", kWord) + finding->line.substr(kWord);
+      if (verbose) text += finding->failure->text;
+      continue;
+    }
     text += finding->line;
     if (!finding->failure) continue;
     const bool in_full = verbose || shown++ == 0;

@@ -28,6 +28,9 @@ struct FailureShown {
   std::string replay;         ///< the command that runs this case again
   std::string drawn_as = {};  ///< name of the case before it was shrunk; "" if it has none
   std::optional<props::FailedProperty> failed = {};  ///< for its cause
+
+  /// Says which drawn case it was shrunk from.
+  void AddName(const std::string& name);
 };
 
 /// One property on one subject: over generated cases, or on one given scene.
@@ -56,6 +59,9 @@ struct Findings {
 
 /// Whether the run fails by it.
 bool FailsTheRun(const Findings& found, const Finding& finding);
+
+/// What explains the finding of that place; nullptr: nothing was looked for.
+const props::Cause* CauseOf(const Findings& found, std::size_t finding);
 
 /// The exit status: one violation outweighs all, then what could not be judged. Nothing exercised
 /// is no pass.

@@ -1,5 +1,5 @@
-// What verbs' options share. Seen by the three files that parse, and by none else: CLI11 costs about
-// ten seconds a file.
+// What verbs' options share. Seen by the three files that parse, and by none else: CLI11 costs
+// about ten seconds a file.
 #ifndef RASTERPROOF_TOOL_VERB_OPTIONS_H_
 #define RASTERPROOF_TOOL_VERB_OPTIONS_H_
 

@@ -5,6 +5,7 @@ usage: command_test.py PROGRAM SOURCES
 import json
 import os
 import random
+import shlex
 import struct
 import subprocess
 import sys
@@ -335,7 +336,7 @@ class VerdictTest(TemporaryFolder):
         result = run("check", "--subject", "textbook", "--property", SHARED_EDGE)
         self.assertEqual(result.returncode, 1, result.stderr)
         line = next(l for l in result.stdout.decode().splitlines() if "rasterproof replay" in l)
-        replay = line[line.index("rasterproof replay"):].split()[1:]
+        replay = shlex.split(line[line.index("rasterproof replay"):])[1:]
         again = run(*replay)
         self.assertEqual(again.returncode, 1, again.stderr)
         self.assertIn(b"0x", again.stdout)
@@ -387,8 +388,8 @@ class VerdictTest(TemporaryFolder):
 
     def test_a_drawn_case_is_checked_by_its_name(self):
         found = run("check", "--subject", "textbook", "--property", SHARED_EDGE)
-        line = next(l for l in found.stdout.decode().splitlines() if "rasterproof replay" in l)
-        name = line.split(" --case ")[1].split()[0]
+        line = next(l for l in found.stdout.decode().splitlines() if l.startswith("shrunk from "))
+        name = line.split()[2]
         self.assertRegex(name, "^[a-z0-9-]+:[0-9]+@1$")
         again = run("check", "--subject", "textbook", "--property", SHARED_EDGE, "--case", name)
         self.assertEqual(again.returncode, 1, again.stderr)
@@ -409,7 +410,7 @@ class VerdictTest(TemporaryFolder):
         result = run("check", *chosen, "--profile", "real")
         self.assertEqual(result.returncode, 1, result.stdout)
         line = next(l for l in result.stdout.decode().splitlines() if "rasterproof replay" in l)
-        replay = line[line.index("rasterproof replay"):].split()[1:]
+        replay = shlex.split(line[line.index("rasterproof replay"):])[1:]
         self.assertIn("--profile", replay)
         self.assertEqual(run(*replay).returncode, 1)
 

@@ -189,9 +189,10 @@ FailureShown Shown(Subject& subject, const std::string& property, const Case& c,
   choice.property = property;
   choice.profile = options.profile;
   choice.list_length = options.list_length;
-  FailureShown shown{c, verdict, {}, {}, CommandFor("replay", choice)};
+  FailureShown shown{
+      c, WithCountsAsGiven(verdict, subject.Info()), {}, {}, CommandFor("replay", choice)};
   shown.text = FailureText(subject, property, c, verdict, shown.replay, /*colour=*/false);
-  shown.brief = FailureLine(property, c, verdict) + "\nreplay: " + shown.replay + "\n";
+  shown.brief = FailureLine(property, c, shown.verdict) + "\nreplay: " + shown.replay + "\n";
   return shown;
 }
 

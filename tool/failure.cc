@@ -5,8 +5,10 @@
 #include <cmath>
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -265,6 +267,33 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   return explanation;
 }
 
+namespace {
+
+struct FacingsText {
+  std::uint64_t sum = 0;
+  std::string rest;  // "; exact E of edges ..."
+};
+
+// Reads "front 1, back 0" and what may follow after a semicolon; nothing of any other text.
+std::optional<FacingsText> ReadFacings(const std::string& text) {
+  static const std::regex counts("front ([0-9]{1,18}), back ([0-9]{1,18})(;.*)?");
+  std::smatch found;
+  if (!std::regex_match(text, found, counts)) return std::nullopt;
+  return FacingsText{std::stoull(found[1]) + std::stoull(found[2]), found[3]};
+}
+
+}  // namespace
+
+Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info) {
+  if (!verdict.witness || info.coverage == CoverageKind::kFacingCounts) return verdict;
+  const std::optional<FacingsText> observed = ReadFacings(verdict.witness->observed);
+  const std::optional<FacingsText> expected = ReadFacings(verdict.witness->expected);
+  if (!observed || !expected || observed->sum == expected->sum) return verdict;
+  verdict.witness->observed = std::to_string(observed->sum) + observed->rest;
+  verdict.witness->expected = std::to_string(expected->sum) + expected->rest;
+  return verdict;
+}
+
 std::string FailureLine(const std::string& property, const Case& given, const Verdict& verdict) {
   const Case c = AsDrawn(given, verdict);
   std::string line = property.empty() ? "coverage" : property;
@@ -327,7 +356,8 @@ std::string PictureText(Subject& subject, const Case& c, const Verdict& verdict,
 
 std::string FailureText(Subject& subject, const std::string& property, const Case& c,
                         const Verdict& verdict, const std::string& replay, bool colour) {
-  std::string text = FailureLine(property, c, verdict) + "\n" + SceneLine(c) + "\n";
+  std::string text = FailureLine(property, c, WithCountsAsGiven(verdict, subject.Info())) + "\n" +
+                     SceneLine(c) + "\n";
   text += DrawnLine(c, verdict);
   text += PictureText(subject, c, verdict, replay, colour);
   if (!text.ends_with('\n')) text += '\n';

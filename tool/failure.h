@@ -7,6 +7,7 @@
 
 #include "core/case.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/verdict.h"
 #include "report/picture.h"
 
@@ -22,6 +23,10 @@ Case AsDrawn(const Case& c, const Verdict& verdict);
 /// Domain:     a case that the subject takes.
 report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verdict,
                             const std::string& replay);
+
+/// The verdict with the witness's counts as the subject gave them: without facings if it shows none
+/// and the suite added them. Unchanged where only the facing is wrong.
+Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info);
 
 /// "property: triangle 0 (0x1p+0, 0x0p+0) ... => observed 2, expected 1; why". What the verdict
 /// does not tell is left out.

@@ -220,6 +220,19 @@ class Failure(unittest.TestCase):
         self.assertRegex(text, r"(?m)^triangle 0, edge v1-v2: E = ")
         self.assertNotRegex(text, r"edge \d")
 
+    def test_counts_have_facings_only_where_the_subject_gives_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "program.py")
+            with open(os.path.join(SOURCES, "kit/examples/program.py"), encoding="utf-8") as file:
+                text = file.read().replace("e < 0 or", "e <= 0 or")  # no tie has an owner
+            with open(program, "w", encoding="utf-8") as file:
+                file.write(text)
+            found = check("--exec", f"{sys.executable} {program}", "--property", MODEL).stdout
+        self.assertRegex(found, "=> observed 0, expected 1; exact E ")
+        self.assertNotIn("observed front", found)
+        found = check("--subject", "textbook", "--property", MODEL).stdout
+        self.assertIn("=> observed front 0, back 1, expected front 0, back 0; exact", found)
+
     def explain(self, subject, vertices):
         scene = {"rasterproof_scene": 1, "width": 4, "height": 4, "vertices": vertices,
                  "triangles": [[0, 1, 2]]}  # fmt: skip

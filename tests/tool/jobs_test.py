@@ -167,8 +167,9 @@ class Check(unittest.TestCase):
             for n in JOBS:
                 done = subprocess.run(
                     [PROGRAM, "check", "--subject", "textbook", "--cases", "24", "--save", folder,
-                     "--jobs", str(n)], cwd=SOURCES, timeout=300, stdout=subprocess.PIPE,
-                    stderr=subprocess.PIPE, preexec_fn=forbid_files)  # fmt: skip
+                     "--verbose", "--jobs", str(n)],
+                    cwd=SOURCES, timeout=300, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                    preexec_fn=forbid_files)  # fmt: skip
                 self.assertEqual(done.returncode, 2, done.stderr)
                 if n == 1:
                     first = done.stdout

@@ -26,7 +26,7 @@ struct Explanation {
   int focus_x = -1;  ///< the pixel in question: the failing one, or one that was chosen
   int focus_y = -1;
   std::vector<int> triangles;  ///< the triangles that matter there
-  /// Lines such as "triangle 0, edge 1: E = -3/65536".
+  /// Lines such as "triangle 0, edge v2-v0: E = -3/65536".
   std::vector<std::string> edge_values;
   std::string headline;
   std::string replay;  ///< the command that shows this again

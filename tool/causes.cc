@@ -85,14 +85,21 @@ std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
   return failure;
 }
 
+std::string NameOfCause(const Cause& cause) { return cause.name.empty() ? "none" : cause.name; }
+
+std::string CauseText(const Cause& cause, const props::Explanation& explanation) {
+  std::string text = Found(cause, explanation);
+  if (!cause.only_with.empty())
+    text += fmt::format("; it fails only with {}", fmt::join(cause.only_with, " and "));
+  return text;
+}
+
 std::string CausesText(const props::Explanation& explanation,
                        const std::vector<props::FailedProperty>& failures) {
   std::string text;
   for (const Cause& cause : explanation.causes) {
-    text += "cause: " + Found(cause, explanation);
-    if (!cause.only_with.empty())
-      text += fmt::format("; it fails only with {}", fmt::join(cause.only_with, " and "));
-    text += fmt::format("; docs/causes.md#{}\n", cause.name.empty() ? "none" : cause.name);
+    text += fmt::format("cause: {}; docs/causes.md#{}\n", CauseText(cause, explanation),
+                        NameOfCause(cause));
     if (failures.size() == 1) continue;
     std::vector<std::string_view> names;
     for (const std::size_t k : cause.properties) names.push_back(failures[k].property->name);

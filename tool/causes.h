@@ -21,6 +21,12 @@ bool IsWrong(const Verdict& verdict);
 std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
                                               const SubjectInfo& subject);
 
+/// The cause's section of docs/causes.md: "truncation", or "none".
+std::string NameOfCause(const props::Cause& cause);
+
+/// What was found, without its section: "your answers equal those of ...".
+std::string CauseText(const props::Cause& cause, const props::Explanation& explanation);
+
 /// A line for each cause, with the properties that it explains, and a line with their numbers.
 /// Empty without causes.
 std::string CausesText(const props::Explanation& explanation,

@@ -79,6 +79,7 @@ std::string CommandOf(const CertifyOptions& options) {
     if (!options.all) command += " " + SubjectOption(subject);
     is_outside = is_outside || IsOutside(subject);
   }
+  if (!options.profile.empty()) command += " --profile " + ShellWord(options.profile);
   command += fmt::format(" --seed {} --cases {}", options.campaign.seed, options.campaign.cases);
   if (options.campaign.seconds > 0) {
     command += fmt::format(" --seconds {}", options.campaign.seconds);

@@ -221,8 +221,9 @@ int RunExplain(const ExplainOptions& options) {
   // There is nothing to see of what was not drawn.
   if (verdict.outcome == Outcome::kRefused || verdict.outcome == Outcome::kInconclusive) {
     io::WriteStandardOutput(
-        report::CleanText(FailureLine(PropertyName(loaded), loaded.value, verdict)) + "\n" +
-        SceneLine(loaded.value) + "\n" + DrawnLine(loaded.value, verdict));
+        report::CleanText(FailureLine(PropertyName(loaded), loaded.value,
+                                      WithCountsAsGiven(verdict, loaded.subject->Info()))) +
+        "\n" + SceneLine(loaded.value) + "\n" + DrawnLine(loaded.value, verdict));
     return StatusOf(verdict.outcome);
   }
   report::Explanation explanation = Explain(*loaded.subject, loaded.value, shown, again);
@@ -234,8 +235,9 @@ int RunExplain(const ExplainOptions& options) {
   if (!options.png.empty()) {
     io::WriteFile(options.png, io::EncodePng(report::ExplanationToImage(explanation)));
   }
-  std::string text = FailureLine(PropertyName(loaded), loaded.value, verdict) + "\n" +
-                     DrawnLine(loaded.value, verdict);
+  std::string text = FailureLine(PropertyName(loaded), loaded.value,
+                                 WithCountsAsGiven(verdict, loaded.subject->Info())) +
+                     "\n" + DrawnLine(loaded.value, verdict);
   if (chosen) text += PixelLine(explanation, options.x, options.y) + "\n";
   io::WriteStandardOutput(report::CleanText(text) +
                           report::ExplanationToText(explanation, options.colour));

@@ -265,7 +265,7 @@ std::vector<SubjectFactory> SubjectsOf(const CertifyOptions& options) {
   std::vector<SubjectFactory> subjects;
   for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
     if (std::ranges::find(subjects, name, &SubjectFactory::name) != subjects.end()) continue;
-    NotePreset(subjects.emplace_back(ResolveSubject(name)).Make()->Info().profile);
+    NotePreset(subjects.emplace_back(ResolveSubject(name, options.profile)).Make()->Info().profile);
   }
   return subjects;
 }

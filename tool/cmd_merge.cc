@@ -205,7 +205,7 @@ int RunMerge(const CertifyOptions& options) {
   CertifyOptions whole = options;
   whole.subjects = {SubjectOf(options, first)};
   RequireKnownWorlds(first);
-  const SubjectInfo info = ResolveSubject(whole.subjects.front()).Make()->Info();
+  const SubjectInfo info = ResolveSubject(whole.subjects.front(), options.profile).Make()->Info();
   const SubjectPart mine = DescribePart(info, first.worlds);
   // All of them, before anything of any is added.
   for (const SubjectPart& part : parts) {

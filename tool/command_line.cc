@@ -37,31 +37,10 @@
 namespace rasterproof::tool {
 namespace {
 
-void AddSubjects(CLI::App* app, std::vector<std::string>& subjects, const std::string& own) {
-  app->add_option("--subject", subjects, "Subjects")->default_str(own);
-  AddOutside(app, [&subjects](const std::string& name) { subjects.push_back(name); });
-}
-
-void AddCount(CLI::App* app, const std::string& option, const std::string& help, int most,
-              const std::function<void(int)>& take, int usual) {
-  const auto parse = [=](const std::string& text) { take(ParseCount(option, text, most)); };
-  app->add_option_function<std::string>(option, parse, help)
-      ->type_name("COUNT")
-      ->default_str(std::to_string(usual));
-}
-
-void AddJobs(CLI::App* app, int& jobs, const std::string& what) {
-  jobs = DefaultJobs();
-  AddCount(
-      app, "--jobs", what + " at once (default: as many as there are cores)", kMostJobs,
-      [&jobs](int count) { jobs = count; }, jobs);
-}
-
-constexpr std::string_view kCaseHelp = "Drawn case, by its name DOMAIN:INDEX@SEED (near-edge:17@1)";
-
 void AddCase(CLI::App* app, CaseChoice& choice) {
   app->add_option("case", choice.path,
-                  "Case or scene file, or what a fuzzer saved (- for standard input)");
+                  "Case or scene file, or its JSON itself, or what a fuzzer saved (- for standard "
+                  "input)");
   AddSubject(app, choice.subject, "Subject (default: the one the file names)");
   app->add_option("--property", choice.property, "Property (default: the one the file names)");
   app->add_option("--profile", choice.profile,
@@ -70,15 +49,6 @@ void AddCase(CLI::App* app, CaseChoice& choice) {
   app->add_flag("--fuzz-input", choice.is_fuzz_input,
                 "The file is a fuzz input, though it looks like text");
   AddListLength(app, choice.list_length);
-}
-
-// For verbs that say what they know so far when they are interrupted. Any other one ends at once,
-// as programs do.
-template <typename Options>
-int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
-  CatchInterrupts();
-  const int status = verb(options);
-  return Interrupted() ? InterruptStatus() : status;
 }
 
 // Every verb adds its options and what is to be run. The option structures live as long as the
@@ -95,114 +65,6 @@ void AddList(CLI::App& app, Run& run) {
       ->capture_default_str();
   verb->add_flag("--json", options.json, "Clauses as JSON");
   verb->callback([&run] { run = [] { return RunList(options); }; });
-}
-
-void AddFailOn(CLI::App* verb, FailOn& fail_on) {
-  verb->add_option("--fail-on", fail_on, "Violations that fail: of what is stated, or of quality")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, FailOn>{{"stated", FailOn::kStated},
-                                                                {"quality", FailOn::kQuality}})
-              .description("{stated,quality}"))
-      ->default_str("stated");
-}
-
-void AddCheck(CLI::App& app, Run& run, const std::string& own) {
-  static CheckOptions options;
-  CLI::App* verb = app.add_subcommand(
-      "check", "Put the properties to the test, on generated cases or on your scenes");
-  verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
-  verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
-  AddSubjects(verb, options.subjects, own);
-  CLI::Option* const properties =
-      verb->add_option("--property", options.properties, "Properties (default: all)");
-  CLI::Option* const catalogue = verb->add_flag(
-      "--catalogue", options.catalogue,
-      "Families of stiff and extreme cases, each compared with the subject's own model and with "
-      "real geometry, in place of properties");
-  for (CLI::Option* other : {properties, verb->get_option("scenes"), verb->get_option("--case")})
-    catalogue->excludes(other);
-  verb->add_option("--family", options.families,
-                   "Families of the catalogue, domains and small worlds (default: all)")
-      ->needs(catalogue)
-      ->allow_extra_args(false);
-  verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
-  verb->add_flag("--device", options.device,
-                 "Put the subject's numbers into the legal set that --profile names: its subpixel "
-                 "bits, sample locations, coordinate limit and guard band");
-  verb->add_option("--save", options.save,
-                   "Folder for shrunk counterexamples; those already there are replayed first");
-  verb->add_flag("--no-cause", options.no_cause,
-                 "Don't look for what explains the violations, which takes a few seconds");
-  CLI::Option* const cases_json = verb->add_option(
-      "--cases-json", options.cases_json,
-      "File for a line of JSON a drawn case: its name, its samples on and near edges, its outcome");
-  for (CLI::Option* other : {catalogue, verb->get_option("scenes"), verb->get_option("--case")})
-    cases_json->excludes(other);
-  AddCampaign(verb, options.campaign);
-  AddListLength(verb, options.list_length);
-  CLI::Option* const fp_env =
-      verb->add_option(
-              "--fp-env", options.float_modes,
-              "How often coverage depends on the caller's floating-point mode, in place of "
-              "properties: some of ftz, daz, up, down, zero, trap")
-          ->delimiter(',')
-          ->allow_extra_args(false);
-  for (CLI::Option* other : {properties, catalogue, cases_json, verb->get_option("scenes"),
-                             verb->get_option("--case"), verb->get_option("--seconds")})
-    fp_env->excludes(other);
-  AddJobs(verb, options.jobs, "Properties");
-  AddFailOn(verb, options.fail_on);
-  AddCount(
-      verb, "--batch", "Cases whose draws share calls, of a subject outside", kMostInABatch,
-      [](int count) { options.campaign.batch = static_cast<std::size_t>(count); },
-      static_cast<int>(options.campaign.batch));
-  verb->callback([&run, own] {
-    if (options.subjects.empty()) options.subjects = {own};
-    run = [] { return UntilInterrupted(RunCheck, options); };
-  });
-}
-
-void AddCertify(CLI::App& app, Run& run, const std::string& own) {
-  static CertifyOptions options;
-  options.campaign.cases = 100;
-  CLI::App* verb = app.add_subcommand(
-      "certify", "Put everything to the test: certificate, JUnit file and report page");
-  AddSubjects(verb, options.subjects, own);
-  verb->add_flag(
-      "--all", options.all,
-      "Every built-in subject; the exit status then covers only those that claim to be exact");
-  verb->add_option("--scenes", options.scene_set, "Scene set to measure")
-      ->default_str("scenes/certify.json beside the command");
-  verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
-  verb->add_option(
-      "--bench", options.bench,
-      "File that bench --json wrote: the page then begins with error against run time");
-  verb->add_flag("--catalogue", options.catalogue,
-                 "Families of stiff cases, too: a matrix, a page a family, catalogue.json");
-  AddSeed(verb, options.campaign.seed);
-  verb->add_option_function<std::string>(
-          "--cases", [](const std::string& text) { ParseCases(text, options); },
-          "Cases a property; A..B: those alone, A to B - 1, as a part for --merge")
-      ->default_str("100");
-  AddSeconds(verb, options.campaign, "property");
-  verb->add_option("--shard", options.shard,
-                   "This shard alone, as a part for --merge: I/N, or auto: as the variables of "
-                   "GoogleTest, a Slurm array or Open MPI say");
-  verb->add_option("--exhaustive", options.worlds,
-                   "Small world, every case of which is run as well ('list worlds' names them)")
-      ->allow_extra_args(false);
-  AddJobs(verb, options.jobs, "Properties, worlds or scenes");
-  AddFailOn(verb, options.fail_on);
-  CLI::Option* const merge = verb->add_option("--merge", options.parts,
-                                              "Files that --shard or --cases A..B wrote: the "
-                                              "certificate of the campaign they are parts of");
-  for (const char* of_a_run :
-       {"--all", "--seed", "--cases", "--seconds", "--shard", "--exhaustive"})
-    merge->excludes(verb->get_option(of_a_run));
-  verb->callback([&run, own] {
-    if (options.subjects.empty() && options.parts.empty()) options.subjects = {own};
-    run = [] { return UntilInterrupted(options.parts.empty() ? RunCertify : RunMerge, options); };
-  });
 }
 
 void AddInfer(CLI::App& app, Run& run, const std::string& own) {

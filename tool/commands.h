@@ -91,6 +91,10 @@ struct CheckOptions {
   std::size_t list_length = 0;  ///< 0: the subject's own
   FailOn fail_on = FailOn::kStated;
   bool no_cause = false;                 ///< violations are not explained
+  std::string known;                     ///< file of failures that fail nothing; empty: none
+  std::string json;                      ///< file; empty: none
+  bool verbose = false;                  ///< every line, and every failure in full
+  bool fail_fast = false;                ///< ends with the first violation
   bool catalogue = false;                ///< families of stiff cases, not properties
   std::vector<std::string> families;     ///< these alone; empty: all
   std::vector<std::string> float_modes;  ///< what --fp-env names, not properties
@@ -107,6 +111,7 @@ struct CaseRange {
 
 struct CertifyOptions {
   std::vector<std::string> subjects;
+  std::string profile;  ///< judge by this one; empty: by each subject's own
   bool all = false;
   std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
   std::string output = "out";
@@ -146,7 +151,7 @@ int RunSurvey(const SurveyOptions& options);
 
 /// A saved case, or the name of a drawn one.
 struct CaseChoice {
-  std::string path;
+  std::string path;  ///< or the case itself, as JSON
   std::string subject;
   std::string property;
   std::string profile;  ///< judge by this one; empty: the file's, or the subject's own

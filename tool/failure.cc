@@ -5,8 +5,10 @@
 #include <cmath>
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -48,23 +50,37 @@ PixelRect ViewAround(const Scene& scene, int x, int y) {
   return {x0, y0, x1, y1};
 }
 
-std::string HexVertex(const Vertex& v, bool clip) {
-  return clip ? fmt::format("({:a}, {:a}, {:a}, {:a})", v.x, v.y, v.z, v.w)
-              : fmt::format("({:a}, {:a})", v.x, v.y);
+// A number whose decimals are few and exact; "" of any other.
+std::string ShortDecimal(double value) {
+  constexpr int kMostDecimals = 10;
+  constexpr double kMost = 1e9;
+  if (!(std::abs(value) < kMost)) return "";
+  for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
+    const double scaled = std::ldexp(value, decimals);
+    if (std::trunc(scaled) == scaled) return fmt::format("{:.{}f}", value, decimals);
+  }
+  return "";
 }
 
-// JSON of several lines as one.
-std::string InOneLine(const std::string& json) {
-  std::string line;
-  bool is_indent = false;
-  for (const char c : json) {
-    if (c == '\n' && line.ends_with(',')) line += ' ';
-    if (c == '\n') is_indent = true;
-    if (is_indent && c != '\n' && c != ' ') is_indent = false;
-    if (!is_indent) line += c;
-  }
-  return line;
+// "(0x1.cp+1, -0x1p+4) = (3.5, -16) = (896, -4096)/256": hexadecimal, decimal where that is short
+// and exact, and steps of the grid if the profile has one and the vertex lies on it.
+std::string VertexText(const Vertex& v, const Case& c) {
+  if (c.scene.clip_space) return fmt::format("({:a}, {:a}, {:a}, {:a})", v.x, v.y, v.z, v.w);
+  std::string text = fmt::format("({:a}, {:a})", v.x, v.y);
+  const std::string x = ShortDecimal(v.x);
+  const std::string y = ShortDecimal(v.y);
+  if (x.empty() || y.empty()) return text;
+  text += fmt::format(" = ({}, {})", x, y);
+  const Snap& snap = c.profile.snap;
+  if (snap.IsNone() || snap.bits == 0 || snap.form != SnapForm::kCoordinate) return text;
+  const double steps_x = std::ldexp(v.x, snap.bits);
+  const double steps_y = std::ldexp(v.y, snap.bits);
+  if (std::trunc(steps_x) != steps_x || std::trunc(steps_y) != steps_y) return text;
+  return text + fmt::format(" = ({:.0f}, {:.0f})/{}", steps_x, steps_y, 1 << snap.bits);
 }
+
+// Edge i is opposite vertex i: "v1-v2" is edge 0.
+std::string EdgeName(int edge) { return fmt::format("v{}-v{}", (edge + 1) % 3, (edge + 2) % 3); }
 
 // How a case is drawn, as far as that is not the plain way: "; drawn with cull back, tile 8".
 std::string OptionsText(const DrawOptions& options) {
@@ -170,16 +186,34 @@ std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
   const Vertex& a = v[static_cast<std::size_t>((edge + 1) % 3)];
   const Vertex& b = v[static_cast<std::size_t>((edge + 2) % 3)];
   if (!IsFinite(a) || !IsFinite(b)) {
-    return fmt::format("triangle {}, edge {}: not finite, covers nothing", triangle, edge);
+    return fmt::format("triangle {}, edge {}: not finite, covers nothing", triangle,
+                       EdgeName(edge));
   }
   const exact::Rational value = EdgeAt(scene, a, b, p);
   std::string text = value.ToString();
   constexpr std::size_t kLongest = 60;  // beyond that the digits say nothing to a reader
   if (text.size() > kLongest) text = fmt::format("{:a} (rounded)", value.ToDouble());
-  return fmt::format("triangle {}, edge {}: E = {}", triangle, edge, text);
+  if (text.find('/') != std::string::npos) {
+    const double rounded = value.ToDouble();
+    const std::string decimal = ShortDecimal(rounded);
+    if (!decimal.empty() && exact::Rational(rounded) == value) text += " = " + decimal;
+  }
+  return fmt::format("triangle {}, edge {}: E = {}", triangle, EdgeName(edge), text);
 }
 
 }  // namespace
+
+std::string InOneLine(const std::string& json) {
+  std::string line;
+  bool is_indent = false;
+  for (const char c : json) {
+    if (c == '\n' && line.ends_with(',')) line += ' ';
+    if (c == '\n') is_indent = true;
+    if (is_indent && c != '\n' && c != ' ') is_indent = false;
+    if (!is_indent) line += c;
+  }
+  return line;
+}
 
 Case AsDrawn(const Case& c, const Verdict& verdict) {
   Case drawn = c;
@@ -233,6 +267,33 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   return explanation;
 }
 
+namespace {
+
+struct FacingsText {
+  std::uint64_t sum = 0;
+  std::string rest;  // "; exact E of edges ..."
+};
+
+// Reads "front 1, back 0" and what may follow after a semicolon; nothing of any other text.
+std::optional<FacingsText> ReadFacings(const std::string& text) {
+  static const std::regex counts("front ([0-9]{1,18}), back ([0-9]{1,18})(;.*)?");
+  std::smatch found;
+  if (!std::regex_match(text, found, counts)) return std::nullopt;
+  return FacingsText{std::stoull(found[1]) + std::stoull(found[2]), found[3]};
+}
+
+}  // namespace
+
+Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info) {
+  if (!verdict.witness || info.coverage == CoverageKind::kFacingCounts) return verdict;
+  const std::optional<FacingsText> observed = ReadFacings(verdict.witness->observed);
+  const std::optional<FacingsText> expected = ReadFacings(verdict.witness->expected);
+  if (!observed || !expected || observed->sum == expected->sum) return verdict;
+  verdict.witness->observed = std::to_string(observed->sum) + observed->rest;
+  verdict.witness->expected = std::to_string(expected->sum) + expected->rest;
+  return verdict;
+}
+
 std::string FailureLine(const std::string& property, const Case& given, const Verdict& verdict) {
   const Case c = AsDrawn(given, verdict);
   std::string line = property.empty() ? "coverage" : property;
@@ -243,10 +304,10 @@ std::string FailureLine(const std::string& property, const Case& given, const Ve
       line += fmt::format("triangle {}", w.triangle);
       const auto corners =
           Corners(c.scene, c.scene.triangles[static_cast<std::size_t>(w.triangle)]);
-      for (const Vertex& v : corners) line += " " + HexVertex(v, c.scene.clip_space);
+      for (const Vertex& v : corners) line += " " + VertexText(v, c);
       line += " ";
     }
-    if (w.edge >= 0) line += fmt::format("edge {} ", w.edge);
+    if (w.edge >= 0) line += fmt::format("edge {} ", EdgeName(w.edge));
     if (w.x >= 0) line += fmt::format("pixel ({}, {}) ", w.x, w.y);
     if (!w.observed.empty() || !w.expected.empty()) {
       line += fmt::format("=> observed {}, expected {}; ", w.observed, w.expected);
@@ -295,7 +356,8 @@ std::string PictureText(Subject& subject, const Case& c, const Verdict& verdict,
 
 std::string FailureText(Subject& subject, const std::string& property, const Case& c,
                         const Verdict& verdict, const std::string& replay, bool colour) {
-  std::string text = FailureLine(property, c, verdict) + "\n" + SceneLine(c) + "\n";
+  std::string text = FailureLine(property, c, WithCountsAsGiven(verdict, subject.Info())) + "\n" +
+                     SceneLine(c) + "\n";
   text += DrawnLine(c, verdict);
   text += PictureText(subject, c, verdict, replay, colour);
   if (!text.ends_with('\n')) text += '\n';

@@ -7,6 +7,7 @@
 
 #include "core/case.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/verdict.h"
 #include "report/picture.h"
 
@@ -23,6 +24,10 @@ Case AsDrawn(const Case& c, const Verdict& verdict);
 report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verdict,
                             const std::string& replay);
 
+/// The verdict with the witness's counts as the subject gave them: without facings if it shows none
+/// and the suite added them. Unchanged where only the facing is wrong.
+Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info);
+
 /// "property: triangle 0 (0x1p+0, 0x0p+0) ... => observed 2, expected 1; why". What the verdict
 /// does not tell is left out.
 std::string FailureLine(const std::string& property, const Case& c, const Verdict& verdict);
@@ -31,6 +36,9 @@ std::string FailureLine(const std::string& property, const Case& c, const Verdic
 /// and how it was drawn, where that is not the plain way. Says only how large it is where that is
 /// more than anybody reads.
 std::string SceneLine(const Case& c);
+
+/// JSON of several lines as one.
+std::string InOneLine(const std::string& json);
 
 /// Returns the same for the case that the property drew instead, as a separate line; empty if it
 /// drew the case itself.

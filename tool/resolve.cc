@@ -283,6 +283,12 @@ ResolvedCheck ResolveCheck(const CheckOptions& options) {
   if (asked.is_whole_catalogue) {
     for (const props::Property& property : props::Catalog()) asked.properties.push_back(&property);
   }
+  if (!options.known.empty()) asked.known = ReadKnownFailures(options.known);
+  for (const KnownFailure& known : asked.known) {
+    if (known.cause.empty() || !options.no_cause) continue;
+    throw InputError("--no-cause", known.place + " is known by its cause",
+                     "leave the option out, or the entry's cause");
+  }
   for (const std::string& path : options.scenes) {
     GivenCase& given = asked.cases.emplace_back();
     given.place = path;

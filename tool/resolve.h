@@ -20,6 +20,7 @@
 #include "props/domains/worlds.h"
 #include "props/property.h"
 #include "tool/commands.h"
+#include "tool/known_failures.h"
 #include "tool/outside.h"
 
 namespace rasterproof::tool {
@@ -99,6 +100,7 @@ struct ResolvedCheck {
   std::vector<GivenCase> cases;  ///< none: generated ones
   /// Failures that were saved, by the property that each is about: asked before generated cases.
   std::multimap<std::string, GivenCase> saved;
+  std::vector<KnownFailure> known;  ///< failures that fail nothing
 };
 
 /// Error:      InputError with the place and the remedy, for the first thing that is not there.

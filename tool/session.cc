@@ -195,6 +195,8 @@ std::string SubjectOption(const std::string& name) {
   return "--subject " + ShellWord(name);
 }
 
+bool IsCaseText(const std::string& path) { return path.starts_with('{'); }
+
 std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   std::string command = fmt::format("rasterproof {}", verb);
   const auto add = [&](std::string_view option, const std::string& value) {
@@ -202,7 +204,8 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   };
   // Prefix "./" so that a leading dash is not taken for an option.
   const bool like_option = choice.path.size() > 1 && choice.path.front() == '-';
-  add("", like_option ? "./" + choice.path : choice.path);
+  const bool is_text = IsCaseText(choice.path);
+  if (!is_text) add("", like_option ? "./" + choice.path : choice.path);
   if (!choice.subject.empty()) command += " " + SubjectOption(choice.subject);
   add(" --property", choice.property);
   add(" --profile", choice.profile);
@@ -211,6 +214,7 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   if (choice.list_length != 0) {
     command += fmt::format(" --list-length {}", choice.list_length);
   }
+  if (is_text) add("", choice.path);  // long, so the last
   return command;
 }
 
@@ -242,10 +246,12 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   if (choice.path.empty()) {
     throw InputError("case", "no case was given", "give a case file, or --subject and --case NAME");
   }
-  const std::string content = io::ReadFile(Located(choice.path));
+  const bool is_text = IsCaseText(choice.path);
+  const std::string content = is_text ? choice.path : io::ReadFile(Located(choice.path));
   if (choice.is_fuzz_input || IsNoText(content)) return LoadFuzzInput(choice, content, verb);
-  const io::CaseFile file =
-      io::ParseCase(content, choice.path == "-" ? "standard input" : choice.path);
+  const io::CaseFile file = io::ParseCase(content, is_text              ? "the case typed"
+                                                   : choice.path == "-" ? "standard input"
+                                                                        : choice.path);
   if (subject.empty() && !file.subject.empty()) {
     RequireOursInFile(file.subject, choice, verb);
     subject = file.subject;

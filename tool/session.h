@@ -47,6 +47,9 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
 /// The option that names the subject on a command line, quoted for a shell: "--exec './a b'".
 std::string SubjectOption(const std::string& name);
 
+/// True of a case that is given as JSON in place of its path.
+bool IsCaseText(const std::string& path);
+
 /// The command that runs the verb on the choice's case, quoted for a shell.
 std::string CommandFor(std::string_view verb, const CaseChoice& choice);
 

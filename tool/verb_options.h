@@ -1,5 +1,5 @@
-// What verbs' options share. Seen by the two files that parse, and by none else: CLI11 costs about
-// ten seconds a file.
+// What verbs' options share. Seen by the three files that parse, and by none else: CLI11 costs
+// about ten seconds a file.
 #ifndef RASTERPROOF_TOOL_VERB_OPTIONS_H_
 #define RASTERPROOF_TOOL_VERB_OPTIONS_H_
 
@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "CLI/CLI.hpp"
 #include "props/run/campaign.h"
+#include "tool/interrupt.h"
 
 namespace rasterproof::tool {
 
@@ -37,6 +39,31 @@ void AddCampaign(CLI::App* app, props::CampaignOptions& campaign,
 
 /// Adds --list-length.
 void AddListLength(CLI::App* app, std::size_t& length);
+
+/// Adds an option of a number from 1 to `most`.
+void AddCount(CLI::App* app, const std::string& option, const std::string& help, int most,
+              const std::function<void(int)>& take, int usual);
+
+/// Adds --jobs, for as many of `what` at once.
+void AddJobs(CLI::App* app, int& jobs, const std::string& what);
+
+inline constexpr std::string_view kCaseHelp =
+    "Drawn case, by its name DOMAIN:INDEX@SEED (near-edge:17@1)";
+
+/// Runs a verb that says what it knows so far when it is interrupted. Any other one ends at once,
+/// as programs do.
+template <typename Options>
+int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
+  CatchInterrupts();
+  const int status = verb(options);
+  return Interrupted() ? InterruptStatus() : status;
+}
+
+/// Adds check, whose subject is `own` unless one is named.
+void AddCheck(CLI::App& app, Run& run, const std::string& own);
+
+/// Adds certify, whose subject is `own` unless one is named.
+void AddCertify(CLI::App& app, Run& run, const std::string& own);
 
 /// Adds pipe ask, judge and answer.
 void AddPipeVerb(CLI::App& app, Run& run);

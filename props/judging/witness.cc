@@ -52,7 +52,7 @@ LegalCounts LegalCountsOf(const PlacedCase& c, const DrawOptions& options) {
 }
 
 std::string EdgeValuesText(const std::array<Point2, 3>& v, Point2 p) {
-  std::string text = "; exact E of edges 0, 1, 2: ";
+  std::string text = "; exact E of edges v1-v2, v2-v0, v0-v1: ";
   for (int i = 0; i < 3; ++i) {
     text += exact::EdgeValue(EdgeStart(v, i), EdgeEnd(v, i), p).ToString();
     if (i < 2) text += ", ";

@@ -18,6 +18,7 @@
 #include "core/call_end.h"
 #include "core/error.h"
 #include "subjects/process/groups.h"
+#include "subjects/process/program_errors.h"
 
 namespace rasterproof::subjects {
 namespace {
@@ -73,6 +74,7 @@ void LimitMemory(std::uint64_t bytes) {
 ChildProcess::ChildProcess(const std::vector<std::string>& command, std::uint64_t most_bytes,
                            int errors) {
   if (Interrupted()) throw SubjectStop(Stop::kTooSlow, kInterruptedText);
+  if (errors < 0) errors = ProgramErrors();
   const std::string& program = command.front();
   std::vector<char*> argv;
   for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));

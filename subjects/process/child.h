@@ -46,7 +46,7 @@ class ChildProcess {
  public:
   using Clock = OwnTime::Clock;
 
-  /// `errors`: the file for its standard error; -1: this program's standard error.
+  /// `errors`: the file for its standard error; -1: ProgramErrors().
   ///
   /// Error:      InputError if the program can't be started; SubjectStop if the command was
   ///             interrupted.

@@ -33,7 +33,7 @@ Explanation Sample() {
   explanation.focus_x = 1;
   explanation.focus_y = 1;
   explanation.triangles = {0};
-  explanation.edge_values = {"triangle 0, edge 0: E = -3/65536"};
+  explanation.edge_values = {"triangle 0, edge v1-v2: E = -3/65536"};
   explanation.headline = "3 of 12 samples differ";
   explanation.replay = "rasterproof explain case.json";
   return explanation;
@@ -62,7 +62,7 @@ TEST(ExplanationTextTest, ShowsExpectedActualAndDifferenceSideBySide) {
       " 2 1 1 1 1        1 1 1 1        . . . !\n"
       "counts: . none, 1 to 9, # more   difference: . right  - missing  + unexpected  ! facing"
       "   [ ] the pixel in question\n"
-      "triangle 0, edge 0: E = -3/65536\n"
+      "triangle 0, edge v1-v2: E = -3/65536\n"
       "replay: rasterproof explain case.json\n");
 }
 
@@ -77,7 +77,7 @@ TEST(ExplanationTextTest, ShowsOnePanelWhereCoverageIsRight) {
             " 1 1[1]1 1\n"
             " 2 1 1 1 1\n"
             "counts: . none, 1 to 9, # more   [ ] the pixel in question\n"
-            "triangle 0, edge 0: E = -3/65536\n"
+            "triangle 0, edge v1-v2: E = -3/65536\n"
             "replay: rasterproof explain case.json\n");
   const std::string svg = ExplanationToSvg(explanation);
   EXPECT_EQ(svg.find("difference"), std::string::npos);

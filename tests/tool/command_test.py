@@ -5,6 +5,7 @@ usage: command_test.py PROGRAM SOURCES
 import json
 import os
 import random
+import shlex
 import struct
 import subprocess
 import sys
@@ -335,7 +336,7 @@ class VerdictTest(TemporaryFolder):
         result = run("check", "--subject", "textbook", "--property", SHARED_EDGE)
         self.assertEqual(result.returncode, 1, result.stderr)
         line = next(l for l in result.stdout.decode().splitlines() if "rasterproof replay" in l)
-        replay = line[line.index("rasterproof replay"):].split()[1:]
+        replay = shlex.split(line[line.index("rasterproof replay"):])[1:]
         again = run(*replay)
         self.assertEqual(again.returncode, 1, again.stderr)
         self.assertIn(b"0x", again.stdout)
@@ -366,7 +367,7 @@ class VerdictTest(TemporaryFolder):
         self.assertEqual(len(result.stdout.decode().splitlines()), 2)
 
     def test_a_check_ends_with_its_counts_and_a_line_for_each_reason_not_to_ask(self):
-        result = run("check", "--subject", "f32-direct", "--cases", "1")
+        result = run("check", "--subject", "f32-direct", "--cases", "1", "--verbose")
         lines = result.stdout.decode().splitlines()
         named = [l for l in lines if l.startswith("not applicable")]
         (fragments,) = (l for l in named if "the subject shows no fragments: " in l)
@@ -377,7 +378,8 @@ class VerdictTest(TemporaryFolder):
 
     def test_each_scene_says_for_itself_what_was_not_asked(self):
         scenes = [os.path.join(SOURCES, "scenes", name) for name in ("ties.json", "fan.json")]
-        lines = run("check", *scenes, "--subject", "f32-direct").stdout.decode().splitlines()
+        done = run("check", *scenes, "--subject", "f32-direct", "--verbose")
+        lines = done.stdout.decode().splitlines()
         printed = [l for l in lines if "the subject shows no fragments: " in l]
         self.assertEqual(len(printed), 2, lines)
         for scene, line in zip(scenes, printed):
@@ -386,8 +388,8 @@ class VerdictTest(TemporaryFolder):
 
     def test_a_drawn_case_is_checked_by_its_name(self):
         found = run("check", "--subject", "textbook", "--property", SHARED_EDGE)
-        line = next(l for l in found.stdout.decode().splitlines() if "rasterproof replay" in l)
-        name = line.split(" --case ")[1].split()[0]
+        line = next(l for l in found.stdout.decode().splitlines() if l.startswith("shrunk from "))
+        name = line.split()[2]
         self.assertRegex(name, "^[a-z0-9-]+:[0-9]+@1$")
         again = run("check", "--subject", "textbook", "--property", SHARED_EDGE, "--case", name)
         self.assertEqual(again.returncode, 1, again.stderr)
@@ -397,7 +399,7 @@ class VerdictTest(TemporaryFolder):
         self.assertIn(" 1 violated, ", text)
         # Without a property: every one that applies.
         result = run("check", "--subject", "spans-exact", "--case", "near-edge:17@1",
-                     "--case", "fans:0@2")  # fmt: skip
+                     "--case", "fans:0@2", "--verbose")  # fmt: skip
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         for case in ("near-edge:17@1", "fans:0@2"):
             self.assertRegex(result.stdout.decode(), f"holds +spans-exact +{MODEL} +{case}: ")
@@ -408,7 +410,7 @@ class VerdictTest(TemporaryFolder):
         result = run("check", *chosen, "--profile", "real")
         self.assertEqual(result.returncode, 1, result.stdout)
         line = next(l for l in result.stdout.decode().splitlines() if "rasterproof replay" in l)
-        replay = line[line.index("rasterproof replay"):].split()[1:]
+        replay = shlex.split(line[line.index("rasterproof replay"):])[1:]
         self.assertIn("--profile", replay)
         self.assertEqual(run(*replay).returncode, 1)
 

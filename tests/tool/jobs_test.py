@@ -77,7 +77,7 @@ class Check(unittest.TestCase):
         """What is printed for every number of jobs and every batch: one text."""
         said = {}
         for n, batch in [(n, batches[0]) for n in jobs] + [(2, batch) for batch in batches[1:]]:
-            done = run("check", *arguments, "--jobs", str(n), "--batch", str(batch))
+            done = run("check", *arguments, "--jobs", str(n), "--batch", str(batch), "--verbose")
             self.assertEqual(done.returncode, status, done.stdout.decode() + done.stderr.decode())
             said.setdefault(done.stdout, []).append((n, batch))
         self.assertEqual(len(said), 1, f"{list(said.values())} differ")
@@ -167,8 +167,9 @@ class Check(unittest.TestCase):
             for n in JOBS:
                 done = subprocess.run(
                     [PROGRAM, "check", "--subject", "textbook", "--cases", "24", "--save", folder,
-                     "--jobs", str(n)], cwd=SOURCES, timeout=300, stdout=subprocess.PIPE,
-                    stderr=subprocess.PIPE, preexec_fn=forbid_files)  # fmt: skip
+                     "--verbose", "--jobs", str(n)],
+                    cwd=SOURCES, timeout=300, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                    preexec_fn=forbid_files)  # fmt: skip
                 self.assertEqual(done.returncode, 2, done.stderr)
                 if n == 1:
                     first = done.stdout

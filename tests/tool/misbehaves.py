@@ -53,6 +53,8 @@ def once():
 
 def answer(number, width, height):
     row = " ".join(["0"] * width) + "\n"
+    if WHAT == "warns":
+        print(*["a warning\nand another"] * 3, sep="\n", file=sys.stderr, flush=True)
     rows = row * height
     if WHAT == "refuses":
         return say(f"refused {number} not today\n")

@@ -5,6 +5,7 @@ usage: misbehaving_test.py PROGRAM SOURCES PLUGINS
 import glob
 import json
 import os
+import re
 import select
 import signal
 import subprocess
@@ -91,6 +92,15 @@ class Misbehaving(unittest.TestCase):
 
     def test_a_sound_one_holds(self):
         self.expect("sound", 0, "1 hold")
+
+    def test_what_it_says_is_marked_and_limited(self):
+        run = self.start("warns")
+        status, text = run.end()
+        self.assertEqual(status, 0, text)
+        said = re.findall(r"(?m)^program: a(?:nd another| warning)$", text)
+        self.assertEqual(len(said), 20, text)
+        self.assertRegex(text, r"(?m)^program: \.\.\. [1-9]\d* more lines$")
+        self.assertEqual(text.count("another"), 10, text)
 
     def test_a_crash_is_reported_with_its_signal(self):
         self.expect("crashes", 1, "killed by signal 11")

@@ -157,8 +157,8 @@ class Pictures(unittest.TestCase):
         named = [line.split(",")[0] for line in lines]
         self.assertEqual(named[:6], ["triangle 2"] * 3 + ["triangle 3"] * 3, done.stdout)
         # The sample lies 2^-34 off the edge that they share.
-        self.assertIn("triangle 2, edge 1: E = -1/17179869184", lines)
-        self.assertIn("triangle 3, edge 2: E = 1/17179869184", lines)
+        self.assertIn("triangle 2, edge v2-v0: E = -1/17179869184", lines)
+        self.assertIn("triangle 3, edge v0-v1: E = 1/17179869184", lines)
 
 
 class Plan(unittest.TestCase):

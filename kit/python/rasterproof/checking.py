@@ -30,10 +30,15 @@ class Report(NamedTuple):
 
     status: int  # of the command: 0 holds, 1 violated, 3 a fault of its own, 4 inconclusive
     text: str  # what it printed
-    violated: tuple  # names of properties
+    failures: tuple = ()  # of check(), dicts: property, cause, case, next; see docs/programs.md
 
     def __bool__(self):
         return self.status == 0
+
+    @property
+    def violated(self):
+        """The names of the properties that fail the run, each once."""
+        return tuple(dict.fromkeys(each["property"] for each in self.failures if each["fails"]))
 
     def require(self):
         """Raises AssertionError with the command's text unless every property holds."""
@@ -187,22 +192,22 @@ def _run(verb, draw, profile, options, stream, *, name, format, coverage,  # noq
                                           batches=batches, relay=relay),
                              encoding="utf-8")  # fmt: skip
         said = pathlib.Path(folder, "said")
+        found = pathlib.Path(folder, "found.json")
+        if verb == "check":
+            options = [*options, "--json", str(found)]
         with open(said, "wb") as out:
             process = subprocess.Popen([program, verb, "--subject", str(described), *options],
                                        stdin=subprocess.DEVNULL, stdout=out,
                                        stderr=out if stream is None else None)  # fmt: skip
         status = host.run(process)
         text = said.read_text(encoding="utf-8", errors="replace")
-        return status, text.replace(str(described), described.name)
-
-
-def _violated(text):
-    names = []
-    for line in text.splitlines():
-        words = line.split()
-        if words[:1] == ["violated"] and len(words) > 2 and words[2] not in names:
-            names.append(words[2])
-    return tuple(names)
+        if status == 2:
+            raise BadArgument(text.strip())
+        failures = ()
+        if found.exists():
+            subjects = json.loads(found.read_text(encoding="utf-8"))["subjects"]
+            failures = tuple(each for subject in subjects for each in subject["failures"])
+        return Report(status, text.replace(str(described), described.name), failures)
 
 
 def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=None, save=None,
@@ -228,19 +233,12 @@ def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=Non
     words += [word for each in scenes for word in ("--scene", str(each))]
     words += ["--seed", str(seed)] if seed is not None else []
     words += ["--save", str(save)] if save else []
-    status, text = _run("check", draw, profile, [*words, *options], True if progress else None,
-                        name=name, format=format, coverage=coverage, clip=clip,
-                        batches=batches)  # fmt: skip
-    if status == 2:
-        raise BadArgument(text.strip())
-    return Report(status, text, _violated(text))
+    return _run("check", draw, profile, [*words, *options], True if progress else None, name=name,
+                format=format, coverage=coverage, clip=clip, batches=batches)  # fmt: skip
 
 
 def certify(draw, out, profile="real", *, format="float32", coverage="counts",  # noqa: A002
             clip=False, batches=False, name=None, options=()):  # fmt: skip
     """The whole catalogue and the bundled scenes: a certificate and a report page in `out`."""
-    status, text = _run("certify", draw, profile, ["--out", str(out), *options], True, name=name,
-                        format=format, coverage=coverage, clip=clip, batches=batches)  # fmt: skip
-    if status == 2:
-        raise BadArgument(text.strip())
-    return Report(status, text, _violated(text))
+    return _run("certify", draw, profile, ["--out", str(out), *options], True, name=name,
+                format=format, coverage=coverage, clip=clip, batches=batches)  # fmt: skip

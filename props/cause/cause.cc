@@ -25,7 +25,7 @@ constexpr std::size_t kMostCombined = 4;   // suspects at once
 constexpr std::size_t kMostCompared = 48;  // draws, while the next of them is looked for
 constexpr std::ptrdiff_t kLeastGain = 2;   // fewer draws more are chance
 constexpr std::size_t kFewestInPart = 2;   // wrong draws that a suspect of a part must reproduce
-constexpr std::chrono::seconds kLongestFit{6};
+constexpr std::chrono::seconds kLongestFit{3};
 
 // A suspect that is still in the race.
 struct Fitting {

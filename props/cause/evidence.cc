@@ -20,7 +20,7 @@ namespace rasterproof::props {
 namespace {
 
 using CauseClock = std::chrono::steady_clock;
-constexpr std::chrono::seconds kLongestGathering{4};
+constexpr std::chrono::seconds kLongestGathering{2};
 constexpr std::size_t kMostAsked = 12;      // properties whose own checks are asked
 constexpr std::uint64_t kCasesOfEach = 24;  // of the failed property's own campaign
 constexpr std::uint64_t kCasesAround = 160;

@@ -3,7 +3,7 @@
 //     $ verilator --binary oracle_dpi.sv -LDFLAGS -lrasterproof_oracle && obj_dir/Voracle_dpi
 //
 // A unit that owns top-left edges in integers of 8 fraction bits is compared with what every legal
-// rasterizer must and may do. With -DINCLUSIVE it owns every edge, and is convicted.
+// rasterizer must and may do. With +inclusive it owns every edge, and is convicted.
 module oracle_dpi;
   import "DPI-C" function int rasterproof_oracle_open(input string text, output chandle profile);
   import "DPI-C" function string rasterproof_oracle_message();
@@ -14,14 +14,12 @@ module oracle_dpi;
 
   localparam int Side = 8;
 
+  bit is_inclusive = $test$plusargs("inclusive") != 0;
+
   // Whether (x, y) is on the inner side of the edge from a to b, in 1/256 of a pixel; y is down.
   function automatic bit owns(input longint ax, ay, bx, by, x, y);
     longint e = (x - ax) * (by - ay) - (y - ay) * (bx - ax);
-`ifdef INCLUSIVE
-    return e <= 0;
-`else
-    return e < 0 || (e == 0 && (by - ay < 0 || (by == ay && bx > ax)));
-`endif
+    return e < 0 || (e == 0 && (is_inclusive || by < ay || (by == ay && bx > ax)));
   endfunction
 
   chandle gl;

@@ -185,8 +185,9 @@ std::string FindingsText(const Findings& found, bool verbose) {
     order.push_back(&finding);
     dull += IsOfInterest(finding) ? 0 : 1;
   }
-  std::ranges::stable_sort(order, {},
-                           [&](const Finding* finding) { return Rank(found, *finding); });
+  std::ranges::sort(order, {}, [&](const Finding* finding) {
+    return std::pair(Rank(found, *finding), finding - found.all.data());
+  });
   const bool all = verbose || found.all.size() <= kFew;
   std::string text;
   std::size_t shown = 0;

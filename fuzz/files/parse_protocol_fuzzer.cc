@@ -75,9 +75,15 @@ void ReadAnswers(std::uint8_t kind, std::string_view text) {
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     return line;
   };
+  const auto next_bytes = [&](std::size_t count) {
+    if (text.size() < count) throw SubjectStop(rasterproof::Stop::kBrokeDown, "no more bytes");
+    const std::string_view bytes = text.substr(0, count);
+    text.remove_prefix(count);
+    return bytes;
+  };
   try {
     rasterproof::subjects::AnsweredRequest(text.substr(0, text.find('\n')));
-    const auto drawing = rasterproof::subjects::ReadAnswer(1, job, info, next_line);
+    const auto drawing = rasterproof::subjects::ReadAnswer(1, job, info, next_line, next_bytes);
     constexpr std::size_t kSamples = 12;
     if (drawing.counts.size() != kSamples) {
       rasterproof::fuzz::Fail("an answer of the wrong shape was taken");

@@ -167,8 +167,8 @@ std::vector<double> ReadNpyDoubles(std::size_t rows, std::size_t columns,
     BreakDown("an array has shape " + ShapeText(head.shape) + " and numbers of type " +
               Quoted(head.type, kMostShown) + ", not " + ShapeText(wanted) + " and '<f8'");
   }
+  const std::string_view bytes = next_bytes(rows * columns * sizeof(double));
   std::vector<double> numbers(rows * columns);
-  const std::string_view bytes = next_bytes(numbers.size() * sizeof(double));
   if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
   return numbers;
 }

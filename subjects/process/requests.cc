@@ -375,12 +375,16 @@ std::shared_ptr<const Scene> RequestReader::SceneFor(Scene target,
   return std::make_shared<const Scene>(std::move(target));
 }
 
-// The next bytes of the stream; fewer at its end.
+// The next bytes of the stream, read piece by piece: a head may say more than follows.
 std::string_view RequestReader::NextBytesOf(std::size_t count) {
-  bytes_.resize(count);
-  in_.read(bytes_.data(), static_cast<std::streamsize>(count));
-  const auto got = static_cast<std::size_t>(in_.gcount());
-  if (got < count) {
+  constexpr std::size_t kPiece = std::size_t{1} << 20;
+  bytes_.clear();
+  while (bytes_.size() < count) {
+    const std::size_t begin = bytes_.size();
+    const std::size_t size = std::min(kPiece, count - begin);
+    bytes_.resize(begin + size);
+    in_.read(bytes_.data() + begin, static_cast<std::streamsize>(size));
+    if (static_cast<std::size_t>(in_.gcount()) == size) continue;
     throw InputError("standard input", "it ends within an array",
                      "give as many bytes as the array's head says");
   }
@@ -388,19 +392,20 @@ std::string_view RequestReader::NextBytesOf(std::size_t count) {
 }
 
 std::vector<Vertex> RequestReader::NextVertices(std::size_t count, Lists lists) {
-  std::vector<Vertex> vertices(count);
+  std::vector<Vertex> vertices;
   if (lists.as_arrays) {
     const std::vector<double> numbers = OfArray(lists.id, "vertices", [&] {
       return ReadNpyDoubles(count, 4, [&](std::size_t n) { return NextBytesOf(n); });
     });
-    for (std::size_t n = 0; n < count; ++n)
-      vertices[n] = {numbers[4 * n], numbers[4 * n + 1], numbers[4 * n + 2], numbers[4 * n + 3]};
+    vertices.reserve(count);
+    for (std::size_t n = 0; n < numbers.size(); n += 4)
+      vertices.push_back({numbers[n], numbers[n + 1], numbers[n + 2], numbers[n + 3]});
     return vertices;
   }
   for (std::size_t n = 0; n < count; ++n) {
     if (!std::getline(in_, line_)) line_.clear();
     const auto [x, y, z, w] = NumbersOf<double, 4>(line_, "vertex", n, lists.id);
-    vertices[n] = {x, y, z, w};
+    vertices.push_back({x, y, z, w});
   }
   return vertices;
 }
@@ -414,17 +419,18 @@ std::vector<Triangle> RequestReader::NextTriangles(std::size_t count, Lists list
       return ReadNpyIntegers(shapes, [&](std::size_t n) { return NextBytesOf(n); });
     });
   }
-  std::vector<Triangle> triangles(count);
+  std::vector<Triangle> triangles;
   for (std::size_t n = 0; n < count; ++n) {
+    Triangle& triangle = triangles.emplace_back();
     if (lists.as_arrays) {
       for (std::size_t k = 0; k < 3; ++k)
-        triangles[n][k] = static_cast<std::int32_t>(std::clamp<std::int64_t>(
+        triangle[k] = static_cast<std::int32_t>(std::clamp<std::int64_t>(
             numbers[3 * n + k], -1, std::numeric_limits<std::int32_t>::max()));
     } else {
       if (!std::getline(in_, line_)) line_.clear();
-      triangles[n] = NumbersOf<std::int32_t, 3>(line_, "triangle", n, lists.id);
+      triangle = NumbersOf<std::int32_t, 3>(line_, "triangle", n, lists.id);
     }
-    for (const std::int32_t index : triangles[n]) {
+    for (const std::int32_t index : triangle) {
       if (index >= 0 && static_cast<std::size_t>(index) < vertices) continue;
       Malformed("request " + std::to_string(lists.id) + ", triangle " + std::to_string(n),
                 "indices of its " + std::to_string(vertices) + " vertices");

@@ -20,6 +20,8 @@
 namespace rasterproof::tool {
 namespace {
 
+constexpr double kPatience = 100;  // what is found may not depend on the clock
+
 enum class Named : std::uint8_t { kRight, kWrong, kNone };
 
 bool IsAmong(std::string_view name, std::string_view names) {
@@ -66,7 +68,7 @@ CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make
   if (!result.hunt.violation) return found;
   const auto failed = FailedBy(*result.hunt.violation, make()->Info());
   if (!failed) return found;
-  const props::Explanation explanation = props::Explain(make, {&*failed, 1});
+  const props::Explanation explanation = props::Explain(make, {&*failed, 1}, kPatience);
   found.property = failed->property->name;
   if (explanation.causes.empty()) return found;
   const props::Cause& cause = explanation.causes.front();

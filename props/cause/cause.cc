@@ -39,10 +39,13 @@ struct Fitting {
 
 class Investigation {
  public:
-  Investigation(const MakesSubject& make, std::span<const FailedProperty> failures)
+  Investigation(const MakesSubject& make, std::span<const FailedProperty> failures, double patience)
       : make_(make),
         failures_(failures),
-        end_(std::chrono::steady_clock::now() + 2 * kLongestFit) {}
+        patience_(patience),
+        end_(std::chrono::steady_clock::now() +
+             std::chrono::duration_cast<std::chrono::steady_clock::duration>(2 * patience *
+                                                                             kLongestFit)) {}
 
   Explanation Run();
 
@@ -66,6 +69,7 @@ class Investigation {
 
   const MakesSubject& make_;
   std::span<const FailedProperty> failures_;
+  double patience_;
   std::chrono::steady_clock::time_point end_;
   std::unique_ptr<Subject> subject_;
   std::vector<Observation> observations_;  // modelled wrong ones first
@@ -357,7 +361,7 @@ void Investigation::FindRest() {
 
 Explanation Investigation::Run() {
   subject_ = make_();
-  observations_ = Gather(*subject_, failures_);
+  observations_ = Gather(*subject_, failures_, patience_);
   Sort();
   found_.draws = DrawsOf(observations_);
   found_.wrong = DrawsOf(std::span(observations_).first(wrong_));
@@ -383,9 +387,10 @@ Explanation Investigation::Run() {
 
 }  // namespace
 
-Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures) {
+Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures,
+                    double patience) {
   if (failures.empty()) return {};
-  return Investigation(make, failures).Run();
+  return Investigation(make, failures, patience).Run();
 }
 
 }  // namespace rasterproof::props

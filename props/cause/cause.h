@@ -56,8 +56,10 @@ using MakesSubject = std::function<std::unique_ptr<Subject>()>;
 /// Domain:     properties that subjects of `make` violate; each call makes another of them, which
 ///             has drawn nothing.
 /// Returns:    each failed property in one cause.
-/// Cost:       a few hundred draws of the subject, and a few seconds.
-Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures);
+/// Cost:       a few hundred draws of the subject, and at most 8 s of the clock times `patience`:
+///             what was not compared by then is not named.
+Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures,
+                    double patience = 1);
 
 /// What was changed about a wrong draw that made it right.
 struct Circumstance {

@@ -32,8 +32,11 @@ constexpr std::uint64_t kFirstAround = std::uint64_t{1} << 20;
 // What is asked about a case, and put to the subject check by check.
 class Gathering {
  public:
-  Gathering(Subject& subject, std::vector<Observation>& found)
-      : subject_(subject), found_(found), end_(CauseClock::now() + kLongestGathering) {}
+  Gathering(Subject& subject, std::vector<Observation>& found, double patience)
+      : subject_(subject),
+        found_(found),
+        end_(CauseClock::now() +
+             std::chrono::duration_cast<CauseClock::duration>(patience * kLongestGathering)) {}
 
   bool IsOver() const { return broke_down_ || CauseClock::now() > end_; }
   void AskAll(std::size_t failure, const Property& property, const Case& c);
@@ -174,7 +177,8 @@ bool SameDrawing(const Drawing& a, const Drawing& b) {
 
 }  // namespace
 
-std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures) {
+std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures,
+                                double patience) {
   std::vector<Observation> found;
   Gathering gathering(subject, found);
   const std::size_t asked = std::min(failures.size(), kMostAsked);

@@ -40,8 +40,9 @@ struct Observation {
 /// them one draw. The failing cases come first.
 ///
 /// Domain:     failed properties of the subject.
-/// Returns:    fewer observations if the subject breaks down or takes long.
-std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures);
+/// Returns:    fewer observations if the subject breaks down, or takes more than 2 s times `patience`.
+std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures,
+                                double patience);
 
 /// Puts the observation's questions to another subject.
 ///

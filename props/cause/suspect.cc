@@ -15,11 +15,13 @@
 #include "model/wrap.h"
 
 namespace rasterproof::props {
+
+int ToPixel(double x) {
+  constexpr double kFarthest = 0x1p30;  // of a box's end: targets are smaller
+  return static_cast<int>(std::clamp(x, -kFarthest, kFarthest));
+}
+
 namespace {
-
-constexpr double kFarthest = 0x1p30;  // of a box's end: targets are smaller
-
-int ToPixel(double x) { return static_cast<int>(std::clamp(x, -kFarthest, kFarthest)); }
 
 // What one draw sees of its target.
 struct SuspectTarget {

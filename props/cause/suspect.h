@@ -22,6 +22,11 @@
 
 namespace rasterproof::props {
 
+/// The pixel that a coordinate lies in, rounded toward zero; far outside one at 2^30 pixels.
+///
+/// Domain:     not NaN.
+int ToPixel(double x);
+
 /// One sample of the target, in axes of the screen: x right, y down, also where y is up.
 struct SuspectSample {
   int x = 0;

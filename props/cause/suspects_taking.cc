@@ -76,7 +76,9 @@ void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
          "wraps the area to " + std::to_string(bits) + " bits",
          {.area = [scale, bits](const Corners3& v) {
            __extension__ using Wide = __int128;
-           const auto n = [scale](double x) { return Wide{static_cast<std::int64_t>(x * scale)}; };
+           const auto n = [scale](double x) {
+             return Wide{static_cast<std::int64_t>(std::clamp(x * scale, -0x1p61, 0x1p61))};
+           };
            const Wide area =
                n(v[2].x - v[0].x) * n(v[1].y - v[0].y) - n(v[2].y - v[0].y) * n(v[1].x - v[0].x);
            const auto cut =

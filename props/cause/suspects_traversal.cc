@@ -47,10 +47,8 @@ void AddBoxes(std::vector<Suspect>& list) {
   list.push_back({"bounding-box",
                   "leaves out the pixels that hold the largest x and y",
                   {.box = [](PixelRect& box, const SuspectTriangle& t, const Scene&) {
-                    box.x1 =
-                        std::min(box.x1, static_cast<int>(std::ranges::max(t.v, {}, &Point2::x).x));
-                    box.y1 =
-                        std::min(box.y1, static_cast<int>(std::ranges::max(t.v, {}, &Point2::y).y));
+                    box.x1 = std::min(box.x1, ToPixel(std::ranges::max(t.v, {}, &Point2::x).x));
+                    box.y1 = std::min(box.y1, ToPixel(std::ranges::max(t.v, {}, &Point2::y).y));
                   }}});
   for (const bool y : {false, true}) {
     list.push_back({"bounding-box",
@@ -59,8 +57,8 @@ void AddBoxes(std::vector<Suspect>& list) {
                     {.box = [y](PixelRect& box, const SuspectTriangle& t, const Scene&) {
                       const auto axis = y ? &Point2::y : &Point2::x;
                       const auto [least, most] = std::ranges::minmax(t.v, {}, axis);
-                      (y ? box.y0 : box.x0) = static_cast<int>(std::floor(least.*axis + 0.5));
-                      (y ? box.y1 : box.x1) = static_cast<int>(std::ceil(most.*axis - 0.5));
+                      (y ? box.y0 : box.x0) = ToPixel(std::floor(least.*axis + 0.5));
+                      (y ? box.y1 : box.x1) = ToPixel(std::ceil(most.*axis - 0.5));
                     }}});
   }
 }

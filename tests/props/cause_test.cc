@@ -26,6 +26,8 @@
 namespace rasterproof::props {
 namespace {
 
+constexpr double kPatience = 100;  // what is found may not depend on the clock
+
 const Property& Model() { return *FindProperty("CoverageEqualsTheModel"); }
 
 // The violation of a property that a short campaign finds.
@@ -47,7 +49,7 @@ Cause CauseOf(std::string_view mutant, std::string_view property = "CoverageEqua
   const MakesSubject make = MutantMaker(mutant);
   const FailedProperty failure = FailureOf(make, *FindProperty(property));
   if (failure.property == nullptr) return {};
-  const Explanation found = Explain(make, std::span(&failure, 1));
+  const Explanation found = Explain(make, std::span(&failure, 1), kPatience);
   EXPECT_EQ(found.causes.size(), 1U);
   return found.causes.empty() ? Cause() : found.causes.front();
 }
@@ -159,7 +161,7 @@ TEST(Cause, OfThreeBugsIsToldAsThree) {
   cut.options.scissor = PixelRect{0, 0, 2, 2};
   const std::vector<FailedProperty> failures{
       {&Model(), {small}}, {&Model(), {tie}}, {&Model(), {cut}}};
-  const Explanation found = Explain(ThreeBugs, failures);
+  const Explanation found = Explain(ThreeBugs, failures, kPatience);
   std::vector<std::string> names;
   for (const Cause& cause : found.causes) {
     names.push_back(cause.name);
@@ -183,7 +185,7 @@ TEST(OnlyWith, NamesWhatTheWrongDrawsShare) {
   const MakesSubject make = MutantMaker("mutant:overflow-unsigned");
   const FailedProperty failure = FailureOf(make, Model());
   ASSERT_NE(failure.property, nullptr);
-  const Explanation found = Explain(make, std::span(&failure, 1));
+  const Explanation found = Explain(make, std::span(&failure, 1), kPatience);
   ASSERT_EQ(found.causes.size(), 1U);
   EXPECT_EQ(found.causes.front().name, "overflow");
 }

@@ -180,7 +180,7 @@ bool SameDrawing(const Drawing& a, const Drawing& b) {
 std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures,
                                 double patience) {
   std::vector<Observation> found;
-  Gathering gathering(subject, found);
+  Gathering gathering(subject, found, patience);
   const std::size_t asked = std::min(failures.size(), kMostAsked);
   for (std::size_t k = 0; k < asked; ++k) {
     for (const Case& c : failures[k].cases) gathering.AskAll(k, *failures[k].property, c);

@@ -40,7 +40,7 @@ struct Observation {
 /// them one draw. The failing cases come first.
 ///
 /// Domain:     failed properties of the subject.
-/// Returns:    fewer observations if the subject breaks down, or takes more than 2 s times `patience`.
+/// Returns:    fewer observations if the subject breaks down, or after 2 s times `patience`.
 std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures,
                                 double patience);
 

@@ -17,7 +17,7 @@
 namespace rasterproof::props {
 
 int ToPixel(double x) {
-  constexpr double kFarthest = 0x1p30;  // of a box's end: targets are smaller
+  constexpr double kFarthest = 0x1p28;  // of a box's end: targets are smaller
   return static_cast<int>(std::clamp(x, -kFarthest, kFarthest));
 }
 

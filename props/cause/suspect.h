@@ -22,7 +22,7 @@
 
 namespace rasterproof::props {
 
-/// The pixel that a coordinate lies in, rounded toward zero; far outside one at 2^30 pixels.
+/// The pixel that a coordinate lies in, rounded toward zero; far outside one at 2^28 pixels.
 ///
 /// Domain:     not NaN.
 int ToPixel(double x);

@@ -13,6 +13,16 @@ namespace {
 
 using Pieces = std::vector<SuspectClip>;
 
+void AddMirrored(std::vector<Suspect>& list) {
+  list.push_back({"clip-space",
+                  "draws what lies behind the eye upside down as well",
+                  {.clip = [](const SuspectClip& v) {
+                    SuspectClip mirrored = v;
+                    for (Vertex& p : mirrored) p = {-p.x, -p.y, p.z, -p.w};
+                    return Pieces{v, mirrored};
+                  }}});
+}
+
 void AddBehindTheEye(std::vector<Suspect>& list) {
   const auto dropping = [&](const std::string& what, auto drops) {
     list.push_back({"clip-space", what, {.clip = [drops](const SuspectClip& v) {
@@ -62,13 +72,7 @@ void AddBehindTheEye(std::vector<Suspect>& list) {
   changing("does not divide by w", [](Vertex& p) { p.w = 1; });
   changing("takes the size of w", [](Vertex& p) { p.w = std::fabs(p.w); });
   changing("takes w = 0 for 1", [](Vertex& p) { p.w = p.w == 0 ? 1 : p.w; });
-  list.push_back({"clip-space",
-                  "draws what lies behind the eye upside down as well",
-                  {.clip = [](const SuspectClip& v) {
-                    SuspectClip mirrored = v;
-                    for (Vertex& p : mirrored) p = {-p.x, -p.y, p.z, -p.w};
-                    return Pieces{v, mirrored};
-                  }}});
+  AddMirrored(list);
   changing("divides by w in float32", [](Vertex& p) {
     if (p.w <= 0) return;
     const auto w = static_cast<float>(p.w);

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/counters.h"
@@ -71,12 +70,6 @@ struct VectorsHeader {
   std::uint64_t triangles = 0;
   std::uint64_t joint = 0;
 };
-
-/// The hash of a file's text after its first line, as files state it: FNV-1a of 64 bits, in
-/// hexadecimal.
-///
-/// Source:     http://www.isthe.com/chongo/tech/comp/fnv/
-std::string HashText(std::string_view body);
 
 }  // namespace rasterproof
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/hash_text.h"
 #include "core/quoted.h"
 #include "core/sample_rows.h"
 #include "core/target_size.h"

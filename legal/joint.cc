@@ -13,6 +13,7 @@
 #include "legal/model_clauses.h"
 #include "legal/needs.h"
 #include "legal/triangle_samples.h"
+#include "model/snap_scene.h"
 #include "model/target_profile.h"
 
 namespace rasterproof::legal {
@@ -193,6 +194,7 @@ std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& 
   if (profile.sample_positions != SamplePositions::kStated)
     return "the profile leaves the places of samples open";
   if (TakesToWindow(profile, scene)) return "the profile has a transform of its own";
+  if (MayMoveEdgesAnyhow(scene, profile)) return std::string(kClippedAnyhow);
   if (!scene.clip_space) {
     const auto is_beyond = [&](const Vertex& v) {
       return IsFinite(v) && std::max(std::fabs(v.x), std::fabs(v.y)) > profile.coordinate_limit;

@@ -84,6 +84,11 @@ struct Effort {
   std::uint64_t most_propagations = 200'000'000;  ///< of the solver, for each question
 };
 
+/// The reason where MayMoveEdgesAnyhow().
+inline constexpr std::string_view kClippedAnyhow =
+    "a triangle leaves the guard band, and the profile does not say how far clipping moves its "
+    "edges";
+
 /// Returns why the joint verdict is not for this scene and profile, or nothing if it is.
 std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& profile);
 

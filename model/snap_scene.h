@@ -29,6 +29,12 @@ Scene SnapScene(const Scene& scene, const TargetProfile& profile);
 /// uses.
 bool IsUnclipped(const Scene& scene, const TargetProfile& profile);
 
+/// Returns whether clipping may move edges of the scene, and the profile does not say how far:
+/// nothing is then stated of the samples of what leaves the guard band.
+inline bool MayMoveEdgesAnyhow(const Scene& scene, const TargetProfile& profile) {
+  return profile.guard_band && !MovesClippedEdges(profile) && !IsUnclipped(scene, profile);
+}
+
 }  // namespace rasterproof
 
 #endif  // RASTERPROOF_MODEL_SNAP_SCENE_H_

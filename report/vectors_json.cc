@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/hash_text.h"
 #include "core/sample_rows.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/hash_text.h"
 #include "core/sample_pattern.h"
 #include "core/sample_rows.h"
 #include "fmt/format.h"

@@ -106,6 +106,8 @@ std::string CausesText(const props::Explanation& explanation,
     text += fmt::format("  explains {}\n", fmt::join(names, ", "));
   }
   if (explanation.causes.empty()) return text;
+  if (explanation.is_cut_short)
+    text += "  the search for causes was cut short: another suspect may explain them as well\n";
   const auto named = std::ranges::count_if(
       explanation.causes, [](const Cause& c) { return c.kind != CauseKind::kUnexplained; });
   return text + fmt::format("{}, {}\n",

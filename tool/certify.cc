@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/hash_text.h"
 #include "core/result.h"
 #include "exact/edge.h"
 #include "exact/environment.h"

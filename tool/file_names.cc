@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "fmt/format.h"
+#include "core/hash_text.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -19,16 +19,6 @@ bool IsLetterOrDigit(char c) {
 }
 
 bool IsPlain(char c) { return IsLetterOrDigit(c) || c == '-' || c == '_' || c == '.'; }
-
-// FNV-1a, 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/
-std::uint64_t HashOf(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : text) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3;
-  }
-  return hash;
-}
 
 // What a name that stays readable may not look like: one that was made.
 bool EndsLikeMade(std::string_view name) {
@@ -56,7 +46,7 @@ std::string FileNameOf(std::string_view subject) {
   readable.erase(0, std::min(readable.size(), static_cast<std::size_t>(
                                                   std::ranges::find_if(readable, IsLetterOrDigit) -
                                                   readable.begin())));
-  return fmt::format("{}{}{:016x}", readable, readable.empty() ? "" : "-", HashOf(subject));
+  return readable + (readable.empty() ? "" : "-") + HashText(subject);
 }
 
 }  // namespace rasterproof::tool

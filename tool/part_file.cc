@@ -12,6 +12,7 @@
 
 #include "core/counters.h"
 #include "core/error.h"
+#include "core/hash_text.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "core/verdict.h"
@@ -255,14 +256,6 @@ void WriteContent(JsonWriter& json, const SubjectPart& part) {
 }
 
 }  // namespace
-
-std::string HashText(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char byte : bytes) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  }
-  return fmt::format("{:016x}", hash);
-}
 
 std::string DigestOf(const SubjectPart& part) {
   JsonWriter json;

@@ -32,10 +32,8 @@ struct SubjectPart {
   std::string digest;  ///< as read: of all that it was written with
 };
 
-/// FNV-1a: whether two texts differ, not who made them.
-std::string HashText(std::string_view bytes);
-
-/// The part's digest: of its content, however a file spells it.
+/// The part's digest: HashText() of its content, however a file spells it. It tells whether two
+/// differ, not who made them.
 std::string DigestOf(const SubjectPart& part);
 
 /// Reads back what PartToJson wrote. Of a counterexample all but `compared` is kept.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/hash_text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "props/cause/cause.h"
@@ -37,13 +38,6 @@ Named Judged(const CauseFound& found) {
   const std::string_view expected = ExpectedCauses(found.mutant.name);
   if (found.name.empty()) return Named::kNone;
   return IsAmong(found.name, expected) ? Named::kRight : Named::kWrong;
-}
-
-// FNV-1a, 64 bits: what splits the mutants in halves has nothing to do with what they are.
-std::uint64_t HashOfName(std::string_view name) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
 }
 
 struct Figures {
@@ -87,7 +81,8 @@ std::string CausesTable(std::span<const CauseFound> all) {
   std::array<Figures, 2> halves;
   for (const CauseFound& found : all) {
     const std::string_view expected = ExpectedCauses(found.mutant.name);
-    const auto half = static_cast<std::size_t>(HashOfName(found.mutant.name) % 2);
+    // What splits the mutants in halves has nothing to do with what they are.
+    const auto half = static_cast<std::size_t>(Fnv1a(found.mutant.name) % 2);
     const auto named = static_cast<std::size_t>(Judged(found));
     ++(expected.empty() ? halves[half].without : halves[half].with)[named];
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", found.mutant.name,

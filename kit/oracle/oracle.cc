@@ -28,8 +28,8 @@
 #include "exact/placed_scene.h"
 #include "io/case_file.h"
 #include "io/scene_json.h"
-#include "kit/oracle/decisions.h"
 #include "kit/rasterproof_oracle.h"
+#include "legal/alone.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
 #include "model/snap.h"
@@ -149,8 +149,20 @@ void RequireCounts(std::size_t size, const Scene& scene, const Profile& profile)
   RequireSize(size, SamplesOf(scene, profile), "height * width * samples of a pixel");
 }
 
-void RequireDecisions(const Scene& scene, const Profile& profile) {
-  if (auto why = WhyNoDecisions(scene, profile)) throw NotDecided{*std::move(why)};
+// For each triangle and sample, a rasterproof_oracle_decision.
+std::vector<std::uint8_t> DecisionsOf(const Scene& scene, const Profile& profile) {
+  if (auto why = legal::WhyNotAlone(scene, profile)) throw NotDecided{*std::move(why)};
+  const std::size_t samples = SamplesOf(scene, profile);
+  std::vector<std::uint8_t> decisions(scene.triangles.size() * samples,
+                                      RASTERPROOF_ORACLE_MUST_NOT);
+  std::size_t first = 0;
+  for (const legal::TriangleDecided& triangle : legal::DecideAlone(scene, profile)) {
+    const auto of = std::span(decisions).subspan(std::exchange(first, first + samples), samples);
+    if (triangle.is_anything) std::ranges::fill(of, std::uint8_t{RASTERPROOF_ORACLE_MAY});
+    for (const std::size_t s : triangle.must) of[s] = RASTERPROOF_ORACLE_MUST;
+    for (const std::size_t s : triangle.may) of[s] = RASTERPROOF_ORACLE_MAY;
+  }
+  return decisions;
 }
 
 void RequireJoint(const Scene& scene, const Profile& profile) {
@@ -170,6 +182,11 @@ std::string PlaceText(std::size_t sample, const Scene& scene, std::size_t sample
          (samples > 1 ? " sample " + std::to_string(sample % samples) : "");
 }
 
+std::string CountText(std::int64_t least, std::int64_t most) {
+  return least == most ? std::to_string(most)
+                       : std::to_string(least) + " to " + std::to_string(most);
+}
+
 std::string WhyNotLegal(const legal::JointVerdict& verdict, const Scene& scene,
                         std::size_t samples) {
   if (!verdict.core || verdict.core->requirements.empty()) return "no legal model explains it";
@@ -180,25 +197,30 @@ std::string WhyNotLegal(const legal::JointVerdict& verdict, const Scene& scene,
     return "no legal model explains " + std::to_string(core.requirements.size()) +
            " samples together; the first: " + at;
   }
-  const std::string legal =
-      first.legal_least == first.legal_most
-          ? std::to_string(first.legal_most)
-          : std::to_string(first.legal_least) + " to " + std::to_string(first.legal_most);
   return at + ": covered " + std::to_string(first.least) +
          (first.least == first.most ? " times" : " times or more") + "; legal models cover it " +
-         legal + " times";
+         CountText(first.legal_least, first.legal_most) + " times";
 }
 
-// Judges a profile with one model that has no search: clip space, a transform of its own.
+// Judges a profile with one model where legal::JudgeJointly() is not for the scene: clip space, a
+// transform of its own. What is stated of one triangle does not depend on another.
 std::int32_t JudgeByModel(const Scene& scene, const Profile& profile, const CoverageCounts& drawn,
                           bool is_mask) {
-  const CoverageCounts model = ModelOf(scene, profile);
+  std::vector<std::uint32_t> least(drawn.size());
+  std::vector<std::uint32_t> most(drawn.size());
+  for (const legal::TriangleDecided& triangle : legal::DecideAlone(scene, profile)) {
+    for (const std::size_t s : triangle.must) ++least[s];
+    for (const std::size_t s : triangle.must) ++most[s];
+    for (const std::size_t s : triangle.may) ++most[s];
+    if (triangle.is_anything) std::ranges::for_each(most, [](std::uint32_t& n) { ++n; });
+  }
   const auto shown = [&](std::uint32_t n) { return is_mask ? std::min(n, 1U) : n; };
   for (std::size_t s = 0; s < drawn.size(); ++s) {
-    if (shown(drawn.Count(s)) == shown(model.Count(s))) continue;
+    const std::uint32_t count = drawn.Count(s);
+    if (shown(least[s]) <= shown(count) && shown(count) <= shown(most[s])) continue;
     SetMessage(PlaceText(s, scene, static_cast<std::size_t>(drawn.samples)) + ": covered " +
-               std::to_string(drawn.Count(s)) + " times; the model covers it " +
-               std::to_string(model.Count(s)) + " times");
+               std::to_string(count) + " times; the model covers it " +
+               CountText(least[s], most[s]) + " times");
     return RASTERPROOF_ORACLE_NOT_LEGAL;
   }
   return RASTERPROOF_ORACLE_LEGAL;
@@ -207,7 +229,8 @@ std::int32_t JudgeByModel(const Scene& scene, const Profile& profile, const Cove
 std::int32_t Judge(const Scene& scene, const Profile& profile, const CoverageCounts& drawn,
                    bool is_mask) {
   const TargetProfile target(profile, scene);
-  if (legal::WhyNotJoint(scene, target) && HasOneModel(profile) && !profile.guard_band)
+  const bool is_searched = !legal::WhyNotJoint(scene, target);
+  if (!is_searched && HasOneModel(profile) && !legal::WhyNotAlone(scene, profile))
     return JudgeByModel(scene, profile, drawn, is_mask);
   RequireJoint(scene, profile);
   legal::Observed observed;
@@ -234,7 +257,7 @@ struct LastTriangle {
   int width = 0;
   int height = 0;
   std::array<double, 6> corners{};
-  std::vector<Decision> decisions;
+  std::vector<std::uint8_t> decisions;
 };
 
 bool IsSame(const LastTriangle& last, std::uint64_t serial, int width, int height,
@@ -320,9 +343,7 @@ rasterproof_oracle_status rasterproof_oracle_decide(const rasterproof_oracle_pro
     kit::RequireSize(size, kit::SamplesOf(given, stated) * given.triangles.size(),
                      "triangle_count * height * width * samples of a pixel");
     const auto to = kit::ArrayOf(decisions, size, "decisions");
-    kit::RequireDecisions(given, stated);
-    std::ranges::transform(kit::DecisionsOf(given, stated), to.begin(),
-                           [](kit::Decision d) { return static_cast<std::uint8_t>(d); });
+    std::ranges::copy(kit::DecisionsOf(given, stated), to.begin());
   });
 }
 
@@ -383,7 +404,6 @@ int32_t rasterproof_oracle_covers(const rasterproof_oracle_profile* profile, int
       scene.precision = rasterproof::Precision::kFloat64;
       scene.vertices = {{x0, y0}, {x1, y1}, {x2, y2}};
       scene.triangles = {{0, 1, 2}};
-      kit::RequireDecisions(scene, stated);
       last.serial = 0;
       last.decisions = kit::DecisionsOf(scene, stated);
       last = {profile->serial, width, height, corners, std::move(last.decisions)};
@@ -391,8 +411,7 @@ int32_t rasterproof_oracle_covers(const rasterproof_oracle_profile* profile, int
     const auto samples = static_cast<std::size_t>(stated.pattern.samples());
     const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                               static_cast<std::size_t>(column);
-    decision =
-        static_cast<std::int32_t>(last.decisions[pixel * samples + static_cast<std::size_t>(s)]);
+    decision = last.decisions[pixel * samples + static_cast<std::size_t>(s)];
   });
   return status == RASTERPROOF_ORACLE_OK ? decision : status;
 }

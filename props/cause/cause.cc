@@ -25,7 +25,7 @@ constexpr std::size_t kMostCombined = 4;   // suspects at once
 constexpr std::size_t kMostCompared = 48;  // draws, while the next of them is looked for
 constexpr std::ptrdiff_t kLeastGain = 2;   // fewer draws more are chance
 constexpr std::size_t kFewestInPart = 2;   // wrong draws that a suspect of a part must reproduce
-constexpr std::chrono::seconds kLongestFit{3};
+constexpr std::chrono::seconds kLongestFit{6};
 
 // A suspect that is still in the race.
 struct Fitting {
@@ -44,7 +44,7 @@ class Investigation {
         failures_(failures),
         patience_(patience),
         end_(std::chrono::steady_clock::now() +
-             std::chrono::duration_cast<std::chrono::steady_clock::duration>(2 * patience *
+             std::chrono::duration_cast<std::chrono::steady_clock::duration>(patience *
                                                                              kLongestFit)) {}
 
   Explanation Run();
@@ -121,9 +121,9 @@ bool Investigation::IsConsistent(Fitting& fitting) const {
 
 void Investigation::Race() {
   suspects_ = SuspectsOf(subject_->Info().profile);
-  found_.suspects = suspects_.size();
   for (const Suspect& suspect : suspects_) {
     if (IsLate()) return;
+    ++found_.suspects;
     Fitting fitting{suspect.cause,
                     suspect.what,
                     suspect.stages,
@@ -161,13 +161,12 @@ void Investigation::Split(std::vector<Fitting>& left, const Case& c) {
 }
 
 void Investigation::TellApart(std::vector<Fitting>& left) {
-  for (const char* name : {"CoverageEqualsTheModel"}) {
-    for (std::uint64_t k = 0; k < kSplits && left.size() > 1 && !IsLate(); ++k) {
-      try {
-        Split(left, DrawCase(subject_->Info(), *FindProperty(name), 1, kFirstSplit + k));
-      } catch (const InputError&) {
-        return;
-      }
+  const Property& any = *FindProperty("CoverageEqualsTheModel");
+  for (std::uint64_t k = 0; k < kSplits && left.size() > 1 && !IsLate(); ++k) {
+    try {
+      Split(left, DrawCase(subject_->Info(), any, 1, kFirstSplit + k));
+    } catch (const InputError&) {  // none of its domains suits the subject
+      return;
     }
   }
 }
@@ -370,6 +369,7 @@ Explanation Investigation::Run() {
   if (wrong_ != 0 && are_points) {
     Race();
     if (!FindWhole() && !FindCombination()) FindParts();
+    found_.is_cut_short = IsLate();
   }
   FindRest();
   // clang calls what std::stable_sort uses deprecated.

@@ -39,9 +39,10 @@ struct Cause {
 /// Causes of violations, those with a name first, and of these the one of most properties.
 struct Explanation {
   std::vector<Cause> causes;
-  std::size_t suspects = 0;  ///< that were tried
-  std::size_t draws = 0;     ///< of the subject
-  std::size_t wrong = 0;     ///< of these, draws that differ from the stated model
+  std::size_t suspects = 0;   ///< that were compared with the draws
+  bool is_cut_short = false;  ///< time was up before all of them were
+  std::size_t draws = 0;      ///< of the subject
+  std::size_t wrong = 0;      ///< of these, draws that differ from the stated model
 };
 
 using MakesSubject = std::function<std::unique_ptr<Subject>()>;
@@ -56,8 +57,8 @@ using MakesSubject = std::function<std::unique_ptr<Subject>()>;
 /// Domain:     properties that subjects of `make` violate; each call makes another of them, which
 ///             has drawn nothing.
 /// Returns:    each failed property in one cause.
-/// Cost:       a few hundred draws of the subject, and at most 8 s of the clock times `patience`:
-///             what was not compared by then is not named.
+/// Cost:       a few hundred draws of the subject. Gathering them ends after 2 s of the clock and
+///             the comparison after 6 s, both times `patience`: is_cut_short says so.
 Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures,
                     double patience = 1);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/hash_text.h"
 #include "props/run/own_transform.h"
 
 namespace rasterproof::props {
@@ -63,15 +64,10 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
   return left_out;
 }
 
-// FNV-1a, 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/
 std::uint64_t FirstIndex(std::string_view property) {
   constexpr std::uint64_t kWindows = 10'000;
   constexpr std::uint64_t kWindow = 1000;
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char letter : property) {
-    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
-  }
-  return hash % kWindows * kWindow;
+  return Fnv1a(property) % kWindows * kWindow;
 }
 
 CaseName NameOfCase(const World& world, std::uint64_t index) {

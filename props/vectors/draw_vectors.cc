@@ -14,12 +14,11 @@
 #include <vector>
 
 #include "core/clauses/clauses.h"
+#include "core/coverage.h"
 #include "core/error.h"
 #include "core/subject_info.h"
-#include "exact/coverage.h"
-#include "exact/placed_scene.h"
+#include "legal/alone.h"
 #include "legal/decided.h"
-#include "legal/joint.h"
 #include "model/snap_scene.h"
 #include "model/target_profile.h"
 #include "props/domains/domain.h"
@@ -38,23 +37,6 @@ bool IsSmall(const Scene& scene) {
   return !scene.clip_space && std::max(scene.width, scene.height) <= kMostVectorSide &&
          !scene.triangles.empty() && scene.triangles.size() <= kMostVectorTriangles &&
          scene.vertices.size() <= kMostVectorVertices;
-}
-
-// Each triangle drawn alone by the profile's one model.
-std::vector<TriangleVector> ByTheOracle(const Scene& scene, const Profile& profile) {
-  const exact::PlacedScene placed(scene, profile);
-  std::vector<TriangleVector> triangles;
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    Scene alone = scene;
-    alone.triangles = {scene.triangles[t]};
-    const CoverageCounts counts = exact::Coverage(alone, profile);
-    TriangleVector& triangle = triangles.emplace_back();
-    triangle.facing = placed.facings[t] > 0 ? 1 : placed.facings[t] < 0 ? -1 : 0;
-    for (std::size_t s = 0; s < counts.size(); ++s) {
-      if (counts.Count(s) != 0) triangle.must.push_back(s);
-    }
-  }
-  return triangles;
 }
 
 std::vector<std::size_t> AllSamples(std::size_t samples) {
@@ -85,18 +67,25 @@ std::vector<JointVector> JointOf(const legal::Decided& decided) {
   return joint;
 }
 
-// Nothing if nothing is stated of any triangle.
-bool StateByLegalModels(const Scene& scene, const TargetProfile& profile, TestVector& vector) {
-  if (legal::WhyNotJoint(scene, profile)) return false;
-  const legal::Decided decided = legal::DecidedSamples(scene, profile);
+// Returns whether anything is stated of any triangle.
+bool State(const Scene& scene, const TargetProfile& profile, TestVector& vector) {
+  if (legal::WhyNotAlone(scene, profile)) return false;
+  legal::Decided decided;
+  if (HasOneModel(profile)) {
+    decided.triangles = legal::DecideAlone(scene, profile);
+  } else {
+    decided = legal::DecidedSamples(scene, profile);
+    vector.joint = JointOf(decided);
+  }
+  const std::size_t samples =
+      CoverageCounts::Size(scene.width, scene.height, profile.pattern.samples());
   bool is_stated = false;
   for (const legal::TriangleDecided& triangle : decided.triangles) {
     is_stated = is_stated || !triangle.is_anything;
     vector.triangles.push_back(triangle.is_anything
-                                   ? TriangleVector{0, {}, AllSamples(decided.counts.size())}
+                                   ? TriangleVector{0, {}, AllSamples(samples)}
                                    : TriangleVector{triangle.facing, triangle.must, triangle.may});
   }
-  vector.joint = JointOf(decided);
   return is_stated;
 }
 
@@ -155,17 +144,13 @@ void RequireStatesSamples(const Profile& profile) {
   const std::string place = "profile \"" + profile.name + "\"";
   const std::string remedy =
       "give a profile of window space that states single samples, as vulkan or d3d11-canonical";
-  if (profile.sample_positions != SamplePositions::kStated)
-    throw InputError(place, "it does not state where samples lie", remedy);
+  if (profile.contract != Contract::kSampleExact)
+    throw InputError(place, "its contract does not state single samples", remedy);
   if (profile.transform) throw InputError(place, "it has a transform of its own", remedy);
   Scene scene;
   scene.vertices = {{0, 0}, {1, 0}, {0, 1}};
   scene.triangles = {{0, 1, 2}};
-  if (HasOneModel(profile)) {
-    if (const auto why = exact::WhyNotDecided(exact::PlacedScene(scene, profile))) throw *why;
-  } else if (const auto why = legal::WhyNotJoint(scene, {profile, scene})) {
-    throw InputError(place, *why, remedy);
-  }
+  if (const auto why = legal::WhyNotAlone(scene, profile)) throw InputError(place, *why, remedy);
 }
 
 int LatticeBitsOf(const Profile& profile) {
@@ -197,15 +182,7 @@ std::optional<TestVector> VectorOf(const Case& c, const VectorChoice& choice) {
   TestVector vector{c.origin, scene, profile.pattern, profile.y_axis, {}, {}, {}, {}, {}};
   vector.on_lattice = OnLattice(scene, profile, LatticeBitsOf(c.profile));
   if (choice.only_on_lattice && !vector.on_lattice) return std::nullopt;
-  if (HasOneModel(profile)) {
-    const exact::PlacedScene placed(scene, c.profile);
-    if (exact::WhyNotDecided(placed) || !IsUnclipped(scene, profile)) return std::nullopt;
-    const bool is_flat_open = profile.degenerate_triangles == DegenerateTriangles::kUnspecified;
-    if (is_flat_open && !placed.flat.empty()) return std::nullopt;
-    vector.triangles = ByTheOracle(scene, c.profile);
-  } else if (!StateByLegalModels(scene, profile, vector)) {
-    return std::nullopt;
-  }
+  if (!State(scene, profile, vector)) return std::nullopt;
   vector.near_edges = CountNearEdges(c);
   return vector;
 }

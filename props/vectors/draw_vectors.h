@@ -44,7 +44,8 @@ std::vector<std::string> JointClausesOf(const Profile& profile);
 /// larger than the constants above, in clip space, beyond the profile's limits, or nothing is
 /// stated of any of its triangles.
 ///
-/// Returns:    of a profile with one model its samples by the oracle; else by DecidedSamples().
+/// Returns:    triangles as legal::DecideAlone() decides them; where several models are legal, also
+///             what they share.
 std::optional<TestVector> VectorOf(const Case& c, const VectorChoice& choice);
 
 /// Draws vectors from every domain in turn and hands each to `take`, until there are as many as

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/test_vector.h"
+#include "core/hash_text.h"
 
 namespace rasterproof {
 namespace {

@@ -182,6 +182,45 @@ TEST(Oracle, SaysWhyItDoesNotDecide) {
   why(clip, "gl");
 }
 
+TEST(Oracle, SaysNothingOfEdgesThatClippingMayMoveAnyhow) {
+  std::vector<std::uint8_t> decisions;
+  const Opened clips(R"({"name": "n", "guard_band": "viewport"})");
+  const Scene within = OneTriangle({0, 0}, {8, 0}, {0, 8});
+  const Scene leaves = OneTriangle({0, 0}, {9, 0}, {0, 8});
+  EXPECT_EQ(Decide(within, clips, decisions), RASTERPROOF_ORACLE_OK);
+  EXPECT_EQ(decisions.front(), RASTERPROOF_ORACLE_MUST);
+  EXPECT_EQ(Decide(leaves, clips, decisions), RASTERPROOF_ORACLE_NOT_DECIDED);
+  EXPECT_EQ(std::string(rasterproof_oracle_message()),
+            "a triangle leaves the guard band, and the profile does not say how far clipping moves "
+            "its edges");
+  const GivenScene given(leaves);
+  const std::vector<std::uint32_t> counts(64);
+  std::int32_t verdict = -1;
+  EXPECT_EQ(rasterproof_oracle_judge(clips.get(), &given.given, counts.data(), 64, 0, &verdict),
+            RASTERPROOF_ORACLE_NOT_DECIDED);
+  EXPECT_EQ(Decide(leaves, Opened("gl"), decisions), RASTERPROOF_ORACLE_OK)
+      << "there they move by less than a step";
+}
+
+TEST(Oracle, JudgesATransformOfItsOwnByWhatIsStatedOfEachTriangle) {
+  const auto judged = [](const Scene& scene, const std::string& infinite, std::uint32_t n) {
+    const Opened profile(R"({"name": "n", "infinite_vertex": ")" + infinite +
+                         R"(", "transform": {"precision": "float32", "division": "quotient", )"
+                         R"("viewport": "none", "flips_y": false}})");
+    return Judged(scene, profile, std::vector<std::uint32_t>(64, n));
+  };
+  Scene whole = OneTriangle({0, 0, 0, 2}, {64, 0, 0, 2}, {0, 64, 0, 2});
+  whole.clip_space = true;
+  EXPECT_EQ(judged(whole, "nothing", 1), RASTERPROOF_ORACLE_LEGAL);
+  EXPECT_EQ(judged(whole, "nothing", 0), RASTERPROOF_ORACLE_NOT_LEGAL);
+  whole.vertices[1].x = kInfinity;
+  EXPECT_EQ(judged(whole, "nothing", 1), RASTERPROOF_ORACLE_NOT_LEGAL);
+  EXPECT_EQ(judged(whole, "nothing", 0), RASTERPROOF_ORACLE_LEGAL);
+  EXPECT_EQ(judged(whole, "unspecified", 1), RASTERPROOF_ORACLE_LEGAL) << "it may cover anything";
+  EXPECT_EQ(judged(whole, "unspecified", 0), RASTERPROOF_ORACLE_LEGAL);
+  EXPECT_EQ(judged(whole, "unspecified", 2), RASTERPROOF_ORACLE_NOT_LEGAL) << "but not twice";
+}
+
 TEST(Oracle, DecidesWholePixelsAndOneSidedContractsToo) {
   std::vector<std::uint8_t> decisions;
   const Scene scene = OneTriangle({1.25, 1.25}, {1.5, 1.25}, {1.25, 1.5}, 4);

@@ -142,6 +142,12 @@ TEST(JointVerdict, NothingIsSaidOfAMapOrOfSamplesThatLieAnywhere) {
   EXPECT_TRUE(WhyNotJoint(scene, {profile, scene}).has_value()) << "window space is not the map's";
   profile = *PresetProfile("vulkan-4x");
   EXPECT_TRUE(WhyNotJoint(scene, {profile, scene}).has_value());
+  Profile clips;
+  clips.guard_band = AroundTarget{0};
+  Scene leaves = scene;
+  EXPECT_FALSE(WhyNotJoint(leaves, {clips, leaves}).has_value());
+  leaves.vertices[0].x = -1;
+  EXPECT_TRUE(WhyNotJoint(leaves, {clips, leaves}).has_value()) << "its edges may move anyhow";
 }
 
 TEST(JointVerdict, NothingIsSaidBeyondTheCoordinateLimit) {

@@ -49,15 +49,15 @@ def triangles(near_edge=False, *, size=(16, 16), bits=8, margin=4):
 
 
 def meshes(shared_edges=True, *, size=(16, 16), bits=8, most=6):
-    """Triangles, float64 (n, 3, 2), n at least 2. With shared_edges they form a fan of a convex
-    polygon, wound alike: each inner edge belongs to two, and nothing is covered twice."""
+    """Triangles, float64 (n, 3, 2), n from 2 to `most`. With shared_edges they form a fan of a
+    convex polygon, wound alike: each inner edge belongs to two, and nothing is covered twice."""
     one = _scale(bits)
 
     @st.composite
     def fan(draw):
         # Corners of a convex polygon: sums of edge vectors in the order of their directions.
         edges = draw(st.lists(st.tuples(st.integers(-4 * one, 4 * one), st.integers(1, 4 * one)),
-                              min_size=2, max_size=most, unique_by=lambda e: e[0] / e[1]))
+                              min_size=3, max_size=most + 1, unique_by=lambda e: e[0] / e[1]))
         edges.sort(key=lambda e: -e[0] / e[1])
         corners = np.cumsum([(0, 0), *edges], axis=0)
         corners += np.array(draw(_points(size, one, 1)))
@@ -67,5 +67,5 @@ def meshes(shared_edges=True, *, size=(16, 16), bits=8, most=6):
         return np.array(fans) / one
 
     if shared_edges:
-        return fan().filter(lambda mesh: len(mesh) >= 1)
+        return fan()
     return st.lists(triangles(size=size, bits=bits), min_size=2, max_size=most).map(np.concatenate)

@@ -35,8 +35,9 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3:any")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/package/triggers)
+# glmark2-data: the mesh that certify draws.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
-  "g++, cmake, glmark2-data, libgtest-dev, python3-numpy") # glmark2-data: the mesh that certify draws
+  "g++, cmake, glmark2-data, libgtest-dev, python3-numpy")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
   "libgmp-dev, libmpfr-dev, picosat, clang-19, python3-hypothesis, python3-pytest")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

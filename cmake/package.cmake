@@ -33,7 +33,8 @@ arithmetic: a shared library, a program on a pipe, or a C++ type. Exact
 coverage as a library; properties as GoogleTest cases and as fuzz targets.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3:any")
+# libassimp5 is loaded when a mesh is read: dpkg-shlibdeps does not see it.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libassimp5, python3:any")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/package/triggers)
 # glmark2-data: the mesh that certify draws.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS

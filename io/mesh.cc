@@ -91,6 +91,7 @@ Mesh MeshFrom(std::string_view bytes, const std::string& path) {
 Mesh ReadMesh(const std::string& path) {
   RequireKnownFormat(path);
   const ChildLimits limits = LimitsOf(RequireRegularFile(path));
+  LoadMeshImporter();  // here, where no thread of this process can hold a lock that a fork keeps
   return MeshFrom(MakeInChild(limits, path, [&] { return BytesOf(ImportMesh(path)); }), path);
 }
 

@@ -1,19 +1,18 @@
 #include "io/mesh_import.h"
 
+#include <assimp/cimport.h>
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
-#include <assimp/DefaultLogger.hpp>
-#include <assimp/Importer.hpp>
-#include <assimp/LogStream.hpp>
-#include <assimp/Logger.hpp>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <memory>
 #include <new>
 #include <span>
 #include <sstream>
@@ -174,53 +173,87 @@ void RequireIndicesOfOff(const std::string& path) {
   }
 }
 
+// The library's functions.
+struct Importer {
+  decltype(&aiImportFileEx) import = nullptr;
+  decltype(&aiReleaseImport) release = nullptr;
+  decltype(&aiGetErrorString) error = nullptr;
+  decltype(&aiAttachLogStream) attach = nullptr;
+  decltype(&aiDetachLogStream) detach = nullptr;
+};
+
+template <class Function>
+void Find(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(dlsym(library, name));
+  if (function == nullptr) {
+    throw InputError(RASTERPROOF_ASSIMP, std::string("has no function ") + name,
+                     "install assimp 5");
+  }
+}
+
+Importer Load() {
+  void* const library = dlopen(RASTERPROOF_ASSIMP, RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    throw InputError(RASTERPROOF_ASSIMP, std::string("can't be loaded (") + dlerror() + ")",
+                     "meshes are read by assimp 5: install package libassimp5");
+  }
+  Importer importer;
+  Find(library, "aiImportFileEx", importer.import);
+  Find(library, "aiReleaseImport", importer.release);
+  Find(library, "aiGetErrorString", importer.error);
+  Find(library, "aiAttachLogStream", importer.attach);
+  Find(library, "aiDetachLogStream", importer.detach);
+  return importer;
+}
+
+const Importer& Loaded() {
+  static const Importer importer = Load();
+  return importer;
+}
+
 // The importer takes another vertex for one that is not there, or drops the face, and only logs it.
 class IndexComplaints {
  public:
-  IndexComplaints() {
-    Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
-    Assimp::DefaultLogger::get()->attachStream(&log_, Assimp::Logger::Err | Assimp::Logger::Warn);
-  }
+  IndexComplaints() { Loaded().attach(&log_); }
   IndexComplaints(const IndexComplaints&) = delete;
   IndexComplaints& operator=(const IndexComplaints&) = delete;
-  ~IndexComplaints() {
-    Assimp::DefaultLogger::get()->detachStream(&log_);
-    Assimp::DefaultLogger::kill();
-  }
+  ~IndexComplaints() { Loaded().detach(&log_); }
 
   void RequireNone(const std::string& path) const {
-    if (!log_.said) return;
+    if (!said_) return;
     throw InputError(path, "has a face that names a vertex which is not there", "repair the mesh");
   }
 
  private:
-  struct Log final : Assimp::LogStream {
-    void write(const char* message) override {
-      const std::string_view text(message);
-      said =
-          said || text.find("out of range") != text.npos || text.find("out-of-range") != text.npos;
-    }
-    bool said = false;
-  };
-  Log log_;
+  static void Hear(const char* message, char* said) {
+    const std::string_view text(message);
+    const bool says =
+        text.find("out of range") != text.npos || text.find("out-of-range") != text.npos;
+    if (says) *reinterpret_cast<bool*>(said) = true;
+  }
+  bool said_ = false;
+  aiLogStream log_{Hear, reinterpret_cast<char*>(&said_)};
 };
 
 }  // namespace
 
+void LoadMeshImporter() { Loaded(); }
+
 Mesh ImportMesh(const std::string& path) {
   if (path.ends_with(".ply") || path.ends_with(".PLY")) RequireEndOfPlyHeader(path);
   if (path.ends_with(".off") || path.ends_with(".OFF")) RequireIndicesOfOff(path);
-  IndexComplaints complaints;
-  Assimp::Importer importer;
-  importer.SetIOHandler(new MeshSource);  // the importer deletes it
+  const Importer& importer = Loaded();
+  const IndexComplaints complaints;
+  aiFileIO source = MeshSource();
   // None of the importer's own steps: joining moves vertices by up to 1e-5, and triangulation
   // aborts the program on files that are cut short. With nothing asked of it, it only parses.
-  const aiScene* scene = importer.ReadFile(path, 0);
+  const std::unique_ptr<const aiScene, decltype(&aiReleaseImport)> scene(
+      importer.import(path.c_str(), 0, &source), importer.release);
   // The importer turns every exception into its message.
-  if (std::string_view(importer.GetErrorString()) == "std::bad_alloc") throw std::bad_alloc();
+  if (std::string_view(importer.error()) == "std::bad_alloc") throw std::bad_alloc();
   complaints.RequireNone(path);
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw InputError(path, "can't be read as a mesh (" + Printable(importer.GetErrorString()) + ")",
+    throw InputError(path, "can't be read as a mesh (" + Printable(importer.error()) + ")",
                      "check that the file is complete and of the format that its ending names");
   }
   Mesh mesh;

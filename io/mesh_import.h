@@ -8,6 +8,12 @@
 
 namespace rasterproof::io {
 
+/// Loads the library that parses, unless it is loaded: before the first mesh, and not with the
+/// command, whose start it makes twice as long.
+///
+/// Error:      InputError if it is not installed.
+void LoadMeshImporter();
+
 /// As ReadMesh, in this process: the library that parses may crash, or take all time and memory.
 Mesh ImportMesh(const std::string& path);
 

@@ -1,6 +1,6 @@
 #include "io/mesh_source.h"
 
-#include <assimp/MemoryIOWrapper.h>
+#include <assimp/types.h>
 
 #include <algorithm>
 #include <array>
@@ -48,24 +48,71 @@ std::string OnlyGeometry(std::string_view obj) {
   return geometry;
 }
 
-Assimp::IOStream* StreamOf(std::string_view content) {
-  auto bytes = std::make_unique<std::uint8_t[]>(content.size());
-  std::ranges::copy(content, bytes.get());
-  return new Assimp::MemoryIOStream(bytes.release(), content.size(), true);
+// A file, whole in memory. The importer knows its first part.
+struct OpenFile : aiFile {
+  std::string content;
+  std::size_t position = 0;
+};
+
+OpenFile& Of(aiFile* file) { return *static_cast<OpenFile*>(file); }
+
+// As fread: whole items alone.
+std::size_t Read(aiFile* file, char* into, std::size_t size, std::size_t count) {
+  OpenFile& from = Of(file);
+  if (size == 0) return 0;
+  const std::size_t items = std::min(count, (from.content.size() - from.position) / size);
+  std::copy_n(from.content.data() + from.position, items * size, into);
+  from.position += items * size;
+  return items;
 }
 
-}  // namespace
+std::size_t Write(aiFile* /*file*/, const char* /*from*/, std::size_t /*size*/,
+                  std::size_t /*count*/) {
+  return 0;
+}
 
-bool MeshSource::Exists(const char* path) const {
+std::size_t Tell(aiFile* file) { return Of(file).position; }
+
+std::size_t SizeOf(aiFile* file) { return Of(file).content.size(); }
+
+// From the end the importer gives an offset as an unsigned number, and means it backwards.
+aiReturn Seek(aiFile* file, std::size_t offset, aiOrigin origin) {
+  OpenFile& of = Of(file);
+  std::size_t position = offset;
+  if (origin == aiOrigin_CUR) position += of.position;
+  if (origin == aiOrigin_END) position = of.content.size() - offset;
+  if (position > of.content.size()) return aiReturn_FAILURE;
+  of.position = position;
+  return aiReturn_SUCCESS;
+}
+
+void Flush(aiFile* /*file*/) {}
+
+bool IsRegular(const char* path) {
   std::error_code error;
   return std::filesystem::is_regular_file(path, error);
 }
 
-Assimp::IOStream* MeshSource::Open(const char* path, const char* mode) {
-  if (!Exists(path)) return nullptr;
+aiFile* Open(aiFileIO* /*files*/, const char* path, const char* mode) {
+  if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
+  if (!IsRegular(path)) return nullptr;
   const std::string_view name(path);
-  if (!name.ends_with(".obj") && !name.ends_with(".OBJ")) return DefaultIOSystem::Open(path, mode);
-  return StreamOf(OnlyGeometry(ReadFile(path)));
+  const bool is_obj = name.ends_with(".obj") || name.ends_with(".OBJ");
+  auto file = std::make_unique<OpenFile>();
+  file->content = is_obj ? OnlyGeometry(ReadFile(path)) : ReadFile(path);
+  file->ReadProc = Read;
+  file->WriteProc = Write;
+  file->TellProc = Tell;
+  file->FileSizeProc = SizeOf;
+  file->SeekProc = Seek;
+  file->FlushProc = Flush;
+  return file.release();
 }
+
+void Close(aiFileIO* /*files*/, aiFile* file) { delete &Of(file); }
+
+}  // namespace
+
+aiFileIO MeshSource() { return {Open, Close, nullptr}; }
 
 }  // namespace rasterproof::io

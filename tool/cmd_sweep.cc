@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -72,12 +73,15 @@ class Sweep {
   Sweep(SweepRunner& runner, int jobs)
       : runner_(runner), jobs_(jobs), progress_(static_cast<std::size_t>(jobs)) {}
 
-  void Run() {
+  /// Builds the given ones; or the usual list, and pairs of those that differ.
+  void Run(const std::vector<SweepBuild>& builds) {
     rows_.push_back({});  // the base
-    Add(SingleBuilds());
+    Add(builds.empty() ? SingleBuilds() : builds);
     Group();
-    Add(PairsOf(Representatives()));
-    Group();
+    if (builds.empty()) {
+      Add(PairsOf(Representatives()));
+      Group();
+    }
     FindDistances();
     FindDifferences();
   }
@@ -352,6 +356,8 @@ std::string Json(const SweepRunner& runner, const Sweep& sweep, const SweepOptio
 int RunSweep(const SweepOptions& options) {
   RequireHonestEnvironment();
   io::RequireFileCanBe(options.json);
+  std::vector<SweepBuild> builds;
+  std::ranges::transform(options.builds, std::back_inserter(builds), BuildFrom);
   SweepRunner runner({options.sources, options.cflags, options.seconds});
   try {
     runner.DrawBase(options.seed, options.cases, options.profile);
@@ -362,7 +368,7 @@ int RunSweep(const SweepOptions& options) {
     return kExitFault;
   }
   Sweep sweep(runner, options.jobs);
-  sweep.Run();
+  sweep.Run(builds);
   const auto is_drawn = [](const SweepRow& row) { return row.IsDrawn(); };
   const auto is_stopped = [](const SweepRow& row) {
     return row.note.empty() && row.outcome.is_breakdown;

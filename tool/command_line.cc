@@ -208,6 +208,10 @@ void AddSweep(CLI::App& app, Run& run) {
       ->required();
   verb->add_option("--cflags", options.cflags,
                    "Flags of every build, as a shell reads them: -I, -D, -std, libraries");
+  verb->add_option("--build", options.builds,
+                   "Compare with the base this build alone: \"clang -O3\", \"i386\", "
+                   "\"aarch64 -ffp-contract=fast\" (repeat for more; default: about 40)")
+      ->allow_extra_args(false);
   verb->add_option("--profile", options.profile, "Draw cases for this profile, not for its own");
   AddSeed(verb, options.seed);
   verb->add_option("--cases", options.cases, "Cases that every build draws")

@@ -269,7 +269,8 @@ int RunVerify(const VerifyOptions& options);
 /// Builds of a rasterizer by several compilers and flags.
 struct SweepOptions {
   std::vector<std::string> sources;
-  std::string cflags;  ///< words of a shell, for every build
+  std::string cflags;               ///< words of a shell, for every build
+  std::vector<std::string> builds;  ///< those to compare with the base; empty: the usual list
   std::string profile;
   std::uint64_t seed = 1;
   std::uint64_t cases = 200;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.h"
 #include "fmt/format.h"
 #include "tool/i386.h"
 
@@ -178,6 +179,25 @@ std::vector<SweepBuild> PairsOf(const std::vector<SweepBuild>& builds) {
     }
   }
   return pairs;
+}
+
+SweepBuild BuildFrom(const std::string& words) {
+  SweepBuild build;
+  std::istringstream in(words);
+  for (std::string word; in >> word;) {
+    if (word.starts_with('-')) {
+      build.choices.push_back(Flag(word));
+      build.choices.push_back(LinkFlag(word));
+    } else if (word == "i386" || word == "aarch64") {
+      build.choices.push_back({Kind::kTarget, word});
+    } else if (word == "clang" || word == "clang-19") {
+      build.choices.push_back({Kind::kCompiler, word});
+    } else if (word != "gcc") {
+      throw InputError(fmt::format("--build: '{}'", word), "is no flag, compiler or target",
+                       "write gcc, clang, clang-19, i386, aarch64, or flags that begin with -");
+    }
+  }
+  return build;
 }
 
 Toolchain ToolchainOf(const Choices& choices) {

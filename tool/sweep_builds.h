@@ -40,6 +40,11 @@ std::vector<SweepBuild> SingleBuilds();
 /// Each two of the builds that share no axis, as one.
 std::vector<SweepBuild> PairsOf(const std::vector<SweepBuild>& builds);
 
+/// A build in the user's words, apart by blanks: "clang -O3 -ffast-math". Words that begin with "-"
+/// are flags, to compile and to link; the others name the compiler (gcc, clang, clang-19) or the
+/// target (i386, aarch64). Throws InputError for any other word.
+SweepBuild BuildFrom(const std::string& words);
+
 /// The compiler and target of a build, and what their programs are called.
 struct Toolchain {
   std::string c;                      ///< "gcc"

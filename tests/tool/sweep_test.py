@@ -15,6 +15,9 @@ PROGRAM, SOURCES = (os.path.abspath(path) for path in sys.argv[1:3])
 OWN = os.path.join(SOURCES, "tests", "tool", "sweep")
 
 
+BUILD = ("--build", "-O3")  # where it does not matter which builds there are
+
+
 def sweep(*names, cases=40, **kept):
     """The ended command, and its JSON: {} where it wrote none."""
     with tempfile.TemporaryDirectory() as folder:
@@ -41,7 +44,12 @@ def robust():
 
 @functools.cache
 def contracted_edges():
-    return sweep("contracted.c", "edge.c")
+    # Every compiler and target that can contract, but not those of the usual list that can't.
+    builds = ("-O3", "-march=x86-64-v3", "-ffp-contract=fast",
+              "-march=x86-64-v3 -ffp-contract=fast", "clang -march=x86-64-v3 -ffp-contract=fast",
+              "aarch64 -ffp-contract=fast")  # fmt: skip
+    return sweep("contracted.c", "edge.c",
+                 more=[word for build in builds for word in ("--build", build)])  # fmt: skip
 
 
 def flags_of(result):
@@ -74,7 +82,9 @@ class Sweep(unittest.TestCase):
                 self.assertGreater(row["samples"], 0, "aarch64 has fused multiply-add")
 
     def test_regrouped_sums_are_found_with_the_least_flags(self):
-        done, result = sweep("regrouped.c")
+        done, result = sweep("regrouped.c", cases=20, more=[
+            "--build", "-ffast-math", "--build", "i386 -mfpmath=387",
+            "--build", "-fassociative-math"])  # fmt: skip
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         least = [set(flags.split()) for flags in flags_of(result)]
         companions = {"-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"}
@@ -107,7 +117,7 @@ class Sweep(unittest.TestCase):
                       f"in 0 of {group['cases']} cases", done.stdout)  # fmt: skip
 
     def test_no_group_of_a_source_that_draws_nothing_is_right(self):
-        done, result = sweep("nothing.c")
+        done, result = sweep("nothing.c", more=BUILD)
         self.assertEqual(done.returncode, 0, "all builds agree")
         self.assertEqual({row["group"] for row in result["builds"] if row["drawn"]}, {"A"})
         (group,) = result["groups"]
@@ -126,9 +136,9 @@ class Sweep(unittest.TestCase):
             self.assertLessEqual(apart, changed[name], name)
 
     def test_what_the_profile_leaves_free_is_not_away(self):
-        _, result = sweep("robust.c", cases=10, more=["--profile", "vulkan"])
+        _, result = sweep("robust.c", cases=10, more=["--profile", "vulkan", *BUILD])
         self.assertEqual(result["groups"][0]["samples_away"], 0, result["groups"])
-        _, result = sweep("nothing.c", cases=10, more=["--profile", "vulkan"])
+        _, result = sweep("nothing.c", cases=10, more=["--profile", "vulkan", *BUILD])
         self.assertGreater(result["groups"][0]["samples_away"], 100)
 
     def test_a_profile_that_states_no_coverage_is_not_compared(self):
@@ -136,7 +146,7 @@ class Sweep(unittest.TestCase):
             profile = os.path.join(folder, "none.json")
             with open(profile, "w", encoding="utf-8") as file:
                 json.dump({"name": "none", "contract": "none"}, file)
-            done, result = sweep("nothing.c", cases=3, more=["--profile", profile])
+            done, result = sweep("nothing.c", cases=3, more=["--profile", profile, *BUILD])
         self.assertIn("builds: not compared with the model: the profile's contract states nothing "
                       "about coverage", done.stdout)  # fmt: skip
         self.assertEqual(result["groups"][0]["cases"], 0)
@@ -152,14 +162,15 @@ class Sweep(unittest.TestCase):
             self.assertEqual(row["note"], "this processor lacks x86-64-v4 (AVX-512)")
 
     def test_a_build_that_hangs_is_stopped_and_its_row_says_so(self):
-        done, result = sweep("hangs.c", cases=3, more=["--time-limit", "1"])
+        done, result = sweep("hangs.c", cases=3, more=[
+            "--time-limit", "1", "--build", "-ffast-math", "--build", "-O3"])  # fmt: skip
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         for row in result["builds"]:
             if row["changes"] == "-ffast-math":
                 self.assertFalse(row["drawn"])
                 self.assertRegex(row["note"], r"^stopped on [a-z-]+:\d+@1: "
                                               r"(no answer within|its cases took more than) ")
-            elif row["changes"] != "-ffast-math (at link time)":
+            else:
                 self.assertNotIn("stopped", row["note"])
             if row["drawn"]:
                 self.assertEqual(row["samples"], 0, row)
@@ -202,10 +213,25 @@ class Sweep(unittest.TestCase):
         self.assertRegex(done.stderr, r"broken\.c:2:\d+: error: .absent. undeclared")
 
     def test_flags_for_every_build_are_words_of_a_shell(self):
-        done, _ = sweep("robust.c", cases=1, more=["--cflags", "-D'unused macro' -D"])
+        done, _ = sweep("robust.c", cases=1, more=["--cflags", "-D'unused macro' -D", *BUILD])
         self.assertEqual(done.returncode, 3, "the last -D lacks its name")
-        done, _ = sweep("robust.c", cases=1, more=["--cflags", "'-DA=(1 + 1)' -Wall"])
+        done, _ = sweep("robust.c", cases=1, more=["--cflags", "'-DA=(1 + 1)' -Wall", *BUILD])
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_builds_in_the_users_words_take_the_place_of_the_list(self):
+        done, result = sweep("robust.c", cases=2, more=[
+            "--build", "clang -O3", "--build", "-O0 -ffast-math", "--build", "gcc"])  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        names = [row["build"] for row in result["builds"]]
+        self.assertEqual(names, ["gcc -march=x86-64 -O2 -ffp-contract=off",
+                                 "clang -march=x86-64 -ffp-contract=off -O3",
+                                 "gcc -march=x86-64 -ffp-contract=off -O0 -ffast-math",
+                                 "gcc -march=x86-64 -O2 -ffp-contract=off"])  # fmt: skip
+
+    def test_a_word_of_a_build_that_is_none_is_refused(self):
+        done, _ = sweep("robust.c", more=["--build", "msvc -O3"])
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--build: 'msvc': is no flag, compiler or target", done.stderr)
 
     def test_doctor_lists_the_tools(self):
         done = subprocess.run([PROGRAM, "doctor"], capture_output=True, text=True, check=False)

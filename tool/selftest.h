@@ -46,9 +46,10 @@ struct HuntResult {
 /// What was found to explain a mutant's violation.
 struct CauseFound {
   subjects::MutantInfo mutant;
-  std::string name;  ///< of docs/causes.md; empty: none was named
-  std::string what;
-  std::string property = {};  ///< the violated one
+  std::string name = {};  ///< of docs/causes.md; empty: none was named
+  std::string what = {};
+  bool is_circumstance = false;  ///< no suspect explains it, and something makes the draws right
+  std::string property = {};     ///< the violated one
 };
 /// Explains the violation that a hunt ended with.
 CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make);

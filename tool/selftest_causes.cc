@@ -23,7 +23,10 @@ namespace {
 
 constexpr double kPatience = 100;  // what is found may not depend on the clock
 
-enum class Named : std::uint8_t { kRight, kWrong, kNone };
+// A circumstance says that no suspect explains it, and what was seen to make the draws right: where
+// something else was planted it is no cause named wrong.
+enum class Named : std::uint8_t { kRight, kWrong, kCircumstance, kNone };
+constexpr std::size_t kOutcomes = 4;
 
 bool IsAmong(std::string_view name, std::string_view names) {
   for (std::size_t from = 0; from <= names.size();) {
@@ -37,28 +40,31 @@ bool IsAmong(std::string_view name, std::string_view names) {
 Named Judged(const CauseFound& found) {
   const std::string_view expected = ExpectedCauses(found.mutant.name);
   if (found.name.empty()) return Named::kNone;
-  return IsAmong(found.name, expected) ? Named::kRight : Named::kWrong;
+  if (IsAmong(found.name, expected)) return Named::kRight;
+  return found.is_circumstance ? Named::kCircumstance : Named::kWrong;
 }
 
 struct Figures {
   // of mutants with a suspect, and of those without
-  std::array<std::size_t, 3> with{};
-  std::array<std::size_t, 3> without{};
+  std::array<std::size_t, kOutcomes> with{};
+  std::array<std::size_t, kOutcomes> without{};
 };
 
 std::string FiguresLine(std::string_view half, const Figures& f) {
-  const auto [right, wrong, none] = f.with;
+  const auto [right, wrong, circumstance, none] = f.with;
+  const auto& w = f.without;
   return fmt::format(
-      "- {}: {} mutants with a suspect, {} named right, {} wrong, {} not named; {} without one, {} "
-      "rightly not named, {} named all the same\n",
-      half, right + wrong + none, right, wrong, none, f.without[0] + f.without[1] + f.without[2],
-      f.without[2], f.without[0] + f.without[1]);
+      "- {}: {} mutants with a suspect, {} named right, {} wrong, {} by a circumstance alone, {} "
+      "not "
+      "named; {} without one, {} rightly not named, {} by a circumstance alone, {} named wrong\n",
+      half, right + wrong + circumstance + none, right, wrong, circumstance, none,
+      w[0] + w[1] + w[2] + w[3], w[3], w[2], w[0] + w[1]);
 }
 
 }  // namespace
 
 CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make) {
-  CauseFound found{result.mutant, {}, {}};
+  CauseFound found{.mutant = result.mutant};
   if (!result.hunt.violation) return found;
   const auto failed = FailedBy(*result.hunt.violation, make()->Info());
   if (!failed) return found;
@@ -67,6 +73,7 @@ CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make
   if (explanation.causes.empty()) return found;
   const props::Cause& cause = explanation.causes.front();
   found.name = cause.name;
+  found.is_circumstance = cause.kind == props::CauseKind::kCircumstance;
   found.what = fmt::format("{}", fmt::join(cause.what, " / "));
   if (!cause.only_with.empty())
     found.what += fmt::format(" (only with {})", fmt::join(cause.only_with, ", "));
@@ -74,7 +81,8 @@ CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make
 }
 
 std::string CausesTable(std::span<const CauseFound> all) {
-  constexpr std::array<std::string_view, 3> kWords{"right", "WRONG", "none"};
+  constexpr std::array<std::string_view, kOutcomes> kWords{"right", "WRONG", "circumstance",
+                                                           "none"};
   std::string text =
       "| mutant | half | planted | found | | what | property |\n"
       "| --- | --- | --- | --- | --- | --- | --- |\n";

@@ -148,6 +148,18 @@ function(rasterproof_library name)
   endif()
 endfunction()
 
+# rasterproof_unoptimised(TARGET ...): code that reads options and writes text. Sanitized it takes
+# twice as long to be optimised as to be compiled.
+function(rasterproof_unoptimised)
+  if(RASTERPROOF_LUMPS AND RASTERPROOF_SANITIZE)
+    foreach(target ${ARGN})
+      target_compile_options(${target} PRIVATE -O0)
+      # A precompiled header is for one level alone, and one more costs more than it saves here.
+      set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
+    endforeach()
+  endif()
+endfunction()
+
 # rasterproof_test(NAME SOURCES a_test.cc ... LINK target ... [LABELS label ...] [TIMEOUT s])
 # makes one GoogleTest program per folder; ctest runs every test case of it as one ctest test
 # "NAME". Where sanitizers slow it down it runs a share of its cases: see tests/share.h.

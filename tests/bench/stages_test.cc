@@ -119,7 +119,7 @@ TEST(JudgeStages, MovesASnappedEdgeByAtMostHalfTheDiagonalOfACell) {
 }
 
 TEST(JudgeStages, IsTheSameByASecondDecider) {
-  for (const FrameInput& frame : {TorusFrame(kOneCaseIn > 1 ? 32 : 16), Grazing()}) {
+  for (const FrameInput& frame : {TorusFrame(kOneCaseIn > 1 ? 128 : 16), Grazing()}) {
     for (const InexactStages& inexact : OneByOne()) {
       const BenchStage first = Judged(frame, inexact);
       const BenchStage second = Judged(frame, inexact, exact::Decider::kCgal);

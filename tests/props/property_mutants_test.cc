@@ -11,6 +11,7 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
+#include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
@@ -133,7 +134,9 @@ TEST(PropertyMutants, ThereIsOneForEveryProperty) {
 TEST(PropertyMutants, EachIsFoundByItsPropertyAloneWithAWitness) {
   constexpr std::uint64_t kSeed = 1;
   constexpr std::uint64_t kCases = 400;
+  std::size_t row = 0;
   for (const auto& [name, mutant] : kRows) {
+    if (row++ % (kOneCaseIn > 1 ? 4 : 1) != 0) continue;
     const Property* property = FindProperty(name);
     const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant);
     ASSERT_TRUE(property != nullptr && subject != nullptr) << name << ", " << mutant;

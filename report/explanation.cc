@@ -11,6 +11,7 @@
 
 #include "fmt/format.h"
 #include "report/figure.h"
+#include "report/overview.h"
 #include "report/picture.h"
 #include "report/pixel_state.h"
 #include "report/text.h"
@@ -29,6 +30,7 @@ constexpr double kLabel = 10;
 constexpr double kTitle = 20;
 constexpr double kLeading = 1.5;  // line height over text size
 constexpr double kImageScale = 2;
+constexpr double kOverviewWidth = 352;
 constexpr double kLeastWidth = 744;  // of the legend between its margins
 
 // Breaks at blanks, and inside words that are longer than a line.
@@ -66,6 +68,7 @@ class Layout {
     const double top = y_ + kLeading * kText + kLabel * kLeading;
     for (std::size_t panel = 0; panel < titles_.size(); ++panel) DrawPanel(panel, top);
     y_ = top + cell_ * (view_.y1 - view_.y0) + kText;
+    DrawWhole();
     DrawLegend();
     for (std::size_t k = 0; k < std::min(kMostLines, explanation_.edge_values.size()); ++k) {
       Paragraph(explanation_.edge_values[k], kInk, kText);
@@ -240,6 +243,15 @@ class Layout {
     const double y0 = top + cell_ * (y - view_.y0);
     figure_.Frame(x0, y0, x0 + cell_, y0 + cell_, kInk, 4);
     figure_.Frame(x0, y0, x0 + cell_, y0 + cell_, kYellow, 2);
+  }
+
+  // The triangle of which the panels show a small part.
+  void DrawWhole() {
+    const auto overview = OverviewOf(explanation_, view_);
+    if (!overview) return;
+    Paragraph(OverviewText(*overview), kInk, kText);
+    y_ += kText / 2;
+    y_ += DrawOverview(*overview, {kMargin + kGutter, y_}, kOverviewWidth, figure_);
   }
 
   void DrawLegend() {

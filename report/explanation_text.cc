@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "fmt/format.h"
+#include "report/overview.h"
 #include "report/picture.h"
 #include "report/pixel_state.h"
 #include "report/text.h"
@@ -112,6 +113,7 @@ std::string ExplanationToText(const Explanation& explanation, bool colour) {
   if (!explanation.headline.empty()) text += CleanText(explanation.headline) + "\n";
   text += fmt::format("{:>{}} columns {} to {}, rows {} to {}\n", "", gutter, view.x0, view.x1 - 1,
                       view.y0, view.y1 - 1);
+  if (const auto overview = OverviewOf(explanation, view)) text += OverviewText(*overview) + "\n";
   std::string titles = std::string(gutter, ' ');
   const std::span<const std::string_view> panels = PanelTitles(explanation);
   for (const std::string_view panel : panels) titles += fmt::format(" {:<{}}", panel, column - 1);

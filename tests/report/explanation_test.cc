@@ -143,6 +143,35 @@ TEST(ExplanationSvgTest, IsWellFormedAndShowsEachErrorLoudly) {
   EXPECT_NE(svg.find("E = -3/65536"), std::string::npos);
 }
 
+TEST(ExplanationTextTest, ATriangleMuchLargerThanTheViewIsMeasured) {
+  Explanation explanation = Sample();
+  explanation.scene.vertices = {{-1000, 1, 0, 1}, {1047576, 1, 0, 1}, {3, 13, 0, 1}};
+  explanation.scene.triangles = {{0, 1, 2}};
+  explanation.triangles = {0};
+  const std::string line = "triangle 0 is 1,048,576 x 12 pixels; shown: columns 0..3, rows 0..2\n";
+  EXPECT_NE(ExplanationToText(explanation, false).find(line), std::string::npos);
+  explanation.scene.vertices = {{0, 0, 0, 1}, {8, 0, 0, 1}, {0, 6, 0, 1}};  // twice the view
+  EXPECT_EQ(ExplanationToText(explanation, false).find("; shown:"), std::string::npos);
+  explanation.scene.vertices[2].y = 6.5;
+  EXPECT_NE(ExplanationToText(explanation, false).find("8 x 6.5 pixels"), std::string::npos);
+  explanation.scene.vertices[1].x = std::numeric_limits<double>::max();
+  explanation.scene.vertices[2].x = -std::numeric_limits<double>::max();
+  EXPECT_NE(ExplanationToText(explanation, false).find("over 1e308 x 6.5"), std::string::npos);
+}
+
+TEST(ExplanationSvgTest, ALargeTriangleIsShownAsAWholeTooWithTheTargetInIt) {
+  Explanation explanation = Sample();
+  explanation.scene.vertices = {{0, 0, 0, 1}, {4000, 0, 0, 1}, {0, 3000, 0, 1}};
+  explanation.scene.triangles = {{0, 1, 2}};
+  explanation.triangles = {0};
+  const std::string svg = ExplanationToSvg(explanation);
+  EXPECT_EQ(Count(svg, "<polygon"), 3U * 12U + 6U + 1U);
+  EXPECT_NE(svg.find("the whole triangle; blue: the target"), std::string::npos);
+  EXPECT_EQ(svg.find("scaled apart"), std::string::npos);
+  explanation.scene.vertices[2].y = 3;
+  EXPECT_NE(ExplanationToSvg(explanation).find("scaled apart"), std::string::npos);
+}
+
 TEST(ExplanationSvgTest, StaysFiniteAndInsideForTrianglesOfAnySize) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Explanation explanation = Sample();

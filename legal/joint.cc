@@ -165,6 +165,21 @@ JointVerdict JudgeByFamily(const Scene& scene, const TargetProfile& profile,
   return verdict;
 }
 
+// By triangle: the side that all families count it on, or 0.
+std::vector<int> SidesOf(const Scene& scene, const TargetProfile& profile,
+                         const std::vector<Family>& families) {
+  std::vector<int> sides;
+  for (const Family& family : families) {
+    const FamilyView view(scene, profile, family);
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+      const int side = view.SideOf(t);
+      if (sides.size() <= t) sides.push_back(side);
+      if (sides[t] != side) sides[t] = 0;
+    }
+  }
+  return sides;
+}
+
 // More places on an axis than this, and a vertex has hundreds.
 constexpr double kMostSteps = 4;
 
@@ -208,12 +223,15 @@ std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& 
   return WhyNoPlaces(scene, profile);
 }
 
-JointVerdict JudgeJointly(const Scene& scene, const TargetProfile& profile,
-                          const Observed& observed, const Effort& effort) {
+JointVerdict JudgeJointly(const Scene& scene, const TargetProfile& profile, const Observed& seen,
+                          const Effort& effort) {
+  Observed observed = seen;
+  const std::vector<Family> of_profile = FamiliesOf(profile, scene);
+  if (observed.sides != Sides::kNotCompared) observed.side_of = SidesOf(scene, profile, of_profile);
   std::optional<JointVerdict> first;
   std::optional<JointVerdict> open;
   std::vector<std::vector<Seen>> refutations;
-  for (const Family& family : FamiliesOf(profile, scene)) {
+  for (const Family& family : of_profile) {
     JointVerdict verdict =
         JudgeByFamily(scene, profile, observed, family, effort, refutations.emplace_back());
     verdict.families = refutations.size();

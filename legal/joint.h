@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_LEGAL_JOINT_H_
 #define RASTERPROOF_LEGAL_JOINT_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -16,7 +17,14 @@
 
 namespace rasterproof::legal {
 
-/// The observed drawing, in the forms that are known. Facings are ignored.
+/// Which side of a triangle the observed counts have in `front`.
+enum class Sides : std::uint8_t {
+  kNotCompared,
+  kPositiveArea,  ///< the side that is counter-clockwise on screen
+  kNegativeArea   ///< the other one
+};
+
+/// The observed drawing, in the forms that are known.
 struct Observed {
   /// Each triangle drawn alone, in the scene's order; empty if not known.
   std::vector<const CoverageCounts*> alone;
@@ -24,10 +32,18 @@ struct Observed {
   const CoverageCounts* together = nullptr;
   /// The counts of one call are 1 wherever they are not 0.
   bool is_mask = false;
+  /// What the counts of one call say of facings. A triangle that legal models may turn over or
+  /// flatten, and with a grid one that leaves the target, may be counted on either side.
+  Sides sides = Sides::kNotCompared;
+  /// By triangle, the side that all legal models of all families count it on, or 0: a facing may be
+  /// that of another legal grid than the samples. JudgeJointly() fills it, if sides are compared.
+  std::vector<int> side_of;
   /// The triangle that is visible at each sample, or kNoPrimitive; nullptr if not known.
   const std::vector<std::int32_t>* primitive_ids = nullptr;
   /// True if the last triangle that covers a sample is visible; false if the first is.
   bool last_is_visible = true;
+  /// Which of the triangles that cover a sample is visible is not known: a depth test may decide.
+  bool any_is_visible = false;
 };
 
 enum class Legality : std::uint8_t {
@@ -46,6 +62,8 @@ struct Requirement {
   int most = 0;  ///< larger than `least` for a mask, which does not show how often
   /// The triangle that was seen there, if ids were observed; kNoPrimitive: none of them.
   std::optional<std::int32_t> visible;
+  /// How many of them were counted as front and as back, if sides are compared.
+  std::optional<std::array<int, 2>> by_side;
   /// How often legal models let them cover it.
   int legal_least = 0;
   int legal_most = 0;

@@ -207,6 +207,10 @@ void AddRequirements(const Search& search, const SeenSet& set, Core& core) {
       if (search.observed.together != nullptr) {
         const auto count = static_cast<int>(search.observed.together->Count(seen.sample));
         const auto all = static_cast<int>(search.scene.triangles.size());
+        if (search.observed.sides != Sides::kNotCompared) {
+          requirement.by_side = {static_cast<int>(search.observed.together->front[seen.sample]),
+                                 static_cast<int>(search.observed.together->back[seen.sample])};
+        }
         requirement.least = count;
         requirement.most = search.observed.is_mask && count != 0 ? std::max(count, all) : count;
       }

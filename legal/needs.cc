@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "core/coverage.h"
@@ -47,6 +48,57 @@ void AddNeedsOfCounts(const FamilySamples& all, const CoverageCounts& counts, bo
   }
 }
 
+// How many of the triangles at each sample are counted on one side: those that have it in every
+// legal model, and perhaps some of those that have not one side in all of them.
+void AddNeedsOfSide(const FamilySamples& all, std::span<const int> sides, int side,
+                    const std::vector<std::uint32_t>& counts, std::vector<Need>& needs) {
+  std::vector<int> decided(counts.size(), 0);
+  std::vector<int> loose(counts.size(), all.Anything());
+  for (std::size_t t = 0; t < all.covered.size(); ++t) {
+    if (sides[t] == -side) continue;
+    for (const std::size_t s : all.covered[t]) ++(sides[t] == side ? decided : loose)[s];
+  }
+  std::vector<std::vector<std::size_t>> open(counts.size());
+  for (std::size_t o = 0; o < all.open.size(); ++o) {
+    const OpenSample& one = all.open[o];
+    if (sides[one.triangle] == side) open[one.sample].push_back(o);
+    if (sides[one.triangle] == 0) ++loose[one.sample];
+  }
+  for (std::size_t s = 0; s < counts.size(); ++s) {
+    const int seen = static_cast<int>(counts[s]) - decided[s];
+    Need need{{Seen::kTogether, s}, std::move(open[s]), seen - loose[s], seen};
+    if (!need.IsEmpty()) needs.push_back(std::move(need));
+  }
+}
+
+// Ids where any of several triangles may be visible: that one covers the sample.
+void AddNeedsOfUnorderedIds(const FamilySamples& all, const std::vector<std::int32_t>& ids,
+                            std::vector<Need>& needs) {
+  if (all.Anything() != 0) return;       // it may hide any other
+  std::vector<bool> must(ids.size());    // some triangle covers it
+  std::vector<bool> covers(ids.size());  // the one that was seen does
+  const auto is_seen = [&](std::size_t t, std::size_t s) {
+    return ids[s] != kNoPrimitive && static_cast<std::size_t>(ids[s]) == t;
+  };
+  for (std::size_t t = 0; t < all.covered.size(); ++t) {
+    for (const std::size_t s : all.covered[t]) {
+      must[s] = true;
+      covers[s] = covers[s] || is_seen(t, s);
+    }
+  }
+  const std::vector<std::vector<std::size_t>> open = all.OpenBySample(ids.size());
+  for (std::size_t s = 0; s < ids.size(); ++s) {
+    bool is_explained = ids[s] == kNoPrimitive ? !must[s] : covers[s];
+    for (const std::size_t o : open[s]) {
+      const bool is_it = is_seen(all.open[o].triangle, s);
+      is_explained = is_explained || is_it;
+      if (ids[s] == kNoPrimitive || is_it)
+        needs.push_back({{Seen::kTogether, s}, {o}, is_it ? 1 : 0, is_it ? 1 : 0});
+    }
+    if (!is_explained) needs.push_back({{Seen::kTogether, s}, {}, 1, 1});
+  }
+}
+
 void AddNeedsOfPrimitiveIds(const FamilySamples& all, const Observed& observed,
                             std::vector<Need>& needs) {
   const std::vector<std::int32_t>& ids = *observed.primitive_ids;
@@ -82,7 +134,16 @@ std::vector<Need> NeedsOf(const FamilySamples& all, const Observed& observed) {
   AddNeedsOfAlone(all, observed, needs);
   if (observed.together != nullptr)
     AddNeedsOfCounts(all, *observed.together, observed.is_mask, needs);
-  if (observed.primitive_ids != nullptr) AddNeedsOfPrimitiveIds(all, observed, needs);
+  if (observed.sides != Sides::kNotCompared) {
+    const int front = observed.sides == Sides::kPositiveArea ? 1 : -1;
+    AddNeedsOfSide(all, observed.side_of, front, observed.together->front, needs);
+    AddNeedsOfSide(all, observed.side_of, -front, observed.together->back, needs);
+  }
+  if (observed.primitive_ids != nullptr && observed.any_is_visible) {
+    AddNeedsOfUnorderedIds(all, *observed.primitive_ids, needs);
+  } else if (observed.primitive_ids != nullptr) {
+    AddNeedsOfPrimitiveIds(all, observed, needs);
+  }
   return needs;
 }
 

@@ -281,6 +281,26 @@ Point2 FamilyView::OnScreen(const Vertex& v) const {
   return {unwrapped(v.x), profile_.y_axis == YAxis::kUp ? -y : y};
 }
 
+bool FamilyView::IsInTarget(std::size_t triangle) const {
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (const Point2 p : PlacesOf(triangle, corner)) {
+      const double y = profile_.y_axis == YAxis::kUp ? -p.y : p.y;
+      if (p.x < 0 || p.x > scene_.width || y < 0 || y > scene_.height) return false;
+    }
+  }
+  return true;
+}
+
+int FamilyView::SideOf(std::size_t triangle) const {
+  Corners3 places{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    places[k] = &PlacesOf(triangle, k);
+    if (places[k]->empty()) return 0;
+  }
+  if (!family_.grid.IsNone() && !IsInTarget(triangle)) return 0;
+  return TriangleOverPlaces(places, profile_, std::nullopt).facing();
+}
+
 TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* only) const {
   TriangleSamples samples;
   const std::array<Vertex, 3> given = Corners(scene_, scene_.triangles[triangle]);

@@ -61,6 +61,10 @@ class FamilyView {
   ///
   /// Shape:      `only` as counts of the target.
   TriangleSamples Of(std::size_t triangle, const std::vector<bool>* only = nullptr) const;
+  /// Returns the facing that the triangle has in every model of the family, or 0. It is 0 of one
+  /// that leaves the target where there is a grid: clipping makes vertices there, which are moved
+  /// too.
+  int SideOf(std::size_t triangle) const;
   const Choices& choices() const { return choices_; }
   std::size_t VertexOf(std::size_t triangle, std::size_t corner) const {
     return static_cast<std::size_t>(scene_.triangles[triangle][corner]);
@@ -81,6 +85,8 @@ class FamilyView {
 
  private:
   Point2 OnScreen(const Vertex& v) const;
+  // Whether all places of the corners are within the target.
+  bool IsInTarget(std::size_t triangle) const;
 
   const Scene& scene_;
   TargetProfile profile_;

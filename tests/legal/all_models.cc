@@ -113,12 +113,12 @@ bool ExplainsAlone(const Scene& scene, const Profile& profile, const TieRule& ru
   return true;
 }
 
-bool ExplainsCountAt(const Scene& scene, const Profile& profile, const TieRule& rule,
-                     const Model& model, std::size_t s, std::uint32_t count) {
+bool ExplainsSetAt(const Scene& scene, const Profile& profile, const TieRule& rule,
+                   const Model& model, std::size_t s,
+                   const std::function<bool(unsigned bits)>& accepts) {
   const std::size_t n = scene.triangles.size();
   for (unsigned bits = 0; bits < 1U << n; ++bits) {
-    if (static_cast<std::uint32_t>(std::popcount(bits)) != count) continue;
-    bool fits = true;
+    bool fits = accepts(bits);
     for (std::size_t t = 0; t < n && fits; ++t) {
       const Says says = SaysOf(profile, rule, scene, model, t, SampleAt(s));
       fits = says == Says::kFree || (says == Says::kIn) == ((bits >> t & 1U) != 0);
@@ -130,6 +130,13 @@ bool ExplainsCountAt(const Scene& scene, const Profile& profile, const TieRule& 
     if (fits) return true;
   }
   return false;
+}
+
+bool ExplainsCountAt(const Scene& scene, const Profile& profile, const TieRule& rule,
+                     const Model& model, std::size_t s, std::uint32_t count) {
+  return ExplainsSetAt(scene, profile, rule, model, s, [&](unsigned bits) {
+    return static_cast<std::uint32_t>(std::popcount(bits)) == count;
+  });
 }
 
 bool ExplainsCounts(const Scene& scene, const Profile& profile, const TieRule& rule,

@@ -28,6 +28,11 @@ using Drawn = std::vector<std::vector<bool>>;
 /// Returns whether the model and the rule explain the drawing of each triangle alone.
 bool ExplainsAlone(const Scene& scene, const Profile& profile, const TieRule& rule,
                    const Model& model, const Drawn& drawn);
+/// Returns whether the model lets some set of triangles cover the sample, for some owners, that
+/// `accepts`: bit t is set if triangle t does.
+bool ExplainsSetAt(const Scene& scene, const Profile& profile, const TieRule& rule,
+                   const Model& model, std::size_t s,
+                   const std::function<bool(unsigned bits)>& accepts);
 /// Returns whether the model lets `count` triangles cover the sample, for some owners.
 bool ExplainsCountAt(const Scene& scene, const Profile& profile, const TieRule& rule,
                      const Model& model, std::size_t s, std::uint32_t count);

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/coverage.h"
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/tie_rule.h"
@@ -24,6 +27,7 @@ using testing::Drawn;
 using testing::Draws;
 using testing::ExplainsAlone;
 using testing::ExplainsCounts;
+using testing::ExplainsSetAt;
 using testing::IsJudgedAlike;
 using testing::IsLegalBySearch;
 using testing::kSide;
@@ -85,6 +89,120 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForCounts) {
   }
   EXPECT_GT(legal, 100);
   EXPECT_GT(illegal, 60);
+}
+
+// Any triangle that covers a sample may be the one that is seen there, as after a depth test.
+TEST(JointVerdict, EqualsASearchThroughAllModelsForIdsInNoOrder) {
+  Draws draws(11);
+  int legal = 0;
+  int illegal = 0;
+  for (int n = 0; n < 400; ++n) {
+    const Scene scene = draws.AScene();
+    const Profile profile = draws.AProfile();
+    if (!IsJudgedAlike(scene, profile)) continue;
+    const Drawn drawn = draws.ALegalDrawing(scene, profile);
+    std::vector<std::int32_t> ids(kSide * kSide, kNoPrimitive);
+    for (std::size_t s = 0; s < ids.size(); ++s) {
+      const std::size_t first = draws.Below(drawn.size());
+      for (std::size_t k = 0; k < drawn.size(); ++k) {
+        const std::size_t t = (first + k) % drawn.size();
+        if (drawn[t][s]) ids[s] = static_cast<std::int32_t>(t);
+      }
+    }
+    if (n % 2 == 0) {
+      ids[draws.Below(ids.size())] =
+          static_cast<std::int32_t>(draws.Below(drawn.size() + 1)) + kNoPrimitive;
+    }
+    Observed observed;
+    observed.primitive_ids = &ids;
+    observed.any_is_visible = true;
+    const bool is_legal =
+        IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {
+          for (std::size_t s = 0; s < ids.size(); ++s) {
+            const auto accepts = [&](unsigned bits) {
+              return ids[s] == kNoPrimitive ? bits == 0 : (bits >> ids[s] & 1U) != 0;
+            };
+            if (!ExplainsSetAt(scene, profile, rule, model, s, accepts)) return false;
+          }
+          return true;
+        });
+    const JointVerdict verdict = JudgeJointly(scene, {profile, scene}, observed);
+    ASSERT_EQ(verdict.legality, is_legal ? Legality::kLegal : Legality::kNotLegal) << n;
+    ++(is_legal ? legal : illegal);
+  }
+  EXPECT_GT(legal, 100);
+  EXPECT_GT(illegal, 60);
+}
+
+// The counts of triangles drawn alone, each on the side that it has in all legal models.
+CoverageCounts OnTheirSides(const Drawn& drawn, const Decided& decided) {
+  CoverageCounts counts(kSide, kSide);
+  for (std::size_t t = 0; t < drawn.size(); ++t) {
+    for (std::size_t s = 0; s < counts.size(); ++s)
+      (decided.triangles[t].facing > 0 ? counts.front : counts.back)[s] += drawn[t][s] ? 1 : 0;
+  }
+  return counts;
+}
+
+TEST(JointVerdict, SidesOfALegalDrawingAreLegalAndOneTurnedIsNot) {
+  Draws draws(12);
+  int turned = 0;
+  for (int n = 0; n < 600; ++n) {
+    const Scene scene = draws.AScene();
+    const Profile profile = draws.AProfile();
+    if (!IsJudgedAlike(scene, profile)) continue;
+    const Decided decided = DecidedSamples(scene, {profile, scene});
+    const auto is_open = [](const TriangleDecided& one) { return one.facing == 0; };
+    if (std::ranges::any_of(decided.triangles, is_open)) continue;
+    CoverageCounts counts = OnTheirSides(draws.ALegalDrawing(scene, profile), decided);
+    Observed observed;
+    observed.together = &counts;
+    observed.sides = Sides::kPositiveArea;
+    const TargetProfile target(profile, scene);
+    ASSERT_EQ(JudgeJointly(scene, target, observed).legality, Legality::kLegal) << n;
+    std::swap(counts.front, counts.back);
+    observed.sides = Sides::kNegativeArea;
+    ASSERT_EQ(JudgeJointly(scene, target, observed).legality, Legality::kLegal) << n;
+    const auto says_nothing = [&](std::size_t s) {
+      return counts.front[s] == counts.back[s] ||
+             std::ranges::any_of(decided.triangles, [&](const TriangleDecided& one) {
+               return std::ranges::binary_search(one.may, s);
+             });
+    };
+    std::size_t s = 0;
+    while (s < counts.size() && says_nothing(s)) ++s;
+    if (s == counts.size()) continue;
+    std::swap(counts.front[s], counts.back[s]);
+    const JointVerdict verdict = JudgeJointly(scene, target, observed);
+    ASSERT_EQ(verdict.legality, Legality::kNotLegal) << n;
+    EXPECT_TRUE(verdict.core->requirements.front().by_side.has_value());
+    observed.sides = Sides::kNotCompared;
+    ASSERT_EQ(JudgeJointly(scene, target, observed).legality, Legality::kLegal) << n;
+    ++turned;
+  }
+  EXPECT_GT(turned, 10);
+}
+
+// Legal places of its vertex turn this triangle over; the other leaves the target.
+TEST(JointVerdict, ATriangleThatMayBeTurnedOverHasEitherSide) {
+  Scene scene;
+  scene.width = 3;
+  scene.height = 3;
+  scene.vertices = {{0, 0.5, 0, 1}, {3, 0.5, 0, 1}, {1.5, 0.5 + 0x1p-10, 0, 1},
+                    {0, 1, 0, 1},   {9, 1, 0, 1},   {0, 9, 0, 1}};
+  scene.precision = Precision::kFloat64;
+  const TargetProfile profile(*PresetProfile("vulkan"), scene);
+  for (const Triangle& triangle : {Triangle{0, 1, 2}, Triangle{3, 4, 5}}) {
+    scene.triangles = {triangle};
+    CoverageCounts counts = exact::Coverage(scene, *PresetProfile("real"));
+    for (int side = 0; side < 2; ++side) {
+      Observed observed;
+      observed.together = &counts;
+      observed.sides = Sides::kPositiveArea;
+      EXPECT_EQ(JudgeJointly(scene, profile, observed).legality, Legality::kLegal) << triangle[0];
+      std::swap(counts.front, counts.back);
+    }
+  }
 }
 
 // Two edges pass closely by the samples (2.5, 4.5) and (3.5, 3.5) to a vertex beside

@@ -6,14 +6,20 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "core/drawing.h"
 #include "core/error.h"
 #include "core/quoted.h"
 #include "io/image.h"
+#include "io/netpbm.h"
 #include "io/output.h"
 
 namespace rasterproof::io {
 namespace {
+
+constexpr std::string_view kPngBegins = "\x89PNG";
 
 std::array<std::uint8_t, 3> ColourFrom(const std::string& text) {
   std::uint32_t rgb = 0;
@@ -27,19 +33,120 @@ std::array<std::uint8_t, 3> ColourFrom(const std::string& text) {
           static_cast<std::uint8_t>(rgb)};
 }
 
-CountsFile FromPicture(std::string_view bytes, const std::string& path, CoverageCounts shape,
-                       const std::string& background) {
-  const std::array<std::uint8_t, 3> paper = ColourFrom(background);
-  if (shape.samples != 1) {
+std::size_t PixelsOf(const CountsFormat& format) {
+  return CoverageCounts::Size(format.width, format.height, 1);
+}
+
+std::string PlaceIn(const std::string& path, std::size_t k, std::size_t row_length) {
+  return path + ": column " + std::to_string(k % row_length) + " row " +
+         std::to_string(k / row_length);
+}
+
+// Bytes alone, which are what their number says.
+Levels FromRaw(std::string_view bytes, const std::string& path, const CountsFormat& format) {
+  const std::size_t pixels = PixelsOf(format);
+  Levels levels{1, 255, {}};
+  if (bytes.size() == 3 * pixels || bytes.size() == 4 * pixels) {
+    levels.channels = 3;
+  } else if (bytes.size() != pixels) {
+    throw InputError(path,
+                     "has " + std::to_string(bytes.size()) + " bytes, the target " +
+                         std::to_string(format.width) + " x " + std::to_string(format.height) +
+                         " pixels",
+                     "give 1, 3 or 4 bytes a pixel: " + std::to_string(pixels) + ", " +
+                         std::to_string(3 * pixels) + " or " + std::to_string(4 * pixels));
+  }
+  const std::size_t stride = bytes.size() / pixels;
+  for (std::size_t p = 0; p < pixels; ++p) {
+    for (int c = 0; c < levels.channels; ++c) {
+      levels.values.push_back(
+          static_cast<std::uint8_t>(bytes[p * stride + static_cast<std::size_t>(c)]));
+    }
+  }
+  return levels;
+}
+
+bool IsRaw(const std::string& path) { return path.ends_with(".raw"); }
+
+// Whether a pixel of levels has the colour: a level of `greatest` is what 255 is of 8 bits.
+bool HasColour(const Levels& levels, std::size_t pixel, const std::array<std::uint8_t, 3>& colour) {
+  constexpr std::uint32_t kWhite = 255;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t at = levels.channels == 1 ? pixel : 3 * pixel + c;
+    if (kWhite * levels.values[at] != colour[c] * levels.greatest) return false;
+  }
+  return true;
+}
+
+CountsFile FromPicture(std::string_view bytes, const std::string& path,
+                       const CountsFormat& format) {
+  const std::array<std::uint8_t, 3> paper = ColourFrom(format.background);
+  if (format.samples != 1) {
     throw InputError(
-        path, "a picture has one sample a pixel, the target " + std::to_string(shape.samples),
-        "give counts as text");
+        path, "a picture has one sample a pixel, the target " + std::to_string(format.samples),
+        "give counts, as text or with --counts");
   }
-  const Image image = DecodePng(bytes, path, shape.width, shape.height);
-  for (std::size_t k = 0; k < shape.size(); ++k) {
-    shape.front[k] = image.pixels[k] == paper ? 0 : 1;
+  CoverageCounts counts(format.width, format.height);
+  if (!IsRaw(path) && bytes.starts_with(kPngBegins)) {
+    const Image image = DecodePng(bytes, path, format.width, format.height);
+    for (std::size_t k = 0; k < counts.size(); ++k)
+      counts.front[k] = image.pixels[k] == paper ? 0 : 1;
+  } else {
+    const Levels levels = IsRaw(path) ? FromRaw(bytes, path, format)
+                                      : DecodeNetpbm(bytes, path, format.width, format.height);
+    for (std::size_t k = 0; k < counts.size(); ++k)
+      counts.front[k] = HasColour(levels, k, paper) ? 0 : 1;
   }
-  return {std::move(shape), true};
+  return {std::move(counts), true, {}};
+}
+
+// Numbers without a header, low byte first.
+std::vector<std::uint32_t> NumbersFromRaw(std::string_view bytes, const std::string& path,
+                                          const CountsFormat& format) {
+  const std::size_t size = CoverageCounts::Size(format.width, format.height, format.samples);
+  const std::size_t width = bytes.size() / size;
+  if (bytes.size() % size != 0 || (width != 1 && width != 2 && width != 4)) {
+    throw InputError(path,
+                     "has " + std::to_string(bytes.size()) + " bytes, the target " +
+                         std::to_string(size) + " samples",
+                     "give 1, 2 or 4 bytes a sample, low byte first");
+  }
+  std::vector<std::uint32_t> numbers(size);
+  for (std::size_t k = 0; k < size; ++k) {
+    for (std::size_t b = 0; b < width; ++b)
+      numbers[k] |= std::uint32_t{static_cast<std::uint8_t>(bytes[k * width + b])} << (8 * b);
+  }
+  return numbers;
+}
+
+std::vector<std::uint32_t> NumbersFromPicture(std::string_view bytes, const std::string& path,
+                                              const CountsFormat& format) {
+  if (IsRaw(path)) return NumbersFromRaw(bytes, path, format);
+  const std::string remedy = "give PGM, raw bytes or rows of text";
+  if (!IsNetpbm(bytes)) throw InputError(path, "a PNG picture holds colours, not numbers", remedy);
+  const Levels levels = DecodeNetpbm(bytes, path, format.width * format.samples, format.height);
+  if (levels.channels != 1)
+    throw InputError(path, "a PPM picture holds colours, not numbers", remedy);
+  return {levels.values.begin(), levels.values.end()};
+}
+
+// 1 + the number of a triangle, or 0.
+std::vector<std::int32_t> IdsFrom(const std::vector<std::uint32_t>& numbers,
+                                  const std::string& path, const CountsFormat& format) {
+  std::vector<std::int32_t> ids;
+  ids.reserve(numbers.size());
+  const std::size_t row_length =
+      static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.samples);
+  for (const std::uint32_t number : numbers) {
+    if (number > format.triangles) {
+      throw InputError(PlaceIn(path, ids.size(), row_length),
+                       "the id is " + std::to_string(number) + ", and the scene has " +
+                           std::to_string(format.triangles) + " triangles",
+                       "write 1 + the triangle's number, from 0, and 0 where there is none");
+    }
+    ids.push_back(number == 0 ? kNoPrimitive : static_cast<std::int32_t>(number - 1));
+  }
+  return ids;
 }
 
 // One row of numbers.
@@ -71,7 +178,9 @@ void ReadRow(std::string_view line, std::size_t number, const std::string& path,
   }
 }
 
-CountsFile FromText(std::string_view text, const std::string& path, CoverageCounts counts) {
+CoverageCounts FromText(std::string_view text, const std::string& path,
+                        const CountsFormat& format) {
+  CoverageCounts counts(format.width, format.height, format.samples);
   const auto rows = static_cast<std::size_t>(counts.height);
   const std::size_t row_length =
       static_cast<std::size_t>(counts.width) * static_cast<std::size_t>(counts.samples);
@@ -84,20 +193,24 @@ CountsFile FromText(std::string_view text, const std::string& path, CoverageCoun
     if (row < rows) ReadRow(line, row, path, counts, row_length);
     ++row;
   }
-  if (row == rows) return {std::move(counts), false};
+  if (row == rows) return counts;
   throw InputError(path, "has " + std::to_string(row) + " rows, the target " + std::to_string(rows),
                    "give one row of counts for each row of pixels");
 }
 
 }  // namespace
 
-CountsFile ReadCounts(const std::string& path, int width, int height, int samples,
-                      const std::string& background) {
+CountsFile ReadCounts(const std::string& path, const CountsFormat& format) {
   const std::string bytes = ReadFile(path);
-  CoverageCounts shape(width, height, samples);
-  constexpr std::string_view kPngBegins = "\x89PNG";
-  if (bytes.starts_with(kPngBegins)) return FromPicture(bytes, path, std::move(shape), background);
-  return FromText(bytes, path, std::move(shape));
+  const bool is_picture = bytes.starts_with(kPngBegins) || IsNetpbm(bytes) || IsRaw(path);
+  if (is_picture && format.holds == FileHolds::kDrawing) return FromPicture(bytes, path, format);
+  CountsFile file;
+  file.counts = CoverageCounts(format.width, format.height, format.samples);
+  file.counts.front =
+      is_picture ? NumbersFromPicture(bytes, path, format) : FromText(bytes, path, format).front;
+  if (format.holds == FileHolds::kIds)
+    file.primitive_ids = IdsFrom(std::exchange(file.counts.front, {}), path, format);
+  return file;
 }
 
 }  // namespace rasterproof::io

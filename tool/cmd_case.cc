@@ -14,7 +14,7 @@
 #include "exact/coverage.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
-#include "io/image.h"
+#include "io/netpbm.h"
 #include "io/output.h"
 #include "props/codec/codec.h"
 #include "props/judging/as_shown.h"
@@ -233,7 +233,7 @@ int RunExplain(const ExplainOptions& options) {
   }
   if (!options.svg.empty()) io::WriteFile(options.svg, report::ExplanationToSvg(explanation));
   if (!options.png.empty()) {
-    io::WriteFile(options.png, io::EncodePng(report::ExplanationToImage(explanation)));
+    io::WriteFile(options.png, io::EncodeFor(options.png, report::ExplanationToImage(explanation)));
   }
   std::string text = FailureLine(PropertyName(loaded), loaded.value,
                                  WithCountsAsGiven(verdict, loaded.subject->Info())) +

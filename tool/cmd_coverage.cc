@@ -2,16 +2,20 @@
 // from another.
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/coverage.h"
 #include "core/error.h"
 #include "core/profile.h"
+#include "core/quoted.h"
 #include "core/ulp.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/image.h"
+#include "io/netpbm.h"
 #include "model/snap_scene.h"
 #include "model/target_profile.h"
 #include "reference/method.h"
@@ -47,6 +51,13 @@ std::string CountsToText(const CoverageCounts& counts) {
     text += (k + 1) % row_length == 0 ? '\n' : ' ';
   }
   return text;
+}
+
+// The counts as grey levels, the samples of a pixel side by side, as `legal --counts` reads them.
+std::string CountsToPgm(const CoverageCounts& counts, const std::string& path) {
+  std::vector<std::uint32_t> levels(counts.size());
+  for (std::size_t k = 0; k < counts.size(); ++k) levels[k] = counts.Count(k);
+  return io::EncodePgm(counts.width * counts.samples, counts.height, levels, Quoted(path));
 }
 
 // A subject without its own grid draws the scene as the profile snaps it.
@@ -114,7 +125,8 @@ int RunAgainst(const CoverageOptions& options) {
   const CoverageCounts observed = ShownBy(*against, scene, Draw(*subject, scene));
   const CoverageCounts expected = ShownBy(*subject, scene, Draw(*against, scene));
   if (!options.png.empty()) {
-    WriteOutput(options.png, io::EncodePng(report::PaintDifference(observed, expected)));
+    WriteOutput(options.png,
+                io::EncodeFor(options.png, report::PaintDifference(observed, expected)));
   }
   if (options.png != "-") WriteOutput(options.output, DifferenceText(observed, expected, options));
   return Compare(observed, expected).wrong == 0 ? kExitHolds : kExitViolated;
@@ -146,7 +158,7 @@ int RunCoverage(const CoverageOptions& options) {
   if (!options.against.empty()) return RunAgainst(options);
   Scene scene = LoadScene(options.scene);
   if (IsShaded(options)) {
-    WriteOutput(options.png, io::EncodePng(Shaded(options, scene)));
+    WriteOutput(options.png, io::EncodeFor(options.png, Shaded(options, scene)));
     return kExitHolds;
   }
   const std::string name = SubjectName(options);
@@ -157,8 +169,10 @@ int RunCoverage(const CoverageOptions& options) {
   const CoverageCounts counts = Draw(*subject, scene);
   if (options.png.empty()) {
     WriteOutput(options.output, CountsToText(counts));
+  } else if (options.png.ends_with(".pgm")) {
+    WriteOutput(options.png, CountsToPgm(counts, options.png));
   } else {
-    WriteOutput(options.png, io::EncodePng(report::PaintCounts(counts)));
+    WriteOutput(options.png, io::EncodeFor(options.png, report::PaintCounts(counts)));
   }
   return kExitHolds;
 }

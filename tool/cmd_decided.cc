@@ -10,6 +10,7 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/image.h"
+#include "io/netpbm.h"
 #include "io/output.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
@@ -167,8 +168,10 @@ int TellDecided(const LegalOptions& options) {
   const legal::Decided decided = legal::DecidedSamples(scene, {profile, scene});
   if (!options.json.empty()) WriteOutput(options.json, ToJson(decided, profile));
   if (!options.png.empty())
-    io::WriteFile(options.png, io::EncodePng(Picture(decided, scene, profile, options)));
-  if (!options.mask.empty()) io::WriteFile(options.mask, io::EncodePng(MaskOf(decided)));
+    io::WriteFile(options.png,
+                  io::EncodeFor(options.png, Picture(decided, scene, profile, options)));
+  if (!options.mask.empty())
+    io::WriteFile(options.mask, io::EncodeFor(options.mask, MaskOf(decided)));
   if (options.json != "-") io::WriteStandardOutput(Letters(decided));
   const std::uint64_t open = decided.NumberOpen();
   Tell(fmt::format(

@@ -160,9 +160,13 @@ void Save(const LegalOptions& options, const Scene& scene, const Profile& profil
 }
 
 OneCall Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
-  io::CountsFile file =
-      io::ReadCounts(options.image, scene.width, scene.height,
-                     TargetProfile(profile, scene).pattern.samples(), options.background);
+  io::CountsFile file = io::ReadCounts(
+      options.image, {.width = scene.width,
+                      .height = scene.height,
+                      .samples = TargetProfile(profile, scene).pattern.samples(),
+                      .background = options.background,
+                      .holds = options.counts ? io::FileHolds::kCounts : io::FileHolds::kDrawing,
+                      .triangles = scene.triangles.size()});
   OneCall drawn;
   drawn.drawing.counts = std::move(file.counts);
   drawn.is_mask = file.is_mask;

@@ -55,10 +55,11 @@ int RunCoverage(const CoverageOptions& options);
 /// Whether one legal model explains a drawing, or what all legal models agree on.
 struct LegalOptions {
   SceneOptions scene;
-  std::string image;    ///< counts as text, or a PNG picture; empty: `subject` draws
+  std::string image;    ///< counts as text, or a picture; empty: `subject` draws
   std::string subject;  ///< empty: `image` is given
   std::string profile;  ///< empty: the subject's own
   std::string background = "000000";
+  bool counts = false;   ///< the levels of a picture are counts
   std::string json;      ///< file; empty: none
   std::string save;      ///< the part that no model explains, as a case file
   bool decided = false;  ///< no drawing is judged

@@ -110,8 +110,10 @@ void AddCoverage(CLI::App& app, Run& run) {
       "--against", options.against,
       "Subject to compare with (such as exact): what is missing and unexpected; status 1 if any");
   CLI::Option* png =
-      verb->add_option("--png", options.png,
-                       "Picture (- for standard output) in place of the rows, or of the difference")
+      verb->add_option(
+              "--png", options.png,
+              "Picture (- for standard output) in place of the rows, or of the difference; "
+              "NAME.ppm: as PPM; NAME.pgm: the counts as PGM")
           ->excludes(output);
   verb->add_option(
           "--mode", options.mode,
@@ -131,14 +133,19 @@ void AddLegal(CLI::App& app, Run& run) {
   CLI::App* verb = app.add_subcommand(
       "legal", "Say whether one legal model explains a drawing, or what is open");
   AddScene(verb, options.scene);
-  verb->add_option("image", options.image,
-                   "Counts as `coverage` writes them, or a PNG picture (default: a subject draws)");
+  verb->add_option(
+      "image", options.image,
+      "Counts as `coverage` writes them, or a picture: PNG, PGM, PPM, or NAME.raw of 1, 3 "
+      "or 4 bytes a pixel (default: a subject draws)");
   AddSubject(verb, options.subject, "Subject that draws the scene");
   verb->add_option("--profile", options.profile,
                    "Preset or profile file (default: the subject's own)");
   CLI::Option* background = verb->add_option("--background", options.background,
                                              "Colour of a picture where nothing is drawn, RRGGBB")
                                 ->capture_default_str();
+  CLI::Option* counts =
+      verb->add_flag("--counts", options.counts,
+                     "The levels of a PGM or raw picture are counts: how often, not only where");
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   CLI::Option* save = verb->add_option("--save", options.save,
                                        "File for the part that no model explains, as a case");
@@ -146,11 +153,14 @@ void AddLegal(CLI::App& app, Run& run) {
       verb->add_flag("--decided", options.decided,
                      "Judge no drawing: how often the legal models of --profile cover each sample")
           ->excludes(background)
+          ->excludes(counts)
           ->excludes(save);
   CLI::Option* png =
       verb->add_option("--png", options.png, "Picture: where legal models differ")->needs(decided);
-  verb->add_option("--mask", options.mask,
-                   "PNG for a comparison of pictures: 255 must be covered, 0 must not, 128 is open")
+  verb->add_option(
+          "--mask", options.mask,
+          "PNG (or NAME.pgm) for a comparison of pictures: 255 must be covered, 0 must not, "
+          "128 is open")
       ->needs(decided);
   verb->add_option("--assume-transform-error", options.transform_error,
                    "Judge clip space: x and y may be off by N x 2^-24 of their size, then snapped")

@@ -220,6 +220,49 @@ class LegalTest(unittest.TestCase):
         self.assertEqual(self.legal(image, "vulkan").returncode, 0)
         self.assertEqual(self.legal(image, "vulkan", "--background", "ffffff").returncode, 1)
 
+    def test_a_picture_may_be_pgm_ppm_or_raw_bytes(self):
+        rows = self.drawn("vulkan-canonical")
+        levels = [200 * bool(n) for row in rows for n in row]
+        wrong = [*levels[:5], 0, *levels[6:]]  # column 1 row 1 is lost
+        for name, head, channels in (("a.pgm", b"P5 4 4 255\n", 1), ("a.ppm", b"P6 4 4 255\n", 3),
+                                     ("a.raw", b"", 1), ("b.raw", b"", 3), ("c.raw", b"", 4)):
+            for shown, status in ((levels, 0), (wrong, 1)):
+                body = bytes(n for level in shown for n in [level] * channels)
+                done = self.legal(self.write(name, head + body), "vulkan")
+                self.assertEqual(done.returncode, status, name + done.stdout + done.stderr)
+        wide = b"".join(struct.pack(">H", level // 200) for level in levels)  # faint, and not black
+        for background, status in (("000000", 0), ("ffffff", 1)):
+            done = self.legal(self.write("w.pgm", b"P5 4 4 65535\n" + wide), "vulkan",
+                              "--background", background)  # fmt: skip
+            self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+
+    def test_levels_are_counts_only_if_asked(self):
+        done = run("coverage", self.scene, "--png", self.path("counts.pgm"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.legal(self.path("counts.pgm"), "vulkan", "--counts").returncode, 0)
+        twice = bytearray(sum(self.drawn("vulkan-canonical"), []))
+        twice[5] = 2
+        for name, head in (("twice.pgm", b"P5 4 4 255\n"), ("twice.raw", b"")):
+            image = self.write(name, head + twice)
+            self.assertEqual(self.legal(image, "vulkan").returncode, 0)
+            done = self.legal(image, "vulkan", "--counts")
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertIn("column 1 row 1: 2 of triangles 0, 1 cover it", done.stdout)
+        wide = self.write("wide.raw", b"".join(struct.pack("<I", n) for n in twice))
+        self.assertEqual(self.legal(wide, "vulkan", "--counts").returncode, 1)
+
+    def test_pictures_are_written_as_their_ending_says(self):
+        mask = ("legal", self.scene, "--decided", "--profile", "vulkan", "--mask")
+        self.assertEqual(run(*mask, self.path("mask.pgm")).returncode, 0)
+        with open(self.path("mask.pgm"), "rb") as file:
+            self.assertEqual(file.read(), b"P5\n4 4\n255\n" + (b"\xff" * 3 + b"\0") * 3 + b"\0" * 4)
+        shown = ("coverage", self.scene, "--subject", "textbook", "--against", "exact", "--png")
+        self.assertEqual(run(*shown, self.path("wrong.ppm")).returncode, 1)
+        with open(self.path("wrong.ppm"), "rb") as file:
+            self.assertTrue(file.read().startswith(b"P6\n4 4\n255\n"))
+        self.refused(*shown, self.path("wrong.pgm"), names=["wrong.pgm", "colours", ".ppm"])
+        self.assertFalse(os.path.exists(self.path("wrong.pgm")))
+
     def test_a_subject_draws_what_is_judged(self):
         drawn = run("legal", self.scene, "--subject", "i32-snap4", "--profile", "gl", "--json", "-")
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
@@ -250,6 +293,12 @@ class LegalTest(unittest.TestCase):
         small = self.write("small.png", png([[0, 0], [0, 0]]))
         self.refused(*legal, small, "--profile", "gl", names=["2 x 2", "4 x 4"])
         self.refused(*legal, small, "--profile", "gl", "--background", "red", names=["red"])
+        raw = self.write("x.raw", b"12345")
+        self.refused(*legal, raw, "--profile", "gl", names=["5 bytes", "4 x 4", "16, 48 or 64"])
+        self.refused(*legal, raw, "--profile", "gl", "--counts", names=["5 bytes", "16 samples"])
+        self.refused(*legal, self.write("x.pgm", b"P5 3 4 255\n"), "--profile", "gl",
+                     names=["x.pgm", "3 x 4", "4 x 4"])
+        self.refused(*legal, small, "--profile", "gl", "--counts", names=["small.png", "PGM"])
         watertight = self.write("p.json", '{"name": "mine", "contract": "watertight"}')
         decided = (*legal, "--decided")
         self.refused(*decided, "--profile", watertight, names=["single samples"])

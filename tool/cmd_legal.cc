@@ -16,11 +16,9 @@
 #include "core/tie_rule.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
-#include "io/counts_file.h"
 #include "io/output.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
-#include "model/target_profile.h"
 #include "props/judging/witness.h"
 #include "report/grounds.h"
 #include "report/json_writer.h"
@@ -32,63 +30,34 @@
 namespace rasterproof::tool {
 namespace {
 
-std::string GridText(const Snap& grid) {
-  return grid.IsNone() ? "no grid" : fmt::format("{} subpixel bits", grid.bits);
-}
-
-std::string FamilyText(const legal::Family& family, const Profile& profile) {
-  std::string text = GridText(family.grid);
-  const TieOwnership ties = profile.freedom.ties;
-  if (ties == TieOwnership::kStated || ties == TieOwnership::kAxisAligned)
-    text += ", tie rule " + TieRuleName(family.rule);
-  return text;
-}
-
-std::string LegalityName(legal::Legality legality) {
-  switch (legality) {
-    case legal::Legality::kLegal:
-      return "legal";
-    case legal::Legality::kNotLegal:
-      return "not legal";
-    case legal::Legality::kNotJudged:
-      break;
-  }
-  return "not judged";
-}
-
-std::string Text(const legal::JointVerdict& verdict, std::optional<std::uint64_t> open,
-                 const Profile& profile, const Scene& scene) {
-  std::string text = fmt::format("{}: profile {}; ", LegalityName(verdict.legality), profile.name);
-  const std::string family = FamilyText(verdict.family, profile);
-  if (verdict.legality == legal::Legality::kLegal) {
-    text += fmt::format("one model with {} explains all {} samples\n", family, verdict.samples);
-  } else if (verdict.legality == legal::Legality::kNotJudged) {
-    text += fmt::format("a component of {} triangles is too large to be judged\n",
-                        verdict.largest_given_up);
-  } else {
-    text += fmt::format("no model explains the image; {} tried\n",
-                        verdict.families == 1
-                            ? "one grid and tie rule was"
-                            : fmt::format("{} grids and tie rules were", verdict.families));
-  }
+std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
+                 const JudgedScene& judged) {
+  const auto& [scene, profile] = judged;
+  const legal::JointVerdict& verdict = judgement.verdict;
+  std::string text = fmt::format("{}: profile {}; {}\n", LegalityName(verdict.legality),
+                                 profile.name, SearchText(verdict, profile));
+  if (judgement.compared != kCountsAlone) text += "compared: " + judgement.compared + "\n";
   if (open)
     text += fmt::format("{} samples are open: legal models cover them differently often\n", *open);
   if (verdict.components != 0) {
     text += fmt::format(
-        "with {}: {} components, the largest of {} triangles; {} samples are not judged\n", family,
-        verdict.components, verdict.largest_component, verdict.not_judged);
+        "with {}: {} components, the largest of {} triangles; {} samples are not judged\n",
+        FamilyText(verdict.family, profile), verdict.components, verdict.largest_component,
+        verdict.not_judged);
   }
   if (verdict.core)
     text += CoreText(*verdict.core, scene, static_cast<std::size_t>(profile.pattern.samples()));
   return text;
 }
 
-std::string ToJson(const legal::JointVerdict& verdict, std::optional<std::uint64_t> open,
+std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open,
                    const Profile& profile, const LegalOptions& options) {
+  const legal::JointVerdict& verdict = judgement.verdict;
   report::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_legal").Integer(1);
   json.Key("verdict").Text(LegalityName(verdict.legality));
+  json.Key("compared").Text(judgement.compared);
   json.Key("profile").Value(io::ProfileToJson(profile));
   report::WriteEvidence(json, "assumed", report::AssumptionsUnder(profile));
   if (options.transform_error)
@@ -112,6 +81,10 @@ std::string ToJson(const legal::JointVerdict& verdict, std::optional<std::uint64
       json.Key("y").Exact(seen.at.y);
       json.Key("least").Integer(seen.least);
       json.Key("most").Integer(seen.most);
+      if (seen.by_side) {
+        json.Key("front").Integer((*seen.by_side)[0]);
+        json.Key("back").Integer((*seen.by_side)[1]);
+      }
       if (seen.visible) json.Key("visible").Integer(*seen.visible);
       json.Key("legal_least").Integer(seen.legal_least);
       json.Key("legal_most").Integer(seen.legal_most);
@@ -159,20 +132,6 @@ void Save(const LegalOptions& options, const Scene& scene, const Profile& profil
                                               is_drawn ? "OneLegalModelExplainsTheMesh" : ""}));
 }
 
-OneCall Read(const LegalOptions& options, const Scene& scene, const Profile& profile) {
-  io::CountsFile file = io::ReadCounts(
-      options.image, {.width = scene.width,
-                      .height = scene.height,
-                      .samples = TargetProfile(profile, scene).pattern.samples(),
-                      .background = options.background,
-                      .holds = options.counts ? io::FileHolds::kCounts : io::FileHolds::kDrawing,
-                      .triangles = scene.triangles.size()});
-  OneCall drawn;
-  drawn.drawing.counts = std::move(file.counts);
-  drawn.is_mask = file.is_mask;
-  return drawn;
-}
-
 }  // namespace
 
 Profile WithAssumptions(Profile profile, const LegalOptions& options) {
@@ -196,6 +155,9 @@ std::string AssumedErrorLine(const LegalOptions& options) {
 
 int RunLegal(const LegalOptions& options) {
   RequireHonestEnvironment();
+  if (!options.list.empty()) return JudgeList(options);
+  if (options.scene.path.empty())
+    throw InputError("legal", "no scene is given", "give a scene file, or --list FILE");
   const int drawings = (options.image.empty() ? 0 : 1) + (options.subject.empty() ? 0 : 1);
   if (options.decided && drawings != 0) {
     throw InputError("--decided", "it judges no drawing",
@@ -211,39 +173,23 @@ int RunLegal(const LegalOptions& options) {
                      "give --profile: vulkan, gl, d3d11, webgpu or a file");
   }
   if (options.decided) return TellDecided(options);
-  const Scene scene = LoadScene(options.scene);
   std::unique_ptr<Subject> subject;
-  if (!options.subject.empty()) {
-    subject = MakeSubject(options.subject, options.profile);
-    RequireTakes(*subject, scene, options.scene.path);
-  }
-  const Profile profile = WithAssumptions(
-      subject ? subject->Info().profile : io::ReadProfile(options.profile), options);
-  if (const auto why = legal::WhyNotJoint(scene, {profile, scene})) {
-    throw InputError("profile " + profile.name, *why,
-                     "give a profile whose models state single samples of this scene");
-  }
-  const OneCall drawn = subject ? DrawInOneCall(*subject, scene) : Read(options, scene, profile);
-  const legal::JointVerdict verdict =
-      legal::JudgeJointly(scene, {profile, scene}, drawn.Observed());
+  if (!options.subject.empty()) subject = MakeSubject(options.subject, options.profile);
+  const JudgedScene judged = LoadJudgedScene(options, subject.get());
+  const auto& [scene, profile] = judged;
+  const OneCall drawn = subject ? DrawInOneCall(*subject, scene) : ReadDrawing(options, judged);
+  const Judgement judgement = JudgeDrawing(judged, drawn);
+  const legal::JointVerdict& verdict = judgement.verdict;
   std::optional<std::uint64_t> open;
   if (verdict.legality != legal::Legality::kLegal)
     open = legal::DecidedSamples(scene, {profile, scene}).NumberOpen();
-  if (!options.json.empty()) WriteOutput(options.json, ToJson(verdict, open, profile, options));
+  if (!options.json.empty()) WriteOutput(options.json, ToJson(judgement, open, profile, options));
   if (!options.save.empty() && verdict.core) Save(options, scene, profile, *verdict.core);
   if (options.json != "-") {
-    io::WriteStandardOutput(Text(verdict, open, profile, scene) + report::AssumptionLines(profile) +
+    io::WriteStandardOutput(Text(judgement, open, judged) + report::AssumptionLines(profile) +
                             AssumedErrorLine(options));
   }
-  switch (verdict.legality) {
-    case legal::Legality::kLegal:
-      return kExitHolds;
-    case legal::Legality::kNotLegal:
-      return kExitViolated;
-    case legal::Legality::kNotJudged:
-      break;
-  }
-  return kExitInconclusive;
+  return StatusOf(verdict.legality);
 }
 
 }  // namespace rasterproof::tool

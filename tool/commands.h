@@ -59,12 +59,16 @@ struct LegalOptions {
   std::string subject;  ///< empty: `image` is given
   std::string profile;  ///< empty: the subject's own
   std::string background = "000000";
-  bool counts = false;   ///< the levels of a picture are counts
-  std::string json;      ///< file; empty: none
-  std::string save;      ///< the part that no model explains, as a case file
-  bool decided = false;  ///< no drawing is judged
-  std::string png;       ///< where legal models differ; empty: none
-  std::string mask;      ///< the same as grey levels of data; empty: none
+  bool counts = false;          ///< the levels of a picture are counts
+  bool ids = false;             ///< the numbers of `image` are 1 + ids of triangles
+  std::string visible = "any";  ///< of those that cover a sample: any, last, first
+  std::string list;             ///< file of drawings to judge; empty: one drawing
+  std::string junit;            ///< of a list; empty: none
+  std::string json;             ///< file; empty: none
+  std::string save;             ///< the part that no model explains, as a case file
+  bool decided = false;         ///< no drawing is judged
+  std::string png;              ///< where legal models differ; empty: none
+  std::string mask;             ///< the same as grey levels of data; empty: none
   /// In roundings of float32: the profile states none, and the verdict rests on this.
   std::optional<double> transform_error = {};
   std::vector<int> view;  ///< of that picture: column, row, width, height; empty: the target
@@ -75,6 +79,8 @@ int RunLegal(const LegalOptions& options);
 Profile WithAssumptions(Profile profile, const LegalOptions& options);
 /// The line that says what is assumed; empty if nothing is.
 std::string AssumedErrorLine(const LegalOptions& options);
+/// What `legal --list` does.
+int JudgeList(const LegalOptions& options);
 /// What `legal --decided` does.
 int TellDecided(const LegalOptions& options);
 

@@ -21,32 +21,6 @@ constexpr std::array<std::string_view, 2> kListKeys{"rasterproof_known_failures"
 constexpr std::array<std::string_view, 5> kEntryKeysOfKnown{"property", "owner", "until", "subject",
                                                             "cause"};
 
-year_month_day ReadDay(const io::JsonValue& value) {
-  const std::string_view text = value.RequireString();
-  constexpr std::string_view kForm = "dddd-dd-dd";
-  const bool has_form =
-      text.size() == kForm.size() && std::ranges::equal(text, kForm, [](char c, char form) {
-        return form == 'd' ? c >= '0' && c <= '9' : c == form;
-      });
-  const auto number = [&](std::size_t first, std::size_t digits) {
-    int n = 0;
-    for (const char c : text.substr(first, digits)) n = 10 * n + (c - '0');
-    return n;
-  };
-  if (has_form) {
-    const year_month_day day{std::chrono::year{number(0, 4)},
-                             std::chrono::month{static_cast<unsigned>(number(5, 2))},
-                             std::chrono::day{static_cast<unsigned>(number(8, 2))}};
-    if (day.ok()) return day;
-  }
-  throw value.Error(Quoted(text) + " is no date", "write year, month and day: \"2027-01-31\"");
-}
-
-std::string DayText(year_month_day day) {
-  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
-                     static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
-}
-
 KnownFailure ReadKnownFailure(const io::JsonValue& object) {
   object.RequireObject(kEntryKeysOfKnown);
   KnownFailure known;
@@ -77,6 +51,32 @@ std::string Line(std::string_view word, const Findings& found, const std::string
 }
 
 }  // namespace
+
+year_month_day ReadDay(const io::JsonValue& value) {
+  const std::string_view text = value.RequireString();
+  constexpr std::string_view kForm = "dddd-dd-dd";
+  const bool has_form =
+      text.size() == kForm.size() && std::ranges::equal(text, kForm, [](char c, char form) {
+        return form == 'd' ? c >= '0' && c <= '9' : c == form;
+      });
+  const auto number = [&](std::size_t first, std::size_t digits) {
+    int n = 0;
+    for (const char c : text.substr(first, digits)) n = 10 * n + (c - '0');
+    return n;
+  };
+  if (has_form) {
+    const year_month_day day{std::chrono::year{number(0, 4)},
+                             std::chrono::month{static_cast<unsigned>(number(5, 2))},
+                             std::chrono::day{static_cast<unsigned>(number(8, 2))}};
+    if (day.ok()) return day;
+  }
+  throw value.Error(Quoted(text) + " is no date", "write year, month and day: \"2027-01-31\"");
+}
+
+std::string DayText(year_month_day day) {
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
+                     static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+}
 
 std::vector<KnownFailure> ReadKnownFailures(const std::string& path) {
   const std::string text = io::ReadFile(path);

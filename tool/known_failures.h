@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/json_document.h"
 #include "tool/findings.h"
 
 namespace rasterproof::tool {
@@ -40,6 +41,11 @@ bool IsKnown(const std::vector<KnownFailure>& known, std::chrono::year_month_day
 void ApplyKnownFailures(const std::vector<KnownFailure>& known, std::chrono::year_month_day today,
                         Findings& found);
 
+/// "2027-01-31" as a day.
+///
+/// Error:      InputError with the value's place.
+std::chrono::year_month_day ReadDay(const io::JsonValue& value);
+std::string DayText(std::chrono::year_month_day day);
 /// The day at Greenwich.
 std::chrono::year_month_day Today();
 

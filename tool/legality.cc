@@ -2,17 +2,30 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
+#include "core/error.h"
 #include "core/subject_info.h"
+#include "core/tie_rule.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "io/case_file.h"
+#include "io/counts_file.h"
+#include "model/target_profile.h"
 #include "props/judging/witness.h"
+#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
 
-// "2", "1 or more", "1 to 2".
+std::string GridText(const Snap& grid) {
+  return grid.IsNone() ? "no grid" : fmt::format("{} subpixel bits", grid.bits);
+}
+
+// "2", "1 or more", "1 front and 0 back".
 std::string SeenOf(const legal::Requirement& seen) {
+  if (seen.by_side)
+    return fmt::format("{} front and {} back", (*seen.by_side)[0], (*seen.by_side)[1]);
   return seen.least == seen.most ? fmt::format("{}", seen.least)
                                  : fmt::format("{} or more", seen.least);
 }
@@ -58,6 +71,7 @@ std::string PlaceText(std::size_t sample, const Scene& scene, std::size_t sample
 legal::Observed OneCall::Observed() const {
   legal::Observed observed;
   observed.last_is_visible = last_is_visible;
+  observed.any_is_visible = any_is_visible;
   if (has_counts) {
     observed.together = &drawing.counts;
     observed.is_mask = is_mask;
@@ -76,8 +90,134 @@ OneCall DrawInOneCall(Subject& subject, const Scene& scene) {
       info.coverage == CoverageKind::kFacingCounts || info.coverage == CoverageKind::kCounts;
   drawn.has_counts = counts || drawn.drawing.primitive_ids.empty();
   drawn.is_mask = !counts;
+  drawn.has_facings = info.coverage == CoverageKind::kFacingCounts;
   drawn.last_is_visible = info.fragments.visible == Visible::kLastDrawn;
   return drawn;
+}
+
+std::string FamilyText(const legal::Family& family, const Profile& profile) {
+  std::string text = GridText(family.grid);
+  const TieOwnership ties = profile.freedom.ties;
+  if (ties == TieOwnership::kStated || ties == TieOwnership::kAxisAligned)
+    text += ", tie rule " + TieRuleName(family.rule);
+  return text;
+}
+
+std::string LegalityName(legal::Legality legality) {
+  switch (legality) {
+    case legal::Legality::kLegal:
+      return "legal";
+    case legal::Legality::kNotLegal:
+      return "not legal";
+    case legal::Legality::kNotJudged:
+      break;
+  }
+  return "not judged";
+}
+
+std::string SearchText(const legal::JointVerdict& verdict, const Profile& profile) {
+  switch (verdict.legality) {
+    case legal::Legality::kLegal:
+      return fmt::format("one model with {} explains all {} samples",
+                         FamilyText(verdict.family, profile), verdict.samples);
+    case legal::Legality::kNotLegal:
+      return fmt::format("no model explains the image; {} tried",
+                         verdict.families == 1
+                             ? "one grid and tie rule was"
+                             : fmt::format("{} grids and tie rules were", verdict.families));
+    case legal::Legality::kNotJudged:
+      break;
+  }
+  return fmt::format("a component of {} triangles is too large to be judged",
+                     verdict.largest_given_up);
+}
+
+int StatusOf(legal::Legality legality) {
+  switch (legality) {
+    case legal::Legality::kLegal:
+      return kExitHolds;
+    case legal::Legality::kNotLegal:
+      return kExitViolated;
+    case legal::Legality::kNotJudged:
+      break;
+  }
+  return kExitInconclusive;
+}
+
+JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject) {
+  JudgedScene judged;
+  judged.scene = LoadScene(options.scene);
+  if (subject != nullptr) RequireTakes(*subject, judged.scene, options.scene.path);
+  judged.profile = WithAssumptions(
+      subject != nullptr ? subject->Info().profile : io::ReadProfile(options.profile), options);
+  if (const auto why = legal::WhyNotJoint(judged.scene, {judged.profile, judged.scene})) {
+    throw InputError("profile " + judged.profile.name, *why,
+                     "give a profile whose models state single samples of this scene");
+  }
+  return judged;
+}
+
+OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
+  const auto& [scene, profile] = judged;
+  io::CountsFile file =
+      io::ReadCounts(options.image, {.width = scene.width,
+                                     .height = scene.height,
+                                     .samples = TargetProfile(profile, scene).pattern.samples(),
+                                     .background = options.background,
+                                     .holds = options.ids      ? io::FileHolds::kIds
+                                              : options.counts ? io::FileHolds::kCounts
+                                                               : io::FileHolds::kDrawing,
+                                     .triangles = scene.triangles.size()});
+  OneCall drawn;
+  drawn.drawing.counts = std::move(file.counts);
+  drawn.drawing.primitive_ids = std::move(file.primitive_ids);
+  drawn.has_counts = !options.ids;
+  drawn.is_mask = file.is_mask;
+  drawn.last_is_visible = options.visible == "last";
+  drawn.any_is_visible = options.visible == "any";
+  return drawn;
+}
+
+namespace {
+
+std::string ComparedIn(const OneCall& drawn) {
+  if (drawn.has_counts) return std::string(kCountsAlone);
+  if (drawn.any_is_visible)
+    return "ids: each covers its sample; which of several triangles is on top is not judged";
+  return fmt::format("ids, of several triangles that of the {} one",
+                     drawn.last_is_visible ? "last" : "first");
+}
+
+// How many samples a core convicts by themselves, or 1 for a set of them.
+std::size_t WeightOf(const legal::JointVerdict& verdict) {
+  return verdict.core ? std::max<std::size_t>(verdict.core->wrong_by_themselves, 1) : 0;
+}
+
+}  // namespace
+
+Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn) {
+  const TargetProfile profile(judged.profile, judged.scene);
+  const auto judge = [&](legal::Sides sides) {
+    legal::Observed observed = drawn.Observed();
+    observed.sides = sides;
+    return legal::JudgeJointly(judged.scene, profile, observed);
+  };
+  if (!drawn.has_facings) return {judge(legal::Sides::kNotCompared), ComparedIn(drawn)};
+  const bool either = judged.profile.front_face == FrontFace::kUnstated;
+  std::string compared = "counts and facings";
+  legal::JointVerdict verdict = judge(legal::Sides::kPositiveArea);
+  if (verdict.legality != legal::Legality::kLegal && either) {
+    legal::JointVerdict other = judge(legal::Sides::kNegativeArea);
+    if (other.legality == legal::Legality::kLegal || WeightOf(other) < WeightOf(verdict)) {
+      verdict = std::move(other);
+      compared += "; the front is the side that is clockwise on screen";
+    }
+  }
+  if (verdict.legality != legal::Legality::kNotLegal) return {std::move(verdict), compared};
+  legal::JointVerdict counts = judge(legal::Sides::kNotCompared);
+  if (counts.legality == legal::Legality::kNotLegal)
+    return {std::move(counts), std::string(kCountsAlone)};
+  return {std::move(verdict), compared + "; a model explains the counts alone"};
 }
 
 std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples) {

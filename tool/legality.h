@@ -1,14 +1,16 @@
-// What one call shows, to be judged by the joint verdict, and how that verdict reads.
+// A drawing that the joint verdict judges: where it comes from, and how the verdict reads.
 #ifndef RASTERPROOF_TOOL_LEGALITY_H_
 #define RASTERPROOF_TOOL_LEGALITY_H_
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "core/drawing.h"
 #include "core/scene.h"
 #include "core/subject.h"
 #include "legal/joint.h"
+#include "tool/commands.h"
 
 namespace rasterproof::tool {
 
@@ -18,10 +20,50 @@ struct OneCall {
   bool is_mask = false;    ///< its counts say whether a sample is covered, not how often
   bool has_counts = true;  ///< else the primitive ids are judged
   bool last_is_visible = true;
+  bool any_is_visible = false;  ///< which of several triangles is visible is not known
+  bool has_facings = false;     ///< its counts are by facing
 
   /// Points into this.
   legal::Observed Observed() const;
 };
+
+/// A scene, and the profile whose models are legal for its drawing.
+struct JudgedScene {
+  Scene scene;
+  Profile profile;
+};
+
+/// Loads what the options name; the profile is the options', or the subject's own.
+///
+/// Error:      InputError if the subject does not take the scene, or the joint verdict is not for
+///             this scene and profile.
+JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject);
+
+/// Reads the image that the options name.
+OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged);
+
+/// The verdict on a drawing, and what was compared: "counts", "counts and facings".
+struct Judgement {
+  legal::JointVerdict verdict;
+  std::string compared;
+};
+
+/// Returns whether one legal model explains the drawing, its facings too if it has any. Where the
+/// profile does not say which side is the front, either may be.
+Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn);
+
+/// Judgement::compared of a drawing that shows neither facings nor ids.
+inline constexpr std::string_view kCountsAlone = "counts";
+
+/// The exit status of one verdict.
+int StatusOf(legal::Legality legality);
+
+/// "legal", "not legal" or "not judged".
+std::string LegalityName(legal::Legality legality);
+/// A grid and a tie rule: "8 subpixel bits, tie rule top-left".
+std::string FamilyText(const legal::Family& family, const Profile& profile);
+/// What became of the search for a model, in a part of a sentence.
+std::string SearchText(const legal::JointVerdict& verdict, const Profile& profile);
 
 /// Draws all triangles of the scene in one call.
 ///

@@ -133,6 +133,7 @@ void AddLegal(CLI::App& app, Run& run) {
   CLI::App* verb = app.add_subcommand(
       "legal", "Say whether one legal model explains a drawing, or what is open");
   AddScene(verb, options.scene);
+  verb->get_option("scene")->required(false);  // not with --list
   verb->add_option(
       "image", options.image,
       "Counts as `coverage` writes them, or a picture: PNG, PGM, PPM, or NAME.raw of 1, 3 "
@@ -146,7 +147,18 @@ void AddLegal(CLI::App& app, Run& run) {
   CLI::Option* counts =
       verb->add_flag("--counts", options.counts,
                      "The levels of a PGM or raw picture are counts: how often, not only where");
-  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  CLI::Option* ids =
+      verb->add_flag("--ids", options.ids,
+                     "The numbers of the image are 1 + the triangle that a sample shows, 0: none")
+          ->excludes(counts)
+          ->excludes(background);
+  verb->add_option("--visible", options.visible,
+                   "Which triangle of those that cover a sample an id names: any, last or first")
+      ->check(CLI::IsMember({"any", "last", "first"}))
+      ->capture_default_str()
+      ->needs(ids);
+  CLI::Option* json =
+      verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   CLI::Option* save = verb->add_option("--save", options.save,
                                        "File for the part that no model explains, as a case");
   CLI::Option* decided =
@@ -154,7 +166,16 @@ void AddLegal(CLI::App& app, Run& run) {
                      "Judge no drawing: how often the legal models of --profile cover each sample")
           ->excludes(background)
           ->excludes(counts)
+          ->excludes(ids)
           ->excludes(save);
+  CLI::Option* list = verb->add_option("--list", options.list,
+                                       "File of drawings to judge, each its own (docs/commands.md)")
+                          ->excludes(json)
+                          ->excludes(save)
+                          ->excludes(decided);
+  verb->add_option("--junit", options.junit,
+                   "Verdicts on the list as JUnit XML (-: standard output)")
+      ->needs(list);
   CLI::Option* png =
       verb->add_option("--png", options.png, "Picture: where legal models differ")->needs(decided);
   verb->add_option(

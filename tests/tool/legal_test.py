@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 import zlib
 
 PROGRAM = os.path.abspath(sys.argv[1])
@@ -250,6 +251,113 @@ class LegalTest(unittest.TestCase):
             self.assertIn("column 1 row 1: 2 of triangles 0, 1 cover it", done.stdout)
         wide = self.write("wide.raw", b"".join(struct.pack("<I", n) for n in twice))
         self.assertEqual(self.legal(wide, "vulkan", "--counts").returncode, 1)
+
+    def test_ids_are_judged_in_any_order_or_in_that_of_drawing(self):
+        # Two triangles lie over each other; the second is drawn last.
+        scene = dict(SQUARE, triangles=[[0, 1, 2], [0, 1, 2]])
+        self.scene = self.write("over.json", json.dumps(scene))
+        first, last = ([[1, 1, 1, 0], [0, 1, 1, 0], [0, 0, 1, 0], [0, 0, 0, 0]],
+                       [[2, 2, 2, 0], [0, 2, 2, 0], [0, 0, 2, 0], [0, 0, 0, 0]])
+        mixed = [first[0], *last[1:]]
+        for rows, visible, status in ((first, "any", 0), (last, "any", 0), (mixed, "any", 0),
+                                      (first, "first", 0), (first, "last", 1), (last, "last", 0),
+                                      (mixed, "last", 1)):
+            done = self.legal(self.as_text(rows), "vulkan", "--ids", "--visible", visible)
+            self.assertEqual(done.returncode, status, visible + done.stdout + done.stderr)
+        done = self.legal(self.as_text(mixed), "vulkan", "--ids")
+        self.assertIn("which of several triangles is on top is not judged", done.stdout)
+        lost = [[1, 1, 0, 0], *mixed[1:]]
+        for rows in (lost, [*mixed[:3], [0, 1, 0, 0]]):  # one is lost, one is where none may be
+            levels = b"".join(struct.pack(">H", n) for row in rows for n in row)
+            image = self.write("ids.pgm", b"P5 4 4 65535\n" + levels)
+            done = self.legal(image, "vulkan", "--ids")
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        raw = self.write("ids.raw", b"".join(struct.pack("<I", n) for row in mixed for n in row))
+        self.assertEqual(self.legal(raw, "vulkan", "--ids").returncode, 0)
+        self.refused("legal", self.scene, self.as_text([[3] * 4] * 4), "--ids", "--profile", "gl",
+                     names=["column 0 row 0", "id is 3", "2 triangles"])
+
+    def test_the_triangle_that_an_id_names_covers_its_sample(self):
+        right = [[1, 1, 1, 0], [2, 1, 1, 0], [2, 2, 1, 0], [0, 0, 0, 0]]
+        self.assertEqual(self.legal(self.as_text(right), "vulkan", "--ids").returncode, 0)
+        right[1][1] = 2  # of the diagonal: either
+        self.assertEqual(self.legal(self.as_text(right), "vulkan", "--ids").returncode, 0)
+        right[0][2] = 2  # of the first triangle alone
+        wrong = self.legal(self.as_text(right), "vulkan", "--ids")
+        self.assertEqual(wrong.returncode, 1)
+        self.assertIn("column 2 row 0: of triangles 0 number 1 is visible", wrong.stdout)
+
+    def test_facings_are_judged_where_a_subject_tells_them(self):
+        square = ("legal", self.scene, "--profile", "vulkan", "--subject")
+        for subject, status, told in (
+                ("i32-snap8", 0, "compared: counts and facings\n"),
+                ("legal:vulkan-facing-exchanged", 0, "the side that is clockwise on screen"),
+                ("mutant:vulkan-facing-by-place", 1, "a model explains the counts alone")):
+            done = run(*square, subject)
+            self.assertEqual(done.returncode, status, subject + done.stdout + done.stderr)
+            self.assertIn(told, done.stdout)
+        self.assertRegex(done.stdout, "[01] front and [01] back")
+
+    def listed(self, *entries, options=()):
+        path = self.write("list.json", json.dumps(list(entries)))
+        return run("legal", "--list", path, *options)
+
+    def test_a_list_is_judged_entry_by_entry(self):
+        rows = self.drawn("vulkan-canonical")
+        self.as_text(rows)
+        rows[1][1] = 2
+        self.write("twice.txt", "\n".join(" ".join(map(str, row)) for row in rows))
+        right = {"name": "right", "scene": "scene.json", "image": "counts.txt", "profile": "vulkan"}
+        wrong = dict(right, name="wrong", image="twice.txt")
+        known = dict(wrong, name="known", expected="illegal", reason="ticket 7")
+        passes = dict(right, name="passes", expected="illegal", reason="ticket 8")
+        done = self.listed(right, known)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        lines = done.stdout.splitlines()
+        self.assertRegex(lines[0], "^legal +right: profile vulkan; one model")
+        self.assertRegex(lines[1], "^known +known: ticket 7$")
+        self.assertEqual(lines[2], "2 drawings: 1 legal; 1 not legal as expected")
+        done = self.listed(right, wrong, passes, options=("--junit", self.path("out.xml")))
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, "not legal +wrong: .*column 1 row 1: 2 of triangles 0, 1")
+        self.assertRegex(done.stdout, r"passes +passes: .*ticket 8.*list.json: \[2\]")
+        suite = xml.etree.ElementTree.parse(self.path("out.xml")).getroot()[0]
+        self.assertEqual((suite.get("tests"), suite.get("failures")), ("3", "2"))
+        self.assertEqual([case.get("name") for case in suite.findall("testcase/failure/..")],
+                         ["wrong", "passes"])  # fmt: skip
+        self.assertEqual(self.listed(passes).returncode, 1)
+        for day, status in (("2999-01-31", 0), ("2001-01-31", 1)):
+            done = self.listed(dict(known, owner="ada", until=day))
+            self.assertEqual(done.returncode, status, done.stdout)
+            self.assertIn("ada", done.stdout)
+
+    def test_a_subject_draws_what_has_no_image_in_a_list(self):
+        drawn = {"name": "square", "scene": "scene.json"}
+        for subject, status in (("i32-snap8", 0), ("textbook", 1)):
+            done = self.listed(drawn, dict(drawn, name="again", profile="gl"),
+                               options=("--subject", subject, "--profile", "vulkan"))
+            self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+
+    def test_a_list_with_a_fault_judges_nothing(self):
+        self.as_text(self.drawn("vulkan-canonical"))
+        good = {"name": "good", "scene": "scene.json", "image": "counts.txt", "profile": "vulkan"}
+        for bad, names in (
+                (dict(good, name="bad", image="gone.txt"), ["[1] (bad)", "gone.txt"]),
+                (dict(good, name="bad", scene="gone.json"), ["[1] (bad)", "gone.json"]),
+                (dict(good, name="bad", profile="no-such"), ["[1] (bad)", "no-such"]),
+                (dict(good, name="bad", expected="wrong"), ["[1].expected", "wrong"]),
+                (dict(good, name="bad", expected="illegal"), ["[1]", "reason"]),
+                (dict(good, name="bad", reason="none"), ["[1].reason", "illegal"]),
+                (dict(good, name="bad", colour="red"), ["[1]", "colour"]),
+                (good, ["[1].name", "good"]),
+                ({"name": "bad", "scene": "scene.json"}, ["[1]", "image"])):
+            done = self.listed(good, bad)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            for name in names:
+                self.assertIn(name, done.stderr)
+        self.assertEqual(self.listed().returncode, 2)
+        self.assertEqual(run("legal", "--list", self.path("list.json"), self.scene).returncode, 2)
+        self.assertEqual(run("legal").returncode, 2)
 
     def test_pictures_are_written_as_their_ending_says(self):
         mask = ("legal", self.scene, "--decided", "--profile", "vulkan", "--mask")

@@ -115,13 +115,13 @@ double DrawOverview(const Overview& overview, Point2 top_left, double width, Fig
     const double y = std::max(high_corner.y - low.y, least) / 2;
     figure.Frame(middle.x - x, middle.y - y, middle.x + x, middle.y + y, colour, line);
   };
-  frame(overview.target, 2 * kLeastMark, kBlue, 1);
+  frame(overview.target, 2 * kLeastMark, kFaintInk, 1.5);
   frame(overview.shown, kLeastMark, kInk, 3);
   frame(overview.shown, kLeastMark, kYellow, 1.5);
   const double below = top_left.y + high + 2 * kLabelSize;
   const bool is_apart = std::fabs(wide / HalfWidth(all) * HalfHeight(all) / high - 1) > 0.01;
   figure.Text({top_left.x, below},
-              std::string("the whole triangle; blue: the target, yellow: what is shown above") +
+              std::string("the whole triangle; grey: the target, yellow: what is shown above") +
                   (is_apart ? "; x and y are scaled apart" : ""),
               kFaintInk, kLabelSize);
   return high + 3.5 * kLabelSize;

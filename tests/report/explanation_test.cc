@@ -166,7 +166,7 @@ TEST(ExplanationSvgTest, ALargeTriangleIsShownAsAWholeTooWithTheTargetInIt) {
   explanation.triangles = {0};
   const std::string svg = ExplanationToSvg(explanation);
   EXPECT_EQ(Count(svg, "<polygon"), 3U * 12U + 6U + 1U);
-  EXPECT_NE(svg.find("the whole triangle; blue: the target"), std::string::npos);
+  EXPECT_NE(svg.find("the whole triangle; grey: the target"), std::string::npos);
   EXPECT_EQ(svg.find("scaled apart"), std::string::npos);
   explanation.scene.vertices[2].y = 3;
   EXPECT_NE(ExplanationToSvg(explanation).find("scaled apart"), std::string::npos);

@@ -290,7 +290,7 @@ class LegalTest(unittest.TestCase):
     def test_facings_are_judged_where_a_subject_tells_them(self):
         square = ("legal", self.scene, "--profile", "vulkan", "--subject")
         for subject, status, told in (
-                ("i32-snap8", 0, "compared: counts and facings\n"),
+                ("i64-snap8", 0, "compared: counts and facings\n"),
                 ("legal:vulkan-facing-exchanged", 0, "the side that is clockwise on screen"),
                 ("mutant:vulkan-facing-by-place", 1, "a model explains the counts alone")):
             done = run(*square, subject)
@@ -333,7 +333,7 @@ class LegalTest(unittest.TestCase):
 
     def test_a_subject_draws_what_has_no_image_in_a_list(self):
         drawn = {"name": "square", "scene": "scene.json"}
-        for subject, status in (("i32-snap8", 0), ("textbook", 1)):
+        for subject, status in (("i64-snap8", 0), ("textbook", 1)):
             done = self.listed(drawn, dict(drawn, name="again", profile="gl"),
                                options=("--subject", subject, "--profile", "vulkan"))
             self.assertEqual(done.returncode, status, done.stdout + done.stderr)

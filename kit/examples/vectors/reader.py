@@ -6,8 +6,43 @@ import json
 import sys
 
 
+# The reader: load, compare, say what contradicts.
+def samples(top, rows):
+    """Rows of hexadecimal digits as a set of (column, row)."""
+    return {(x, top + y) for y, row in enumerate(rows) for x in range(4 * len(row))
+            if int(row, 16) >> x & 1}  # fmt: skip
+
+
+def contradictions(line, drawn):
+    if "joint" in line:  # of the case above it
+        at = line["column"], line["row"]
+        if sum(at in drawn[t] for t in line["triangles"]) not in line["counts"]:
+            yield f'{line["joint"]} at {at}: {line["says"]}: {line["clauses"]}'
+        return
+    for n, t in enumerate(line["triangles"]):
+        must, may = samples(t["must_top"], t["must"]), samples(t["may_top"], t["may"])
+        for at in sorted((drawn[n] ^ must) - may):
+            verb = "must" if at in must else "must not"
+            yield f'{line["case"]} triangle {n} at {at}: {verb} be covered: {line["clauses"]}'
+
+
+def judge(lines, draw):
+    header = json.loads(next(lines))
+    assert header["rasterproof_vectors"] == 1 and header["lattice_bits"] == 8
+    cases = wrong = 0
+    for line in map(json.loads, lines):
+        if "case" in line:  # without `fixed` a vertex lies between points of the lattice
+            drawn = line["fixed"] and [draw(line, t["vertices"]) for t in line["triangles"]]
+            cases += 1 if drawn else 0
+        for text in contradictions(line, drawn) if drawn else ():
+            wrong += 1
+            print(text)
+    print(f"{wrong} contradictions" if wrong else "no contradiction", f"in {cases} cases")
+    return 1 if wrong or not cases else 0
+
+
+# Your rasterizer in place of this one. All numbers in 1/256 pixel; the rule is top-left.
 def covers(corners, x, y, inclusive):
-    """Your rasterizer in its place. All numbers in 1/256 pixel; the rule is top-left."""
     a, b, c = corners
     area = (c[0] - a[0]) * (b[1] - a[1]) - (c[1] - a[1]) * (b[0] - a[0])
     for p, q in ((a, b), (b, c), (c, a)) if area > 0 else ((a, c), (c, b), (b, a)):
@@ -18,42 +53,14 @@ def covers(corners, x, y, inclusive):
     return area != 0
 
 
-def bit(top, rows, column, row):
-    return top <= row < top + len(rows) and int(rows[row - top], 16) >> column & 1
-
-
-def main():
+def draw_triangle(case, vertices):
+    """The set of (column, row) that a triangle of the case covers."""
+    assert case["y_axis"] == "down" and case["samples_256"] == [[128, 128]]
+    corners = [case["fixed"][k] for k in vertices]
     inclusive = sys.argv[2:] == ["inclusive"]
-    cases = wrong = 0
-    with open(sys.argv[1], encoding="utf-8") as file:
-        header = json.loads(next(file))
-        assert header["rasterproof_vectors"] == 1 and header["lattice_bits"] == 8
-        for v in map(json.loads, file):
-            if "joint" in v:  # of the case above it
-                x, y = v["column"], v["row"]
-                if drawn and sum(drawn[t][y][x] for t in v["triangles"]) not in v["counts"]:
-                    wrong += 1
-                    print(f'{v["joint"]} column {x} row {y}: {v["says"]}: {v["clauses"]}')
-                continue
-            drawn = []
-            if v["fixed"] is None:  # a vertex lies between points of the lattice
-                continue
-            assert v["y_axis"] == "down" and v["samples_256"] == [[128, 128]]
-            cases += 1
-            for t in v["triangles"]:
-                corners = [v["fixed"][k] for k in t["vertices"]]
-                drawn.append([[covers(corners, 256 * x + 128, 256 * y + 128, inclusive)
-                               for x in range(v["width"])] for y in range(v["height"])])
-                for y in range(v["height"]):
-                    for x in range(v["width"]):
-                        must = bit(t["must_top"], t["must"], x, y)
-                        may = bit(t["may_top"], t["may"], x, y)
-                        if not may and drawn[-1][y][x] != must:
-                            wrong += 1
-                            print(f'{v["case"]} triangle {len(drawn) - 1} column {x} row {y}: '
-                                  f'{"must" if must else "must not"} be covered: {v["clauses"]}')
-    print(f"{wrong} contradictions" if wrong else "no contradiction", f"in {cases} cases")
-    return 1 if wrong or not cases else 0
+    return {(x, y) for y in range(case["height"]) for x in range(case["width"])
+            if covers(corners, 256 * x + 128, 256 * y + 128, inclusive)}  # fmt: skip
 
 
-sys.exit(main())
+with open(sys.argv[1], encoding="utf-8") as file:
+    sys.exit(judge(file, draw_triangle))

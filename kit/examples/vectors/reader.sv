@@ -13,6 +13,64 @@ module reader;
   reg [VECTORS_ROW_BITS - 1:0] must[0:VECTORS_ROWS - 1];
   reg [VECTORS_ROW_BITS - 1:0] may[0:VECTORS_ROWS - 1];
 
+  integer n, c, t, x, y, j, k, row, first, count, wrong;
+
+  // The reader: load, compare, say what contradicts.
+  initial begin
+    wrong = 0;
+    load;
+    for (n = 0; n < VECTORS_CASES; n = n + 1) begin
+      c = n * cases_COLUMNS;
+      first = cases[c + cases_first_triangle];
+      for (t = first; t < first + cases[c + cases_triangles]; t = t + 1) judge_triangle;
+      for (j = 0; j < cases[c + cases_joints]; j = j + 1) judge_joint;
+    end
+    if (wrong != 0) $display("%0d contradictions in %0d cases", wrong, VECTORS_CASES);
+    else $display("no contradiction in %0d cases", VECTORS_CASES);
+    $finish;
+  end
+
+  task load;
+    begin
+      if (VECTORS_VERSION != 1 || VECTORS_LATTICE_BITS != 8 || VECTORS_Y_UP != 0) $fatal(1);
+      $readmemh("cases.hex", cases);
+      $readmemh("vertices.hex", vertices);
+      $readmemh("triangles.hex", triangles);
+      $readmemh("joints.hex", joints);
+      $readmemh("must.hex", must);
+      $readmemh("may.hex", may);
+    end
+  endtask
+
+  task judge_triangle;
+    for (y = 0; y < cases[c + cases_height]; y = y + 1)
+      for (x = 0; x < cases[c + cases_width]; x = x + 1) begin
+        row = triangles[t * triangles_COLUMNS + triangles_first_row] + y;
+        if (!may[row][x] && covers(t, x, y) != must[row][x]) begin
+          $display("case %0d triangle %0d column %0d row %0d: must%s be covered", n, t - first, x,
+                   y, must[row][x] ? "" : " not");
+          wrong = wrong + 1;
+        end
+      end
+  endtask
+
+  task judge_joint;
+    begin
+      k = (cases[c + cases_first_joint] + j) * joints_COLUMNS;
+      x = joints[k + joints_column];
+      y = joints[k + joints_row];
+      count = 0;
+      for (t = 0; t < cases[c + cases_triangles]; t = t + 1)
+        if (joints[k + joints_triangles][t] && covers(first + t, x, y)) count = count + 1;
+      if (!joints[k + joints_counts][count]) begin
+        $display("case %0d column %0d row %0d: %0d triangles cover it", n, x, y, count);
+        wrong = wrong + 1;
+      end
+    end
+  endtask
+
+  // Your rasterizer in place of this one. All numbers in 1/256 pixel; the rule is top-left.
+
   // E(a, b; x, y): products of the largest coordinates have 66 bits.
   function automatic signed [71:0] edge_at(input signed [71:0] ax, input signed [71:0] ay,
                                            input signed [71:0] bx, input signed [71:0] by,
@@ -30,7 +88,7 @@ module reader;
         (e == 0 && (INCLUSIVE != 0 || by > ay || (by == ay && bx < ax)));
   endfunction
 
-  // Your rasterizer in its place. All numbers in 1/256 pixel; the rule is top-left.
+  // Whether triangle t of the file covers the sample.
   function automatic covers(input integer t, input integer column, input integer row);
     reg signed [31:0] ax, ay, bx, by, cx, cy;
     reg signed [71:0] area;
@@ -52,46 +110,4 @@ module reader;
       covers = area != 0 && is_inside(ax, ay, cx, cy, x, y) &&
                is_inside(cx, cy, bx, by, x, y) && is_inside(bx, by, ax, ay, x, y);
   endfunction
-
-  integer n, c, t, x, y, j, k, row, first, count, wrong;
-  initial begin
-    $readmemh("cases.hex", cases);
-    $readmemh("vertices.hex", vertices);
-    $readmemh("triangles.hex", triangles);
-    $readmemh("joints.hex", joints);
-    $readmemh("must.hex", must);
-    $readmemh("may.hex", may);
-    wrong = 0;
-    if (VECTORS_VERSION != 1 || VECTORS_LATTICE_BITS != 8 || VECTORS_Y_UP != 0) $fatal(1);
-    for (n = 0; n < VECTORS_CASES; n = n + 1) begin
-      c = n * cases_COLUMNS;
-      first = cases[c + cases_first_triangle];
-      for (t = first; t < first + cases[c + cases_triangles]; t = t + 1)
-        for (y = 0; y < cases[c + cases_height]; y = y + 1)
-          for (x = 0; x < cases[c + cases_width]; x = x + 1) begin
-            row = triangles[t * triangles_COLUMNS + triangles_first_row] + y;
-            if (!may[row][x] && covers(t, x, y) != must[row][x]) begin
-              $display("case %0d triangle %0d column %0d row %0d: must%s be covered", n, t - first,
-                       x, y, must[row][x] ? "" : " not");
-              wrong = wrong + 1;
-            end
-          end
-      for (j = 0; j < cases[c + cases_joints]; j = j + 1) begin
-        k = (cases[c + cases_first_joint] + j) * joints_COLUMNS;
-        count = 0;
-        for (t = 0; t < cases[c + cases_triangles]; t = t + 1)
-          if (joints[k + joints_triangles][t] &&
-              covers(first + t, joints[k + joints_column], joints[k + joints_row]))
-            count = count + 1;
-        if (!joints[k + joints_counts][count]) begin
-          $display("case %0d column %0d row %0d: %0d triangles cover it", n,
-                   joints[k + joints_column], joints[k + joints_row], count);
-          wrong = wrong + 1;
-        end
-      end
-    end
-    if (wrong != 0) $display("%0d contradictions in %0d cases", wrong, VECTORS_CASES);
-    else $display("no contradiction in %0d cases", VECTORS_CASES);
-    $finish;
-  end
 endmodule

@@ -14,6 +14,7 @@
 #include "props/infer/nearest.h"
 #include "props/infer/race.h"
 #include "props/infer/stated_keys.h"
+#include "props/shrink/foresee.h"
 #include "props/shrink/shrink.h"
 
 namespace rasterproof::props {
@@ -34,7 +35,7 @@ bool Differs(const Observer& observer, const Case& c, const CoverageCounts& seen
 }
 
 // The smallest case of its kind in which the subject does not draw as the profile does.
-Case Shrunken(Observer& observer, const Case& c) {
+Case Shrunken(Observer& observer, const InferOptions& options, const Case& c) {
   constexpr std::uint64_t kBudget = 600;
   const auto differs = [&](const Case& candidate) {
     const bool may_be = !observer.HasBrokenOff() && candidate.options == DrawOptions{} &&
@@ -46,6 +47,18 @@ Case Shrunken(Observer& observer, const Case& c) {
     const std::vector<CoverageCounts> seen = observer.Draw(std::span(&candidate.scene, 1));
     return !seen.empty() && seen.front().size() != 0 && Differs(observer, candidate, seen.front());
   };
+  if (const auto& ahead = options.ahead) {
+    const auto known = [&](const Case& candidate) -> std::optional<bool> {
+      const std::uint64_t before = ahead->missed();
+      const bool fails = differs(candidate);
+      return ahead->missed() == before ? std::optional(fails) : std::nullopt;
+    };
+    const auto want = [&](const Case& /*asked*/) { return ahead->has_room(); };
+    // As the subject's likely model has it, and then as it may be otherwise.
+    if (differs(c)) Shrink(c, differs, kBudget);
+    if (known(c).value_or(true)) Foresee(c, {known, want}, kBudget);
+    return c;
+  }
   return differs(c) ? Shrink(c, differs, kBudget).minimal : c;
 }
 
@@ -66,7 +79,8 @@ void NameNearest(Observer& observer, const Location& location, std::span<const E
   const Experiment* against = FirstAgainst(nearest, observer, space, experiments);
   if (against == nullptr) against = FirstAgainst(nearest, observer, space, aimed);
   if (against != nullptr) {
-    inference.witness = Shrunken(observer, CaseOf(against->scene, space.ProfileOf(nearest)));
+    inference.witness =
+        Shrunken(observer, options, CaseOf(against->scene, space.ProfileOf(nearest)));
   }
 }
 
@@ -77,7 +91,8 @@ void RunRace(Race& race, const InferOptions& options) {
   race.Split();
 }
 
-void Conclude(Observer& observer, const ModelSpace& space, const Race& race, Inference& inference) {
+void Conclude(Observer& observer, const ModelSpace& space, const Race& race,
+              const InferOptions& options, Inference& inference) {
   const Profile& stated = observer.stated();
   for (const Model& model : race.left()) {
     inference.remaining.push_back(space.ProfileOf(model));
@@ -88,7 +103,7 @@ void Conclude(Observer& observer, const ModelSpace& space, const Race& race, Inf
   for (const Experiment& experiment : race.experiments()) {
     const Case c = CaseOf(experiment.scene, stated);
     if (!Differs(observer, c, experiment.seen)) continue;
-    inference.against_stated = Shrunken(observer, c);
+    inference.against_stated = Shrunken(observer, options, c);
     break;
   }
 }
@@ -109,7 +124,7 @@ bool ConcludeWithoutFacings(Observer& observer, const ModelSpace& space,
   }
   inference.facing = FacingReport::kNotTold;
   inference.message = "facings of some triangles are another matter than their samples: left out";
-  Conclude(observer, space, race, inference);
+  Conclude(observer, space, race, options, inference);
   return true;
 }
 
@@ -129,7 +144,7 @@ void RaceModels(Observer& observer, const Location& location, const InferOptions
   RunRace(race, options);
   if (observer.HasBrokenOff()) return;
   if (location.complaint.empty()) {
-    if (!race.left().empty()) return Conclude(observer, space, race, inference);
+    if (!race.left().empty()) return Conclude(observer, space, race, options, inference);
     if (ConcludeWithoutFacings(observer, space, options, inference)) return;
   }
   inference.message = location.complaint.empty()
@@ -187,6 +202,33 @@ Inference Infer(Subject& subject, const InferOptions& options) {
   inference.experiments = observer.draws();
   inference.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return inference;
+}
+
+std::vector<LikelyModel> LikelyModels(Subject& subject, std::span<const Scene> scenes,
+                                      std::size_t most) {
+  std::vector<LikelyModel> likely;
+  Observer observer(subject);
+  if (!TooLittleRoom(observer.info()).empty()) return likely;
+  const Location location = Locate(observer);
+  std::vector<CoverageCounts> seen = observer.Draw(scenes);
+  if (observer.HasBrokenOff()) return likely;
+  std::vector<Experiment> experiments;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (seen[k].size() != 0) experiments.push_back({scenes[k], std::move(seen[k])});
+  }
+  if (experiments.empty()) return likely;
+  const ModelSpace space(location.y_axis,
+                         WithUsualPatterns(location.patterns, observer.stated().pattern),
+                         observer.stated());
+  for (const Model& model : NearestModels(observer, space, experiments, most))
+    likely.push_back({space.ProfileOf(model), observer.facing()});
+  return likely;
+}
+
+void DrawAimless(Subject& subject, const InferOptions& options) {
+  Observer observer(subject);
+  if (!TooLittleRoom(observer.info()).empty()) return;
+  AimlessExperiments(observer, options.seed, options.nearest_checks);
 }
 
 }  // namespace rasterproof::props

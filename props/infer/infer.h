@@ -2,8 +2,11 @@
 #ifndef RASTERPROOF_PROPS_INFER_INFER_H_
 #define RASTERPROOF_PROPS_INFER_INFER_H_
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,12 +18,23 @@
 
 namespace rasterproof::props {
 
+/// For a subject whose answers come in rounds: what is likely to be asked is asked before it is
+/// needed.
+struct InferAhead {
+  /// Returns how many draws had no answer so far.
+  std::function<std::uint64_t()> missed;
+  /// Returns whether more may be asked.
+  std::function<bool()> has_room;
+};
+
 struct InferOptions {
   std::uint64_t seed = 1;
   /// Cases that are not aimed at a pair of models, drawn after the pairs.
   int checks = 400;
   /// The same for the nearest model where none fits: near ones differ in few samples.
   int nearest_checks = 1200;
+  /// Given, draws are made for their own sake, and what is inferred is not to be looked at.
+  std::optional<InferAhead> ahead = {};
 };
 
 /// The model that comes nearest where none fits.
@@ -85,6 +99,22 @@ struct Inference {
 /// Error:      none: a subject that throws fits no model, and the message says why. A scene that it
 ///             refuses is skipped, unless it is one of the first, which show where samples lie.
 Inference Infer(Subject& subject, const InferOptions& options = {});
+
+/// A guess at what a subject does.
+struct LikelyModel {
+  Profile profile;
+  FacingReport facing = FacingReport::kAsOnScreen;
+};
+
+/// Returns the models that come nearest to the subject's draws of some scenes, the nearest first;
+/// none if it breaks off.
+///
+/// Domain:     as for Infer(); scenes of one triangle in window space, which it takes.
+std::vector<LikelyModel> LikelyModels(Subject& subject, std::span<const Scene> scenes,
+                                      std::size_t most);
+
+/// Has the subject draw what Infer() may draw of a subject that no model fits, whatever it draws.
+void DrawAimless(Subject& subject, const InferOptions& options = {});
 
 }  // namespace rasterproof::props
 

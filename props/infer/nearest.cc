@@ -51,12 +51,10 @@ void Rank(std::vector<Entry>& entries) {
   entries = std::move(ranked);
 }
 
-}  // namespace
-
-NearestModel Nearest(const Observer& observer, const ModelSpace& space,
-                     std::span<const Experiment> experiments, Model* nearest) {
-  std::vector<Entry> race = EntriesOf(space);
-  NearestModel found;
+// The models that are wrong about the fewest samples, the best first. Half of them are dropped
+// after each part of the experiments.
+std::vector<Entry> Ranked(const Observer& observer, const ModelSpace& space,
+                          std::vector<Entry> race, std::span<const Experiment> experiments) {
   std::size_t next = 0;
   for (std::size_t part = kFirstPart; next < experiments.size(); part *= 2) {
     for (; next < std::min(part, experiments.size()); ++next) {
@@ -67,17 +65,37 @@ NearestModel Nearest(const Observer& observer, const ModelSpace& space,
         entry.wrong += wrong;
         entry.wrong_experiments += wrong != 0 ? 1 : 0;
       }
-      found.samples += experiment.seen.size();
     }
     Rank(race);
     race.resize(std::max(race.size() / 2, std::min(race.size(), kFewest)));
   }
+  return race;
+}
+
+}  // namespace
+
+NearestModel Nearest(const Observer& observer, const ModelSpace& space,
+                     std::span<const Experiment> experiments, Model* nearest) {
+  NearestModel found;
+  const std::vector<Entry> race = Ranked(observer, space, EntriesOf(space), experiments);
+  for (const Experiment& experiment : experiments) found.samples += experiment.seen.size();
   *nearest = race.front().model;
   found.profile = space.ProfileOf(*nearest);
   found.wrong_samples = race.front().wrong;
   found.wrong_experiments = race.front().wrong_experiments;
   found.experiments = experiments.size();
   return found;
+}
+
+std::vector<Model> NearestModels(const Observer& observer, const ModelSpace& space,
+                                 std::span<const Experiment> experiments, std::size_t most) {
+  std::vector<Entry> all;
+  for (const Model& model : space.models()) all.push_back({model});
+  std::vector<Model> nearest;
+  for (const Entry& entry : Ranked(observer, space, std::move(all), experiments)) {
+    if (nearest.size() < most) nearest.push_back(entry.model);
+  }
+  return nearest;
 }
 
 std::vector<Experiment> AimlessExperiments(Observer& observer, std::uint64_t seed, int count) {

@@ -23,6 +23,13 @@ namespace rasterproof::props {
 NearestModel Nearest(const Observer& observer, const ModelSpace& space,
                      std::span<const Experiment> experiments, Model* nearest);
 
+/// Returns the models of the whole space with the fewest wrong samples, the best first; among
+/// equals the simplest. The race halves.
+///
+/// Domain:     at least one experiment; any of them, aimed or not.
+std::vector<Model> NearestModels(const Observer& observer, const ModelSpace& space,
+                                 std::span<const Experiment> experiments, std::size_t most);
+
 /// Draws aimless triangles (directed.h). Those that the subject refuses are left out.
 std::vector<Experiment> AimlessExperiments(Observer& observer, std::uint64_t seed, int count);
 

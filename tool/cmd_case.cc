@@ -31,13 +31,12 @@
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
+#include "tool/replay.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
-
-constexpr double kNoLimit = 1e9;  // seconds
 
 // Why a difference from the canonical model says nothing against the subject; empty if it does.
 std::string WhyObservedOnly(const SubjectInfo& info, const props::PlacedCase& c) {
@@ -84,7 +83,8 @@ props::Checks AskForTheModel(const props::PlacedCase& c, const props::Descriptio
   });
 }
 
-// What the case is judged by.
+}  // namespace
+
 const props::Property& PropertyOf(const LoadedCase& loaded) {
   static const props::Property plain{.name = "coverage",
                                      .group = "coverage",
@@ -98,6 +98,13 @@ const props::Property& PropertyOf(const LoadedCase& loaded) {
                                      .ask = AskForTheModel};
   return loaded.property != nullptr ? *loaded.property : plain;
 }
+
+props::CampaignOptions ShrinkingBy(const Subject& subject, std::uint64_t evaluations) {
+  constexpr double kNoLimit = 1e9;  // seconds
+  return CampaignOn(subject, {.shrink_budget = evaluations, .shrink_seconds = kNoLimit});
+}
+
+namespace {
 
 Verdict Judge(const LoadedCase& loaded) {
   RequireTakes(*loaded.subject, loaded.value.scene, ShownName(loaded.value.scene.name));
@@ -113,8 +120,7 @@ Verdict Shrink(const ReplayOptions& options, LoadedCase& loaded) {
   const Scene& given = loaded.value.scene;
   RequireTakes(*loaded.subject, given, ShownName(given.name));
   Progress progress;
-  props::CampaignOptions campaign = CampaignOn(
-      *loaded.subject, {.shrink_budget = options.evaluations, .shrink_seconds = kNoLimit});
+  props::CampaignOptions campaign = ShrinkingBy(*loaded.subject, options.evaluations);
   campaign.shrinking = [&](std::uint64_t evaluations) {
     if (evaluations == 0) progress.Stage("shrink", campaign.shrink_budget);
     progress.Done(evaluations);
@@ -187,9 +193,7 @@ std::string PixelLine(const report::Explanation& explanation, int x, int y) {
 
 }  // namespace
 
-int RunReplay(const ReplayOptions& options) {
-  RequireHonestEnvironment();
-  LoadedCase loaded = LoadCase(options.choice, "replay");
+int Replay(const ReplayOptions& options, LoadedCase loaded) {
   const Verdict verdict = options.shrink.empty() ? Judge(loaded) : Shrink(options, loaded);
   if (options.shrink == "-") return StatusOf(verdict.outcome);
   std::string text = fmt::format("{}: {}, exercised {} times{}{}\n",
@@ -202,6 +206,11 @@ int RunReplay(const ReplayOptions& options) {
   }
   io::WriteStandardOutput(report::CleanText(text));
   return StatusOf(verdict.outcome);
+}
+
+int RunReplay(const ReplayOptions& options) {
+  RequireHonestEnvironment();
+  return Replay(options, LoadCase(options.choice, "replay"));
 }
 
 int RunExplain(const ExplainOptions& options) {

@@ -9,6 +9,7 @@
 #include "props/infer/stated_keys.h"
 #include "report/json_writer.h"
 #include "tool/commands.h"
+#include "tool/infer_text.h"
 #include "tool/interrupt.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
@@ -162,7 +163,11 @@ int RunInfer(const InferOptions& options) {
   choice.seed = options.seed;
   const props::Inference inference = props::Infer(*subject, choice);
   if (Interrupted()) return InterruptStatus();
-  const SubjectInfo& info = subject->Info();
+  return TellInference(inference, subject->Info(), options.json);
+}
+
+int TellInference(const props::Inference& inference, const SubjectInfo& info,
+                  const std::string& json) {
   std::string text = FirstLine(inference, info.name);
   text += fmt::format("{} models, {} draws, {:.2f} s\n", inference.models, inference.experiments,
                       inference.seconds);
@@ -176,8 +181,8 @@ int RunInfer(const InferOptions& options) {
         CaseText("a case that the stated profile draws in another way:", *inference.against_stated,
                  info.name);
   }
-  if (!options.json.empty()) WriteOutput(options.json, ToJson(inference, info));
-  if (options.json != "-") io::WriteStandardOutput(text);
+  if (!json.empty()) WriteOutput(json, ToJson(inference, info));
+  if (json != "-") io::WriteStandardOutput(text);
   if (inference.Fits()) return inference.Agrees() ? kExitHolds : kExitViolated;
   if (inference.is_inconclusive) return kExitInconclusive;
   // Only who states what each sample counts breaks a contract by following no model of it.

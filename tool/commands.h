@@ -250,6 +250,28 @@ struct PipeOptions {
 int RunAsk(const PipeOptions& options);
 int RunJudge(const PipeOptions& options);
 
+/// A program that does not run here, asked in rounds.
+struct RoundsOptions {
+  std::string folder;       ///< of the rounds' files
+  std::string description;  ///< file; empty: what is assumed of a program that says nothing
+  std::string profile;      ///< in place of the description's
+};
+
+struct ShrinkRoundsOptions {
+  RoundsOptions rounds;
+  CaseChoice choice;   ///< its subject and its profile play no role
+  std::string output;  ///< file for the smallest case
+  std::uint64_t evaluations = 10000;
+};
+int RunShrinkRounds(const ShrinkRoundsOptions& options);
+
+struct InferRoundsOptions {
+  RoundsOptions rounds;
+  std::uint64_t seed = 1;
+  std::string json;  ///< file; empty: none
+};
+int RunInferRounds(const InferRoundsOptions& options);
+
 /// Cases as files, for test benches that do not run this program.
 struct GenerateOptions {
   std::string profile;

@@ -37,12 +37,16 @@ using Program = subjects::ProcessSubject::Program;
 // Every subject outside is made here, whatever described it. That a method is exact, and what is
 // proved of its arithmetic, only reference/ and exact/ may state: a subject from outside states
 // neither, whatever it is called.
-SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo info, Program program) {
+SubjectInfo AsOutside(SubjectInfo info, Program program) {
   info.states_exact = false;
   info.takes_float_modes = program == Program::kOurs;
   info.proofs.clear();
-  return [command = std::move(command), info = std::move(info),
-          program]() -> std::unique_ptr<Subject> {
+  return info;
+}
+
+SubjectMaker InAProcess(std::vector<std::string> command, SubjectInfo given, Program program) {
+  const SubjectInfo info = AsOutside(std::move(given), program);
+  return [command = std::move(command), info, program]() -> std::unique_ptr<Subject> {
     return std::make_unique<subjects::ProcessSubject>(command, info, OutsideLimits(), program);
   };
 }
@@ -84,15 +88,19 @@ void RequireProgram(const std::string& command, const std::string& name) {
   }
 }
 
+SubjectInfo NamedProgram(SubjectInfo info, const std::string& name) {
+  info.name = name;
+  info.list_length = kListLengthOfPrograms;
+  return info;
+}
+
 SubjectMaker Executed(const ProgramDescription& description, const std::string& name) {
   if (description.command.empty()) {
     throw InputError(name, "it names no command", "add a line: command PROGRAM ARGUMENT...");
   }
   RequireProgram(description.command, name);
-  SubjectInfo info = description.info;
-  info.name = name;
-  info.list_length = kListLengthOfPrograms;
-  return InAProcess({"/bin/sh", "-c", "exec " + description.command}, info, Program::kTheUsers);
+  return InAProcess({"/bin/sh", "-c", "exec " + description.command},
+                    NamedProgram(description.info, name), Program::kTheUsers);
 }
 
 // A subject in this very process, and its profile as text.
@@ -178,6 +186,14 @@ SubjectMaker ResolveOutside(const std::string& name) {
     return Executed(ParseDescription(io::ReadFile(name), name), name);
   }
   return {};
+}
+
+SubjectInfo InfoOfProgram(const std::string& file) {
+  const bool is_plain = file.empty();
+  const ProgramDescription description =
+      is_plain ? PlainDescription() : ParseDescription(io::ReadFile(file), file);
+  const std::string name = is_plain ? std::string(kExecPrefix) + "PROGRAM" : file;
+  return AsOutside(NamedProgram(description.info, name), Program::kTheUsers);
 }
 
 std::unique_ptr<Subject> MakeInHost(const std::string& name, const FloatModeOfHost& float_mode) {

@@ -47,6 +47,13 @@ using SubjectMaker = std::function<std::unique_ptr<Subject>()>;
 /// Error:      InputError if the library or the file is not what it should be.
 SubjectMaker ResolveOutside(const std::string& name);
 
+/// The description of a program that does not run here, as of one that does: what its file says,
+/// or, without a file, what is assumed of a program that says nothing.
+///
+/// Returns:    named after the file, or "exec:PROGRAM".
+/// Error:      InputError if the file is not what it should be.
+SubjectInfo InfoOfProgram(const std::string& file);
+
 /// The floating-point mode that a host sets beside what requests ask for.
 struct FloatModeOfHost {
   enum class Where : std::uint8_t {

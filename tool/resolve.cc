@@ -65,7 +65,8 @@ class OracleSubject final : public Subject {
   exact::Decider decider_;
 };
 
-// From here on the subject is judged by a profile that is not its own.
+}  // namespace
+
 void JudgeBy(const Profile& profile, Subject& subject) {
   SubjectInfo info = subject.Info();
   // The subject's statements are about its own profile.
@@ -77,6 +78,8 @@ void JudgeBy(const Profile& profile, Subject& subject) {
   info.profile.name = io::ProfileName(info.profile);
   subject.JudgeAs(std::move(info));
 }
+
+namespace {
 
 // The set with the numbers that the subject states of its device.
 Profile ReportedBy(const Subject& subject, const Profile& set) {

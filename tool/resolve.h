@@ -55,6 +55,9 @@ SubjectFactory ResolveSubject(const std::string& name, const std::string& profil
 std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile = "",
                                      std::size_t list_length = 0);
 
+/// From here on the subject is judged by a profile that is not its own.
+void JudgeBy(const Profile& profile, Subject& subject);
+
 /// Says on standard error, once for each of them, that the preset of an API is one of the models
 /// that it leaves legal, so that nobody takes another legal one for wrong.
 void NotePreset(const Profile& profile);

@@ -166,8 +166,14 @@ bool IsNoText(std::string_view content) {
   return content[first] != '{' && std::ranges::any_of(content, is_control);
 }
 
+std::unique_ptr<Subject> Made(const std::string& name, const CaseChoice& choice,
+                              const SubjectMaker& make) {
+  return make ? make() : MakeSubject(name, choice.profile, choice.list_length);
+}
+
 // Bytes mean a case only with a subject, whose lattice and profile are part of what they mean.
-LoadedCase LoadFuzzInput(const CaseChoice& choice, std::string_view bytes, std::string_view verb) {
+LoadedCase LoadFuzzInput(const CaseChoice& choice, std::string_view bytes, std::string_view verb,
+                         const SubjectMaker& make) {
   CaseChoice stated = choice;
   const std::vector<std::string> own = OwnNames();
   if (stated.subject.empty() && !own.empty()) stated.subject = own.front();
@@ -177,7 +183,7 @@ LoadedCase LoadFuzzInput(const CaseChoice& choice, std::string_view bytes, std::
   }
   LoadedCase loaded;
   if (!choice.property.empty()) loaded.property = &RequireProperty(choice.property);
-  loaded.subject = MakeSubject(stated.subject, choice.profile, choice.list_length);
+  loaded.subject = Made(stated.subject, choice, make);
   const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   loaded.value = props::DecodeCase(data, loaded.subject->Info());
   if (loaded.value.origin.empty()) loaded.value.origin = choice.path;
@@ -219,6 +225,10 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
 }
 
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
+  return LoadCase(choice, verb, {});
+}
+
+LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make) {
   LoadedCase loaded;
   std::string subject = choice.subject;
   std::string property = choice.property;
@@ -236,7 +246,7 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
     }
     const props::CaseName case_name = RequireCaseName(choice.name);
     if (!property.empty()) loaded.property = &RequireProperty(property);
-    loaded.subject = MakeSubject(subject, choice.profile, choice.list_length);
+    loaded.subject = Made(subject, choice, make);
     loaded.value = props::DrawCase(loaded.subject->Info(), case_name);
     CaseChoice stated = choice;
     stated.subject = subject;
@@ -248,7 +258,7 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
   }
   const bool is_text = IsCaseText(choice.path);
   const std::string content = is_text ? choice.path : io::ReadFile(Located(choice.path));
-  if (choice.is_fuzz_input || IsNoText(content)) return LoadFuzzInput(choice, content, verb);
+  if (choice.is_fuzz_input || IsNoText(content)) return LoadFuzzInput(choice, content, verb, make);
   const io::CaseFile file = io::ParseCase(content, is_text              ? "the case typed"
                                                    : choice.path == "-" ? "standard input"
                                                                         : choice.path);
@@ -262,7 +272,7 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
     throw InputError(choice.path, "the file names no subject", "give --subject");
   }
   loaded.value = file.value;
-  loaded.subject = MakeSubject(subject, choice.profile, choice.list_length);
+  loaded.subject = Made(subject, choice, make);
   // A scene states nothing: what is judged is what the subject does.
   if (!file.states_profile || !choice.profile.empty()) {
     loaded.value.profile = loaded.subject->Info().profile;

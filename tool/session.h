@@ -43,6 +43,8 @@ struct LoadedCase {
 /// Error:      InputError if the choice is of no case or of two, or lacks what its case needs; with
 ///             the command to type where the file names a subject outside.
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
+/// The same, with the subject that `make` makes in place of the one of the choice's name.
+LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make);
 
 /// The option that names the subject on a command line, quoted for a shell: "--exec './a b'".
 std::string SubjectOption(const std::string& name);

@@ -62,18 +62,18 @@ enum class StepKind : std::uint8_t {
 };
 constexpr std::size_t kStepKinds = 8;
 
-struct Move {
+struct ShrinkStep {
   StepKind kind = StepKind::kOptions;
   std::string what;  ///< which one it is
 };
 
-Move MoveBetween(const Case& before, const Case& after) {
+ShrinkStep StepBetween(const Case& before, const Case& after) {
   const Scene& a = before.scene;
   const Scene& b = after.scene;
   const auto named = [](StepKind kind, auto... numbers) {
-    Move move{kind, std::to_string(static_cast<int>(kind))};
-    ((move.what += " " + std::to_string(numbers)), ...);
-    return move;
+    ShrinkStep step{kind, std::to_string(static_cast<int>(kind))};
+    ((step.what += " " + std::to_string(numbers)), ...);
+    return step;
   };
   if (b.triangles.size() < a.triangles.size()) {
     return named(StepKind::kTriangles, BytesOf(after).size());
@@ -82,7 +82,7 @@ Move MoveBetween(const Case& before, const Case& after) {
   if (b.width != a.width || b.height != a.height) {
     return named(StepKind::kTarget, b.width, b.height);
   }
-  std::vector<Move> changed;
+  std::vector<ShrinkStep> changed;
   for (std::size_t v = 0; v < a.vertices.size(); ++v) {
     constexpr std::array kMembers{&Vertex::x, &Vertex::y, &Vertex::z, &Vertex::w};
     for (std::size_t m = 0; m < kMembers.size(); ++m) {
@@ -161,13 +161,13 @@ class Foreseeing {
     std::unordered_set<std::string> rejected;
     const auto fails = [&](const Case& candidate) {
       const std::string bytes = BytesOf(candidate);
-      Move move = MoveBetween(current, candidate);
-      const StepKind kind = rejected.contains(move.what) ? StepKind::kRepeated : move.kind;
+      ShrinkStep step = StepBetween(current, candidate);
+      const StepKind kind = rejected.contains(step.what) ? StepKind::kRepeated : step.kind;
       const auto decide = [&](bool does_fail) {
         if (does_fail) {
           current = candidate;
         } else {
-          rejected.insert(move.what);
+          rejected.insert(step.what);
         }
         return does_fail;
       };

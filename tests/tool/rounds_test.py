@@ -1,0 +1,235 @@
+"""pipe shrink and pipe infer: in rounds the same as on a pipe, and what is refused.
+
+usage: rounds_test.py PROGRAM SOURCES
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv[1])
+SOURCES = os.path.abspath(sys.argv[2])
+DRAWS = os.path.join(SOURCES, "tests", "tool", "draws_fast.py")
+PROPERTY = "SharedEdgeSamplesAreCoveredOnce"
+MOST_ROUNDS_OF_SHRINK = 15
+MOST_ROUNDS_OF_INFER = 10
+
+
+class Rounds:
+    """A folder in which a verb is asked and a program answers."""
+
+    def __init__(self, folder, verb, *options):
+        self.folder = folder
+        self.directory = os.path.join(folder, "rounds")
+        self.command = [PROGRAM, "pipe", verb, "--rounds", "rounds", *options]
+
+    def path(self, number, ending):
+        return os.path.join(self.directory, f"round-{number}.{ending}")
+
+    def ask(self):
+        return subprocess.run(self.command, capture_output=True, cwd=self.folder, timeout=300,
+                              text=True)  # fmt: skip
+
+    def answer(self, number, *how):
+        with open(self.path(number, "requests"), encoding="utf-8") as requests, \
+             open(self.path(number, "answers"), "w", encoding="utf-8") as answers:  # fmt: skip
+            subprocess.run([sys.executable, DRAWS, *how], stdin=requests, stdout=answers,
+                           timeout=300, check=True)  # fmt: skip
+
+    def to_the_end(self, *how):
+        """Returns the last call, and how many rounds there were."""
+        for number in range(1, 40):
+            done = self.ask()
+            if not os.path.exists(self.path(number, "requests")):
+                return done, number - 1
+            assert done.returncode == 4, done.stderr
+            self.answer(number, *how)
+        raise AssertionError("there is no end")
+
+
+class RoundsTest(unittest.TestCase):
+    def setUp(self):
+        self.holder = tempfile.TemporaryDirectory()
+        self.folder = self.holder.name
+
+    def tearDown(self):
+        self.holder.cleanup()
+
+    def describe(self, *how, profile="d3d11-canonical"):
+        with open(os.path.join(self.folder, "mine.subject"), "w", encoding="utf-8") as file:
+            file.write(f"command {sys.executable} {DRAWS} {' '.join(how)}\nprofile {profile}\n")
+
+    def shrink(self, *options):
+        return Rounds(self.folder, "shrink", os.path.join(SOURCES, "scenes", "ties.json"),
+                      "--property", PROPERTY, "--description", "mine.subject",
+                      "--output", "small.json", *options)  # fmt: skip
+
+    def infer(self, *options):
+        return Rounds(self.folder, "infer", "--description", "mine.subject", *options)
+
+    def run_here(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=self.folder,
+                              timeout=300, text=True)  # fmt: skip
+
+    def small(self):
+        with open(os.path.join(self.folder, "small.json"), encoding="utf-8") as file:
+            return file.read()
+
+    def assert_refused(self, done, *words):
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "small.json")))
+
+    def test_shrinks_as_replay_does(self):
+        self.describe("inclusive")
+        done, rounds = self.shrink().to_the_end("inclusive")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertLessEqual(rounds, MOST_ROUNDS_OF_SHRINK)
+        in_rounds = self.small()
+        here = self.run_here("replay", os.path.join(SOURCES, "scenes", "ties.json"),
+                             "--property", PROPERTY, "--subject", "mine.subject",
+                             "--shrink", "small.json")  # fmt: skip
+        self.assertEqual(here.returncode, 1, here.stderr)
+        self.assertEqual(in_rounds, self.small())
+        self.assertEqual(done.stdout, here.stdout)
+        self.assertEqual(len(json.loads(in_rounds)["scene"]["triangles"]), 2)
+
+    def test_a_case_that_holds_has_nothing_to_shrink(self):
+        self.describe()
+        done, rounds = self.shrink().to_the_end()
+        self.assert_refused(done, "it does not fail, so there is nothing to shrink")
+        self.assertEqual(rounds, 1)
+
+    def infer_both_ways(self, how, profile):
+        self.describe(*how, profile=profile)
+        done, rounds = self.infer("--json", "found.json").to_the_end(*how)
+        self.assertLessEqual(rounds, MOST_ROUNDS_OF_INFER)
+        here = self.run_here("infer", "--subject", "mine.subject", "--json", "here.json")
+        self.assertEqual(done.returncode, here.returncode, done.stderr)
+        found = []
+        for name in ("found.json", "here.json"):
+            with open(os.path.join(self.folder, name), encoding="utf-8") as file:
+                found.append({**json.load(file), "seconds": 0})
+        self.assertEqual(*found)
+        return done, found[0]
+
+    def test_infers_as_infer_does(self):
+        done, found = self.infer_both_ways([], "d3d11-canonical")
+        self.assertEqual(done.returncode, 0)
+        self.assertTrue(found["agrees"])
+
+    def test_infers_what_contradicts_the_statement(self):
+        done, found = self.infer_both_ways(["inclusive"], "gl-canonical")
+        self.assertEqual(done.returncode, 1)
+        self.assertTrue(found["fits"])
+        self.assertFalse(found["agrees"])
+
+    def test_finds_the_nearest_where_no_model_fits(self):
+        done, found = self.infer_both_ways(["odd"], "d3d11-canonical")
+        self.assertEqual(done.returncode, 1)
+        self.assertFalse(found["fits"])
+        self.assertIn("witness", found)
+
+    def test_waits_for_answers_and_asks_the_same_again(self):
+        self.describe("inclusive")
+        shrink = self.shrink()
+        first = shrink.ask()
+        with open(shrink.path(1, "requests"), encoding="utf-8") as file:
+            requests = file.read()
+        again = shrink.ask()
+        self.assertEqual((first.returncode, again.returncode), (4, 4))
+        self.assertIn("round-1.answers", first.stdout)
+        self.assertIn("round-1.answers is not there yet", again.stdout)
+        with open(shrink.path(1, "requests"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), requests)
+
+    def test_a_folder_of_another_task_is_refused(self):
+        self.describe("inclusive")
+        self.shrink().ask()
+        self.assert_refused(self.shrink("--evaluations", "7").ask(),
+                            "rounds.json", "about another number of evaluations")  # fmt: skip
+        self.assert_refused(self.shrink("--profile", "gl-canonical").ask(), "about another")
+        self.assert_refused(self.infer().ask(), "about another verb")
+        other = self.shrink()
+        other.command = [a.replace("ties.json", "fan.json") for a in other.command]
+        self.assert_refused(other.ask(), "about another case")
+
+    def damage(self, change):
+        """The call after a round whose answers were changed."""
+        self.describe("inclusive")
+        shrink = self.shrink()
+        shrink.ask()
+        shrink.answer(1, "inclusive")
+        with open(shrink.path(1, "answers"), encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        with open(shrink.path(1, "answers"), "w", encoding="utf-8") as file:
+            file.write("".join(line + "\n" for line in change(lines)))
+        return shrink
+
+    def test_answers_that_are_none_are_told_with_their_line(self):
+        short = self.damage(lambda lines: lines[:-1])
+        self.assert_refused(short.ask(), "round-1.answers: line ", "the file ends before request")
+        os.remove(short.path(1, "requests"))
+        os.remove(os.path.join(short.directory, "rounds.json"))
+        os.remove(short.path(1, "answers"))
+        heads = []
+
+        def spoil(lines):
+            heads.extend(k for k, line in enumerate(lines) if line.startswith("counts"))
+            lines[heads[1]] = "what?"
+            return lines
+
+        spoilt = self.damage(spoil)
+        self.assert_refused(spoilt.ask(), f"round-1.answers: line {heads[1] + 1}: ", "what?")
+
+    def test_lines_after_the_last_answer_are_told(self):
+        self.assert_refused(self.damage(lambda lines: [*lines, "counts 9999"]).ask(),
+                            "it goes on after the last answer")  # fmt: skip
+
+    def test_files_that_change_later_are_refused(self):
+        shrink = self.damage(lambda lines: lines)
+        self.assertEqual(shrink.ask().returncode, 4)
+        with open(shrink.path(1, "answers"), "a", encoding="utf-8") as file:
+            file.write("\n")
+        self.assert_refused(shrink.ask(), "round-1.answers: it changed after it was read")
+        with open(shrink.path(1, "requests"), "a", encoding="utf-8") as file:
+            file.write("\n")
+        self.assert_refused(shrink.ask(), "round-1.requests: it changed after it was written")
+
+    def test_answers_before_their_requests_are_refused(self):
+        self.describe("inclusive")
+        shrink = self.shrink()
+        os.mkdir(shrink.directory)
+        with open(shrink.path(1, "answers"), "w", encoding="utf-8") as file:
+            file.write("counts 1\n")
+        self.assert_refused(shrink.ask(), "it is there before anything was asked")
+
+    def test_a_program_that_changes_its_answers_is_inconclusive(self):
+        self.describe("inclusive")
+        shrink = self.shrink()
+        shrink.ask()
+        shrink.answer(1, "inclusive")
+        shrink.ask()
+        shrink.answer(2, "inclusive", "moody")
+        shrink_again = shrink.ask()
+        number = 3
+        while os.path.exists(shrink.path(number, "requests")):
+            shrink.answer(number, "inclusive", "moody")
+            shrink_again = shrink.ask()
+            number += 1
+        self.assertEqual(shrink_again.returncode, 4, shrink_again.stdout)
+        self.assertIn("the program is not deterministic", shrink_again.stdout)
+        self.assertIn("round-1.answers, line ", shrink_again.stdout)
+
+    def test_what_is_about_a_sequence_of_calls_is_refused(self):
+        self.describe()
+        verb = self.shrink()
+        verb.command[verb.command.index(PROPERTY)] = "EqualDrawsGiveEqualCounts"
+        self.assert_refused(verb.ask(), "it is about what one call leaves to the next")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -231,7 +231,7 @@ std::vector<Scene> ScenesOf(const std::vector<DrawJob>& jobs) {
 void InferAhead(AnswersOfRounds& subject, const std::shared_ptr<Rounds>& rounds,
                 const props::InferOptions& choice) {
   constexpr std::size_t kMostModels = 4;
-  constexpr std::size_t kMostOfAModel = 1500;  // requests; its course takes a third of them
+  constexpr std::size_t kMostOfAModel = 1200;  // requests; its course takes a third of them
   std::vector<props::LikelyModel> likely =
       props::LikelyModels(subject, ScenesOf(rounds->answered()), kMostModels);
   if (likely.empty()) likely.push_back({subject.Info().profile});
@@ -239,12 +239,15 @@ void InferAhead(AnswersOfRounds& subject, const std::shared_ptr<Rounds>& rounds,
   for (const props::LikelyModel& model : likely) {
     if (!rounds->HasRoom()) break;
     subject.Suppose([&](const DrawJob& job) { return DrawnByModel(model, subject.Info(), job); });
-    ahead.ahead =
-        props::InferAhead{[&] { return subject.missed(); }, [&] { return rounds->HasRoom(); }};
+    // What is shrunk at the end is shrunk in one way, whichever model leads there.
+    const bool is_first = &model == &likely.front();
+    const std::size_t most = rounds->asked() + kMostOfAModel;
+    ahead.ahead = props::InferAhead{[&] { return subject.missed(); },
+                                    [&] { return is_first && rounds->asked() < most; }};
     props::Infer(subject, ahead);
     // All that is asked of a subject that no model fits, and the experience that models are
     // ranked by.
-    if (&model == &likely.front()) props::DrawAimless(subject, choice);
+    if (is_first) props::DrawAimless(subject, choice);
   }
   subject.Suppose({});
   // The first answers once more: does the program still draw as it did?

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/profile.h"
 #include "core/scene.h"
 #include "props/judging/free_choices.h"
 #include "props/placed_case.h"
@@ -34,6 +35,14 @@ double HomogeneousMargin(const Scene& scene, const Vertex& a, const Vertex& b) {
   return std::isnan(margin) ? std::numeric_limits<double>::infinity() : margin;
 }
 
+// How far a subject may have displaced edges beyond `most_moved`, the legal models' reach.
+double Displaced(const PlacedCase& c, double most_moved) {
+  const bool states_samples = c.profile.contract == Contract::kSampleExact;
+  const double walked =
+      states_samples ? 0 : WalkMargin(static_cast<double>(c.scene.width) + c.scene.height);
+  return std::max(kMovedOutlineMargin, most_moved) + SampleReach(c.profile) + walked;
+}
+
 // Positions by which edges are one in every legal model.
 Scene AsGiven(const PlacedCase& c) { return c.scene.clip_space ? c.scene : UnsnappedScene(c); }
 
@@ -50,7 +59,7 @@ Outline Outline::OfMoved(const PlacedCase& c, double most_moved) {
   Outline outline;
   outline.largest_ = LargestCoordinate(c.scene);
   const Scene scene = AsGiven(c);
-  const double moved = std::max(kMovedOutlineMargin, most_moved) + SampleReach(c.profile);
+  const double moved = Displaced(c, most_moved);
   if (ties == TieOwnership::kPerEdge) outline.AddVertices(scene, moved);
   for (const BoundaryEdge& edge : BoundaryOf(scene)) outline.Add(scene, edge, moved);
   return outline;
@@ -60,7 +69,7 @@ Outline Outline::OfAllEdges(const PlacedCase& c, double most_moved) {
   Outline all;
   all.largest_ = LargestCoordinate(c.scene);
   const Scene scene = AsGiven(c);
-  const double moved = std::max(kMovedOutlineMargin, most_moved) + SampleReach(c.profile);
+  const double moved = Displaced(c, most_moved);
   for (const Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> v = Corners(scene, t);
     if (!std::ranges::all_of(v, IsFinite)) continue;

@@ -282,7 +282,7 @@ TEST(FreeChoices, ASampleJustBeyondTheReachOfAnOpenTriangleIsJudged) {
 }
 
 // What the margin leaves room for, by the bounds that its comment names: the direct form, and a
-// walk of 181 steps.
+// walk of 176 steps.
 TEST(Outline, SparesWhatDirectFormsAndShortWalksMoveAndNothingFarther) {
   Case c;
   c.profile = *PresetProfile("real");
@@ -291,14 +291,51 @@ TEST(Outline, SparesWhatDirectFormsAndShortWalksMoveAndNothingFarther) {
   c.scene.triangles = {{0, 1, 2}};
   const Outline outline{PlacedCase(c)};
   constexpr double kUnit = 0x1p-24;
-  constexpr double kWalk = 181 * 181 * kUnit / 2;
   const double direct = 3 * std::sqrt(2.0) * kUnit * (16 + 16);
-  EXPECT_TRUE(outline.IsNear({8, -(direct + kWalk)}));
+  EXPECT_TRUE(outline.IsNear({8, -(33.0 / 32 * direct + WalkMargin(176))}));
+  EXPECT_GT(33.0 / 32 * direct + WalkMargin(178), kOutlineMargin);
   constexpr double kMargin = 0x1p-10 + 16 * 0x1p-18;
   EXPECT_TRUE(outline.IsNear({8, -kMargin}));
   EXPECT_FALSE(outline.IsNear({8, -kMargin - 0x1p-40}));
   EXPECT_TRUE(outline.IsNear({8, kMargin}));
   EXPECT_FALSE(outline.IsNear({5, 5}));
+}
+
+// A watertight subject that walks in float32 is not failed where its outline went, and what lies
+// farther inside is judged. For a sample-exact one with legal grid points it is a pixel.
+TEST(Outline, OfMovedSparesTheLongestWalkInTheTargetAndNothingFarther) {
+  Case c;
+  c.profile = *PresetProfile("real");
+  c.profile.contract = Contract::kWatertight;
+  c.scene.width = 16384;
+  c.scene.height = 4096;
+  c.scene.vertices = {{0, 0}, {16384, 0}, {0, 4096}};
+  c.scene.triangles = {{0, 1, 2}};
+  constexpr double kRounded = 16384 * kOutlineMarginPerCoordinate;
+  const double margin = 1 + kRounded + WalkMargin(16384 + 4096);
+  const Outline moved = Outline::OfMoved(PlacedCase(c), 0);
+  EXPECT_TRUE(moved.IsNear({64, margin}));
+  EXPECT_FALSE(moved.IsNear({64, margin + 0x1p-20}));
+  c.profile.contract = Contract::kSampleExact;
+  const Outline stated = Outline::OfMoved(PlacedCase(c), 0);
+  EXPECT_TRUE(stated.IsNear({64, 1 + kRounded}));
+  EXPECT_FALSE(stated.IsNear({64, 1 + kRounded + 0x1p-20}));
+}
+
+// The displacement of an edge x = 0 after a walk towards it, for steps dY whose roundings agree.
+TEST(Outline, FloatWalksGoFartherThanAPixelAndNotBeyondTheirMargin) {
+  constexpr int kSteps = 16384;
+  double farthest = 0;
+  for (int n = 0; n < 512; ++n) {
+    const float step = 1 + static_cast<float>(n) * 0x1p-9F + (0x1p-11F - 0x1p-23F);
+    float e = -step * kSteps;
+    const double start = std::fabs(double{e} + double{step} * kSteps) / double{step};
+    for (int k = 0; k < kSteps; ++k) e += step;
+    const double displaced = std::fabs(double{e}) / double{step};
+    EXPECT_LE(displaced, 33.0 / 32 * start + WalkMargin(kSteps));
+    farthest = std::max(farthest, displaced);
+  }
+  EXPECT_GT(farthest, 1) << "a pixel is not enough";
 }
 
 TEST(FreeChoices, OneModelLeavesNothingOpen) {

@@ -1,4 +1,7 @@
 // The filter tier: values in double, and the magnitude beyond which their signs are certain.
+//
+// Templates of the number type: tests run them with one that writes down its roundings, which
+// brings its own fabs.
 #ifndef RASTERPROOF_EXACT_FILTERS_H_
 #define RASTERPROOF_EXACT_FILTERS_H_
 
@@ -10,14 +13,16 @@
 
 namespace rasterproof::exact {
 
-/// A value in double and its error. If |value| exceeds the error, its sign is the exact one's.
-struct FilteredValue {
-  double value = 0;
-  double error = 0;
+/// A value and its error. If |value| exceeds the error, its sign is the exact one's.
+template <class T>
+struct FilteredValueOf {
+  T value = 0;
+  T error = 0;
 
   /// The sign where it is certain, otherwise 0. Overflow leaves an infinite or NaN error: 0.
   int CertainSign() const { return (value > error) - (value < -error); }
 };
+using FilteredValue = FilteredValueOf<double>;
 
 /// Filter for E = l - r, l = fl(fl(x-X) fl(Y'-Y)), r likewise, d = fl(l - r).
 ///
@@ -40,18 +45,27 @@ inline constexpr double kEdgeErrorMultiplier =
 ///             62, 2026-11-23.
 inline constexpr double kEdgeUnderflowError = 0x1p-1072;
 
-/// The differences and products of E(a, b; p) in double.
-struct EdgeProducts {
-  double px, py, dx, dy;
-  double l, r;
+/// The value and the error of the two rounded products of an edge.
+template <class T>
+FilteredValueOf<T> FilterProducts(const T& l, const T& r) {
+  using std::fabs;
+  return {l - r, kEdgeErrorMultiplier * (fabs(l) + fabs(r)) + kEdgeUnderflowError};
+}
 
-  EdgeProducts(Point2 a, Point2 b, Point2 p)
+/// The differences and products of E(a, b; p).
+template <class T>
+struct EdgeProductsOf {
+  T px, py, dx, dy;
+  T l, r;
+
+  /// `Point` has an x and a y of T.
+  template <class Point>
+  EdgeProductsOf(const Point& a, const Point& b, const Point& p)
       : px(p.x - a.x), py(p.y - a.y), dx(b.x - a.x), dy(b.y - a.y), l(px * dy), r(py * dx) {}
 
-  FilteredValue Filter() const {
-    return {l - r, kEdgeErrorMultiplier * (std::fabs(l) + std::fabs(r)) + kEdgeUnderflowError};
-  }
+  FilteredValueOf<T> Filter() const { return FilterProducts(l, r); }
 };
+using EdgeProducts = EdgeProductsOf<double>;
 
 /// Filter for a 3x3 determinant by minors of the last two rows.
 ///
@@ -70,20 +84,24 @@ inline constexpr double kDeterminantErrorMultiplier = 8 * rounding_epsilon<doubl
 ///             inputs each, seeds 64 and 65, 2026-11-23.
 inline constexpr double kMinorUnderflowError = 0x1p-1072;
 
-using Rows3 = std::array<std::array<double, 3>, 3>;
+template <class T>
+using Rows3Of = std::array<std::array<T, 3>, 3>;
+using Rows3 = Rows3Of<double>;
 
-inline FilteredValue FilterDeterminant(const Rows3& m) {
-  double sum = 0;
-  double permanent = 0;
-  double first_row = 0;
+template <class T>
+FilteredValueOf<T> FilterDeterminant(const Rows3Of<T>& m) {
+  using std::fabs;
+  T sum = 0;
+  T permanent = 0;
+  T first_row = 0;
   for (unsigned k = 0; k < 3; ++k) {
     const unsigned i = (k + 1) % 3;
     const unsigned j = (k + 2) % 3;
-    const double l = m[1][i] * m[2][j];
-    const double r = m[1][j] * m[2][i];
-    sum += m[0][k] * (l - r);
-    permanent += std::fabs(m[0][k]) * (std::fabs(l) + std::fabs(r));
-    first_row += std::fabs(m[0][k]);
+    const T l = m[1][i] * m[2][j];
+    const T r = m[1][j] * m[2][i];
+    sum = sum + m[0][k] * (l - r);
+    permanent = permanent + fabs(m[0][k]) * (fabs(l) + fabs(r));
+    first_row = first_row + fabs(m[0][k]);
   }
   return {sum, kDeterminantErrorMultiplier * permanent + kMinorUnderflowError * first_row +
                    kEdgeUnderflowError};

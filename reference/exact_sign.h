@@ -30,19 +30,31 @@ inline constexpr double kFilterErrorMultiplier =
     (3 + 16 * rounding_epsilon<double>()) * rounding_epsilon<double>();
 inline constexpr double kFilterUnderflowError = 0x1p-1072;
 
-/// Filter tier: the direct form in double, and whether its sign is proved.
+/// Filter tier: the direct form in double, and whether its sign is proved. Templates of the number
+/// type: tests run them with one that writes down its roundings, which brings its own fabs.
 struct FilteredEdge {
   double value;
   bool certain;
 };
-inline double FilterBound(double p1, double p2) {
-  return kFilterErrorMultiplier * (std::fabs(p1) + std::fabs(p2)) + kFilterUnderflowError;
+/// The two rounded products of the direct form, E = p1 - p2.
+template <class T>
+struct DirectProducts {
+  T p1, p2;
+
+  /// `Point` has an x and a y of T.
+  template <class Point>
+  DirectProducts(const Point& a, const Point& b, const Point& p)
+      : p1((p.x - a.x) * (b.y - a.y)), p2((p.y - a.y) * (b.x - a.x)) {}
+};
+template <class T>
+T FilterBound(const T& p1, const T& p2) {
+  using std::fabs;
+  return kFilterErrorMultiplier * (fabs(p1) + fabs(p2)) + kFilterUnderflowError;
 }
 inline FilteredEdge FilterEdge(Point2 a, Point2 b, Point2 p) {
-  const double p1 = (p.x - a.x) * (b.y - a.y);
-  const double p2 = (p.y - a.y) * (b.x - a.x);
-  const double e = p1 - p2;
-  return {e, std::fabs(e) > FilterBound(p1, p2)};
+  const DirectProducts<double> products(a, b, p);
+  const double e = products.p1 - products.p2;
+  return {e, std::fabs(e) > FilterBound(products.p1, products.p2)};
 }
 
 /// Stable, then exact tier: the sign of E(a, b; p) where the filter could not tell.

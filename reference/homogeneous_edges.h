@@ -7,6 +7,7 @@
 #include <concepts>
 
 #include "core/tie_rule.h"
+#include "core/ulp.h"
 #include "core/vertex.h"
 #include "reference/edge_ownership.h"
 #include "reference/homogeneous.h"
@@ -42,6 +43,26 @@ struct HomogeneousNormal {
     return static_cast<T>(a) * static_cast<T>(b) - static_cast<T>(c) * static_cast<T>(d);
   }
 };
+
+/// T of kHomogeneousErrorMultiplier for N . (x, y, w), every operation rounded once.
+template <class T>
+T DotMagnitude(const Vertex& vi, const Vertex& vj, const T& x, const T& y, const T& w) {
+  using std::fabs;
+  const auto minor = [](double a, double b, double c, double d) {
+    return fabs(static_cast<T>(a) * static_cast<T>(b)) +
+           fabs(static_cast<T>(c) * static_cast<T>(d));
+  };
+  return minor(vj.y, vi.w, vj.w, vi.y) * fabs(x) + minor(vj.w, vi.x, vj.x, vi.w) * fabs(y) +
+         minor(vj.x, vi.y, vj.y, vi.x) * fabs(w);
+}
+
+/// The filter of N . (x, y, w) in double: its sign is certain beyond multiplier u T, underflow
+/// apart. T is computed with at most eight roundings: 1 + 2^-40 covers them and those here.
+template <class T>
+T DotErrorBound(const T& magnitude) {
+  return T(kHomogeneousErrorMultiplier<double> * rounding_epsilon<double>()) * magnitude *
+         T(1 + 0x1p-40);
+}
 
 /// Whether a sample exactly on the edge is the triangle's: the sample moves by the rule's shift,
 /// and the value with it by (sign_x e) N.x and (sign_y e^2) N.y, in the rule's order.

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/ulp.h"
 #include "reference/homogeneous.h"
 #include "reference/homogeneous_edges.h"
 #include "reference/triple_sum.h"
@@ -29,29 +28,14 @@ TripleSum ExactDot(const Vertex& vi, const Vertex& vj, double x, double y, doubl
   return sum;
 }
 
-/// T of kHomogeneousErrorMultiplier, in double.
-double DotMagnitude(const Vertex& vi, const Vertex& vj, double x, double y, double w) {
-  const auto minor = [](double a, double b, double c, double d) {
-    return std::fabs(a * b) + std::fabs(c * d);
-  };
-  return minor(vj.y, vi.w, vj.w, vi.y) * std::fabs(x) +
-         minor(vj.w, vi.x, vj.x, vi.w) * std::fabs(y) +
-         minor(vj.x, vi.y, vj.y, vi.x) * std::fabs(w);
-}
-
-/// multiplier u T, T computed in double with at most eight roundings: 1 + 2^-40 covers them.
-double DotError(double magnitude) {
-  return kHomogeneousErrorMultiplier<double> * rounding_epsilon<double>() * magnitude *
-         (1 + 0x1p-40);
-}
-
 /// The sign of N_ij . (x, y, w): filter, then integers.
 int ExactDotSign(const Vertex& vi, const Vertex& vj, double x, double y, double w) {
   const double value = HomogeneousNormal<double>(vi, vj).Dot(x, y, w);
   // A product of two coordinates that underflows is off by eta / 2, and grows with x, y or w; a
   // product with x, y or w adds eta / 2: in all less than 16 eta (1 + max(|x|, |y|, |w|)).
   const double largest = std::fmax(std::fmax(std::fabs(x), std::fabs(y)), std::fabs(w));
-  const double bound = DotError(DotMagnitude(vi, vj, x, y, w)) + 0x1p-1070 * largest + 0x1p-1070;
+  const double bound =
+      DotErrorBound(DotMagnitude<double>(vi, vj, x, y, w)) + 0x1p-1070 * largest + 0x1p-1070;
   if (value > bound) return 1;
   if (value < -bound) return -1;
   return ExactDot(vi, vj, x, y, w).Sign();
@@ -72,7 +56,8 @@ ExactHomogeneousEdge::ExactHomogeneousEdge(const Vertex& vi, const Vertex& vj, i
     : vi_(facing > 0 ? vi : vj),
       vj_(facing > 0 ? vj : vi),
       normal_(vi_, vj_),
-      error_(DotError(DotMagnitude(vi, vj, extent.x, extent.y, 1)) + kSampleUnderflowError),
+      error_(DotErrorBound(DotMagnitude<double>(vi, vj, extent.x, extent.y, 1)) +
+             kSampleUnderflowError),
       owns_ties_(false) {
   // The tie rule asks for the signs of the coefficients, and those have to be exact as well.
   owns_ties_ = OwnsTies(ExactDotSign(vi_, vj_, 1, 0, 0), ExactDotSign(vi_, vj_, 0, 1, 0), rule);

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_TESTS_REFERENCE_PERTURBED_H_
 #define RASTERPROOF_TESTS_REFERENCE_PERTURBED_H_
 
+#include <array>
 #include <cmath>
 #include <compare>
 #include <cstddef>
@@ -24,17 +25,20 @@ struct Rounding {
   exact::Rational actual;  ///< it is this here
 };
 
-/// The roundings of the expression that runs: 16 at most. The same operation on the same numbers
+/// The roundings of the expression that runs: kMost at most. The same operation on the same numbers
 /// rounds alike: it is one rounding.
 class Roundings {
  public:
+  static constexpr std::size_t kMost = 32;
   /// An operation and its operands.
   using Key = std::tuple<char, double, double, double>;
 
   /// How an operation's error is stated.
   enum class Form : std::uint8_t {
     kRelative,  ///< fl(z) = z (1 + d), |d| <= u: what the proofs start from
-    kHalfUlp    ///< fl(z) = z + e, |e| <= half an ulp of z, and 0 where z is a float
+    kHalfUlp,   ///< fl(z) = z + e, |e| <= half an ulp of z, and 0 where z is a float
+    kOfResult   ///< z = fl(z) (1 + d), |d| <= u: polynomials are of exact values, their constants
+                ///< what is computed. No quotients.
   };
 
   static void Clear(Form form) {
@@ -49,7 +53,7 @@ class Roundings {
   static std::size_t Find(const Key& key, const Rounding& rounding) {
     const auto [place, is_new] = numbers_.emplace(key, all_.size());
     if (!is_new) return place->second;
-    if (all_.size() == 16) throw std::length_error("An expression rounds more than 16 times.");
+    if (all_.size() == kMost) throw std::length_error("An expression rounds too often.");
     if (rounding.actual.Abs() > rounding.most) throw std::logic_error("A rounding errs too much.");
     all_.push_back(rounding);
     return place->second;
@@ -61,15 +65,17 @@ class Roundings {
   inline static Form form_ = Form::kRelative;
 };
 
-/// A polynomial in the errors of the roundings: the exponent of the n-th is digit n, base 16.
+/// A polynomial in the errors of the roundings.
 class Polynomial {
  public:
   Polynomial(const exact::Rational& constant) {  // NOLINT(google-explicit-constructor)
-    Add(0, constant);
+    Add({}, constant);
   }
   static Polynomial OfError(std::size_t n) {
     Polynomial error(0);
-    error.Add(std::uint64_t{1} << (4 * n), 1);
+    Powers once{};
+    once[n] = 1;
+    error.Add(once, 1);
     return error;
   }
 
@@ -81,7 +87,11 @@ class Polynomial {
     Polynomial product(0);
     for (const auto& [powers_a, factor_a] : a.terms_) {
       for (const auto& [powers_b, factor_b] : b.terms_) {
-        product.Add(powers_a + powers_b, factor_a * factor_b);
+        Powers powers = powers_a;
+        for (std::size_t n = 0; n < powers.size(); ++n) {
+          powers[n] = static_cast<std::uint8_t>(powers[n] + powers_b[n]);
+        }
+        product.Add(powers, factor_a * factor_b);
       }
     }
     return product;
@@ -90,16 +100,17 @@ class Polynomial {
     return a + b * Polynomial(-1);
   }
 
+  bool IsZero() const { return terms_.empty(); }
   /// What the expression is where nothing rounds.
   exact::Rational Exact() const {
-    const auto constant = terms_.find(0);
+    const auto constant = terms_.find(Powers{});
     return constant == terms_.end() ? exact::Rational(0) : constant->second;
   }
   /// The most that roundings can make of it: the sum of the other terms' largest magnitudes.
   exact::Rational Deviation() const {
     exact::Rational sum;
     for (const auto& [powers, factor] : terms_) {
-      if (powers != 0) sum += factor.Abs() * Product(powers, &Rounding::most);
+      if (powers != Powers{}) sum += factor.Abs() * Product(powers, &Rounding::most);
     }
     return sum;
   }
@@ -111,26 +122,30 @@ class Polynomial {
   }
 
  private:
-  void Add(std::uint64_t powers, const exact::Rational& factor) {
+  using Powers = std::array<std::uint8_t, Roundings::kMost>;  ///< of each error
+
+  void Add(const Powers& powers, const exact::Rational& factor) {
     exact::Rational& sum = terms_[powers];
     sum += factor;
     if (sum.Sign() == 0) terms_.erase(powers);
   }
-  static exact::Rational Product(std::uint64_t powers, exact::Rational Rounding::* size) {
+  static exact::Rational Product(const Powers& powers, exact::Rational Rounding::* size) {
     exact::Rational product(1);
-    for (std::size_t n = 0; powers != 0; ++n, powers >>= 4) {
-      for (std::uint64_t k = 0; k < (powers & 15); ++k) product *= Roundings::At(n).*size;
+    for (std::size_t n = 0; n < Roundings::Count(); ++n) {
+      for (int k = 0; k < powers[n]; ++k) product *= Roundings::At(n).*size;
     }
     return product;
   }
 
-  std::map<std::uint64_t, exact::Rational> terms_;
+  std::map<Powers, exact::Rational> terms_;
 };
 
 /// A number of F beside the polynomial that it is: a template of a number type, run with this one,
 /// writes down what its own operations round.
 ///
-/// Domain:     no operation over- or underflows; Roundings::Clear() comes before an expression.
+/// Domain:     no operation overflows; Roundings::Clear() comes before an expression. A product
+///             that underflows errs by half of the smallest subnormal eta, whatever its size, and a
+///             sum by nothing: of them, and with half ulps, the first is refused.
 template <class F>
 class Perturbed {
  public:
@@ -145,6 +160,7 @@ class Perturbed {
 
   Perturbed operator-() const { return {-value_, terms_ * Polynomial(-1)}; }
   friend Perturbed operator+(const Perturbed& a, const Perturbed& b) {
+    if (a.terms_.IsZero()) return b;  // 0 + b is never rounded
     return Rounded(a.value_ + b.value_, Rational(a.value_) + b.value_, a.terms_ + b.terms_,
                    {'+', a.value_, b.value_, 0});
   }
@@ -154,6 +170,7 @@ class Perturbed {
                    {'*', a.value_, b.value_, 0});
   }
   friend Perturbed operator/(const Perturbed& a, const Perturbed& b) {
+    if (Roundings::HowStated() == Roundings::Form::kOfResult) throw std::logic_error("A quotient.");
     return Rounded(a.value_ / b.value_, Rational(a.value_) / b.value_, a.terms_ * b.Inverse(),
                    {'/', a.value_, b.value_, 0});
   }
@@ -166,6 +183,8 @@ class Perturbed {
     return Rounded(value, Rational(a.value_) * b.value_ + c.value_, terms,
                    {'f', a.value_, b.value_, c.value_});
   }
+  // NOLINTNEXTLINE(readability-identifier-naming): found in place of std::fabs
+  friend Perturbed fabs(const Perturbed& a) { return a.value_ < 0 ? -a : a; }
   friend bool operator==(const Perturbed& a, const Perturbed& b) { return a.value_ == b.value_; }
   friend std::partial_ordering operator<=>(const Perturbed& a, const Perturbed& b) {
     return a.value_ <=> b.value_;
@@ -183,9 +202,23 @@ class Perturbed {
       if (error.Sign() == 0) return {value, before};
       return {value, before + Polynomial::OfError(Roundings::Find(key, {HalfUlp(exact), error}))};
     }
+    const bool is_of_result = Roundings::HowStated() == Roundings::Form::kOfResult;
+    // fl(z) - error is z, of which `before` is the polynomial.
+    const Polynomial start = is_of_result ? before + Polynomial(error) : before;
+    if (exact.Sign() != 0 && exact.Abs() < std::numeric_limits<F>::min()) {
+      if (std::get<char>(key) == '+') return {value, start};
+      const Rational half_eta = Rational(std::numeric_limits<F>::denorm_min()) / 2;
+      const std::size_t n = Roundings::Find(key, {half_eta, is_of_result ? -error : error});
+      return {value, start + Polynomial::OfError(n)};
+    }
+    const Rational u(rounding_epsilon<F>());
+    if (is_of_result) {
+      const Rational relative = value == 0 ? Rational(0) : -error / value;
+      return {value,
+              start + Polynomial(value) * Polynomial::OfError(Roundings::Find(key, {u, relative}))};
+    }
     const Rational relative = exact.Sign() == 0 ? Rational(0) : error / exact;
-    const std::size_t n = Roundings::Find(key, {Rational(rounding_epsilon<F>()), relative});
-    return {value, before + before * Polynomial::OfError(n)};
+    return {value, start + start * Polynomial::OfError(Roundings::Find(key, {u, relative}))};
   }
   /// Half an ulp of z, from which floats are half an ulp of z or less apart.
   static Rational HalfUlp(const Rational& z) {

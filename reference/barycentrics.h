@@ -30,12 +30,15 @@ const BarycentricEvaluator& ReferenceBarycentrics(Precision precision);
 /// |l0 + l1 + l2 - 1| <= multiplier u + 3 eta / 2 for kSum where the three edge values agree in
 /// sign.
 ///
-/// The two sums s = ((e0 + e1)(1 + d) + e2)(1 + d') of values of one sign have a relative error of
-/// at most (1 + u)^2 - 1, so sum e_i / s is within 2u + 3u^2 + ... of 1; each quotient adds u of
-/// itself, together u (1 + 2u + ...). Proof: proofs/barycentrics_sum.g.
-/// Measured:   largest error / bound known 0.89: docs/mathematics.md, 9, has the witnesses.
+/// Relative errors give 3u: two roundings of the sum, one of the quotients. They are not all that
+/// large at once. With s in [1, 2) each sum rounds by at most u. Three quotients round by half an
+/// ulp each: u / 2 from one half on, u / 4 from one quarter on, and what is less by u of itself.
+/// Where only one quotient is at least one half and e0 + e1 is at least 1, that is 2u + u / 2 +
+/// u / 4; a third quotient q makes 1 / s smaller by as much as it adds, or more. In the other cases
+/// it is at most 5u / 2. Proof: docs/mathematics.md, 9, and proofs/barycentrics_sum.g.
+/// Measured:   largest error / bound known above 0.9999: docs/mathematics.md, 9, has the witnesses.
 template <class T>
-inline constexpr double kNormalizedSumErrorMultiplier = 3 + 8.0 * rounding_epsilon<T>();
+inline constexpr double kNormalizedSumErrorMultiplier = 2.75 + 4.0 * rounding_epsilon<T>();
 
 /// |l0 + l1 + l2 - 1| <= kOneMinusSumError for kOneMinus inside the triangle.
 ///

@@ -29,10 +29,11 @@ std::span<const Method> HomogeneousMethods();
 /// (|w_j x_i| + |x_j w_i|) |p.y| + |x_j y_i| + |y_j x_i|; the same for det(V0, V1, V2).
 ///
 /// A term carries its product, the difference, the product with p and two sums: five roundings,
-/// (1 + u)^5 - 1 <= (5 + 11u) u. Proof: proofs/homogeneous.g.
+/// (1 + u)^5 - 1 <= (5 + 11u) u. Proof: proofs/homogeneous.g. 16u: a double next to 5 is a multiple
+/// of 8u of float64, and 11u would be rounded down.
 /// Measured:   largest error / bound known above 0.999: docs/mathematics.md, 9, has the witnesses.
 template <class T>
-inline constexpr double kHomogeneousErrorMultiplier = 5 + 11.0 * rounding_epsilon<T>();
+inline constexpr double kHomogeneousErrorMultiplier = 5 + 16.0 * rounding_epsilon<T>();
 
 /// Adds the exact homogeneous coverage of the scene to `counts`: the counts of the profile's
 /// canonical model, for any tie rule, sample pattern and y axis.

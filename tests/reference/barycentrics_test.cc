@@ -205,7 +205,7 @@ double WorstSum(BarycentricForm form, std::uint64_t seed) {
   return worst;
 }
 
-TEST(BarycentricsSumTest, NormalizedSumsStayWithinThreeRoundingsInside) {
+TEST(BarycentricsSumTest, NormalizedSumsStayWithinTheirBoundInside) {
   const double single = WorstSum<float>(BarycentricForm::kSum, 12);
   const double full = WorstSum<double>(BarycentricForm::kSum, 13);
   std::printf("[ MEASURED ] sum over the float sum, inside: %.3f u (f32), %.3f u (f64)\n", single,

@@ -112,6 +112,12 @@ T Again(const T& value, bool again) {
   return again ? value * T(1) : value;
 }
 
+/// Operations more of which one rounds by half an ulp: 3 v needs two bits more than v.
+template <class T>
+T Detour(const T& value, bool again) {
+  return again ? value * T(3) - (value + value) : value;
+}
+
 template <class T, template <class> class Form>
 T EdgeAt(const Numbers& n, bool again) {
   const Form<T> form(Form<T>::Convert(A(n)), Form<T>::Convert(B(n)), false);
@@ -153,13 +159,13 @@ template <class T>
 std::array<T, 3> Quotients(const Numbers& n, bool again) {
   const std::array<T, 3> e{static_cast<T>(n[0]), static_cast<T>(n[1]), static_cast<T>(n[2])};
   if (!again) return OverTheirSum<T>(e);
-  const T sum = Again((e[0] + e[1]) + e[2], true);
+  const T sum = Detour((e[0] + e[1]) + e[2], true);
   return {e[0] / sum, e[1] / sum, e[2] / sum};
 }
 
 template <class F>
 double SumOfQuotients(const Numbers& n, bool again) {
-  Roundings::Clear(Stated::kRelative);
+  Roundings::Clear(Stated::kHalfUlp);
   const auto l = Quotients<Perturbed<F>>(n, again);
   const std::array<F, 3> plain = Quotients<F>(n, again);
   return Share({l[0].Terms() + l[1].Terms() + l[2].Terms() - Polynomial(1),
@@ -197,12 +203,6 @@ double Distance(const Numbers& n, bool again) {
   return Share({DistanceAt<Perturbed<F>>(n, again).Terms() - Polynomial(exact),
                 Rational(DistanceAt<F>(n, again)) - exact,
                 exact.Abs() * kEdgeDistanceErrorMultiplier<F> * rounding_epsilon<F>()});
-}
-
-/// An operation more that rounds whatever a step's result is: 3 v needs two bits more than v.
-template <class T>
-T Detour(const T& value, bool again) {
-  return again ? value * T(3) - (value + value) : value;
 }
 
 constexpr int kSteps = 3;

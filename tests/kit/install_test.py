@@ -175,6 +175,37 @@ class InAnotherTree(unittest.TestCase):
             with open(os.path.join(build, "build.ninja"), encoding="utf-8") as file:
                 self.assertNotIn("-Werror", file.read())
 
+    def test_the_whole_tree_in_another_project_has_the_targets_of_tests_and_of_own_commands(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "CMakeLists.txt"), "w", encoding="utf-8") as file:
+                file.write("cmake_minimum_required(VERSION 3.25)\nproject(x LANGUAGES C CXX)\n"
+                           "include(FetchContent)\n"
+                           f'FetchContent_Declare(rasterproof SOURCE_DIR "{SOURCES}")\n'
+                           "FetchContent_MakeAvailable(rasterproof)\n"
+                           "find_package(GTest REQUIRED)\n"
+                           f'add_executable(t "{SOURCES}/kit/examples/gtest/mine_test.cc")\n'
+                           "target_compile_features(t PRIVATE cxx_std_17)\n"
+                           "target_link_libraries(t PRIVATE rasterproof::gtest "
+                           "GTest::gtest_main)\n"
+                           f'add_executable(own "{SOURCES}/kit/examples/own_type.cc")\n'
+                           "target_compile_features(own PRIVATE cxx_std_20)\n"
+                           "target_link_libraries(own PRIVATE rasterproof::command)\n")  # fmt: skip
+            build = os.path.join(folder, "build")
+            done = run(CMAKE, "-S", folder, "-B", build, "-G", "Ninja")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            # The whole command takes minutes to build: the test's own object does not.
+            asked = run("ninja", "-C", build, "-t", "commands", "CMakeFiles/t.dir"
+                        f"{SOURCES}/kit/examples/gtest/mine_test.cc.o")  # fmt: skip
+            done = run("sh", "-c", asked.stdout.splitlines()[-1], cwd=build)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            asked = run("ninja", "-C", build, "-t", "query", "t")
+            self.assertRegex(asked.stdout, r"_deps/rasterproof-build/rasterproof\n")
+            with open(os.path.join(build, "build.ninja"), encoding="utf-8") as file:
+                told = file.read()
+            self.assertIn(f'RASTERPROOF_COMMAND=\\"{build}/_deps/rasterproof-build/rasterproof\\"',
+                          told)  # fmt: skip
+            self.assertNotIn("-Werror", told)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -21,11 +21,15 @@ struct UnitRange {
   std::int64_t last = 0;
 };
 
+struct PointBox {
+  UnitRange x;
+  UnitRange y;
+};
+
 struct PointPlace {
   std::string id;
   std::string words;
-  UnitRange x;
-  UnitRange y;
+  std::vector<PointBox> boxes;  ///< one for each sample of a pixel that has one there
 };
 
 using EdgeFormula = std::function<EdgeInteger(const EdgeInput&)>;
@@ -58,22 +62,46 @@ UnitRange VertexRange(const EdgeUnit& unit) {
   return {least * VertexStep(unit), (least + numbers - 1) * VertexStep(unit)};
 }
 
-UnitRange SamplesIn(const EdgeUnit& unit, int first, int end) {
-  const std::int64_t half = OnePixel(unit) / 2;
-  return {first * OnePixel(unit) + half, (end - 1) * OnePixel(unit) + half};
+std::int64_t InUnits(const EdgeUnit& unit, double pixels) {
+  return static_cast<std::int64_t>(std::ldexp(pixels, unit.UnitBits()));
 }
 
-// Samples of the target that lie in the range of vertices, and so in the box of some triangle.
-UnitRange SamplesInReach(const EdgeUnit& unit, int side) {
+// The sample at `place` of the pixels [first, end).
+UnitRange SamplesIn(const EdgeUnit& unit, double place, int first, int end) {
+  const std::int64_t at = InUnits(unit, place);
+  return {first * OnePixel(unit) + at, (end - 1) * OnePixel(unit) + at};
+}
+
+// Those of the target that lie in the range of vertices, and so in the box of some triangle.
+std::optional<UnitRange> SamplesInReach(const EdgeUnit& unit, double place, int side) {
   const UnitRange vertices = VertexRange(unit);
-  UnitRange samples = SamplesIn(unit, 0, side);
+  UnitRange samples = SamplesIn(unit, place, 0, side);
+  if (vertices.last < samples.first) return std::nullopt;
   const std::int64_t last = (vertices.last - samples.first) / OnePixel(unit);
-  if (vertices.last < samples.first) {
-    throw InputError("--fixed", "no sample lies in the range of vertices",
-                     "give one more bit before or after the point");
-  }
   samples.last = std::min(samples.last, samples.first + last * OnePixel(unit));
   return samples;
+}
+
+// So many pixels past both ends.
+std::vector<PointBox> SamplesOf(const EdgeUnit& unit, int past) {
+  std::vector<PointBox> boxes;
+  for (const Point2& l : unit.pattern.locations) {
+    boxes.push_back({SamplesIn(unit, l.x, -past, unit.width + past),
+                     SamplesIn(unit, l.y, -past, unit.height + past)});
+  }
+  return boxes;
+}
+
+std::vector<PointBox> ReachedSamplesOf(const EdgeUnit& unit) {
+  std::vector<PointBox> boxes;
+  for (const Point2& l : unit.pattern.locations) {
+    const auto x = SamplesInReach(unit, l.x, unit.width);
+    const auto y = SamplesInReach(unit, l.y, unit.height);
+    if (x && y) boxes.push_back({*x, *y});
+  }
+  if (!boxes.empty()) return boxes;
+  throw InputError("--fixed", "no sample lies in the range of vertices",
+                   "give one more bit before or after the point");
 }
 
 UnitRange TileCorners(const EdgeUnit& unit, int side, int past) {
@@ -83,15 +111,16 @@ UnitRange TileCorners(const EdgeUnit& unit, int side, int past) {
 }
 
 std::vector<PointPlace> Places(const EdgeUnit& unit) {
-  const int w = unit.width;
-  const int h = unit.height;
+  const auto corners = [&](int past) {
+    return std::vector<PointBox>{
+        {TileCorners(unit, unit.width, past), TileCorners(unit, unit.height, past)}};
+  };
   return {
-      {"box", "sample in the box", SamplesInReach(unit, w), SamplesInReach(unit, h)},
-      {"target", "sample on the target", SamplesIn(unit, 0, w), SamplesIn(unit, 0, h)},
-      {"corner", "corner of a tile", TileCorners(unit, w, 0), TileCorners(unit, h, 0)},
-      {"pixel-past", "a pixel past both ends", SamplesIn(unit, -1, w + 1),
-       SamplesIn(unit, -1, h + 1)},
-      {"tile-past", "a tile past both ends", TileCorners(unit, w, 1), TileCorners(unit, h, 1)},
+      {"box", "sample in the box", ReachedSamplesOf(unit)},
+      {"target", "sample on the target", SamplesOf(unit, 0)},
+      {"corner", "corner of a tile", corners(0)},
+      {"pixel-past", "a pixel past both ends", SamplesOf(unit, 1)},
+      {"tile-past", "a tile past both ends", corners(1)},
   };
 }
 
@@ -144,9 +173,8 @@ std::vector<EdgeTerm> EdgeTerms(const EdgeUnit& unit) {
 
 // Calls take with each of the 64 inputs whose coordinates are ends of their ranges.
 template <class Take>
-void AtCorners(const UnitRange& vertices, const PointPlace& place, const Take& take) {
-  const std::array<UnitRange, 6> ranges = {vertices, vertices, vertices,
-                                           vertices, place.x,  place.y};
+void AtCorners(const UnitRange& vertices, const PointBox& p, const Take& take) {
+  const std::array<UnitRange, 6> ranges = {vertices, vertices, vertices, vertices, p.x, p.y};
   for (unsigned corner = 0; corner < 64; ++corner) {
     std::array<std::int64_t, 6> at{};
     for (unsigned k = 0; k < 6; ++k)
@@ -160,7 +188,7 @@ void AtCorners(const UnitRange& vertices, const PointPlace& place, const Take& t
 EdgeWidth WidthOf(const EdgeFormula& formula, const UnitRange& vertices, const PointPlace& place) {
   EdgeWidth width;
   std::optional<std::pair<EdgeInput, EdgeInput>> ends;
-  AtCorners(vertices, place, [&](const EdgeInput& input) {
+  const auto take = [&](const EdgeInput& input) {
     const EdgeInteger value = formula(input);
     if (!ends) {
       ends.emplace(input, input);
@@ -174,7 +202,8 @@ EdgeWidth WidthOf(const EdgeFormula& formula, const UnitRange& vertices, const P
       width.most = value;
       ends->second = input;
     }
-  });
+  };
+  for (const PointBox& p : place.boxes) AtCorners(vertices, p, take);
   width.bits = SignedBits(width.least, width.most);
   const bool is_most = SignedBits(width.most, width.most) == width.bits;
   width.witness = is_most ? ends->second : ends->first;
@@ -235,6 +264,18 @@ std::vector<std::int64_t> Candidates(const EdgeUnit& unit, std::int64_t a, std::
 
 }  // namespace
 
+int EdgeUnit::UnitBits() const {
+  int bits = input.fraction_bits;
+  const auto is_on_grid = [&](double x) {
+    const double scaled = std::ldexp(x, bits);
+    return scaled == std::floor(scaled);
+  };
+  for (const Point2& l : pattern.locations) {
+    while (!is_on_grid(l.x) || !is_on_grid(l.y)) ++bits;
+  }
+  return bits;
+}
+
 EdgeInteger EdgeOf(const EdgeInput& e) {
   return (Wide(e.px) - e.ax) * A(e) + (Wide(e.py) - e.ay) * B(e);
 }
@@ -267,7 +308,7 @@ std::vector<EdgeWidth> EdgeWidths(const EdgeUnit& unit) {
     for (const PointPlace& place : places) widths.push_back(WidthOf(value, vertices, place));
   }
   const EdgeTerm area = {"area", "e", "E(a, b; c), twice it", {EdgeOf}};
-  widths.push_back(WidthOf(area, vertices, {"vertex", "third vertex", vertices, vertices}));
+  widths.push_back(WidthOf(area, vertices, {"vertex", "third vertex", {{vertices, vertices}}}));
   return widths;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/fixed_input.h"
+#include "core/sample_pattern.h"
 #include "core/scene.h"
 
 namespace rasterproof::exact {
@@ -24,9 +25,10 @@ struct EdgeUnit {
   int width = 1;
   int height = 1;
   int tile = 8;
+  SamplePattern pattern = {};
 
-  /// Units are 2^-UnitBits() pixel: the vertices' own, or half a pixel, where samples lie.
-  int UnitBits() const { return input.fraction_bits > 1 ? input.fraction_bits : 1; }
+  /// Units are 2^-UnitBits() pixel, the coarsest that vertices and samples are multiples of.
+  int UnitBits() const;
 };
 
 /// An edge a -> b and the point p where it is evaluated.
@@ -55,6 +57,7 @@ struct EdgeWidth {
 /// The widths of every value of the three forms, p at each of these places: samples in the box of a
 /// triangle (in the range of vertices), samples of the target, corners of its tiles, and one pixel
 /// and one tile past both ends of a row and of a column. Twice the area is E at the third vertex.
+/// Of several samples a pixel p is each of them.
 ///
 ///     direct   E = (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x)
 ///     affine   E = A p.x + B p.y + C, A = b.y - a.y, B = a.x - b.x, C = a.y b.x - a.x b.y
@@ -62,7 +65,8 @@ struct EdgeWidth {
 ///
 /// Properties: exact. Each value is affine in each of the six coordinates alone, and each of these
 ///             has its own range: so the least and the largest lie at the 64 corners, which are
-///             computed. Both are taken on, as the ends of the ranges are inputs.
+///             computed, for each sample of a pixel. Both are taken on, as the ends of the ranges
+///             are inputs.
 /// Error:      InputError if no sample lies in the range of vertices.
 std::vector<EdgeWidth> EdgeWidths(const EdgeUnit& unit);
 

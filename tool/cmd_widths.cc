@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/quoted.h"
+#include "core/sample_pattern.h"
 #include "core/scene.h"
 #include "core/snap.h"
 #include "core/target_size.h"
@@ -45,6 +46,13 @@ std::optional<std::pair<int, int>> TwoNumbers(std::string_view text, char mark) 
   return std::pair(*first, *second);
 }
 
+// A name or a list, as the profile key sample_locations has it.
+SamplePattern PatternOf(const std::string& samples) {
+  const std::string value = samples.starts_with('[') ? samples : '"' + samples + '"';
+  const std::string profile = R"({"name": "widths", "sample_locations": )" + value + "}";
+  return io::ParseProfile(profile, "--samples").pattern;
+}
+
 exact::EdgeUnit UnitOf(const WidthsOptions& options) {
   exact::EdgeUnit unit;
   const auto format = TwoNumbers(options.fixed, '.');
@@ -66,6 +74,7 @@ exact::EdgeUnit UnitOf(const WidthsOptions& options) {
   unit.width = target->first;
   unit.height = target->second;
   unit.tile = options.tile;
+  unit.pattern = PatternOf(options.samples);
   return unit;
 }
 
@@ -98,18 +107,26 @@ std::string InputText(const exact::EdgeUnit& unit, const exact::EdgeWidth& width
   return text;
 }
 
+std::string SamplesText(const SamplePattern& pattern) {
+  if (pattern == SamplePattern{}) return "samples at the centres of pixels";
+  std::string places;
+  for (const Point2& l : pattern.locations) places += fmt::format(" ({}, {})", l.x, l.y);
+  return "samples at" + places + " of each pixel";
+}
+
 std::string ToTable(const exact::EdgeUnit& unit, const std::vector<exact::EdgeWidth>& widths) {
   const FixedInput& input = unit.input;
   std::string text = fmt::format(
       "vertices    {}.{} {}, {} bits: {} to {}\n"
       "target      {} x {}, tiles of {} x {}\n"
-      "unit        2^-{} pixel; samples at the centres of pixels\n"
+      "unit        2^-{} pixel; {}\n"
       "proved      each value is affine in each coordinate alone, so its ends are at the 64 "
       "corners\n"
-      "            of the coordinates' ranges: all were computed, exactly\n\n",
+      "            of the coordinates' ranges{}: all were computed, exactly\n\n",
       input.integer_bits, input.fraction_bits, input.is_signed ? "signed" : "unsigned",
       input.integer_bits + input.fraction_bits, input.Least(), input.Largest(), unit.width,
-      unit.height, unit.tile, unit.tile, unit.UnitBits());
+      unit.height, unit.tile, unit.tile, unit.UnitBits(), SamplesText(unit.pattern),
+      unit.pattern.samples() == 1 ? "" : ", for each sample of a pixel");
   text += fmt::format("{:<8} {:<23} {:<22} {:>4}  {}\n", "form", "value", "p", "bits",
                       "input that needs the last bit");
   for (const exact::EdgeWidth& width : widths) {
@@ -135,6 +152,10 @@ std::string ToJson(const exact::EdgeUnit& unit, const std::vector<exact::EdgeWid
   json.Key("signed").Bool(unit.input.is_signed).EndObject();
   json.Key("target").BeginArrayLine().Integer(unit.width).Integer(unit.height).EndArray();
   json.Key("tile").Integer(unit.tile).Key("unit_bits").Integer(unit.UnitBits());
+  json.Key("samples").BeginArray();
+  for (const Point2& l : unit.pattern.locations)
+    json.BeginArrayLine().Shortest(l.x).Shortest(l.y).EndArray();
+  json.EndArray();
   json.Key("widths").BeginArray();
   for (const exact::EdgeWidth& width : widths) {
     const exact::EdgeInput& e = width.witness;
@@ -158,6 +179,7 @@ Profile ProfileOf(const exact::EdgeUnit& unit) {
   Profile profile;
   profile.name = fmt::format("fixed {}.{}", unit.input.integer_bits, unit.input.fraction_bits);
   profile.fixed = unit.input;
+  profile.pattern = unit.pattern;
   return profile;
 }
 
@@ -184,7 +206,8 @@ int RunWidths(const WidthsOptions& options) {
   const exact::EdgeUnit unit = UnitOf(options);
   const std::vector<exact::EdgeWidth> widths = exact::EdgeWidths(unit);
   if (!options.save.empty()) {
-    RequireTargetSize("--target " + options.target, unit.width, unit.height, 1);
+    RequireTargetSize("--target " + options.target, unit.width, unit.height,
+                      unit.pattern.samples());
     SaveWitnesses(options.save, unit, widths);
   }
   if (!options.json.empty()) WriteOutput(options.json, ToJson(unit, widths));

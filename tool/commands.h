@@ -323,7 +323,8 @@ int RunSelftest(const SelftestOptions& options);
 struct WidthsOptions {
   std::string fixed;  ///< "12.4"
   bool is_signed = true;
-  std::string target;  ///< "4096x4096"
+  std::string target;                  ///< "4096x4096"
+  std::string samples = "standard-1";  ///< or a list, as the profile key sample_locations
   int tile = 8;
   std::string json;  ///< file; empty: none
   std::string save;  ///< folder for the inputs as cases; empty: none

@@ -333,6 +333,10 @@ void AddWidthsVerb(CLI::App& app, Run& run) {
   verb->add_flag("--signed,!--unsigned", options.is_signed, "Coordinates have a sign (default)");
   verb->add_option("--target", options.target, "Width and height of the largest target: 4096x4096")
       ->required();
+  verb->add_option("--samples", options.samples,
+                   "Where samples lie in a pixel: standard-1, -2, -4, -8, -16, or a list of places "
+                   "as the profile key sample_locations has it: '[[0, 0], [0.5, 0.5]]'")
+      ->capture_default_str();
   verb->add_option("--tile", options.tile, "Pixels of a tile's side, and of the larger step")
       ->check(CLI::Range(1, kMaxTargetSide))
       ->capture_default_str();

@@ -71,25 +71,26 @@ struct Ends {
 
 struct Axis {
   std::vector<std::int64_t> vertices;
-  std::vector<std::int64_t> points;
+  std::vector<std::pair<std::int64_t, std::int64_t>> points;
 };
 
 using PlainEnds = std::map<std::string, Ends>;
 
 void TakeEdge(const Axis& of, std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by,
               const std::string& place, PlainEnds& ends) {
-  for (const std::int64_t px : of.points) {
-    for (const std::int64_t py : of.points) {
-      const std::int64_t e = (px - ax) * (by - ay) - (py - ay) * (bx - ax);
-      ends["direct-e-" + place].Take(e);
-      ends["direct-p-a-" + place].Take(px - ax);
-      ends["direct-product-" + place].Take((px - ax) * (by - ay));
-      ends["affine-product-" + place].Take((by - ay) * px);
-      ends["affine-sum-" + place].Take((by - ay) * px + (ax - bx) * py);
-      ends["affine-c"].Take(ay * bx - ax * by);
-      ends["affine-c-product"].Take(ay * bx);
-      ends["direct-b-a"].Take(bx - ax);
-    }
+  for (const auto& [px, py] : of.points) {
+    const std::int64_t e = (px - ax) * (by - ay) - (py - ay) * (bx - ax);
+    ends["direct-e-" + place].Take(e);
+    ends["direct-p-a-" + place].Take(px - ax);
+    ends["direct-p-a-" + place].Take(py - ay);
+    ends["direct-product-" + place].Take((px - ax) * (by - ay));
+    ends["direct-product-" + place].Take((py - ay) * (ax - bx));
+    ends["affine-product-" + place].Take((by - ay) * px);
+    ends["affine-product-" + place].Take((ax - bx) * py);
+    ends["affine-sum-" + place].Take((by - ay) * px + (ax - bx) * py);
+    ends["affine-c"].Take(ay * bx - ax * by);
+    ends["affine-c-product"].Take(ay * bx);
+    ends["direct-b-a"].Take(bx - ax);
   }
 }
 
@@ -112,19 +113,43 @@ std::vector<std::int64_t> Every(std::int64_t step, std::int64_t first, std::int6
   return list;
 }
 
+using PlainPoints = std::vector<std::pair<std::int64_t, std::int64_t>>;
+
+PlainPoints Squared(const std::vector<std::int64_t>& list) {
+  PlainPoints points;
+  for (const std::int64_t x : list) {
+    for (const std::int64_t y : list) points.emplace_back(x, y);
+  }
+  return points;
+}
+
+// The samples of the pixels [first, end) on both axes that lie at `last` or before it.
+PlainPoints SamplesUpTo(const EdgeUnit& unit, int first, int end, std::int64_t last) {
+  PlainPoints points;
+  for (const Point2& l : unit.pattern.locations) {
+    for (int i = first; i < end; ++i) {
+      for (int j = first; j < end; ++j) {
+        const auto x = static_cast<std::int64_t>(std::ldexp(i + l.x, unit.UnitBits()));
+        const auto y = static_cast<std::int64_t>(std::ldexp(j + l.y, unit.UnitBits()));
+        if (x <= last && y <= last) points.emplace_back(x, y);
+      }
+    }
+  }
+  return points;
+}
+
 void ExpectTheWidthsOfEveryInput(const EdgeUnit& unit, std::int64_t step, std::int64_t first,
                                  std::int64_t last) {
   const std::int64_t pixel = std::int64_t{1} << unit.UnitBits();
-  const std::int64_t half = pixel / 2;
-  const std::int64_t end = unit.width * pixel;
   const std::int64_t tile = unit.tile * pixel;
   const std::int64_t tiles = (unit.width + unit.tile - 1) / unit.tile;
-  std::map<std::string, std::vector<std::int64_t>> places = {
-      {"box", Every(pixel, half, std::min(last, end - half))},
-      {"target", Every(pixel, half, end - half)},
-      {"corner", Every(tile, 0, tiles * tile)},
-      {"pixel-past", Every(pixel, half - pixel, end + half)},
-      {"tile-past", Every(tile, -tile, (tiles + 1) * tile)}};
+  const int side = unit.width;
+  const std::map<std::string, PlainPoints> places = {
+      {"box", SamplesUpTo(unit, 0, side, last)},
+      {"target", SamplesUpTo(unit, 0, side, INT64_MAX)},
+      {"corner", Squared(Every(tile, 0, tiles * tile))},
+      {"pixel-past", SamplesUpTo(unit, -1, side + 1, INT64_MAX)},
+      {"tile-past", Squared(Every(tile, -tile, (tiles + 1) * tile))}};
   const auto bits = BitsOf(unit);
   int compared = 0;
   for (const auto& [place, points] : places) {
@@ -150,9 +175,39 @@ TEST(EdgeWidths, OfWholePixelsCountInHalves) {
   ExpectTheWidthsOfEveryInput(UnitOf(3, 0, 4, 4), 2, -8, 6);
 }
 
+EdgeUnit WithSamples(EdgeUnit unit, std::vector<Point2> locations) {
+  unit.pattern.locations = std::move(locations);
+  return unit;
+}
+
+// A quarter of a pixel is finer than the vertices: their step is two units.
+TEST(EdgeWidths, AreThoseOfEveryInputAtOtherSamples) {
+  ExpectTheWidthsOfEveryInput(WithSamples(UnitOf(3, 1, 4, 2), {{0.25, 0.75}}), 2, -16, 14);
+  ExpectTheWidthsOfEveryInput(WithSamples(UnitOf(3, 1, 4, 2), {{0, 0}}), 1, -8, 7);
+  ExpectTheWidthsOfEveryInput(WithSamples(UnitOf(3, 0, 5, 2), {{0, 0}}), 1, -4, 3);
+  ExpectTheWidthsOfEveryInput(
+      WithSamples(UnitOf(2, 1, 3, 2, false), {{0.75, 0.25}, {0, 0.5}, {0.5, 0}}), 2, 0, 14);
+}
+
+// No vertex reaches the sample at the pixel's far corner; the other one decides the box.
+TEST(EdgeWidths, LeaveASampleOutThatNoVertexReaches) {
+  ExpectTheWidthsOfEveryInput(WithSamples(UnitOf(1, 1, 1, 1), {{0.5, 0.5}, {0.75, 0.75}}), 2, -4,
+                              2);
+}
+
+TEST(EdgeWidths, OfFourStandardSamplesCountInEighths) {
+  EdgeUnit unit = UnitOf(12, 2, 4096, 8);
+  EXPECT_EQ(unit.UnitBits(), 2);
+  const int at_centres = BitsOf(unit).at("direct-e-target");
+  unit.pattern = *StandardPattern(4);
+  EXPECT_EQ(unit.UnitBits(), 3);
+  EXPECT_EQ(BitsOf(unit).at("direct-e-target"), at_centres + 2);
+}
+
 TEST(EdgeWidths, OneBitLessLosesTheWitness) {
   for (const EdgeUnit& unit : {UnitOf(12, 4, 4096, 8), UnitOf(3, 1, 4, 2), UnitOf(24, 8, 600, 16),
-                               UnitOf(31, 16, 65536, 64), UnitOf(4, 2, 9, 4, false)}) {
+                               UnitOf(31, 16, 65536, 64), UnitOf(4, 2, 9, 4, false),
+                               WithSamples(UnitOf(6, 2, 64, 8), {{0.125, 0.875}, {0.5, 0}})}) {
     for (const EdgeWidth& width : EdgeWidths(unit)) {
       EXPECT_EQ(WrappedTo(width.extreme, width.bits), width.extreme) << width.id;
       EXPECT_NE(WrappedTo(width.extreme, width.bits - 1), width.extreme) << width.id;

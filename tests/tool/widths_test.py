@@ -71,6 +71,19 @@ class WidthsTest(unittest.TestCase):
             replayed = run("replay", f"cases/{name}.json", folder=self.folder)
             self.assertEqual(replayed.returncode, 0, replayed.stdout + replayed.stderr)
 
+    def test_of_several_samples_witnesses_are_cases_too(self):
+        done = run("widths", "--fixed", "7.2", "--target", "64x48", "--samples", "standard-4",
+                   "--save", "cases", "--json", "widths.json", folder=self.folder)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2^-3 pixel; samples at (0.375, 0.125)", done.stdout)
+        with open(os.path.join(self.folder, "widths.json"), encoding="utf-8") as file:
+            told = json.load(file)
+        self.assertEqual(told["samples"], [[0.375, 0.125], [0.875, 0.375], [0.125, 0.625],
+                                           [0.625, 0.875]])  # fmt: skip
+        for name in ("direct-e-box", "direct-e-target"):
+            replayed = run("replay", f"cases/{name}.json", folder=self.folder)
+            self.assertEqual(replayed.returncode, 0, replayed.stdout + replayed.stderr)
+
     def test_bad_input_is_told_and_writes_nothing(self):
         for wrong, said in ((("--fixed", "12", "--target", "64x64"), "before and after the point"),
                             (("--fixed", "12.-4", "--target", "64x64"), "before and after"),
@@ -79,6 +92,10 @@ class WidthsTest(unittest.TestCase):
                             (("--fixed", "12.4", "--target", "0x64"), "width and height"),
                             (("--fixed", "12.4", "--target", "64"), "width and height"),
                             (("--fixed", "12.4", "--target", "64x64", "--tile", "0"), "--tile"),
+                            (("--fixed", "12.4", "--target", "64x64", "--samples", "standard-3"),
+                             "--samples"),
+                            (("--fixed", "12.4", "--target", "64x64", "--samples", "[[2, 0]]"),
+                             "--samples"),
                             (("--fixed", "12.4", "--target", "65536x65536"), "--target")):
             done = run("widths", *wrong, "--save", "cases", folder=self.folder)
             self.assertEqual(done.returncode, 2, wrong)

@@ -1,6 +1,7 @@
 // What a profile states beyond snap and rule is judged where it is stated, and reached.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -424,6 +425,40 @@ TEST(MaxTarget, IsNeverExceededByADrawThatAPropertyAsksFor) {
   }
   EXPECT_GT(drawn, 400U);
   EXPECT_EQ(larger, 0U);
+}
+
+// The model, but for columns from one number on and rows from another, which it never draws.
+FakeSubject EndsAt(const SubjectInfo& info, int column, int row) {
+  return {info, [profile = info.profile, column, row](
+                    const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+            const PixelRect all{0, 0, scene.width, scene.height};
+            const PixelRect asked = options.scissor.value_or(all);
+            DrawOptions cut = options;
+            cut.scissor = {asked.x0, asked.y0, std::min(asked.x1, column), std::min(asked.y1, row)};
+            counts += exact::Coverage(scene, profile, cut);
+          }};
+}
+
+// Registers that are too small by one column or row are found, however large the target is; those
+// that hold it, and are wrong beyond, are not blamed.
+TEST(MaxTarget, IsHeldToItsLastColumnAndRow) {
+  for (const LargestTarget most : {LargestTarget{12, 9}, {64, 128}, {2048, 1024}}) {
+    SubjectInfo info = SnappedInfo(4);
+    info.profile.max_target = most;
+    const auto outcome = [&](int column, int row, std::string_view property) {
+      FakeSubject subject = EndsAt(info, column, row);
+      return RunCampaign(subject, *FindProperty(property),
+                         {.seed = kKeysSeed, .cases = kDefaultCases, .shrink_budget = 10})
+          .outcome;
+    };
+    constexpr std::string_view kModel = "CoverageEqualsTheModel";
+    EXPECT_EQ(outcome(most.width - 1, most.height, kModel), Outcome::kViolated) << most.width;
+    EXPECT_EQ(outcome(most.width, most.height - 1, kModel), Outcome::kViolated) << most.height;
+    for (const std::string_view property : {kModel, std::string_view("TargetWidthKeepsCoverage"),
+                                            std::string_view("TargetHeightKeepsCoverage")}) {
+      EXPECT_NE(outcome(most.width, most.height, property), Outcome::kViolated) << most.width;
+    }
+  }
 }
 
 TEST(MaxTarget, LeavesLargerOnesUnjudged) {

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/draw_options.h"
 #include "core/fixed_input.h"
 #include "core/freedom.h"
 #include "core/sample_pattern.h"
@@ -133,7 +134,7 @@ struct TargetModel {
 /// Zero area:  a triangle whose area is zero after snapping covers nothing, unless
 ///             `degenerate_triangles` says otherwise.
 /// The order:  a coordinate is wrapped (`fixed`), then snapped; then triangles larger than
-///             `max_primitive_extent` are dropped.
+///             `max_primitive_extent` are dropped, and those that face as `culls` says.
 /// Window space alone: `fixed`, `scanline_rounding`, `max_primitive_extent`, `guard_band` and
 ///             `squares` say nothing about clip space.
 struct Profile {
@@ -156,6 +157,10 @@ struct Profile {
   TieRule tie_rule;
   /// Domain:     kUnstated only with freedom: one model has one front.
   FrontFace front_face = FrontFace::kPositiveArea;
+  /// The side that is never drawn, whatever a draw asks for: a triangle that shows it covers
+  /// nothing. A draw that culls the other side leaves nothing.
+  /// Domain:     kNone if `front_face` is unstated.
+  Cull culls = Cull::kNone;
   Contract contract = Contract::kSampleExact;
   Freedom freedom;
   /// The transform from clip space, or from a map, to window space that the rasterizer computes
@@ -245,6 +250,12 @@ inline bool StatesGuardBand(const Profile& profile) {
 inline bool MovesClippedEdges(const Profile& profile) {
   return profile.guard_band && profile.contract == Contract::kSampleExact &&
          profile.freedom.MovesVertices();
+}
+
+/// Returns whether the profile never draws a triangle of this facing on screen: +1 front, -1 back.
+inline bool AlwaysCulls(const Profile& profile, int facing) {
+  return (profile.culls == Cull::kFront && facing > 0) ||
+         (profile.culls == Cull::kBack && facing < 0);
 }
 
 /// Returns whether exactly one result is legal for every scene within the limits.

@@ -153,6 +153,10 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      "the side that is counted as front. Unstated: either, one for all triangles of all calls; the "
      "output says which it is",
      kOfDevice},
+    {"culls", KeyKind::kModel, kWord<&Profile::culls>, "none, front, back", "none",
+     "the side that is never drawn, also where no draw asks for culling. Front: the side of "
+     "positive area, which turns counter-clockwise on screen after the snap",
+     kHinders},
     {"sample_positions", KeyKind::kFreedom, kWord<&Profile::sample_positions>,
      "stated, fixed, vary", "stated; of `vulkan` and `gl` with several samples: vary",
      "whether samples lie there; fixed: somewhere in the pixel, in every pixel alike"},

@@ -60,7 +60,14 @@ void PlacedScene::FindFacings() {
       corners = {corners[0], corners[0], corners[0]};
       facing = 0;
     }
-    facings.push_back(static_cast<std::int8_t>(up * facing));
+    facing *= up;
+    if (AlwaysCulls(profile, facing)) {
+      Triangle& corners = placed.triangles[t];
+      corners = {corners[0], corners[0], corners[0]};
+      facing = 0;
+      culled.push_back(t);
+    }
+    facings.push_back(static_cast<std::int8_t>(facing));
   }
 }
 

@@ -24,14 +24,17 @@ struct PlacedScene {
   /// clip space, or SnapClipError(). `placed` is then the given scene.
   std::optional<InputError> why_not_placed;
   /// The scene in window space, or the given scene if its clip space is not snapped. Vertices and
-  /// triangles keep their numbers; a triangle dropped for its extent is collapsed to one place.
+  /// triangles keep their numbers; a triangle dropped for its extent or its facing is collapsed to
+  /// one place.
   Scene placed;
   /// Each triangle's facing on screen: +1 front (counter-clockwise), -1 back, 0 if it has no area,
-  /// is dropped or is not finite. A triangle of clip space without a place has the sign of its
-  /// homogeneous area.
+  /// is dropped, is always culled or is not finite. A triangle of clip space without a place has
+  /// the sign of its homogeneous area.
   std::vector<std::int8_t> facings;
   /// The finite triangles without area. Those dropped for their extent alone are not among them.
   std::vector<std::size_t> flat;
+  /// The triangles of the side that the profile always culls.
+  std::vector<std::size_t> culled;
 
  private:
   void Place();

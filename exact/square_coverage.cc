@@ -65,6 +65,7 @@ class Painter {
         frame_{{0, 0, given_.width, given_.height}, scene.profile.y_axis == YAxis::kUp, 0},
         rule_(*scene.profile.squares),
         reach_(PlacingReach(scene.profile.snap, scene.profile.freedom)),
+        profile_(scene.profile),
         cull_(options.cull) {
     if (frame_.y_up) frame_.lift = given_.height;
     if (const auto& s = options.scissor) {
@@ -87,7 +88,8 @@ class Painter {
     SpanTarget target(counts);
     for (std::size_t k = 0; k < given_.triangles.size(); ++k) {
       const Triangle& t = given_.triangles[k];
-      if (IsDrawn(t) && Paints(t, bound)) PaintOne(t, region, target, counts);
+      if (IsDrawn(t) && Paints(t, bound) && !IsCulled(t, bound))
+        PaintOne(t, region, target, counts);
     }
     target.Sum();
   }
@@ -108,6 +110,13 @@ class Painter {
     return !MayBeFlat(t);
   }
 
+  // One that may be flat has no facing that is sure.
+  bool IsCulled(const Triangle& t, Bound bound) const {
+    if (profile_.culls == Cull::kNone) return false;
+    if (MayBeFlat(t)) return bound == Bound::kMust;
+    return AlwaysCulls(profile_, Facing(PointsOf(placed_, t, frame_)));
+  }
+
   void PaintOne(const Triangle& t, const SquareRegion& region, SpanTarget& target,
                 CoverageCounts& counts) const {
     const int facing = Facing(PointsOf(placed_, t, frame_)) > 0 ? +1 : -1;
@@ -126,6 +135,7 @@ class Painter {
   SquareFrame frame_;
   SquareRule rule_;
   double reach_;
+  const Profile& profile_;
   Cull cull_;
 };
 

@@ -427,6 +427,10 @@ void RequireSound(const JsonValue& value, const Profile& profile) {
     throw value.Error("leaves front_face unstated and nothing else free",
                       "write \"front_face\": \"positive-area\", and tell facings by that");
   }
+  if (profile.front_face == FrontFace::kUnstated && profile.culls != Cull::kNone) {
+    throw value.Error("culls one side and leaves front_face unstated",
+                      "write \"front_face\": \"positive-area\": culls names the side by its area");
+  }
   RequireWithinItsSpecification(value, profile);
 }
 

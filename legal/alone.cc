@@ -89,7 +89,7 @@ TriangleDecided DecideOne(const exact::PlacedScene& placed, Way way) {
   CoverageCounts most = model;
   if (way == Way::kAtMost) std::ranges::fill(least.front, 0);
   if (way == Way::kAtMost) std::ranges::fill(least.back, 0);
-  if (way == Way::kAtLeast) std::ranges::fill(most.front, 1);
+  if (way == Way::kAtLeast && placed.culled.empty()) std::ranges::fill(most.front, 1);
   SetBounds(least, most, decided);
   return decided;
 }

@@ -88,9 +88,10 @@ class TriangleOverPlaces {
     if (rule && rule->exclusive) on_edge_ = Status::kOut;
     ForEachChoice([&](std::size_t i, std::size_t j, std::size_t k) {
       const std::array<Point2, 3> v{(*places[0])[i], (*places[1])[j], (*places[2])[k]};
-      const bool is_dropped =
-          profile.max_primitive_extent && Exceeds(v, *profile.max_primitive_extent);
       const int facing = exact::Facing(v);
+      const bool is_dropped =
+          AlwaysCulls(profile, facing) ||
+          (profile.max_primitive_extent && Exceeds(v, *profile.max_primitive_extent));
       facings_.push_back(static_cast<std::int8_t>(facing));
       dropped_.push_back(is_dropped);
       has_one_shape_ = has_one_shape_ && !is_dropped && facing != 0 && facing == facings_.front();

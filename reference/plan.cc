@@ -275,6 +275,10 @@ void RequireKernelFor(const Scene& scene, const Profile& profile) {
     throw Unplanned(profile, "it says something else of targets of this size",
                     "resolve it first: TargetProfile(profile, scene)");
   }
+  if (profile.culls != Cull::kNone) {
+    throw Unplanned(profile, "it always culls one side, which kernels are asked for draw by draw",
+                    "leave culls out, and give the draw the option cull");
+  }
 }
 
 }  // namespace

@@ -268,6 +268,7 @@ Profile RealProfileOf(const Profile& own) {
   Profile real;
   real.pattern = own.pattern;
   real.y_axis = own.y_axis;
+  real.culls = own.culls;
   real.coordinate_limit = std::numeric_limits<double>::max();
   if (own.tie_rule.IsConsistent()) real.tie_rule = own.tie_rule;
   return real;

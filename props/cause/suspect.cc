@@ -101,6 +101,7 @@ std::optional<SuspectTriangle> SuspectSubject::SetUp(const SuspectTarget& target
   if (stages_.drops && stages_.drops(triangle, scene)) return std::nullopt;
   const int area = stages_.area ? stages_.area(v) : exact::EdgeSign(v[0], v[1], v[2]);
   if (area == 0 && !stages_.draws_flat) return std::nullopt;
+  if (AlwaysCulls(target.profile, area)) return std::nullopt;
   triangle.is_front = area > 0;
   if (!triangle.is_front) {
     std::swap(triangle.v[1], triangle.v[2]);

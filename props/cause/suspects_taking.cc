@@ -44,12 +44,24 @@ void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
   list.push_back({"facing", "exchanges front and back", {.facing = [](SuspectTriangle& t) {
                     t.is_front = !t.is_front;
                   }}});
-  list.push_back({"facing", "draws no triangle of negative area", {.area = [](const Corners3& v) {
-                    return std::max(0, ExactArea(v));
-                  }}});
-  list.push_back({"facing", "draws no triangle of positive area", {.area = [](const Corners3& v) {
-                    return std::min(0, ExactArea(v));
-                  }}});
+  if (profile.culls == Cull::kNone) {
+    list.push_back({"facing",
+                    "always culls back faces (if it is meant to, state it in the profile: "
+                    "\"culls\": \"back\")",
+                    {.area = [](const Corners3& v) { return std::max(0, ExactArea(v)); }}});
+    list.push_back({"facing",
+                    "always culls front faces (if it is meant to, state it in the profile: "
+                    "\"culls\": \"front\")",
+                    {.area = [](const Corners3& v) { return std::min(0, ExactArea(v)); }}});
+  } else {
+    list.push_back({"facing",
+                    "draws the side that the profile says it culls",
+                    {.profile = [](Profile& p) { p.culls = Cull::kNone; }}});
+    list.push_back(
+        {"facing", "culls the other side than the profile says", {.profile = [](Profile& p) {
+           p.culls = p.culls == Cull::kFront ? Cull::kBack : Cull::kFront;
+         }}});
+  }
   list.push_back({"facing", "calls every triangle a front face", {.facing = [](SuspectTriangle& t) {
                     t.is_front = true;
                   }}});

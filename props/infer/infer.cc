@@ -66,7 +66,7 @@ Case Shrunken(Observer& observer, const InferOptions& options, const Case& c) {
 // be one of the aimed ones, where none of the others tells it from the subject.
 void NameNearest(Observer& observer, const Location& location, std::span<const Experiment> aimed,
                  const InferOptions& options, Inference& inference) {
-  const ModelSpace space(location.y_axis,
+  const ModelSpace space(location.y_axis, location.culls,
                          WithUsualPatterns(location.patterns, observer.stated().pattern),
                          observer.stated());
   const std::vector<Experiment> experiments =
@@ -138,7 +138,7 @@ void LookAtSamples(Observer& observer, YAxis y_axis, Inference& inference) {
 void RaceModels(Observer& observer, const Location& location, const InferOptions& options,
                 Inference& inference) {
   inference.facing = observer.facing();
-  const ModelSpace space(location.y_axis, location.patterns, observer.stated());
+  const ModelSpace space(location.y_axis, location.culls, location.patterns, observer.stated());
   inference.models = space.models().size();
   Race race(observer, space, options.seed);
   RunRace(race, options);
@@ -217,7 +217,7 @@ std::vector<LikelyModel> LikelyModels(Subject& subject, std::span<const Scene> s
     if (seen[k].size() != 0) experiments.push_back({scenes[k], std::move(seen[k])});
   }
   if (experiments.empty()) return likely;
-  const ModelSpace space(location.y_axis,
+  const ModelSpace space(location.y_axis, location.culls,
                          WithUsualPatterns(location.patterns, observer.stated().pattern),
                          observer.stated());
   for (const Model& model : NearestModels(observer, space, experiments, most))

@@ -49,6 +49,10 @@ std::uint64_t Sum(const std::vector<std::uint32_t>& counts) {
   return sum;
 }
 
+bool IsEmpty(const CoverageCounts& counts) {
+  return Sum(counts.front) == 0 && Sum(counts.back) == 0;
+}
+
 // The counts of the upper half of the target minus those of the lower.
 std::int64_t UpperExcess(CoverageCounts counts) {
   JoinFacings(counts);
@@ -71,7 +75,8 @@ FacingReport FacingOf(const Observer& observer, const CoverageCounts& front,
 int Probe(Observer& observer, const ProbeSize& size, bool along_y, YAxis y_axis, int s) {
   const int width = along_y ? size.Long() : kShort;
   const int height = along_y ? kShort : size.Long();
-  const CoverageCounts counts = observer.Draw(OneTriangle(width, height, size.Corners(along_y)));
+  const CoverageCounts counts =
+      observer.Draw(observer.Turned(OneTriangle(width, height, size.Corners(along_y))));
   const auto row_of = [&](int y) { return y_axis == YAxis::kUp ? height - 1 - y : y; };
   int last = 0;
   for (int k = 0; k < size.Long(); ++k) {
@@ -240,7 +245,10 @@ Location Locate(Observer& observer) {
   observer.SetFacing(FacingOf(observer, counter, clockwise));
   JoinFacings(counter);
   JoinFacings(clockwise);
-  if (location.complaint.empty() && counter != clockwise) {
+  if (IsEmpty(counter) != IsEmpty(clockwise)) {
+    location.culls = IsEmpty(counter) ? Cull::kFront : Cull::kBack;
+    observer.SetCulls(location.culls, location.y_axis);
+  } else if (location.complaint.empty() && counter != clockwise) {
     location.complaint = "a triangle covers other samples when its vertices turn the other way";
     location.complaint_scene = front_scene;
   }

@@ -70,8 +70,9 @@ bool MovesNothing(const Snap& snap, const Profile& profile) {
   return snap.form == SnapForm::kCoordinate || IsOnGrid(snap.origin, snap.bits);
 }
 
-ModelSpace::ModelSpace(YAxis y_axis, std::vector<PatternCandidate> patterns, const Profile& stated)
-    : y_axis_(y_axis), patterns_(std::move(patterns)), stated_(stated) {
+ModelSpace::ModelSpace(YAxis y_axis, Cull culls, std::vector<PatternCandidate> patterns,
+                       const Profile& stated)
+    : y_axis_(y_axis), culls_(culls), patterns_(std::move(patterns)), stated_(stated) {
   for (std::size_t l = 0; l < patterns_.size(); ++l) {
     for (const Snap& snap : SnapsFor(patterns_[l])) {
       if (!snap.IsNone() && MovesNothing(snap, stated)) continue;
@@ -88,6 +89,7 @@ Profile ModelSpace::ProfileOf(const Model& model) const {
   profile.snap = model.snap;
   profile.pattern = PatternOf(model);
   profile.y_axis = y_axis_;
+  profile.culls = culls_;
   profile.tie_rule = RuleOf(model.rule);
   profile.contract = Contract::kSampleExact;
   profile.freedom = {};
@@ -99,6 +101,7 @@ CoverageCounts Prediction::Draw(const Scene& snapped, const Model& model, std::u
   Profile profile;
   profile.pattern = space_.PatternOf(model);
   profile.y_axis = space_.y_axis();
+  profile.culls = space_.culls();
   profile.tie_rule = RuleOf(rule);
   profile.max_primitive_extent = space_.stated().max_primitive_extent;
   CoverageCounts counts = exact::Coverage(snapped, profile);

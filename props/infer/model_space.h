@@ -36,24 +36,27 @@ struct PatternCandidate {
   bool half_off = false;
 };
 
-/// All models of one y axis.
+/// All models of one y axis that never draw the same side.
 class ModelSpace {
  public:
   /// `stated`: keys that no experiment tests, such as fixed-point input. All snaps that move no
   /// coordinate of such an input count as one model, the one without a snap.
-  ModelSpace(YAxis y_axis, std::vector<PatternCandidate> patterns, const Profile& stated);
+  ModelSpace(YAxis y_axis, Cull culls, std::vector<PatternCandidate> patterns,
+             const Profile& stated);
 
   const std::vector<Model>& models() const { return models_; }
   const SamplePattern& PatternOf(const Model& model) const {
     return patterns_[model.pattern].pattern;
   }
   YAxis y_axis() const { return y_axis_; }
+  Cull culls() const { return culls_; }
   const Profile& stated() const { return stated_; }
   /// Returns a profile that states the model and all other stated keys, named after the model.
   Profile ProfileOf(const Model& model) const;
 
  private:
   YAxis y_axis_;
+  Cull culls_;
   std::vector<PatternCandidate> patterns_;
   Profile stated_;
   std::vector<Model> models_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "exact/placed_scene.h"
 #include "model/snap_scene.h"
 #include "props/domains/input_lattice.h"
 #include "props/judging/redraw.h"
@@ -61,6 +62,17 @@ std::vector<CoverageCounts> Observer::Draw(std::span<const Scene> scenes) {
   std::vector<CoverageCounts> counts;
   for (CoverageCounts& seen : Ask(scenes, true)) counts.push_back(Normal(std::move(seen)));
   return counts;
+}
+
+void Observer::SetCulls(Cull side, YAxis y_axis) {
+  sides_.culls = side;
+  sides_.y_axis = y_axis;
+}
+
+Scene Observer::Turned(Scene scene) const {
+  const exact::PlacedScene placed(scene, sides_);
+  for (const std::size_t t : placed.culled) std::swap(scene.triangles[t][1], scene.triangles[t][2]);
+  return scene;
 }
 
 std::optional<Scene> Observer::Given(const Scene& scene) const {

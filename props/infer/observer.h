@@ -46,6 +46,10 @@ class Observer {
 
   void SetFacing(FacingReport facing) { facing_ = facing; }
   FacingReport facing() const { return facing_; }
+  /// The side that the subject never draws.
+  void SetCulls(Cull side, YAxis y_axis);
+  /// The window-space scene with the triangles of that side turned over.
+  Scene Turned(Scene scene) const;
   /// Whether the subject itself reports facings, so that none need be computed.
   bool TellsFacings() const { return info().coverage == CoverageKind::kFacingCounts; }
   const SubjectInfo& info() const { return subject_.Info(); }
@@ -71,6 +75,7 @@ class Observer {
   PlacedCase placed_;  ///< whose draws are asked for
   TargetProfile stated_;
   FacingReport facing_ = FacingReport::kNotTold;
+  Profile sides_;  ///< states the y axis and the side that is never drawn
   std::uint64_t draws_ = 0;
   Scene last_scene_;
   CallEnd end_;

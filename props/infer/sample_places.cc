@@ -32,7 +32,7 @@ std::vector<int> LastSteps(Observer& observer, bool along_y) {
   std::vector<Scene> scenes;
   std::vector<int> steps;
   for (int k = 0; k <= kSmallTarget * kPlaceSteps; ++k) {
-    const std::optional<Scene> given = observer.Given(HalfPlane(k, along_y));
+    const std::optional<Scene> given = observer.Given(observer.Turned(HalfPlane(k, along_y)));
     if (!given) continue;
     scenes.push_back(*given);
     steps.push_back(k);

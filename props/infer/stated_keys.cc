@@ -35,6 +35,11 @@ std::string AxisText(const Profile& profile) {
   return profile.y_axis == YAxis::kUp ? "up" : "down";
 }
 
+std::string CullsText(const Profile& profile) {
+  if (profile.culls == Cull::kNone) return "nothing";
+  return profile.culls == Cull::kFront ? "front faces" : "back faces";
+}
+
 // How many steps a snap moves a coordinate at most; the float32 difference adds a trifle.
 double MostSteps(const Snap& snap) {
   const bool nearest = snap.rule != SnapRule::kFloor && snap.rule != SnapRule::kTruncate;
@@ -81,7 +86,8 @@ std::string ModelText(const Profile& profile) {
                                                  : std::to_string(profile.snap.bits) +
                                                        " subpixel bits, " + SnapText(profile.snap);
   return grid + "; " + TieRuleName(profile.tie_rule) + "; samples " + PatternText(profile.pattern) +
-         "; y " + AxisText(profile);
+         "; y " + AxisText(profile) +
+         (profile.culls == Cull::kNone ? "" : "; always culls " + CullsText(profile));
 }
 
 std::vector<StatementVerdict> VerifyStatements(const Profile& given, FacingReport facing,
@@ -104,6 +110,8 @@ std::vector<StatementVerdict> VerifyStatements(const Profile& given, FacingRepor
   };
   const auto never = [](const Profile&) { return false; };
   verify("y axis", AxisText, never);
+  const auto culls = [](const Profile& p) { return p.culls != Cull::kNone; };
+  if (culls(stated) || std::ranges::any_of(open, culls)) verify("always culls", CullsText, never);
   verify(
       "sample locations", [](const Profile& p) { return PatternText(p.pattern); },
       [&](const Profile&) { return stated.sample_positions != SamplePositions::kStated; });

@@ -137,6 +137,7 @@ LegalTriangle::LegalTriangle(const PlacedCase& c, const Triangle& t) {
   const bool leaves = Leaves(v, c.scene);
   if (turn_ == 0 || (leaves && step > 0 && IsThinOnceClipped(v, c.scene, step))) return;
   facing_ = profile.y_axis == YAxis::kUp ? -turn_ : turn_;
+  is_culled_ = AlwaysCulls(profile, facing_);
   if (!leaves) return;
   // New vertices lie within a step of the edges.
   for (auto& [low, high] : places_) {
@@ -146,7 +147,7 @@ LegalTriangle::LegalTriangle(const PlacedCase& c, const Triangle& t) {
 }
 
 bool LegalTriangle::CoversInEveryModel(Point2 p) const {
-  if (facing_ == 0) return false;
+  if (facing_ == 0 || is_culled_) return false;
   std::vector<Point2> at{p};
   if (!knows_samples_) {
     const Point2 corner{std::floor(p.x), std::floor(p.y)};
@@ -159,6 +160,7 @@ bool LegalTriangle::CoversInEveryModel(Point2 p) const {
 }
 
 bool LegalTriangle::MayCover(Point2 p) const {
+  if (is_culled_) return false;
   if (!has_places_) return true;
   const auto& [a, b, d] = places_;
   // A pixel more holds every sample of the pixel, and what clipping moves.
@@ -174,6 +176,11 @@ std::vector<Reference> ReferencesOf(const PlacedCase& c) {
   const auto add = [&](int width, int height) {
     if (!IsTargetSize(width, height, c.profile.pattern.samples())) return;
     Reference reference{c.With(ReferenceTriangle(width, height))};
+    if (!reference.value.culled.empty()) {
+      Scene turned = reference.value.scene;
+      turned.triangles = {{0, 2, 1}};
+      reference.value = c.With(std::move(turned));
+    }
     const Scene& scene = reference.value.scene;
     if (!WithinLimits(scene, c.profile) || !IsUnwrapped(scene, c.profile)) return;
     reference.facing = LegalTriangle(reference.value, scene.triangles[0]).facing();

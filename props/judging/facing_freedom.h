@@ -54,12 +54,14 @@ class LegalTriangle {
   bool has_places_ = false;
   bool knows_samples_ = true;  ///< the profile states where samples lie in their pixels
   int facing_ = 0;
-  int turn_ = 0;  ///< the sign of the area at all `places_`, in window axes
+  bool is_culled_ = false;  ///< its side is one that the profile never draws
+  int turn_ = 0;            ///< the sign of the area at all `places_`, in window axes
   std::array<LegalPlaces, 3> places_{};
 };
 
-/// A triangle that covers every sample of a target W wide and H high: (0, 0), (2W, 0), (0, 2H). Its
-/// counts show which side the subject takes for the front.
+/// A triangle that covers every sample of a target W wide and H high: (0, 0), (2W, 0), (0, 2H), in
+/// another order if the profile always culls this one. Its counts show which side the subject takes
+/// for the front.
 struct Reference {
   PlacedCase value;
   int facing = 0;  ///< LegalTriangle::facing() of it: +1 or -1, never 0

@@ -190,6 +190,18 @@ Drops DropsOf(const Places& places, const std::optional<MaxPrimitiveExtent>& mos
   return Exceeds({begin, end, end}, *most) ? Drops::kAlways : Drops::kInSomeModels;
 }
 
+// Window axes turn the other way than the screen's where y is up.
+bool AlwaysCullsTurn(const Profile& profile, int turn) {
+  return AlwaysCulls(profile, profile.y_axis == YAxis::kUp ? -turn : turn);
+}
+
+// Whether no legal model draws a triangle of these places, for its extent or its facing.
+bool IsDrawnByNone(const Places& places, const Profile& profile) {
+  if (DropsOf(places, profile.max_primitive_extent) == Drops::kAlways) return true;
+  return profile.culls != Cull::kNone &&
+         AlwaysCullsTurn(profile, FacingInEveryModel(places).value_or(0));
+}
+
 bool LeavesBy(const LegalPlaces& places, const Vertex& v, const std::optional<WindowBox>& box) {
   return box && !(box->Contains(places.low.x, places.low.y) &&
                   box->Contains(places.high.x, places.high.y) && box->Contains(v.x, v.y));
@@ -289,7 +301,8 @@ OpenTriangles::OpenTriangles(const PlacedCase& c) {
     if (!std::ranges::all_of(v, IsFinite)) continue;
     // Real geometry in clip space has one model: that of homogeneous coordinates.
     if (c.scene.clip_space && profile.snap.IsNone() && reach.slack == 0) {
-      add_fixed(exact::HomogeneousFacing(v));
+      const int facing = exact::HomogeneousFacing(v);
+      if (!AlwaysCullsTurn(profile, facing)) add_fixed(facing);
       continue;
     }
     const auto placed = PlacedCorners(v, c.scene.clip_space, profile, reach);
@@ -302,11 +315,13 @@ OpenTriangles::OpenTriangles(const PlacedCase& c) {
     if (drops == Drops::kAlways) continue;
     if (HaveOnePlace(v[0], v[1]) || HaveOnePlace(v[1], v[2]) || HaveOnePlace(v[2], v[0])) continue;
     const std::optional<int> facing = FacingInEveryModel(placed->places);
+    if (facing && AlwaysCullsTurn(profile, *facing)) continue;
     if (facing && drops == Drops::kNever) {
       add_fixed(*facing);
       continue;
     }
-    Open open{.is_dropped = drops != Drops::kNever,
+    // A triangle that a legal choice turns is culled in some models.
+    Open open{.is_dropped = drops != Drops::kNever || profile.culls != Cull::kNone,
               .reach = reach.beside + margin + SampleReach(profile)};
     double farthest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -362,9 +377,9 @@ Scene UnsnappedScene(const PlacedCase& c) {
   Scene scene = c.scene;
   for (Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> v = Corners(c.scene, t);
-    if (!profile.max_primitive_extent || !std::ranges::all_of(v, IsFinite)) continue;
-    const auto placed = PlacedCorners(v, false, profile, reach);
-    if (DropsOf(placed->places, profile.max_primitive_extent) == Drops::kAlways)
+    if (!std::ranges::all_of(v, IsFinite)) continue;
+    if (!profile.max_primitive_extent && profile.culls == Cull::kNone) continue;
+    if (IsDrawnByNone(PlacedCorners(v, false, profile, reach)->places, profile))
       t = {t[0], t[0], t[0]};
   }
   if (!profile.fixed) return scene;

@@ -98,8 +98,8 @@ bool StaysWhereGiven(const PlacedCase& c, const Triangle& t);
 bool TellsFacings(const Description& subject);
 
 /// The window-space scene with its coordinates wrapped but not snapped; triangles that every legal
-/// model drops for their extent have their corners in one place. Vertices in one place here are in
-/// one place in every legal model; others may be too.
+/// model drops for their extent or culls have their corners in one place. Vertices in one place
+/// here are in one place in every legal model; others may be too.
 Scene UnsnappedScene(const PlacedCase& c);
 
 }  // namespace rasterproof::props

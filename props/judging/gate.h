@@ -150,6 +150,9 @@ inline constexpr ProfileRule kFixesSamplePositions{
     [](const Profile& p) { return p.sample_positions != SamplePositions::kVary; },
     "sample positions that are the same in every pixel",
     "samples may lie elsewhere in another pixel"};
+inline constexpr ProfileRule kDrawsBothFacings{
+    [](const Profile& p) { return p.culls == Cull::kNone; }, "no side that is always culled",
+    "the profile always culls one side"};
 inline constexpr ProfileRule kSaysWhatSinglesCover{
     [](const Profile& p) { return p.contract == Contract::kSampleExact; }, "contract sample-exact",
     "the profile's contract does not say what single triangles cover", true};

@@ -46,11 +46,22 @@ double Displaced(const PlacedCase& c, double most_moved) {
 // Positions by which edges are one in every legal model.
 Scene AsGiven(const PlacedCase& c) { return c.scene.clip_space ? c.scene : UnsnappedScene(c); }
 
+// The clip-space triangles that the canonical model does not cull: their boundary is seen too.
+Scene WithoutCulled(const PlacedCase& c) {
+  Scene scene = c.scene;
+  scene.triangles.clear();
+  for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
+    if (!std::ranges::binary_search(c.culled, t)) scene.triangles.push_back(c.scene.triangles[t]);
+  }
+  return scene;
+}
+
 }  // namespace
 
 Outline::Outline(const PlacedCase& c) : largest_(LargestCoordinate(c.scene)) {
   const Scene& scene = c.scene.clip_space ? c.scene : c.placed;
-  for (const BoundaryEdge& edge : BoundaryOf(scene)) Add(scene, edge, kOutlineMargin);
+  AddBoundary(scene, kOutlineMargin);
+  if (c.scene.clip_space && !c.culled.empty()) AddBoundary(WithoutCulled(c), kOutlineMargin);
 }
 
 Outline Outline::OfMoved(const PlacedCase& c, double most_moved) {
@@ -61,7 +72,8 @@ Outline Outline::OfMoved(const PlacedCase& c, double most_moved) {
   const Scene scene = AsGiven(c);
   const double moved = Displaced(c, most_moved);
   if (ties == TieOwnership::kPerEdge) outline.AddVertices(scene, moved);
-  for (const BoundaryEdge& edge : BoundaryOf(scene)) outline.Add(scene, edge, moved);
+  outline.AddBoundary(scene, moved);
+  if (scene.clip_space && !c.culled.empty()) outline.AddBoundary(WithoutCulled(c), moved);
   return outline;
 }
 
@@ -76,6 +88,10 @@ Outline Outline::OfAllEdges(const PlacedCase& c, double most_moved) {
     for (int i = 0; i < 3; ++i) all.Add(scene, {EdgeStart(v, i), EdgeEnd(v, i)}, moved);
   }
   return all;
+}
+
+void Outline::AddBoundary(const Scene& scene, double moved) {
+  for (const BoundaryEdge& edge : BoundaryOf(scene)) Add(scene, edge, moved);
 }
 
 void Outline::Add(const Scene& scene, const BoundaryEdge& edge, double moved) {

@@ -95,6 +95,7 @@ class Outline {
     double margin = 0;
   };
 
+  void AddBoundary(const Scene& scene, double moved);
   void Add(const Scene& scene, const BoundaryEdge& edge, double moved);
   void AddVertices(const Scene& scene, double moved);
 

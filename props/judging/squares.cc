@@ -25,6 +25,7 @@ constexpr std::size_t kMostSingles = 64;
 // How many squares the triangles of a case touch as they are given.
 std::uint64_t TouchedSquares(PlacedCase c) {
   c.profile.freedom = {};
+  c.profile.culls = Cull::kNone;
   c.profile.squares =
       SquareRule{.must = std::nullopt, .may = SquareRegion{}, .flat = FlatSquares::kDrawn};
   const CoverageCounts touched = exact::MayCover(c, WholeTarget(c));

@@ -297,6 +297,8 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("max_primitive_extent": [1024, 0])",
                "max_primitive_extent: is not the size of a triangle"},
            Bad{R"("max_primitive_extent": ["nan", 1])", "max_primitive_extent[0]: is not finite"},
+           Bad{R"("rounding": "unspecified", "front_face": "unstated", "culls": "back")",
+               "p.json: culls one side and leaves front_face unstated"},
            Bad{R"("max_target": [64])", "max_target: has 1 numbers; write [width, height]"},
            Bad{R"("max_target": [64, 0])", "max_target[1]"},
            Bad{R"("max_target": [65537, 1])", "max_target[0]"},

@@ -323,7 +323,7 @@ TEST(Infer, NoModelFitsARuleThatFlipsByTile) {
   EXPECT_NE(counts, exact::Coverage(witness.scene, nearest.profile));
 }
 
-TEST(Infer, NoModelFitsASubjectThatThrowsOrCulls) {
+TEST(Infer, NoModelFitsASubjectThatThrows) {
   FakeSubject throwing(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw std::runtime_error("out of order");
   });
@@ -331,15 +331,6 @@ TEST(Infer, NoModelFitsASubjectThatThrowsOrCulls) {
   EXPECT_FALSE(broken.Fits());
   EXPECT_NE(broken.message.find("out of order"), std::string::npos);
   EXPECT_TRUE(broken.witness.has_value());
-  DrawOptions front_only;
-  front_only.cull = Cull::kBack;
-  FakeSubject culling(RealInfo(),
-                      [&](const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
-                        AddTo(counts, exact::Coverage(scene, Profile{}, front_only));
-                      });
-  const Inference culled = Infer(culling, kFewNearest);
-  EXPECT_FALSE(culled.Fits());
-  EXPECT_NE(culled.message.find("turn the other way"), std::string::npos) << culled.message;
 }
 
 // Breaks off at the n-th draw.

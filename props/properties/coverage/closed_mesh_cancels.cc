@@ -1,5 +1,6 @@
 // A closed surface shows as much front as back at every sample.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -21,6 +22,8 @@
 
 namespace rasterproof::props {
 namespace closed_mesh_cancels {
+
+constexpr std::array kRules{kCountsTies, kOwnsEdges, kDrawsBothFacings};
 
 // What is closed before it is snapped stays closed, whatever grid points are chosen.
 bool IsClosedInEveryModel(const PlacedCase& c) {
@@ -72,7 +75,7 @@ extern constinit const Property kClosedMeshCancels{
              .any_model = true,
              .judges_clipped = true,
              .needs_facings = true,
-             .rules = kSignedCoverageRules,
+             .rules = closed_mesh_cancels::kRules,
              .where = "every edge is walked as often each way; in clip space in front of the eye; "
                       "facings told, or no legal choice turns a triangle there"},
     .ask = closed_mesh_cancels::Ask,

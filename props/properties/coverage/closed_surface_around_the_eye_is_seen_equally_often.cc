@@ -24,7 +24,7 @@ namespace rasterproof::props {
 namespace closed_surface_around_the_eye_is_seen_equally_often {
 
 constexpr std::array kRules{
-    kCountsTies, kOwnsEdges,
+    kCountsTies, kOwnsEdges, kDrawsBothFacings,
     ProfileRule{[](const Profile& p) { return p.snap.IsNone(); }, "no snapping",
                 "snapping follows the division: a profile without it is needed"}};
 

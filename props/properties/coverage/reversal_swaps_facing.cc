@@ -1,4 +1,5 @@
 // Reversing a triangle's vertex list exchanges front and back counts and changes no total.
+#include <array>
 #include <utility>
 
 #include "core/coverage.h"
@@ -11,6 +12,8 @@
 
 namespace rasterproof::props {
 namespace reversal_swaps_facing {
+
+constexpr std::array kRules{kDrawsBothFacings};
 
 Checks Ask(const PlacedCase& c, const Description& subject) {
   Scene reversed = c.scene;
@@ -36,7 +39,7 @@ extern constinit const Property kReversalSwapsFacing{
     .clause = "Winding decides facing, never coverage.",
     .tolerance = kExact,
     .domains = kCoverageAnySpace,
-    .gate = {.space = Space::kEither},
+    .gate = {.space = Space::kEither, .rules = reversal_swaps_facing::kRules},
     .ask = reversal_swaps_facing::Ask,
 };
 

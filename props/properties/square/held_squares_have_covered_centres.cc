@@ -19,7 +19,7 @@ constexpr std::array kRules{
                 },
                 "coverage with a may region of squares that are held",
                 "the profile lets squares be covered that do not lie within a triangle", true},
-    kDrawsLargeTriangles};
+    kDrawsLargeTriangles, kDrawsBothFacings};
 
 Checks Ask(const PlacedCase& c, const Description& subject) {
   return CompareEachAndAll(c, subject, MayBe::kLess,

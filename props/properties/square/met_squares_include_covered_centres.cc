@@ -21,7 +21,7 @@ constexpr std::array kRules{
                 },
                 "coverage with a must region of squares that are met",
                 "the profile does not say that squares are covered that a triangle meets", true},
-    kDrawsLargeTriangles};
+    kDrawsLargeTriangles, kDrawsBothFacings};
 
 // Triangles that the profile may make flat need not be drawn.
 CoverageCounts CentresOfSolid(const PlacedCase& c, const DrawOptions& options) {

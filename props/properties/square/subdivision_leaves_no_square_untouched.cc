@@ -27,7 +27,7 @@ constexpr std::array kRules{
                 },
                 "coverage with a must region of squares that a triangle as given meets",
                 "the profile does not say which squares a triangle as given meets", true},
-    kDrawsLargeTriangles};
+    kDrawsLargeTriangles, kDrawsBothFacings};
 
 // The middle of two vertices, if the scene's precision and a fixed-point input hold it exactly.
 std::optional<Vertex> Middle(const PlacedCase& c, const Vertex& a, const Vertex& b) {

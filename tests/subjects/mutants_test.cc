@@ -130,7 +130,7 @@ TEST(Mutants, OfLegalSetsAreFoundByTheirPropertyAndTheirTwinsHold) {
 }
 
 TEST(LegalVariants, KeepTheirProfilesInASample) {
-  constexpr std::uint64_t kCases = Cases<std::uint64_t>(12);
+  constexpr std::uint64_t kCases = Cases<std::uint64_t>(6);
   for (const MutantInfo& variant : Mutants()) {
     if (!variant.legal) continue;
     const std::unique_ptr<Subject> subject = tool::MakeSubject(variant.name);

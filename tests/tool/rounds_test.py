@@ -127,6 +127,7 @@ class RoundsTest(unittest.TestCase):
         self.assertTrue(found["fits"])
         self.assertFalse(found["agrees"])
 
+    @unittest.skipUnless("RASTERPROOF_MORE" in os.environ, "45 s: a part of ./run test-more")
     def test_finds_the_nearest_where_no_model_fits(self):
         done, found = self.infer_both_ways(["odd"], "d3d11-canonical")
         self.assertEqual(done.returncode, 1)

@@ -103,6 +103,8 @@ void ApplyKnownFailures(const std::vector<KnownFailure>& known, year_month_day t
   for (const KnownFailure& entry : known) {
     if (!entry.subject.empty() && entry.subject != found.subject) continue;
     if (entry.until < today) {
+      const auto is_its = [&](const Finding& f) { return f.result.property == entry.property; };
+      if (std::ranges::none_of(found.all, is_its)) continue;
       ++found.expired;
       found.notes +=
           Line("expired", found,

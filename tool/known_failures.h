@@ -34,7 +34,7 @@ bool IsKnown(const std::vector<KnownFailure>& known, std::chrono::year_month_day
 
 /// Marks the violations that an entry covers, and adds to the notes what became of the entries:
 /// whose violations were met, which passed unexpectedly, and which are past their day. The
-/// last fail the run.
+/// last fail the run, if their property is one of those found.
 ///
 /// Domain:     `found` has its explanation. An entry with a cause covers nothing of a failure whose
 ///             cause was not looked for.

@@ -1,11 +1,11 @@
 // rasterproof sweep: which builds of a rasterizer draw other samples, and by which flags, file and
 // function.
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iostream>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -97,12 +97,14 @@ class Sweep {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), first);
     progress_.Stage(what, count);
+    std::atomic<std::uint64_t> done = 0;
     ShareWork(jobs_, order, [&](std::size_t, std::size_t i) {
       try {
         if (!Interrupted()) work(i);
       } catch (const SubjectStop&) {
         if (!Interrupted()) throw;
       }
+      progress_.Done(++done);
     });
   }
 
@@ -357,7 +359,8 @@ int RunSweep(const SweepOptions& options) {
   RequireHonestEnvironment();
   io::RequireFileCanBe(options.json);
   std::vector<SweepBuild> builds;
-  std::ranges::transform(options.builds, std::back_inserter(builds), BuildFrom);
+  for (const std::string& words : options.builds)
+    builds.push_back(BuildFrom(words, options.cflags));
   SweepRunner runner({options.sources, options.cflags, options.seconds});
   try {
     runner.DrawBase(options.seed, options.cases, options.profile);

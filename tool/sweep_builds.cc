@@ -117,6 +117,11 @@ bool IsReplaced(std::string_view flag, const Choices& choices) {
   });
 }
 
+InputError NoBuild(const std::string& word) {
+  return {fmt::format("--build: '{}'", word), "is no flag, compiler or target",
+          "write gcc, clang, clang-19, i386, aarch64, or flags that begin with -"};
+}
+
 bool IsGivenToBoth(const Choice& choice, const Choices& choices) {
   return choice.kind == Kind::kLinkFlag &&
          std::ranges::find(choices, Choice{Kind::kFlag, choice.value}) != choices.end();
@@ -181,7 +186,7 @@ std::vector<SweepBuild> PairsOf(const std::vector<SweepBuild>& builds) {
   return pairs;
 }
 
-SweepBuild BuildFrom(const std::string& words) {
+SweepBuild BuildFrom(const std::string& words, const std::string& cflags) {
   SweepBuild build;
   std::istringstream in(words);
   for (std::string word; in >> word;) {
@@ -190,13 +195,22 @@ SweepBuild BuildFrom(const std::string& words) {
       build.choices.push_back(LinkFlag(word));
     } else if (word == "i386" || word == "aarch64") {
       build.choices.push_back({Kind::kTarget, word});
-    } else if (word == "clang" || word == "clang-19") {
+    } else if (word.starts_with("clang")) {
+      // A C++ source is compiled by the compiler's C++ name.
+      if (word.starts_with("clang++")) word.erase(5, 2);
+      if (word != "clang" && word != "clang-19") throw NoBuild(word);
       build.choices.push_back({Kind::kCompiler, word});
-    } else if (word != "gcc") {
-      throw InputError(fmt::format("--build: '{}'", word), "is no flag, compiler or target",
-                       "write gcc, clang, clang-19, i386, aarch64, or flags that begin with -");
+    } else if (word != "gcc" && word != "g++") {
+      throw NoBuild(word);
     }
   }
+  const std::string all = " " + cflags + " " + words;
+  const auto says = [&](std::string_view begin) { return all.find(begin) != all.npos; };
+  if (!says(" -O")) build.choices.push_back(Flag("-O0"));
+  // In the modes of ISO C gcc does not contract. What -ffast-math means comes with it.
+  const bool is_gcc = ValueOf(build.choices, Kind::kCompiler, "gcc") == "gcc";
+  if (!says(" -ffp-contract=") && !(is_gcc && (says(" -std=c") || says(" -ansi"))))
+    build.choices.push_back(Flag(is_gcc ? "-ffp-contract=fast" : "-ffp-contract=on"));
   return build;
 }
 

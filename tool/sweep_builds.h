@@ -41,9 +41,11 @@ std::vector<SweepBuild> SingleBuilds();
 std::vector<SweepBuild> PairsOf(const std::vector<SweepBuild>& builds);
 
 /// A build in the user's words, apart by blanks: "clang -O3 -ffast-math". Words that begin with "-"
-/// are flags, to compile and to link; the others name the compiler (gcc, clang, clang-19) or the
-/// target (i386, aarch64). Throws InputError for any other word.
-SweepBuild BuildFrom(const std::string& words);
+/// are flags, to compile and to link; the others name the compiler (gcc, clang, clang-19, or these
+/// of C++) or the target (i386, aarch64). Of the flags of the base it has none: where the words,
+/// after `cflags`, say nothing of optimisation or contraction, it has what the compiler does then,
+/// as flags. Throws InputError for any other word.
+SweepBuild BuildFrom(const std::string& words, const std::string& cflags);
 
 /// The compiler and target of a build, and what their programs are called.
 struct Toolchain {

@@ -184,7 +184,7 @@ std::vector<int> SidesOf(const Scene& scene, const TargetProfile& profile,
 constexpr double kMostSteps = 4;
 
 std::optional<std::string> WhyNoPlaces(const Scene& scene, const TargetProfile& model) {
-  if (!model.freedom.transform_error) return "the profile states no error of its transform";
+  if (!model.freedom.transform_error) return std::string(kNoTransformError);
   double farthest = 0;
   for (const Vertex& v : scene.vertices) {
     if (IsFinite(v)) farthest = std::max({farthest, std::fabs(v.x / v.w), std::fabs(v.y / v.w)});

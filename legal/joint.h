@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/coverage.h"
@@ -52,6 +53,12 @@ enum class Legality : std::uint8_t {
   kNotJudged  ///< none was found, and some component was given up
 };
 
+/// From `least` to `most`, both included.
+struct CountRange {
+  int least = 0;
+  int most = 0;
+};
+
 /// One observation that a legal model has to explain.
 struct Requirement {
   std::size_t sample = 0;  ///< index in counts of the target
@@ -67,7 +74,15 @@ struct Requirement {
   /// How often legal models let them cover it.
   int legal_least = 0;
   int legal_most = 0;
+  /// Of an observed id: the triangles that some legal model shows there, if `visible` is the only
+  /// observation. Some legal model shows none if `legal_least` is 0.
+  std::vector<std::size_t> legal_visible;
+  /// If sides are compared: how many of them legal models count as front and as back.
+  std::optional<std::array<CountRange, 2>> legal_by_side;
 };
+
+/// Core::wrong has no more samples than this.
+inline constexpr std::size_t kMostWrongTold = 1000;
 
 /// Why no legal model explains the drawing: a sample whose value no model has, or samples that no
 /// model explains together.
@@ -75,6 +90,8 @@ struct Core {
   std::vector<Requirement> requirements;
   /// Samples whose value no model has. The first of them is then the only requirement.
   std::size_t wrong_by_themselves = 0;
+  /// Those samples, in rising order, but no more than kMostWrongTold of them.
+  std::vector<Requirement> wrong;
   std::vector<std::size_t> vertices;  ///< of the scene, whose places decide several requirements
   /// True if leaving out any requirement makes the rest explicable. False if the search for fewer
   /// requirements was cut short.
@@ -102,6 +119,9 @@ struct Effort {
   std::uint64_t most_propagations = 200'000'000;  ///< of the solver, for each question
 };
 
+/// The reason where a profile states no error of its transform, for a scene in clip space.
+inline constexpr std::string_view kNoTransformError =
+    "the profile states no error of its transform";
 /// The reason where MayMoveEdgesAnyhow().
 inline constexpr std::string_view kClippedAnyhow =
     "a triangle leaves the guard band, and the profile does not say how far clipping moves its "

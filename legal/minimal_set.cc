@@ -8,7 +8,6 @@
 #include <optional>
 #include <ranges>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "core/coverage.h"
@@ -171,52 +170,129 @@ bool Minimize(const Families& families, std::uint64_t most_propagations, SeenSet
   return !gave_up;
 }
 
+// What legal models decide of one triangle at a sample: at least and at most.
+struct OfTriangle {
+  std::size_t triangle = 0;
+  int least = 0;
+  int most = 0;
+};
+
+// By sample of `only`: the triangles that cover it in some legal model, in rising order.
+std::map<std::size_t, std::vector<OfTriangle>> TrianglesBySample(const Decided& decided,
+                                                                 const SeenSet& set) {
+  std::map<std::size_t, std::vector<OfTriangle>> by_sample;
+  for (const Seen& seen : set) by_sample[seen.sample];
+  for (std::size_t t = 0; t < decided.triangles.size(); ++t) {
+    const TriangleDecided& triangle = decided.triangles[t];
+    const auto add = [&](std::size_t sample, int least) {
+      const auto found = by_sample.find(sample);
+      if (found == by_sample.end()) return;
+      std::vector<OfTriangle>& list = found->second;
+      if (list.empty() || list.back().triangle != t) list.push_back({t, least, 1});
+    };
+    for (const std::size_t s : triangle.must) add(s, 1);
+    if (triangle.is_anything) {
+      for (const auto& [sample, list] : by_sample) add(sample, 0);
+    } else {
+      for (const std::size_t s : triangle.may) add(s, 0);
+    }
+  }
+  return by_sample;
+}
+
+// How many of them legal models count on one side, where so many of all cover the sample.
+CountRange RangeOnSide(const std::vector<OfTriangle>& triangles, const std::vector<int>& side_of,
+                       int side, const Decided& decided, std::size_t sample) {
+  CountRange here;
+  CountRange there;
+  for (const OfTriangle& one : triangles) {
+    const int of = side_of[one.triangle];
+    if (of != -side) here.most += one.most;
+    if (of != side) there.most += one.most;
+    if (of == side) here.least += one.least;
+    if (of == -side) there.least += one.least;
+  }
+  return {std::max(here.least, decided.Least(sample) - there.most),
+          std::min(here.most, decided.Most(sample) - there.least)};
+}
+
+// Those that some legal model shows: any, or none that another always hides.
+std::vector<std::size_t> MayBeVisible(const std::vector<OfTriangle>& triangles,
+                                      const Observed& observed) {
+  std::vector<std::size_t> visible;
+  const auto look_at = [&](const OfTriangle& one) {
+    visible.push_back(one.triangle);
+    return one.least != 0 && !observed.any_is_visible;
+  };
+  if (observed.last_is_visible && !observed.any_is_visible) {
+    for (const OfTriangle& one : std::views::reverse(triangles)) {
+      if (look_at(one)) break;
+    }
+    std::ranges::reverse(visible);
+  } else {
+    for (const OfTriangle& one : triangles) {
+      if (look_at(one)) break;
+    }
+  }
+  return visible;
+}
+
+void AddObservedTogether(const Search& search, const Decided& decided,
+                         const std::vector<OfTriangle>& triangles, Requirement& requirement) {
+  const Observed& observed = search.observed;
+  const std::size_t sample = requirement.sample;
+  for (const OfTriangle& one : triangles) requirement.triangles.push_back(one.triangle);
+  requirement.legal_least = decided.Least(sample);
+  requirement.legal_most = decided.Most(sample);
+  if (observed.primitive_ids != nullptr) {
+    requirement.visible = (*observed.primitive_ids)[sample];
+    requirement.legal_visible = MayBeVisible(triangles, observed);
+  }
+  if (observed.together == nullptr) return;
+  const auto count = static_cast<int>(observed.together->Count(sample));
+  const auto all = static_cast<int>(search.scene.triangles.size());
+  if (observed.sides != Sides::kNotCompared) {
+    requirement.by_side = {static_cast<int>(observed.together->front[sample]),
+                           static_cast<int>(observed.together->back[sample])};
+    const int front = observed.sides == Sides::kPositiveArea ? 1 : -1;
+    requirement.legal_by_side = {RangeOnSide(triangles, observed.side_of, front, decided, sample),
+                                 RangeOnSide(triangles, observed.side_of, -front, decided, sample)};
+  }
+  requirement.least = count;
+  requirement.most = observed.is_mask && count != 0 ? std::max(count, all) : count;
+}
+
 // The samples with the triangles that may cover them, and how often legal models let them.
-void AddRequirements(const Search& search, const SeenSet& set, Core& core) {
+std::vector<Requirement> RequirementsOf(const Search& search, const SeenSet& set) {
   const std::vector<bool> only = SamplesOf(set, search.Samples());
   const Decided decided = DecidedSamples(search.scene, search.profile, &only);
+  const auto by_sample = TrianglesBySample(decided, set);
   const auto samples = static_cast<std::size_t>(decided.samples);
   const auto width = static_cast<std::size_t>(search.scene.width);
   const auto families = FamiliesOf(search.profile, search.scene);
   const FamilyView view(search.scene, search.profile, families.front());
+  std::vector<Requirement> requirements;
   for (const Seen& seen : set) {
     const std::size_t pixel = seen.sample / samples;
-    Requirement requirement;
+    Requirement& requirement = requirements.emplace_back();
     requirement.sample = seen.sample;
     requirement.at = view.At(static_cast<int>(pixel % width), static_cast<int>(pixel / width),
                              seen.sample % samples);
-    const auto covers = [&](std::size_t t) {
-      const TriangleDecided& of = decided.triangles[t];
-      if (std::ranges::binary_search(of.must, seen.sample)) return std::pair{1, 1};
-      const bool may = of.is_anything || std::ranges::binary_search(of.may, seen.sample);
-      return std::pair{0, may ? 1 : 0};
-    };
-    if (seen.triangle != Seen::kTogether) {
-      requirement.triangles = {seen.triangle};
-      std::tie(requirement.legal_least, requirement.legal_most) = covers(seen.triangle);
-      const auto count = search.observed.alone[seen.triangle]->Count(seen.sample);
-      requirement.least = requirement.most = static_cast<int>(count);
-    } else {
-      for (std::size_t t = 0; t < decided.triangles.size(); ++t) {
-        if (covers(t).second != 0) requirement.triangles.push_back(t);
-      }
-      requirement.legal_least = decided.Least(seen.sample);
-      requirement.legal_most = decided.Most(seen.sample);
-      if (search.observed.primitive_ids != nullptr)
-        requirement.visible = (*search.observed.primitive_ids)[seen.sample];
-      if (search.observed.together != nullptr) {
-        const auto count = static_cast<int>(search.observed.together->Count(seen.sample));
-        const auto all = static_cast<int>(search.scene.triangles.size());
-        if (search.observed.sides != Sides::kNotCompared) {
-          requirement.by_side = {static_cast<int>(search.observed.together->front[seen.sample]),
-                                 static_cast<int>(search.observed.together->back[seen.sample])};
-        }
-        requirement.least = count;
-        requirement.most = search.observed.is_mask && count != 0 ? std::max(count, all) : count;
-      }
+    const std::vector<OfTriangle>& triangles = by_sample.at(seen.sample);
+    if (seen.triangle == Seen::kTogether) {
+      AddObservedTogether(search, decided, triangles, requirement);
+      continue;
     }
-    core.requirements.push_back(std::move(requirement));
+    requirement.triangles = {seen.triangle};
+    const auto found = std::ranges::find(triangles, seen.triangle, &OfTriangle::triangle);
+    if (found != triangles.end()) {
+      requirement.legal_least = found->least;
+      requirement.legal_most = found->most;
+    }
+    const auto count = search.observed.alone[seen.triangle]->Count(seen.sample);
+    requirement.least = requirement.most = static_cast<int>(count);
   }
+  return requirements;
 }
 
 void SortOnce(std::vector<std::size_t>& numbers) {
@@ -235,7 +311,10 @@ Core MinimalSet(const Scene& scene, const TargetProfile& profile, const Observed
   const std::vector<Seen> wrong = WrongByThemselves(search, of_profile);
   if (!wrong.empty()) {
     core.wrong_by_themselves = wrong.size();
-    AddRequirements(search, {wrong.front()}, core);
+    const std::size_t told = std::min(wrong.size(), kMostWrongTold);
+    core.wrong =
+        RequirementsOf(search, {wrong.begin(), wrong.begin() + static_cast<std::ptrdiff_t>(told)});
+    core.requirements = {core.wrong.front()};
     return core;
   }
   SeenSet set;
@@ -252,7 +331,7 @@ Core MinimalSet(const Scene& scene, const TargetProfile& profile, const Observed
     }
   }
   SortOnce(core.vertices);
-  AddRequirements(search, set, core);
+  core.requirements = RequirementsOf(search, set);
   return core;
 }
 

@@ -13,7 +13,7 @@
 
 namespace rasterproof::legal {
 
-/// Returns the first sample whose value no model of any family has, if there is one; else a set of
+/// Returns the samples whose value no model of any family has, if there are any; else a set of
 /// samples that no model of any family explains, of which none can be left out.
 ///
 /// A family that explains some samples explains each part of them. So leaving out one sample after

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,39 @@ std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
   return text;
 }
 
+void WriteRange(report::JsonWriter& json, std::string_view key, legal::CountRange range) {
+  json.Key(key).BeginArray().Integer(range.least).Integer(range.most).EndArray();
+}
+
+void WriteRequirement(report::JsonWriter& json, const legal::Requirement& seen) {
+  json.BeginObject();
+  json.Key("index").Integer(seen.sample);
+  json.Key("x").Exact(seen.at.x);
+  json.Key("y").Exact(seen.at.y);
+  json.Key("least").Integer(seen.least);
+  json.Key("most").Integer(seen.most);
+  if (seen.by_side) {
+    json.Key("front").Integer((*seen.by_side)[0]);
+    json.Key("back").Integer((*seen.by_side)[1]);
+  }
+  if (seen.visible) json.Key("visible").Integer(*seen.visible);
+  json.Key("legal_least").Integer(seen.legal_least);
+  json.Key("legal_most").Integer(seen.legal_most);
+  if (seen.legal_by_side) {
+    WriteRange(json, "legal_front", (*seen.legal_by_side)[0]);
+    WriteRange(json, "legal_back", (*seen.legal_by_side)[1]);
+  }
+  if (seen.visible) {
+    json.Key("legal_visible").BeginArray();
+    for (const std::size_t t : seen.legal_visible) json.Integer(t);
+    json.EndArray();
+  }
+  json.Key("triangles").BeginArray();
+  for (const std::size_t t : seen.triangles) json.Integer(t);
+  json.EndArray();
+  json.EndObject();
+}
+
 std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open,
                    const Profile& profile, const LegalOptions& options) {
   const legal::JointVerdict& verdict = judgement.verdict;
@@ -74,25 +108,9 @@ std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open
     json.Key("is_minimal").Bool(verdict.core->is_minimal);
     json.Key("wrong_by_themselves").Integer(verdict.core->wrong_by_themselves);
     json.Key("samples").BeginArray();
-    for (const legal::Requirement& seen : verdict.core->requirements) {
-      json.BeginObject();
-      json.Key("index").Integer(seen.sample);
-      json.Key("x").Exact(seen.at.x);
-      json.Key("y").Exact(seen.at.y);
-      json.Key("least").Integer(seen.least);
-      json.Key("most").Integer(seen.most);
-      if (seen.by_side) {
-        json.Key("front").Integer((*seen.by_side)[0]);
-        json.Key("back").Integer((*seen.by_side)[1]);
-      }
-      if (seen.visible) json.Key("visible").Integer(*seen.visible);
-      json.Key("legal_least").Integer(seen.legal_least);
-      json.Key("legal_most").Integer(seen.legal_most);
-      json.Key("triangles").BeginArray();
-      for (const std::size_t t : seen.triangles) json.Integer(t);
-      json.EndArray();
-      json.EndObject();
-    }
+    const legal::Core& core = *verdict.core;
+    for (const legal::Requirement& seen : core.wrong.empty() ? core.requirements : core.wrong)
+      WriteRequirement(json, seen);
     json.EndArray();
     json.Key("vertices").BeginArray();
     for (const std::size_t v : verdict.core->vertices) json.Integer(v);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "core/subject_info.h"
@@ -30,16 +32,48 @@ std::string SeenOf(const legal::Requirement& seen) {
                                  : fmt::format("{} or more", seen.least);
 }
 
-std::string RequirementText(const legal::Requirement& seen) {
+// "2", "1 to 3".
+std::string RangeText(int least, int most) {
+  return least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
+}
+
+// The triangles that may be seen there: "7 or 8", "none or 7".
+std::string VisibleText(const legal::Requirement& seen) {
+  constexpr std::size_t kMostNamed = 8;
+  std::vector<std::string> names;
+  if (seen.legal_least == 0) names.emplace_back("none");
+  for (std::size_t k = 0; k < seen.legal_visible.size() && k < kMostNamed; ++k)
+    names.push_back(fmt::format("{}", seen.legal_visible[k]));
+  if (seen.legal_visible.size() > kMostNamed)
+    names.push_back(fmt::format("{} more", seen.legal_visible.size() - kMostNamed));
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
+// `legal` says how the legal values are called: those of one sample, if others are not looked at.
+std::string RequirementText(const legal::Requirement& seen, std::string_view legal) {
   if (seen.triangles.empty()) return "no legal model lets any triangle cover it\n";
-  const std::string of = fmt::format("{}", fmt::join(seen.triangles, ", "));
-  std::string text = !seen.visible ? fmt::format("{} of triangles {} cover it", SeenOf(seen), of)
-                     : *seen.visible == kNoPrimitive
-                         ? fmt::format("none of triangles {} is visible", of)
-                         : fmt::format("of triangles {} number {} is visible", of, *seen.visible);
-  if (seen.legal_least == seen.legal_most)
-    text += fmt::format("; in every legal model {} do", seen.legal_most);
+  if (seen.visible) {
+    const std::string shown =
+        *seen.visible == kNoPrimitive ? "no triangle" : fmt::format("triangle {}", *seen.visible);
+    return fmt::format("shows {}; {}: {}\n", shown, legal, VisibleText(seen));
+  }
+  std::string text =
+      fmt::format("{} of triangles {} cover it", SeenOf(seen), fmt::join(seen.triangles, ", "));
+  if (seen.legal_by_side) {
+    const auto [front, back] = *seen.legal_by_side;
+    text += fmt::format("; {}: {} front and {} back", legal, RangeText(front.least, front.most),
+                        RangeText(back.least, back.most));
+  } else if (seen.legal_least == seen.legal_most) {
+    text += fmt::format("; in every legal model {} {}", seen.legal_most,
+                        seen.legal_most == 1 ? "does" : "do");
+  } else {
+    text += fmt::format("; {}: {}", legal, RangeText(seen.legal_least, seen.legal_most));
+  }
   return text + "\n";
+}
+
+std::string_view LegalValuesOf(const legal::Core& core) {
+  return core.wrong_by_themselves != 0 ? "legal" : "legal, if it were alone";
 }
 
 std::string HeadOf(const legal::Core& core) {
@@ -223,12 +257,14 @@ Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn) {
 std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples) {
   constexpr std::size_t kMostTold = 8;
   std::string text = HeadOf(core);
-  for (std::size_t k = 0; k < core.requirements.size() && k < kMostTold; ++k) {
-    const legal::Requirement& seen = core.requirements[k];
-    text += "  " + PlaceText(seen.sample, scene, samples) + RequirementText(seen);
+  const auto& told = core.wrong.empty() ? core.requirements : core.wrong;
+  const std::size_t all = std::max(told.size(), core.wrong_by_themselves);
+  const std::size_t lines = std::min(told.size(), kMostTold);
+  for (std::size_t k = 0; k < lines; ++k) {
+    text += "  " + PlaceText(told[k].sample, scene, samples) +
+            RequirementText(told[k], LegalValuesOf(core));
   }
-  if (core.requirements.size() > kMostTold)
-    text += fmt::format("  and {} more\n", core.requirements.size() - kMostTold);
+  if (all > lines) text += fmt::format("  and {} more\n", all - lines);
   if (!core.vertices.empty()) text += "they are decided by where these vertices lie:\n";
   for (std::size_t k = 0; k < core.vertices.size() && k < kMostTold; ++k) {
     const Vertex& v = scene.vertices[core.vertices[k]];
@@ -242,8 +278,8 @@ std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t sa
 
 std::string CoreLine(const legal::Core& core, const Scene& scene, std::size_t samples) {
   const legal::Requirement& first = core.requirements.front();
-  std::string line =
-      HeadOf(core) + PlaceText(first.sample, scene, samples) + RequirementText(first);
+  std::string line = HeadOf(core) + PlaceText(first.sample, scene, samples) +
+                     RequirementText(first, LegalValuesOf(core));
   line.pop_back();
   std::ranges::replace(line, '\n', ' ');
   return line;

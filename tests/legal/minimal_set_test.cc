@@ -45,6 +45,7 @@ TEST(Core, IsOneSampleThatNoModelHasOrAMinimalSetOverAllGrids) {
       wrong += ExplainsAt(scene, profile, mixed, {s}) ? 0 : 1;
     ASSERT_EQ(verdict.core->wrong_by_themselves, wrong) << n;
     ASSERT_EQ(samples.size() == 1, wrong != 0) << n;
+    ASSERT_EQ(verdict.core->wrong.size(), wrong) << n;
     ++(wrong != 0 ? alone : together);
     for (std::size_t k = 0; wrong == 0 && k < samples.size(); ++k) {
       std::vector<std::size_t> others = samples;

@@ -117,7 +117,7 @@ class LegalTest(unittest.TestCase):
         printed = self.decided("vulkan").stderr
         number = printed.split("; ")[1].split()[0]
         self.assertIn(f"{number} samples are open", lost.stdout)
-        self.assertIn("in every legal model 1 do", lost.stdout)
+        self.assertIn("in every legal model 1 does", lost.stdout)
         with open(self.path("core.json")) as file:
             case = json.load(file)
         self.assertGreaterEqual(len(case["scene"]["triangles"]), 1)
@@ -285,7 +285,7 @@ class LegalTest(unittest.TestCase):
         right[0][2] = 2  # of the first triangle alone
         wrong = self.legal(self.as_text(right), "vulkan", "--ids")
         self.assertEqual(wrong.returncode, 1)
-        self.assertIn("column 2 row 0: of triangles 0 number 1 is visible", wrong.stdout)
+        self.assertIn("column 2 row 0: shows triangle 1; legal: 0\n", wrong.stdout)
 
     def test_facings_are_judged_where_a_subject_tells_them(self):
         square = ("legal", self.scene, "--profile", "vulkan", "--subject")
@@ -296,7 +296,42 @@ class LegalTest(unittest.TestCase):
             done = run(*square, subject)
             self.assertEqual(done.returncode, status, subject + done.stdout + done.stderr)
             self.assertIn(told, done.stdout)
-        self.assertRegex(done.stdout, "[01] front and [01] back")
+        self.assertIn("column 0 row 1: 1 front and 0 back of triangles 1 cover it; legal: "
+                      "0 front and 1 back\n", done.stdout)  # fmt: skip
+
+    def test_ids_that_no_model_shows_are_told_with_those_that_one_does(self):
+        # Both triangles cover the first row; the second is drawn last.
+        scene = dict(SQUARE, triangles=[[0, 1, 2], [0, 1, 2]])
+        self.scene = self.write("over.json", json.dumps(scene))
+        shown = self.as_text([[1, 1, 0, 0], [0, 2, 2, 0], [0, 0, 2, 2], [0, 0, 0, 0]])
+        for visible, told in (("any", ("2 row 0: shows no triangle; legal: 0 or 1\n",)),
+                              ("last", ("1 row 0: shows triangle 0; legal: 1\n",
+                                        "2 row 0: shows no triangle; legal: 1\n")),
+                              ("first", ("2 row 1: shows triangle 1; legal: 0\n",))):
+            done = self.legal(shown, "vulkan", "--ids", "--visible", visible)
+            self.assertEqual(done.returncode, 1)
+            for one in told:
+                self.assertIn("  column " + one, done.stdout)
+            self.assertIn("column 3 row 2: no legal model lets any triangle", done.stdout)
+
+    def test_all_wrong_samples_are_told(self):
+        rows = self.drawn("vulkan-canonical")
+        rows[0] = [0] * 4
+        done = self.legal(self.as_text(rows), "vulkan", "--json", self.path("out.json"))
+        self.assertIn("the values of 3 samples contradict every legal model", done.stdout)
+        for column in range(3):
+            self.assertIn(f"  column {column} row 0: 0 of triangles", done.stdout)
+        with open(self.path("out.json")) as file:
+            core = json.load(file)["core"]
+        self.assertEqual((core["wrong_by_themselves"], [one["index"] for one in core["samples"]]),
+                         (3, [0, 1, 2]))  # fmt: skip
+        side = 40
+        large = {"rasterproof_scene": 1, "width": side, "height": side,
+                 "vertices": [[-100, -100], [300, -100], [-100, 300]], "triangles": [[0, 1, 2]]}
+        self.scene = self.write("large.json", json.dumps(large))
+        done = self.legal(self.as_text([[0] * side] * side), "vulkan", "--json", "-")
+        core = json.loads(done.stdout)["core"]
+        self.assertEqual((core["wrong_by_themselves"], len(core["samples"])), (1600, 1000))
 
     def listed(self, *entries, options=()):
         path = self.write("list.json", json.dumps(list(entries)))

@@ -37,7 +37,7 @@ std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
   const legal::JointVerdict& verdict = judgement.verdict;
   std::string text = fmt::format("{}: profile {}; {}\n", LegalityName(verdict.legality),
                                  profile.name, SearchText(verdict, profile));
-  if (judgement.compared != kCountsAlone) text += "compared: " + judgement.compared + "\n";
+  text += "compared: " + judgement.compared + "\n";
   if (open)
     text += fmt::format("{} samples are open: legal models cover them differently often\n", *open);
   if (verdict.components != 0) {

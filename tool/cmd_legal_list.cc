@@ -56,6 +56,7 @@ struct ListLine {
   ListResult result = ListResult::kLegal;
   std::string text = {};   // after the name, in one line
   std::string whole = {};  // of what is not legal: all that is known
+  std::string compared = {};
   double seconds = 0;
   std::uint64_t not_judged = 0;  // samples
 };
@@ -125,7 +126,8 @@ ListLine JudgeListed(const ListedDrawing& listed, SubjectsByProfile& subjects,
         fmt::format("profile {}; {}", profile.name, CoreLine(*verdict.core, scene, samples));
     line.whole = CoreText(*verdict.core, scene, samples);
   }
-  if (compared != kCountsAlone) line.text += "; compared: " + compared;
+  line.compared = "compared: " + compared;
+  line.text += "; " + line.compared;
   if (verdict.legality == legal::Legality::kNotJudged) {
     line.result = ListResult::kOpen;
     line.text += fmt::format("; {} samples are not judged", verdict.not_judged);
@@ -186,6 +188,7 @@ std::string ListSummary(const std::vector<ListLine>& lines) {
 
 report::JUnitTest TestOfLine(const ListLine& line, const std::string& classname) {
   report::JUnitTest test{.classname = classname, .name = line.name, .seconds = line.seconds};
+  if (!line.compared.empty()) test.said = line.compared;
   switch (line.result) {
     case ListResult::kLegal:
       break;

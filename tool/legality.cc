@@ -207,6 +207,7 @@ OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
   drawn.drawing.primitive_ids = std::move(file.primitive_ids);
   drawn.has_counts = !options.ids;
   drawn.is_mask = file.is_mask;
+  drawn.is_picture = file.is_mask;
   drawn.last_is_visible = options.visible == "last";
   drawn.any_is_visible = options.visible == "any";
   return drawn;
@@ -215,7 +216,11 @@ OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
 namespace {
 
 std::string ComparedIn(const OneCall& drawn) {
-  if (drawn.has_counts) return std::string(kCountsAlone);
+  if (drawn.is_picture)
+    return "covered or not; a sample covered twice is not seen: give counts (or --ids)";
+  if (drawn.is_mask && drawn.has_counts)
+    return "covered or not; a sample covered twice is not seen";
+  if (drawn.has_counts) return "counts; facings are not seen";
   if (drawn.any_is_visible)
     return "ids: each covers its sample; which of several triangles is on top is not judged";
   return fmt::format("ids, of several triangles that of the {} one",
@@ -250,7 +255,7 @@ Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn) {
   if (verdict.legality != legal::Legality::kNotLegal) return {std::move(verdict), compared};
   legal::JointVerdict counts = judge(legal::Sides::kNotCompared);
   if (counts.legality == legal::Legality::kNotLegal)
-    return {std::move(counts), std::string(kCountsAlone)};
+    return {std::move(counts), "counts; no model explains them, whatever the facings"};
   return {std::move(verdict), compared + "; a model explains the counts alone"};
 }
 

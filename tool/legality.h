@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 #include "core/drawing.h"
 #include "core/scene.h"
@@ -22,6 +21,7 @@ struct OneCall {
   bool last_is_visible = true;
   bool any_is_visible = false;  ///< which of several triangles is visible is not known
   bool has_facings = false;     ///< its counts are by facing
+  bool is_picture = false;      ///< a mask that was read from a file
 
   /// Points into this.
   legal::Observed Observed() const;
@@ -42,7 +42,7 @@ JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject)
 /// Reads the image that the options name.
 OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged);
 
-/// The verdict on a drawing, and what was compared: "counts", "counts and facings".
+/// The verdict on a drawing, and what was compared, in words that say what was not: "counts; ...".
 struct Judgement {
   legal::JointVerdict verdict;
   std::string compared;
@@ -51,9 +51,6 @@ struct Judgement {
 /// Returns whether one legal model explains the drawing, its facings too if it has any. Where the
 /// profile does not say which side is the front, either may be.
 Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn);
-
-/// Judgement::compared of a drawing that shows neither facings nor ids.
-inline constexpr std::string_view kCountsAlone = "counts";
 
 /// The exit status of one verdict.
 int StatusOf(legal::Legality legality);

@@ -221,6 +221,31 @@ class LegalTest(unittest.TestCase):
         self.assertEqual(self.legal(image, "vulkan").returncode, 0)
         self.assertEqual(self.legal(image, "vulkan", "--background", "ffffff").returncode, 1)
 
+    def test_a_verdict_says_what_was_compared(self):
+        rows = self.drawn("vulkan-canonical")
+        counts = self.as_text(rows)
+        picture = self.write("image.png", png([[255 * bool(n) for n in row] for row in rows]))
+        once = "covered or not; a sample covered twice is not seen"
+        for drawing, told in (
+                ((picture,), once + ": give counts (or --ids)"),
+                ((counts,), "counts; facings are not seen"),
+                ((counts, "--ids"), "ids: each covers its sample; which of several triangles is on "
+                                    "top is not judged"),
+                ((counts, "--ids", "--visible", "last"), "ids, of several triangles that of the "
+                                                         "last one"),
+                (("--subject", "i64-snap8"), "counts and facings"),
+                (("--subject", "legal:vulkan-farthest-mask"), once)):
+            done = run("legal", self.scene, *drawing, "--profile", "vulkan", "--json",
+                       self.path("out.json"))
+            self.assertIn(f"\ncompared: {told}\n", done.stdout, done.stderr)
+            with open(self.path("out.json")) as file:
+                self.assertEqual(json.load(file)["compared"], told)
+        entry = {"name": "shown", "scene": "scene.json", "image": "image.png", "profile": "vulkan"}
+        done = self.listed(entry, options=("--junit", self.path("out.xml")))
+        self.assertIn("compared: " + once, done.stdout)
+        (case,) = xml.etree.ElementTree.parse(self.path("out.xml")).getroot().iter("testcase")
+        self.assertIn("compared: " + once, case.find("system-out").text)
+
     def test_a_picture_may_be_pgm_ppm_or_raw_bytes(self):
         rows = self.drawn("vulkan-canonical")
         levels = [200 * bool(n) for row in rows for n in row]
